@@ -1,0 +1,25 @@
+# tessera_test(NAME SOURCES ... LINK ... [RANKS 1 2 4] [LABELS ...])
+# A GoogleTest binary of that name. With RANKS it is started by mpirun once for each number of ranks; without, it is
+# registered as one ctest entry. RapidCheck runs with a fixed seed, so that a red test is red again; a failure prints it.
+find_package(GTest REQUIRED)
+
+include_directories(${PROJECT_SOURCE_DIR}/tests)
+
+function(tessera_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;RANKS;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  if(ARG_RANKS)
+    target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest rapidcheck)
+    foreach(ranks IN LISTS ARG_RANKS)
+      add_test(NAME ${name}.${ranks}_ranks
+               COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --allow-run-as-root --bind-to none
+                       -n ${ranks} $<TARGET_FILE:${name}>)
+      set_tests_properties(${name}.${ranks}_ranks PROPERTIES LABELS "mpi;${ARG_LABELS}" TIMEOUT 300
+                           PROCESSORS 2 ENVIRONMENT RC_PARAMS=seed=2016)
+    endforeach()
+  else()
+    target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main rapidcheck)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=2016)
+  endif()
+endfunction()

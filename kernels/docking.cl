@@ -1,0 +1,187 @@
+// core/docking.cpp in OpenCL C (paper section 3.3): from a pair, or from random bits, to a similarity, and how well it
+// looks on a few points of the free field.
+
+#define NO_DOCKING -1.f
+
+typedef struct Alignment {
+  PoseRecord canvas_from_shape;
+  bool valid;
+} Alignment;
+
+// `shape_x`, `shape_y`: key points of the shape's sample. Least squares at the longest level at which both agree.
+Alignment align_pyramids(global const float* shape_x, global const float* shape_y, global const SampleRecord* target,
+                         float scale_low_px, float scale_high_px) {
+  Alignment result;
+  result.valid = false;
+  const int least_level = kPadLevels > 2 ? kPadLevels - 3 : 0;
+  for (int level = kPadLevels - 1; level >= least_level; --level) {
+    const int begin = kPadLevels - 1 - level;
+    const int end = kPadLevels + 2 + level;
+    const float count = (float)(end - begin);
+    float4 sum = 0;  // x, y of the shape, x, y of the target
+    for (int i = begin; i < end; ++i) {
+      sum += (float4)(shape_x[i], shape_y[i], target->keypoint_x[i], target->keypoint_y[i]);
+    }
+    const float4 mean = sum * (1 / count);
+    // real and imaginary part of the product, spread of the shape, spread of the target
+    float4 product = (float4)(0, 0, 1e-12f, 0);
+    for (int i = begin; i < end; ++i) {
+      const float4 d = (float4)(shape_x[i], shape_y[i], target->keypoint_x[i], target->keypoint_y[i]) - mean;
+      product += d.xxxz * d.zwxz + (float4)(d.y, -d.y, d.y, d.w) * d.wzyw;
+    }
+    const float residual =
+        (product.w - (product.x * product.x + product.y * product.y) / product.z) / count;
+    if (residual > kAlignmentTolerance * 4.f * sqrt(product.w / count)) continue;
+    PoseRecord s;
+    s.a = product.x / product.z;
+    s.b = product.y / product.z;
+    const float scale = scale_of(s);
+    if (scale < scale_low_px || scale > scale_high_px) continue;
+    s.tx = mean.z - (s.a * mean.x - s.b * mean.y);
+    s.ty = mean.w - (s.b * mean.x + s.a * mean.y);
+    result.canvas_from_shape = s;
+    result.valid = true;
+    return result;
+  }
+  return result;
+}
+
+// How a pose ranks by 32 boundary points and a third of the interior points; NO_DOCKING where it is hopeless.
+float docking_key(global const float* contour, uint interior_points, PoseRecord s, const Field* field,
+                  float max_scale_px) {
+  const float scale = scale_of(s);
+  const float hopeless_px = max(5.f, 0.12f * scale);
+  const float near_px = max(4.f, 0.06f * scale);
+  const int most_bad = 4;
+  int hits = 0;
+  int bad = 0;
+  for (int block = 0; block < kCoarsePoints / kLanes; ++block) {
+    const Points p = placed_points(s, contour + kCoarseAt, kCoarsePoints, block);
+    const float16 d = field_values(field, p.x, p.y);
+    const int16 deep = d < -near_px;
+    bad += count_lanes(deep);
+    if (bad > most_bad || any_lane(d < -hopeless_px)) return NO_DOCKING;
+    hits += count_lanes(~deep & d < near_px);
+  }
+  int covered = 0;
+  const int coarse_points = ((int)interior_points + kInteriorStride - 1) / kInteriorStride;
+  for (int block = 0; block * kLanes < coarse_points; ++block) {
+    const Points p = placed_points(s, contour + kCoarseInteriorAt, kCoarseInteriorPoints, block);
+    const int16 used = lane_index() + block * kLanes < coarse_points;
+    covered += count_lanes(used & field_values(field, p.x, p.y) < 0);
+  }
+  const float interior = interior_points == 0 ? 0.f : 9.f * (float)covered / (float)interior_points;
+  const float fit = ((float)hits - 1.5f * (float)bad) / (float)kCoarsePoints - interior;
+  return fit * sqrt(sqrt(scale / max_scale_px));
+}
+
+typedef struct BestDockings {
+  int count;
+  DockingRecord docking[kDockingsPerShape];
+} BestDockings;
+
+// Of one shape and sample: by key, then by source.
+void keep_docking(BestDockings* best, const DockingRecord* docking) {
+  int at = best->count;
+  for (; at > 0; --at) {
+    const DockingRecord* other = best->docking + at - 1;
+    if (other->key > docking->key || (other->key == docking->key && other->source < docking->source)) break;
+    if (at < kDockingsPerShape) best->docking[at] = *other;
+  }
+  if (at == kDockingsPerShape) return;
+  best->docking[at] = *docking;
+  if (best->count < kDockingsPerShape) ++best->count;
+}
+
+int level_of_source(constant MatchRecord* match, uint source) {
+  int k = 0;
+  while (source >= match->level[k].first + match->level[k].count) ++k;
+  return k;
+}
+
+// Work item: (target sample - first_sample, shape). Of its pairs below the sample's bin limit the best
+// kDockingsPerShape dockings, at (work item) * kDockingsPerShape; NO_DOCKING as key where there are fewer. The pairs
+// are those of select_pairs from sample `first_paired` on.
+kernel void dock_pairs(constant MatchRecord* match, global const float* field_value, global const float* keypoints,
+                       global const float* contours, global const ShapeRecord* shapes, uint first_sample,
+                       uint end_sample, global const SampleRecord* samples, uint first_paired,
+                       global const PairRecord* pairs, global const uint* pair_count, global DockingRecord* dockings,
+                       global float* keys, global uint* evaluated) {
+  const uint t = first_sample + get_global_id(0);
+  const uint shape = get_global_id(1);
+  if (t >= end_sample) return;
+  const Field field = free_field(match, field_value);
+  global const SampleRecord* target = samples + t;
+  global const float* contour = contours + (size_t)shape * kContourFloats;
+  const size_t pair_place = (size_t)(t - first_paired) * match->shapes + shape;
+  BestDockings best;
+  best.count = 0;
+  uint looked_at = 0;
+  for (uint i = 0; i < pair_count[pair_place]; ++i) {
+    const PairRecord pair = pairs[pair_place * kPairsPerShape + i];
+    if (distance_bin(pair.distance, match->beta) >= target->bin_limit) break;  // best first
+    constant LevelRecord* level = match->level + level_of_source(match, pair.source);
+    global const float* keypoint = keypoints + ((size_t)shape * match->sources + pair.source) * 2 * kPadKeypoints;
+    const Alignment aligned = align_pyramids(keypoint, keypoint + kPadKeypoints, target, level->scale_low_px,
+                                             level->scale_high_px);
+    if (!aligned.valid || !rotation_allowed(match, aligned.canvas_from_shape)) continue;
+    ++looked_at;
+    const float key = docking_key(contour, shapes[shape].interior_points, aligned.canvas_from_shape, &field,
+                                  match->max_scale_px);
+    if (key < kLeastDockingKey) continue;
+    const DockingRecord docking = {t, match->first_shape + shape, pair.source, key, aligned.canvas_from_shape};
+    keep_docking(&best, &docking);
+  }
+  if (looked_at > 0) atomic_add(evaluated + t, looked_at);
+  const size_t place = ((size_t)get_global_id(0) * match->shapes + shape) * kDockingsPerShape;
+  for (int i = 0; i < kDockingsPerShape; ++i) {
+    keys[place + i] = i < best.count ? best.docking[i].key : NO_DOCKING;
+    if (i < best.count) dockings[place + i] = best.docking[i];
+  }
+}
+
+// Frames aligned at a boundary point, at a given scale.
+PoseRecord tangent_docking(global const float* contour, uint point, float scale_px,
+                           global const SampleRecord* target) {
+  const float ux = contour[kTangentAt + point];
+  const float uy = contour[kTangentAt + kBoundaryPoints + point];
+  const float px = contour[kFineAt + point];
+  const float py = contour[kFineAt + kBoundaryPoints + point];
+  PoseRecord s;
+  s.a = (ux * target->tangent_x + uy * target->tangent_y) * scale_px;
+  s.b = (ux * target->tangent_y - uy * target->tangent_x) * scale_px;
+  s.tx = target->position_x - (s.a * px - s.b * py);
+  s.ty = target->position_y - (s.b * px + s.a * py);
+  return s;
+}
+
+// Work item: (target sample - first_sample, draw). Its docking at the same place if its shape is of this shard and the
+// early reject leaves it; else NO_DOCKING as key.
+kernel void dock_tangents(constant MatchRecord* match, global const float* field_value, global const float* contours,
+                          global const ShapeRecord* shapes, uint first_sample, uint end_sample,
+                          global const SampleRecord* samples, uint draws, global DockingRecord* dockings,
+                          global float* keys, global uint* evaluated) {
+  const uint t = first_sample + get_global_id(0);
+  const uint draw = get_global_id(1);
+  if (t >= end_sample) return;
+  global const SampleRecord* target = samples + t;
+  const size_t place = (size_t)get_global_id(0) * draws + draw;
+  keys[place] = NO_DOCKING;
+  const ulong bits =
+      mix_bits(match->seed ^ mix_bits(((ulong)target->edge << 32) | ((ulong)target->pass << 16 | draw)));
+  const uint library_shape = (uint)(((bits >> 32) * match->library_shapes) >> 32);
+  const uint shape = library_shape - match->first_shape;  // wraps round below the shard
+  if (shape >= match->shapes) return;
+  const uint point = (uint)(((bits & 0xffffffffu) * kBoundaryPoints) >> 32);
+  const float growth = portable_exp2(unit_float((uint)(mix_bits(bits) >> 32)) * match->log2_scale_ratio);
+  global const float* contour = contours + (size_t)shape * kContourFloats;
+  const PoseRecord pose = tangent_docking(contour, point, match->min_scale_px * growth, target);
+  if (!rotation_allowed(match, pose)) return;
+  atomic_inc(evaluated + t);
+  const Field field = free_field(match, field_value);
+  const float key = docking_key(contour, shapes[shape].interior_points, pose, &field, match->max_scale_px);
+  if (key < kLeastDockingKey) return;
+  const DockingRecord docking = {t, library_shape, kTangentSource + draw, key, pose};
+  keys[place] = key;
+  dockings[place] = docking;
+}

@@ -1,0 +1,87 @@
+// core/field_lookup.h in OpenCL C, 16 points at once: bilinear look-up in the free field.
+
+typedef struct Field {
+  global const float* value;
+  int width;
+  int height;
+  float origin_x;
+  float origin_y;
+} Field;
+
+Field free_field(constant MatchRecord* match, global const float* value) {
+  const Field f = {value, match->field_width, match->field_height, match->field_origin_x, match->field_origin_y};
+  return f;
+}
+
+// The cell of each point: its nodes q (above) and r (below), and where in it the point lies.
+typedef struct Cells {
+  float16 q0, q1, r0, r1;
+  float16 s, t;
+  int16 on_grid;
+} Cells;
+
+// Two nodes of a row lie side by side: one 8-byte load for both.
+#define LOAD_ROWS(k)                                                       \
+  vstore2(vload2(0, f->value + node.s##k), 0x##k, upper);                  \
+  vstore2(vload2(0, f->value + f->width + node.s##k), 0x##k, lower)
+
+Cells cells_at(const Field* f, float16 x, float16 y) {
+  Cells c;
+  const float16 u = x - f->origin_x;
+  const float16 v = y - f->origin_y;
+  c.on_grid = u >= 0 & v >= 0 & u < (float)(f->width - 1) & v < (float)(f->height - 1);
+  const float16 u_on = c.on_grid ? u : (float16)0;
+  const float16 v_on = c.on_grid ? v : (float16)0;
+  const float16 i = floor(u_on);
+  const float16 j = floor(v_on);
+  c.s = u_on - i;
+  c.t = v_on - j;
+  const int16 node = int_lanes(j) * f->width + int_lanes(i);
+  float upper[2 * kLanes];
+  float lower[2 * kLanes];
+  LOAD_ROWS(0); LOAD_ROWS(1); LOAD_ROWS(2); LOAD_ROWS(3);
+  LOAD_ROWS(4); LOAD_ROWS(5); LOAD_ROWS(6); LOAD_ROWS(7);
+  LOAD_ROWS(8); LOAD_ROWS(9); LOAD_ROWS(a); LOAD_ROWS(b);
+  LOAD_ROWS(c); LOAD_ROWS(d); LOAD_ROWS(e); LOAD_ROWS(f);
+  const float16 upper0 = vload16(0, upper);
+  const float16 upper1 = vload16(1, upper);
+  const float16 lower0 = vload16(0, lower);
+  const float16 lower1 = vload16(1, lower);
+  c.q0 = (float16)(upper0.even, upper1.even);
+  c.q1 = (float16)(upper0.odd, upper1.odd);
+  c.r0 = (float16)(lower0.even, lower1.even);
+  c.r1 = (float16)(lower0.odd, lower1.odd);
+  return c;
+}
+
+float16 value_in(const Cells* c) {
+  const float16 value =
+      (c->q0 * (1 - c->s) + c->q1 * c->s) * (1 - c->t) + (c->r0 * (1 - c->s) + c->r1 * c->s) * c->t;
+  return c->on_grid ? value : (float16)kOffGridDistance;
+}
+
+// `x`, `y` in canvas px.
+float16 field_values(const Field* f, float16 x, float16 y) {
+  const Cells c = cells_at(f, x, y);
+  return value_in(&c);
+}
+
+typedef struct FieldSamples {
+  float16 value;
+  float16 gradient_x;
+  float16 gradient_y;
+} FieldSamples;
+
+// With the gradient; off the grid it points back to the middle, for a pose that strayed to be pulled in.
+FieldSamples field_samples(const Field* f, float16 x, float16 y) {
+  const Cells c = cells_at(f, x, y);
+  const float16 inward_x = x - f->origin_x < (float)f->width * 0.5f ? (float16)1.f : (float16)-1.f;
+  const float16 inward_y = y - f->origin_y < (float)f->height * 0.5f ? (float16)1.f : (float16)-1.f;
+  const float16 slope_x = (c.q1 - c.q0) * (1 - c.t) + (c.r1 - c.r0) * c.t;
+  const float16 slope_y = (c.r0 - c.q0) * (1 - c.s) + (c.r1 - c.q1) * c.s;
+  FieldSamples result;
+  result.value = value_in(&c);
+  result.gradient_x = c.on_grid ? slope_x : inward_x;
+  result.gradient_y = c.on_grid ? slope_y : inward_y;
+  return result;
+}

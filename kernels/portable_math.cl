@@ -1,0 +1,51 @@
+// core/portable_math.h in OpenCL C, bit for bit, and reductions over the lanes of a vector.
+//
+// All kernels together: only + - * / sqrt floor fabs min max and comparisons, in the order in which the reference does
+// them; no built-in whose rounding may differ (mad, fma, native_*, dot, length).
+#pragma OPENCL FP_CONTRACT OFF
+
+float portable_exp2(float x) {
+  const float whole = floor(x);
+  const float f = x - whole;
+  const float y = f * 0.69314718f;
+  float p = 1.98412698e-4f;
+  p = p * y + 1.38888889e-3f;
+  p = p * y + 8.33333333e-3f;
+  p = p * y + 4.16666667e-2f;
+  p = p * y + 1.66666667e-1f;
+  p = p * y + 0.5f;
+  p = p * y + 1.f;
+  p = p * y + 1.f;
+  for (int k = (int)whole; k > 0; --k) p = p * 2.f;
+  for (int k = (int)whole; k < 0; ++k) p = p * 0.5f;
+  return p;
+}
+
+ulong mix_bits(ulong z) {
+  z += 0x9e3779b97f4a7c15ul;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ul;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebul;
+  return z ^ (z >> 31);
+}
+
+float unit_float(uint bits) { return (float)(bits >> 8) * (1.f / 16777216.f); }
+
+// Comparisons of vectors give 0 or -1 in each lane.
+int any_lane(int16 mask) {
+  const int8 a = mask.lo | mask.hi;
+  const int4 b = a.lo | a.hi;
+  const int2 c = b.lo | b.hi;
+  return c.x | c.y;
+}
+
+int count_lanes(int16 mask) {
+  const int8 a = mask.lo + mask.hi;
+  const int4 b = a.lo + a.hi;
+  const int2 c = b.lo + b.hi;
+  return -(c.x + c.y);
+}
+
+int16 lane_index(void) { return (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15); }
+
+// For 0 <= x < 2^23 without fraction: cheaper than a conversion of 16 lanes one by one.
+int16 int_lanes(float16 x) { return as_int16(x + 8388608.f) & 0x7fffff; }

@@ -1,0 +1,138 @@
+// What host and kernels exchange, included by both, so that they cannot drift: plain structs of 4-byte members (8-byte
+// ones first), without padding. The host takes the constants from the headers of core; the kernels get the same names
+// as build options (src/worker/kernel_options.cpp).
+#ifndef TESSERA_KERNELS_RECORDS_H
+#define TESSERA_KERNELS_RECORDS_H
+
+#ifdef __OPENCL_VERSION__
+typedef uint u32;
+typedef ulong u64;
+#else
+#include <cstdint>
+
+#include "core/pad.h"
+#include "core/shape_model.h"
+
+namespace tessera::worker {
+using u32 = std::uint32_t;
+using u64 = std::uint64_t;
+#endif
+
+// The kernels handle boundary points, interior points and PADs in vectors of 16.
+enum RecordSizes {
+  kLanes = 16,
+  kSmoothingLevelCount = 5,
+  kMaxPadElements = 2 * (kMaxPadLevels - 1),
+  kMaxKeypoints = 2 * kMaxPadLevels + 1,
+  kMediumPoints = kBoundaryPoints / kMediumStride,
+  kCoarsePoints = kBoundaryPoints / kCoarseStride,
+  kInteriorStride = 3,  // every 3rd interior point takes part in the early reject
+  kCoarseInteriorPoints = (kMaxInteriorPoints / kInteriorStride + kLanes) / kLanes * kLanes,
+
+  // A shape's points, structure of arrays, in shape units: all x, then all y of each set.
+  kFineAt = 0,
+  kTangentAt = kFineAt + 2 * kBoundaryPoints,  // of the fine points
+  kMediumAt = kTangentAt + 2 * kBoundaryPoints,
+  kCoarseAt = kMediumAt + 2 * kMediumPoints,
+  kInteriorAt = kCoarseAt + 2 * kCoarsePoints,
+  kCoarseInteriorAt = kInteriorAt + 2 * kMaxInteriorPoints,
+  kContourFloats = kCoarseInteriorAt + 2 * kCoarseInteriorPoints
+};
+
+// A smoothing level in use: its PADs are [first, first + count) of each shape.
+typedef struct LevelRecord {
+  u32 first;
+  u32 count;
+  float scale_low_px;
+  float scale_high_px;
+} LevelRecord;
+
+// The numbers that all kernels share: MatchingContext, the shard and the field's place.
+typedef struct MatchRecord {
+  u64 seed;
+  float beta;
+  float delta_px;
+  float min_scale_px;
+  float max_scale_px;
+  float gap_px;
+  float log2_scale_ratio;
+  float rotation_middle_x;
+  float rotation_middle_y;
+  float rotation_min_cosine;
+  u32 library_shapes;
+  u32 first_shape;  // library index of the shard's first shape
+  u32 shapes;       // in the shard
+  u32 level_count;
+  u32 sources;      // PADs of a shape
+  int field_width;  // nodes
+  int field_height;
+  float field_origin_x;  // canvas px of node (0, 0)
+  float field_origin_y;
+  LevelRecord level[kSmoothingLevelCount];
+} MatchRecord;
+
+typedef struct ShapeRecord {
+  float perimeter;
+  float radius;
+  u32 interior_points;
+} ShapeRecord;
+
+// A target sample. Canvas px.
+typedef struct SampleRecord {
+  float position_x;
+  float position_y;
+  float tangent_x;
+  float tangent_y;
+  u32 edge;
+  u32 pass;
+  u32 bin_limit;
+  float scale_length;  // of the interval that estimates the scale before any alignment
+  float convexity;
+  float element[kMaxPadElements];
+  float keypoint_x[kMaxKeypoints];
+  float keypoint_y[kMaxKeypoints];
+} SampleRecord;
+
+// PadPair
+typedef struct PairRecord {
+  u32 source;
+  float distance;
+} PairRecord;
+
+// Similarity
+typedef struct PoseRecord {
+  float a;
+  float b;
+  float tx;
+  float ty;
+} PoseRecord;
+
+// Docking
+typedef struct DockingRecord {
+  u32 sample;
+  u32 shape;
+  u32 source;
+  float key;
+  PoseRecord canvas_from_shape;
+} DockingRecord;
+
+// DockingTerms
+typedef struct TermsRecord {
+  float matched_px;
+  float overlap_px2;
+  float gap_px2;
+  float overlap_px4;
+  float gap_px4;
+} TermsRecord;
+
+// What refinement makes of a docking.
+typedef struct RefinedRecord {
+  PoseRecord canvas_from_shape;
+  TermsRecord terms;
+  u32 feasible;
+} RefinedRecord;
+
+#ifndef __OPENCL_VERSION__
+}  // namespace tessera::worker
+#endif
+#endif

@@ -1,0 +1,192 @@
+// core/refinement.cpp in OpenCL C (design, method 6): Gauss-Newton on the free field, then push until no point is too
+// deep. The points of a piece are looked up 16 at once and added up one after the other, as the reference does.
+
+// A symmetric 4 x 4 system; unknowns: shift x, shift y, growth, rotation, the last two as movements at `arm_px`.
+// sum: m00, m10 m11, m20 m21 m22, m30 m31 m32 m33, g0 g1 g2 g3, unused.
+typedef struct NormalEquations {
+  float16 sum;
+  int points;
+} NormalEquations;
+
+void add_point(NormalEquations* equations, float4 j, float value, float weight) {
+  const float4 w = weight * j;
+  const float16 left = (float16)(w.x, w.yy, w.zzz, w.wwww, w, 0, 0);
+  const float16 right = (float16)(j.x, j.xy, j.xyz, j, (float4)value, 0, 0);
+  equations->sum += left * right;
+  ++equations->points;
+}
+
+// Solves (M + damping) x = -g by L D L^T.
+float4 solve(const NormalEquations* equations) {
+  const float16 sum = equations->sum;
+  float m[4][4] = {{sum.s0, 0, 0, 0}, {sum.s1, sum.s2, 0, 0}, {sum.s3, sum.s4, sum.s5, 0},
+                   {sum.s6, sum.s7, sum.s8, sum.s9}};
+  const float g[4] = {sum.sa, sum.sb, sum.sc, sum.sd};
+  const float trace = m[0][0] + m[1][1] + m[2][2] + m[3][3];
+  for (int r = 0; r < 4; ++r) m[r][r] += 0.005f * trace + 0.05f;
+  m[2][2] += 0.0125f * trace;  // growth is the least certain of the four
+  float d[4];
+  for (int r = 0; r < 4; ++r) {
+    for (int c = 0; c < r; ++c) {
+      float rest = m[r][c];
+      for (int k = 0; k < c; ++k) rest -= m[r][k] * m[c][k] * d[k];
+      m[r][c] = rest / d[c];
+    }
+    float rest = m[r][r];
+    for (int k = 0; k < r; ++k) rest -= m[r][k] * m[r][k] * d[k];
+    d[r] = rest;
+  }
+  float x[4];
+  for (int r = 0; r < 4; ++r) {
+    float rest = -g[r];
+    for (int k = 0; k < r; ++k) rest -= m[r][k] * x[k];
+    x[r] = rest;
+  }
+  for (int r = 0; r < 4; ++r) x[r] = x[r] / d[r];
+  for (int r = 3; r >= 0; --r) {
+    for (int k = r + 1; k < 4; ++k) x[r] -= m[k][r] * x[k];
+  }
+  return (float4)(x[0], x[1], x[2], x[3]);
+}
+
+// Turns and scales about the piece's own centre, then shifts.
+PoseRecord moved(PoseRecord s, float dx, float dy, float growth, float angle) {
+  const float t = 0.5f * angle;
+  const float k = (1 + growth) / (1 + t * t);
+  const float c = k * (1 - t * t);
+  const float n = k * (2 * t);
+  const PoseRecord result = {s.a * c - s.b * n, s.b * c + s.a * n, s.tx + dx, s.ty + dy};
+  return result;
+}
+
+// Points [16 block, 16 block + 16) of a set that are nearer than `radius`, or outside.
+void add_points(NormalEquations* equations, PoseRecord s, global const float* set, int count, int block,
+                const Field* field, float arm, float radius, float overlap_weight) {
+  const Points p = placed_points(s, set, count, block);
+  const FieldSamples f = field_samples(field, p.x, p.y);
+  const int16 near = f.value <= radius;
+  if (!any_lane(near)) return;
+  const float16 q = f.value / radius;
+  const float16 fade = (1 - q * q) * (1 - q * q);
+  const float16 weights = f.value >= 0 ? fade : (float16)overlap_weight;
+  const float16 ux = p.x - s.tx;
+  const float16 uy = p.y - s.ty;
+  const float16 growths = (f.gradient_x * ux + f.gradient_y * uy) / arm;
+  const float16 turns = (f.gradient_y * ux - f.gradient_x * uy) / arm;
+  int is_near[kLanes];
+  float gradient_x[kLanes], gradient_y[kLanes], growth[kLanes], turn[kLanes], value[kLanes], weight[kLanes];
+  vstore16(near, 0, is_near);
+  vstore16(f.gradient_x, 0, gradient_x);
+  vstore16(f.gradient_y, 0, gradient_y);
+  vstore16(growths, 0, growth);
+  vstore16(turns, 0, turn);
+  vstore16(f.value, 0, value);
+  vstore16(weights, 0, weight);
+  for (int k = 0; k < kLanes; ++k) {
+    if (is_near[k]) {
+      add_point(equations, (float4)(gradient_x[k], gradient_y[k], growth[k], turn[k]), value[k], weight[k]);
+    }
+  }
+}
+
+// One piece on one field.
+typedef struct Piece {
+  global const float* contour;
+  global const ShapeRecord* shape;
+  const Field* field;
+  constant MatchRecord* match;
+} Piece;
+
+typedef struct Descent {
+  int steps;
+  float first_radius_px;
+  float last_radius_px;
+  float overlap_weight;
+  bool all_points;  // else the medium set
+} Descent;
+
+PoseRecord descended(PoseRecord s, const Piece* piece, Descent descent) {
+  const float low = piece->match->min_scale_px;
+  const float high = piece->match->max_scale_px;
+  global const float* set = piece->contour + (descent.all_points ? kFineAt : kMediumAt);
+  const int count = descent.all_points ? kBoundaryPoints : kMediumPoints;
+  for (int step = 0; step < descent.steps; ++step) {
+    const float progress = descent.steps > 1 ? (float)step / (float)(descent.steps - 1) : 1.f;
+    const float radius = descent.first_radius_px + (descent.last_radius_px - descent.first_radius_px) * progress;
+    const float scale = scale_of(s);
+    const float arm = piece->shape->radius * scale * 0.6f;
+    NormalEquations equations = {0, 0};
+    for (int block = 0; block < count / kLanes; ++block) {
+      add_points(&equations, s, set, count, block, piece->field, arm, radius, descent.overlap_weight);
+    }
+    if (equations.points < 3) return s;
+    float4 x = solve(&equations);
+    const float4 size = fabs(x);
+    const float largest = max(max(size.x, size.y), max(size.z, size.w));
+    if (largest > radius) x = x * (radius / largest);
+    float growth = x.z / arm;
+    const float grown = scale * (1 + growth);
+    if (grown < low) growth = low / scale - 1;
+    if (grown > high) growth = high / scale - 1;
+    s = moved(s, x.x, x.y, growth, x.w / arm);
+  }
+  return s;
+}
+
+// Whether depth_px of the reference is above kHardDepth_px.
+bool too_deep(PoseRecord s, const Piece* piece) {
+  for (int block = 0; block < kBoundaryPoints / kLanes; ++block) {
+    const Points p = placed_points(s, piece->contour + kFineAt, kBoundaryPoints, block);
+    if (any_lane(-field_values(piece->field, p.x, p.y) > kHardDepth_px)) return true;
+  }
+  const int interior_points = piece->shape->interior_points;
+  for (int block = 0; block * kLanes < interior_points; ++block) {
+    const Points p = placed_points(s, piece->contour + kInteriorAt, kMaxInteriorPoints, block);
+    const float16 d = -field_values(piece->field, p.x, p.y);
+    const int16 used = lane_index() + block * kLanes < interior_points;
+    if (any_lane(used & d > 0 & d + 3 > kHardDepth_px)) return true;
+  }
+  return false;
+}
+
+// Gives whether the refined pose is feasible.
+bool refine(PoseRecord* pose, const Piece* piece) {
+  PoseRecord s = *pose;
+  const Descent approach = {6, max(6.f, 0.1f * scale_of(s)), 3.f, 3.f, false};
+  const Descent settle = {3, 2.5f, 2.f, 12.f, false};
+  const Descent push = {2, 1.5f, 1.5f, 25.f, true};
+  s = descended(s, piece, approach);
+  s = descended(s, piece, settle);
+  bool clear = false;
+  for (int pushed = 0; pushed < kPushSteps; ++pushed) {
+    clear = !too_deep(s, piece);
+    if (clear) break;
+    if (pushed > 0) {
+      s.a *= kPushShrink;
+      s.b *= kPushShrink;
+    }
+    s = descended(s, piece, push);
+  }
+  if (!clear) clear = !too_deep(s, piece);
+  const float scale = scale_of(s);
+  *pose = s;
+  return clear && scale >= piece->match->min_scale_px && scale <= piece->match->max_scale_px * 1.0001f &&
+         rotation_allowed(piece->match, s);
+}
+
+// Work item: a docking, whose shape is of this shard.
+kernel void refine_dockings(constant MatchRecord* match, global const float* field_value, global const float* contours,
+                            global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
+                            global RefinedRecord* refined) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const uint shape = dockings[i].shape - match->first_shape;
+  const Field field = free_field(match, field_value);
+  const Piece piece = {contours + (size_t)shape * kContourFloats, shapes + shape, &field, match};
+  RefinedRecord result = {dockings[i].canvas_from_shape, {0, 0, 0, 0, 0}, 0};
+  if (refine(&result.canvas_from_shape, &piece)) {
+    result.feasible = 1;
+    result.terms = docking_terms(match, piece.contour, piece.shape, result.canvas_from_shape, &field);
+  }
+  refined[i] = result;
+}

@@ -1,0 +1,36 @@
+#include <memory>
+
+#include "cli/collage_run.h"
+#include "cli/commands.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  tessera collage jobs/animals.toml\n"
+    "  tessera collage jobs/animals.toml --out small --set 'pieces.scale_px=[14, 90]' --set seed=3\n"
+    "  mpirun -n 3 tessera collage jobs/animals.toml    rank 0 is the master, the others are workers\n"
+    "The result, collage.png and .svg, pieces.geojson, the quality card and the effective job, is the same on any number\n"
+    "of ranks. Ctrl-C ends early and writes what is placed so far. Every key of a job: docs/job-format.md";
+
+}  // namespace
+
+void add_collage_command(CLI::App& app, Command& selected) {
+  const auto arguments = std::make_shared<CollageArguments>();
+  CLI::App* collage = app.add_subcommand("collage", "Make the collage that a job file describes");
+  collage->footer(kExamples);
+  collage->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
+  collage->add_option("--out", arguments->out, "Folder for the result; default: out/<name of the job file>")
+      ->type_name("DIR");
+  collage->add_option("--set", arguments->overrides, "Use this value instead of the job file's; may be repeated")
+      ->type_name("SECTION.KEY=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+  collage->add_flag("--quiet", arguments->quiet, "Print neither progress nor the quality card");
+  collage->callback([arguments, &selected] {
+    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run_collage(*arguments, ranks); };
+  });
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,48 @@
+#include "cli/collage_progress.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/stop_signal.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr std::size_t kBarTotal = 1000;
+constexpr double kUsualFullCoverage = 0.9;  // where most collages find nothing more that fits
+
+/// Pieces become smaller and checks fail more often as the canvas fills: time grows faster than coverage. The square
+/// is near enough to tell minutes from seconds.
+double share_by_coverage(double coverage, double goal) {
+  const double share = coverage / std::min(goal, kUsualFullCoverage);
+  return share * share;
+}
+
+}  // namespace
+
+CollageProgress::CollageProgress(const StopSettings& stop, bool quiet) : stop_(stop) {
+  if (!quiet) bar_.emplace("collage", kBarTotal);
+}
+
+void CollageProgress::progressed(const master::Progress& progress) {
+  if (bar_) bar_->update(std::size_t(kBarTotal * expected_time_share(progress, stop_)), progress_note(progress));
+}
+
+bool CollageProgress::stop_requested() { return stop_signalled(); }
+
+double expected_time_share(const master::Progress& progress, const StopSettings& stop) {
+  double share = share_by_coverage(progress.coverage, stop.coverage);
+  if (stop.pieces > 0) share = std::max(share, double(progress.pieces) / stop.pieces);
+  if (stop.seconds > 0) share = std::max(share, progress.seconds / stop.seconds);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+std::string progress_note(const master::Progress& progress) {
+  char text[100];
+  const double rate = progress.seconds > 0 ? double(progress.pieces) / progress.seconds : 0;
+  std::snprintf(text, sizeof text, "%zu pieces, %.1f %% covered, %.1f pieces/s", progress.pieces,
+                100 * progress.coverage, rate);
+  return text;
+}
+
+}  // namespace tessera::cli

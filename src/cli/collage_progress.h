@@ -1,0 +1,31 @@
+// What the user sees of the collage's loop, and how a signal ends it.
+#pragma once
+
+#include <optional>
+
+#include "cli/progress_bar.h"
+#include "core/settings.h"
+#include "master/progress.h"
+
+namespace tessera::cli {
+
+class CollageProgress : public master::Observer {
+ public:
+  /// `quiet`: shows nothing, but still obeys signals (stop_signal.h).
+  CollageProgress(const StopSettings& stop, bool quiet);
+
+  void progressed(const master::Progress& progress) override;
+  bool stop_requested() override;
+
+ private:
+  StopSettings stop_;
+  std::optional<ProgressBar> bar_;
+};
+
+/// The share of the loop's time that is probably over, 0..1, from whichever of the stops comes first.
+double expected_time_share(const master::Progress& progress, const StopSettings& stop);
+
+/// "123 pieces, 45.6 % covered, 12.3 pieces/s"
+std::string progress_note(const master::Progress& progress);
+
+}  // namespace tessera::cli

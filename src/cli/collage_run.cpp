@@ -1,0 +1,118 @@
+#include "cli/collage_run.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+#include "cli/collage_progress.h"
+#include "cli/library_part.h"
+#include "cli/stop_signal.h"
+#include "comm/matcher_server.h"
+#include "comm/node_turn.h"
+#include "comm/worker_team.h"
+#include "core/matching_context.h"
+#include "io/canvas_file.h"
+#include "io/collage_files.h"
+#include "io/job_file.h"
+#include "io/library_file.h"
+#include "master/collage_loop.h"
+#include "master/library_shapes.h"
+#include "worker/device_group.h"
+
+namespace tessera::cli {
+namespace {
+
+std::string output_folder(const CollageArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return "out/" + std::filesystem::path(arguments.job).stem().string();
+}
+
+comm::Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
+std::string to_text(const comm::Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
+
+MatchingContext context_of(const io::Job& job, const io::LibraryFile& library) {
+  return make_matching_context(job.settings, std::uint32_t(library.size()));
+}
+
+/// A worker's devices share its node with those of the other workers.
+void share_cores(const comm::Communicator& ranks) {
+  const bool with_master = ranks.node_ranks().front() == 0;
+  worker::limit_cpu_threads(int(std::thread::hardware_concurrency()) / (ranks.local_size() - with_master));
+}
+
+[[noreturn]] void work(comm::Communicator& ranks) {
+  const io::Job job = io::job_from_toml(to_text(ranks.broadcast({})), "the master's job");
+  const io::LibraryFile library(job.library);
+  const ShapeRange part = library_part(library.size(), ranks.rank() - 1, ranks.size() - 1);
+  const MatchingContext context = context_of(job, library);
+  std::vector<ShapeModel> models = read_models(library, part, context);
+  share_cores(ranks);
+  std::unique_ptr<Matcher> matcher;
+  comm::first_worker_of_node_first(ranks, [&] {
+    matcher = worker::make_device_matcher(job.devices, context, part.begin, std::move(models));
+  });
+  comm::serve(ranks, *matcher);
+}
+
+/// The whole library on this rank's devices.
+std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library) {
+  const MatchingContext context = context_of(job, library);
+  const ShapeRange all = library_part(library.size(), 0, 1);
+  return worker::make_device_matcher(job.devices, context, 0, read_models(library, all, context));
+}
+
+/// Of the shapes that were placed, all that the files need.
+void add_placed_shapes(const io::LibraryFile& library, bool with_originals, io::CollageReport& report) {
+  std::set<std::uint32_t> placed;
+  for (const Placement& placement : report.placements) placed.insert(placement.shape);
+  const io::LibraryParts parts{
+      .outline = true, .field = true, .levels = 0, .artwork = true, .original = with_originals};
+  for (const std::uint32_t index : placed) {
+    report.shape_index.push_back(index);
+    report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
+  }
+}
+
+/// Returns the text of the card.
+std::string write(const std::string& folder, const io::Job& job, const Canvas& canvas, const io::LibraryFile& library,
+                  const master::CollageResult& result) {
+  const bool quick = stop_signalled();  // mpirun kills all ranks two seconds after Ctrl-C
+  io::CollageReport report;
+  report.job = &job;
+  report.canvas = &canvas;
+  report.placements = result.placements;
+  report.statistics = result.statistics;
+  add_placed_shapes(library, !quick, report);
+  return io::write_collage(folder, report, quick);
+}
+
+int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
+  const io::Job job = io::load_job(arguments.job, arguments.overrides);
+  const io::LibraryFile library(job.library);
+  const Canvas canvas = io::load_canvas(job.canvas);
+  const std::string folder = output_folder(arguments);
+  io::prepare_output_directory(folder);
+  ranks.broadcast(to_bytes(io::to_toml(job)));
+  const std::unique_ptr<Matcher> matcher = ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(job, library);
+
+  install_stop_handlers();
+  master::LibraryShapes shapes(library);
+  master::CollageResult result;
+  {
+    CollageProgress progress(job.settings.stop, arguments.quiet);
+    result = master::make_collage(canvas, job.settings, *matcher, shapes, progress);
+  }
+  const std::string card = write(folder, job, canvas, library, result);
+  if (!arguments.quiet) std::printf("%s\nwritten to %s\n", card.c_str(), folder.c_str());
+  return 0;
+}
+
+}  // namespace
+
+int run_collage(const CollageArguments& arguments, comm::Communicator& ranks) {
+  if (ranks.rank() == 0) return lead(arguments, ranks);
+  work(ranks);
+}
+
+}  // namespace tessera::cli

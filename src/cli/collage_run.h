@@ -1,0 +1,23 @@
+// tessera collage, after its arguments are read: from the job file to the files of the result. Rank 0 is the master, the
+// others are workers; a single rank is both.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comm/communicator.h"
+
+namespace tessera::cli {
+
+struct CollageArguments {
+  std::string job;                      // the file
+  std::string out;                      // the folder; empty = out/<name of the job file>
+  std::vector<std::string> overrides;   // "section.key=value"
+  bool quiet = false;                   // neither progress nor card
+};
+
+/// On every rank. Returns the exit code; throws InputError and EnvironmentError (rank_program.h turns those of the
+/// workers into the master's). A worker leaves by JobEnded.
+int run_collage(const CollageArguments& arguments, comm::Communicator& ranks);
+
+}  // namespace tessera::cli

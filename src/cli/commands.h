@@ -1,0 +1,21 @@
+// The sub-commands of tessera. Each file adds its own to the parser and says what to run when it is the one given.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+#include "comm/communicator.h"
+
+namespace tessera::cli {
+
+/// One of the two. Both return the exit code and throw InputError and EnvironmentError.
+struct Command {
+  std::function<int()> run;                                  // on rank 0 alone
+  std::function<int(comm::Communicator&)> run_on_all_ranks;
+};
+
+void add_library_command(CLI::App& app, Command& selected);
+void add_collage_command(CLI::App& app, Command& selected);
+
+}  // namespace tessera::cli

@@ -1,0 +1,123 @@
+#include "cli/library_build_command.h"
+
+#include <signal.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/build_summary.h"
+#include "cli/progress_bar.h"
+#include "core/error.h"
+#include "io/library_builder.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr char kExamples[] =
+    "Examples:\n"
+    "  tessera library build /usr/share/openclipart/svg/animals -o animals.h5\n"
+    "  tessera library build logos/ letters/a.png --glob '*.svg' --embed -o mine.h5\n"
+    "Reads SVG and SVGZ, PNG, WebP and TIFF with transparency, and two-colour masks (PNG, BMP, JPEG). Files that cannot\n"
+    "be used are skipped and listed at the end with the reason.";
+
+struct BuildArguments {
+  std::vector<std::string> sources;
+  std::string output;
+  std::string glob;
+  io::LibraryBuildSettings settings;
+};
+
+volatile sig_atomic_t interrupt_signal = 0;
+
+/// Ctrl-C and a batch system's TERM end the build in order: the half library is removed.
+class InterruptGuard {
+ public:
+  InterruptGuard() {
+    struct sigaction action {};
+    action.sa_handler = [](int signal) { interrupt_signal = signal; };
+    ::sigaction(SIGINT, &action, &old_int_);
+    ::sigaction(SIGTERM, &action, &old_term_);
+  }
+  ~InterruptGuard() {
+    ::sigaction(SIGINT, &old_int_, nullptr);
+    ::sigaction(SIGTERM, &old_term_, nullptr);
+  }
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+ private:
+  struct sigaction old_int_ {};
+  struct sigaction old_term_ {};
+};
+
+io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, const io::ArtworkFiles& files) {
+  cv::setNumThreads(1);  // the processes are the parallelism
+  const InterruptGuard guard;
+  ProgressBar bar("library", files.paths.size());
+  const io::BuildMonitor monitor{
+      [&](std::size_t done, std::size_t shapes) { bar.update(done, std::to_string(shapes) + " shapes"); },
+      [] { return interrupt_signal != 0; }};
+  return io::build_library(files, arguments.output, arguments.settings,
+                           io::artwork_loader(arguments.settings.pad), monitor);
+}
+
+void throw_if_not_written(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
+  if (report.written) return;
+  const std::string files = std::to_string(report.files) + (report.files == 1 ? " file" : " files");
+  if (report.shapes == 0) throw InputError(arguments.output + " was not written: no usable shape in " + files);
+  const io::UnusedFile& first = report.skipped.front();
+  throw InputError(arguments.output + " was not written: --strict, and " + std::to_string(report.skipped.size()) +
+                   " of " + files + " cannot be used, the first is " + first.path + ": " + first.reason);
+}
+
+int run(const BuildArguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  const io::ArtworkFiles files = io::find_artwork(arguments.sources, arguments.glob);
+  if (files.paths.empty()) {
+    throw InputError("no artwork in " + arguments.sources.front() +
+                     (arguments.glob.empty() ? ": looked for svg, svgz, png, webp, tif, tiff, bmp, jpg and jpeg files"
+                                             : ": no file matches " + arguments.glob));
+  }
+  const io::LibraryBuildReport report = build_with_progress(arguments, files);
+  std::fputs(build_summary(report).c_str(), stdout);
+  throw_if_not_written(arguments, report);
+  const std::chrono::duration<double> elapsed_s = std::chrono::steady_clock::now() - start;
+  std::printf("%s: %zu shapes from %zu files, %.1f MB, %.1f s\n", arguments.output.c_str(), report.shapes, report.files,
+              double(std::filesystem::file_size(arguments.output)) * 1e-6, elapsed_s.count());
+  return 0;
+}
+
+}  // namespace
+
+void add_library_build_command(CLI::App& library, Command& selected) {
+  const auto arguments = std::make_shared<BuildArguments>();
+  io::LibraryBuildSettings& settings = arguments->settings;
+  settings.pool.processes = int(std::max(1u, std::thread::hardware_concurrency()));
+
+  CLI::App* build = library.add_subcommand("build", "Trace artwork files and write a library of shapes");
+  build->footer(kExamples);
+  build->add_option("SOURCE", arguments->sources, "Artwork files, and folders that are searched to any depth")->required();
+  build->add_option("-o,--output", arguments->output, "The library file to write, replaced if it exists")
+      ->required()
+      ->type_name("LIB.h5");
+  build->add_option("--glob", arguments->glob, "Only files of the folders whose name matches this pattern, e.g. '*.svg'");
+  build->add_flag("--embed", settings.embed, "Keep the artwork files themselves in the library");
+  build->add_flag("--strict", settings.strict, "Write nothing where a file cannot be used; exit code 2");
+  build->add_option("--processes", settings.pool.processes, "How many files are traced at a time; default: all cores")
+      ->check(CLI::Range(1, 1024));
+  build->add_option("--pad-levels", settings.pad.levels, "Levels n of the arclength descriptor; jobs must agree")
+      ->check(CLI::Range(2, kMaxPadLevels))
+      ->capture_default_str();
+  build->add_option("--delta-tau", settings.pad.delta_tau, "Its base interval of integral curvature, rad; jobs must agree")
+      ->check(CLI::Range(0.05, 1.0))
+      ->capture_default_str();
+  build->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,81 @@
+#include "cli/library_info_command.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "io/contact_sheet.h"
+#include "io/library_file.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr char kExamples[] =
+    "Examples:\n"
+    "  tessera library info animals.h5\n"
+    "  tessera library info animals.h5 --sheet animals.png";
+
+struct InfoArguments {
+  std::string library;
+  std::string sheet;
+};
+
+std::size_t samples_per_shape() {
+  std::size_t samples = 0;
+  for (const SmoothingLevel& level : kSmoothingLevels) samples += std::size_t(level.samples);
+  return samples;
+}
+
+void print_counts(const io::LibraryFile& library, const io::LibrarySummary& summary) {
+  const PadParameters pad = library.pad_parameters();
+  std::printf("library         %s\n", library.path().c_str());
+  std::printf("shapes          %zu\n", summary.shapes);
+  std::printf("curves          %zu (%zu holes)\n", summary.curves, summary.curves - summary.shapes);
+  std::printf("outline points  %zu\n", summary.outline_points);
+  std::printf("samples         %zu (%zu a shape)\n", summary.shapes * samples_per_shape(), samples_per_shape());
+  std::printf("PAD             n = %d, delta_tau = %g rad\n", pad.levels, double(pad.delta_tau));
+  std::printf("artwork         %s\n", summary.original_bytes > 0 ? "embedded" : "referred to by path");
+}
+
+void print_levels() {
+  std::printf("\nsmoothing level  sigma (shape units)  curve points  samples\n");
+  for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k) {
+    const SmoothingLevel& level = kSmoothingLevels[k];
+    std::printf("%-15zu  %19.6f  %12d  %7d\n", k, double(level.sigma), level.curve_points, level.samples);
+  }
+}
+
+void print_bytes(const io::LibrarySummary& summary) {
+  std::printf("\npart                 bytes  bytes a shape\n");
+  const auto row = [&](const std::string& part, std::uint64_t bytes) {
+    std::printf("%-10s  %14llu  %13.0f\n", part.c_str(), static_cast<unsigned long long>(bytes),
+                double(bytes) / double(summary.shapes));
+  };
+  for (const auto& [part, bytes] : summary.stored_bytes_of_part) row(part, bytes);
+  row("file", summary.file_bytes);
+}
+
+int run(const InfoArguments& arguments) {
+  const io::LibraryFile library(arguments.library);
+  const io::LibrarySummary summary = library.summary();
+  print_counts(library, summary);
+  print_levels();
+  print_bytes(summary);
+  if (arguments.sheet.empty()) return 0;
+  const std::size_t shown = io::write_contact_sheet(library, arguments.sheet);
+  std::printf("\n%s: %zu shapes\n", arguments.sheet.c_str(), shown);
+  return 0;
+}
+
+}  // namespace
+
+void add_library_info_command(CLI::App& library, Command& selected) {
+  const auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* info = library.add_subcommand("info", "Show what is in a library");
+  info->footer(kExamples);
+  info->add_option("LIBRARY", arguments->library, "The library file")->required()->type_name("LIB.h5");
+  info->add_option("--sheet", arguments->sheet, "Write a picture of its shapes (PNG)")->type_name("SHEET.png");
+  info->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace tessera::cli

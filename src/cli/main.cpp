@@ -1,0 +1,75 @@
+// tessera: parses the command line and runs the sub-command as one rank of a job, which reports errors once and ends all
+// ranks together. Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input (arguments, files).
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+#include "comm/in_process_communicator.h"
+#include "comm/mpi_guard.h"
+#include "comm/rank_program.h"
+#include "core/error.h"
+
+namespace tessera::cli {
+namespace {
+
+/// "tessera library build", as far as it was understood.
+std::string understood_command(const CLI::App& app) {
+  std::string text = app.get_name();
+  for (const CLI::App* sub : app.get_subcommands()) text += " " + understood_command(*sub);
+  return text;
+}
+
+std::string parse_problem(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> not_understood = app.remaining(true);
+  const bool lacks_command = dynamic_cast<const CLI::RequiredError*>(&error) && !not_understood.empty();
+  return lacks_command ? "unknown command or option " + not_understood.front() : error.what();
+}
+
+/// --help and --version come as errors too.
+int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error);
+  throw InputError(parse_problem(app, error) + " (see " + understood_command(app) + " --help)");
+}
+
+int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
+  CLI::App app("Collages of shapes, on one machine or a cluster.", "tessera");
+  app.set_version_flag("--version", "tessera " TESSERA_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "First steps:\n"
+      "  tessera library build my_svgs/ -o my.h5          a library from artwork\n"
+      "  tessera collage my_job.toml                      a collage from it (docs/job-format.md)\n"
+      "  mpirun -n 3 tessera collage my_job.toml          the same on a master and two workers\n"
+      "Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input.");
+  Command selected;
+  add_library_command(app, selected);
+  add_collage_command(app, selected);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {  // the same on every rank
+    return ranks.rank() == 0 ? end_of_parsing(app, error) : 0;
+  }
+  if (selected.run_on_all_ranks) return selected.run_on_all_ranks(ranks);
+  return ranks.rank() == 0 ? selected.run() : 0;
+}
+
+/// By Open MPI's mpirun, or by srun --mpi=pmix. Without, MPI is left alone: it takes a third of a second to start.
+bool started_by_launcher() { return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMIX_RANK"); }
+
+int run(int argc, char** argv) {
+  const comm::RankProgram program{
+      .run = [&](comm::Communicator& ranks) { return parse_and_run(argc, argv, ranks); },
+      .report_error = [](const std::string& line) { std::fprintf(stderr, "tessera: %s\n", line.c_str()); }};
+  if (started_by_launcher()) return comm::run_mpi_job(argc, argv, program);
+  comm::InProcessNetwork alone(1);
+  return comm::run_rank(*alone.connect(0), program).exit_code;
+}
+
+}  // namespace
+}  // namespace tessera::cli
+
+int main(int argc, char** argv) { return tessera::cli::run(argc, argv); }

@@ -1,0 +1,86 @@
+#include "cli/progress_bar.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace tessera::cli {
+namespace {
+
+constexpr std::chrono::milliseconds kRedraw{100};
+constexpr std::chrono::seconds kPlainLine{10};
+constexpr int kBarCells = 30;
+
+int terminal_width() {
+  winsize size{};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+std::string minutes(double seconds) {
+  char text[32];
+  const long whole = long(std::min(seconds, 1e6) + 0.5);
+  std::snprintf(text, sizeof text, "%ld:%02ld", whole / 60, whole % 60);
+  return text;
+}
+
+std::string bar(double fraction) {
+  const int full = int(fraction * kBarCells + 0.5);
+  return "[" + std::string(full, '#') + std::string(kBarCells - full, '.') + "]";
+}
+
+}  // namespace
+
+std::string progress_text(const std::string& label, std::size_t done, std::size_t total, const std::string& note,
+                          double elapsed_s, int width) {
+  const double fraction = total == 0 ? 1.0 : std::min(1.0, double(done) / double(total));
+  const std::string percent = std::to_string(int(100 * fraction)) + " %";
+  const std::string separator = width == 0 ? ", " : "  ";
+  std::string text = label;
+  text += width == 0 ? ": " + percent : "  " + bar(fraction) + "  " + percent;
+  if (!note.empty()) text += separator + note;
+  if (done > 0 && fraction < 1) text += separator + minutes(elapsed_s * (1 / fraction - 1)) + " left";
+  return width == 0 ? text : text.substr(0, std::size_t(width));
+}
+
+ProgressBar::ProgressBar(std::string label, std::size_t total)
+    : label_(std::move(label)),
+      total_(total),
+      terminal_(::isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      last_(start_) {}
+
+ProgressBar::~ProgressBar() { finish(); }
+
+void ProgressBar::update(std::size_t done, const std::string& note) {
+  done_ = done;
+  note_ = note;
+  const auto now = Clock::now();
+  if (now - last_ < (terminal_ ? Clock::duration(kRedraw) : Clock::duration(kPlainLine))) return;
+  last_ = now;
+  draw(now);
+}
+
+void ProgressBar::draw(Clock::time_point now) {
+  drawn_ = true;
+  const double elapsed_s = std::chrono::duration<double>(now - start_).count();
+  if (terminal_) {
+    // One column is left free: a full line would wrap. \033[K clears what a longer text left behind.
+    const std::string text = progress_text(label_, done_, total_, note_, elapsed_s, terminal_width() - 1);
+    std::fprintf(stderr, "\r%s\033[K", text.c_str());
+  } else {
+    std::fprintf(stderr, "%s\n", progress_text(label_, done_, total_, note_, elapsed_s, 0).c_str());
+  }
+  std::fflush(stderr);
+}
+
+void ProgressBar::finish() {
+  if (std::exchange(finished_, true) || !terminal_ || !drawn_) return;
+  draw(Clock::now());
+  std::fputc('\n', stderr);
+}
+
+}  // namespace tessera::cli

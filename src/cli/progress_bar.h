@@ -1,0 +1,45 @@
+// Progress of a long command on stderr: a bar that redraws itself on a terminal, a plain line every 10 s otherwise (a
+// batch job's log file).
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace tessera::cli {
+
+class ProgressBar {
+ public:
+  /// `total`: what `done` reaches at the end; any unit.
+  ProgressBar(std::string label, std::size_t total);
+  ~ProgressBar();  // finish()
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// Cheap: prints only when it is time to. `note` stands behind the bar, e.g. "120 shapes".
+  void update(std::size_t done, const std::string& note = {});
+  /// Leaves the last state of the bar standing; what is printed next begins on a line of its own.
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void draw(Clock::time_point now);
+
+  std::string label_;
+  std::size_t total_;
+  bool terminal_;
+  bool drawn_ = false;
+  bool finished_ = false;
+  std::size_t done_ = 0;
+  std::string note_;
+  Clock::time_point start_;
+  Clock::time_point last_;
+};
+
+/// "label  [####....]  42 %  note  0:31 left", cut to `width` columns. Without a bar ("label: 42 %, note, 0:31 left")
+/// where width is 0. The time left is not shown before anything is done.
+std::string progress_text(const std::string& label, std::size_t done, std::size_t total, const std::string& note,
+                          double elapsed_s, int width);
+
+}  // namespace tessera::cli

@@ -1,0 +1,130 @@
+#include "comm/communicator.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "comm/encode.h"
+#include "comm/idle_wait.h"
+#include "comm/messages.h"
+
+namespace tessera::comm {
+
+int Communicator::local_rank() const {
+  const std::vector<int>& ranks = node_ranks();
+  return int(std::find(ranks.begin(), ranks.end(), rank()) - ranks.begin());
+}
+
+void Communicator::post(int to, Tag tag, Bytes bytes) {
+  traffic_.sent_by_tag[std::size_t(tag)].add(bytes.size());
+  start_send(to, {rank(), tag, std::move(bytes)});
+}
+
+void Communicator::take_in_arrivals() {
+  while (std::optional<Message> message = poll()) {
+    traffic_.received_by_tag[std::size_t(message->tag)].add(message->bytes.size());
+    switch (message->tag) {
+      case Tag::failure:
+        if (!failure_) failure_ = decode<Failure>(message->bytes);
+        break;
+      case Tag::end: end_ = decode<Ending>(message->bytes); break;
+      case Tag::bye: ++byes_; break;
+      default: inbox_.push_back(std::move(*message));
+    }
+  }
+}
+
+void Communicator::throw_if_over() const {
+  if (end_) throw JobEnded{};
+  if (failure_) throw_failure(*failure_);
+}
+
+void Communicator::look() {
+  take_in_arrivals();
+  throw_if_over();
+}
+
+template <class Done>
+void Communicator::wait_until(Done done) {
+  IdleWait wait;
+  for (look(); !done(); look()) {
+    if (interrupt_ && interrupt_()) throw WaitInterrupted{};
+    wait.pause();
+  }
+}
+
+void Communicator::send(int to, Tag tag, Bytes bytes) {
+  post(to, tag, std::move(bytes));
+  wait_until([this] { return under_way() <= kMostUnderWay; });
+}
+
+Message Communicator::receive_any(int from, std::initializer_list<Tag> tags) {
+  const auto wanted = [&](const Message& m) {
+    return m.from == from && std::find(tags.begin(), tags.end(), m.tag) != tags.end();
+  };
+  auto found = inbox_.end();
+  wait_until([&] {
+    found = std::find_if(inbox_.begin(), inbox_.end(), wanted);
+    return found != inbox_.end();
+  });
+  Message message = std::move(*found);
+  inbox_.erase(found);
+  return message;
+}
+
+Bytes Communicator::receive(int from, Tag tag) { return receive_any(from, {tag}).bytes; }
+
+void Communicator::flush() {
+  wait_until([this] { return under_way() == 0; });
+}
+
+Bytes Communicator::broadcast(Bytes bytes) {
+  if (rank() != 0) return receive(0, Tag::broadcast);
+  for (int to = 1; to < size(); ++to) send(to, Tag::broadcast, bytes);
+  return bytes;
+}
+
+void Communicator::barrier() {
+  if (rank() != 0) {
+    send(0, Tag::barrier, {});
+    receive(0, Tag::barrier);
+    return;
+  }
+  for (int from = 1; from < size(); ++from) receive(from, Tag::barrier);
+  for (int to = 1; to < size(); ++to) send(to, Tag::barrier, {});
+}
+
+void Communicator::report_failure(const Failure& failure) { post(0, Tag::failure, encode(failure)); }
+
+void Communicator::tell_end(Ending ending) {
+  for (int to = 1; to < size(); ++to) post(to, Tag::end, encode(ending));
+}
+
+template <class Done>
+bool Communicator::wait_patiently(Done done, double patience_s) {
+  IdleWait wait;
+  for (take_in_arrivals(); !done(); take_in_arrivals()) {
+    if (wait.waited_s() > patience_s) return false;
+    wait.pause();
+  }
+  return true;
+}
+
+bool Communicator::wait_for_byes(double patience_s) {
+  return wait_patiently([this] { return byes_ == size() - 1 && under_way() == 0; }, patience_s);
+}
+
+bool Communicator::wait_until_sent(double patience_s) {
+  return wait_patiently([this] { return under_way() == 0; }, patience_s);
+}
+
+Ending Communicator::wait_for_end() {
+  constexpr double kForEver = std::numeric_limits<double>::infinity();
+  wait_patiently([this] { return end_.has_value(); }, kForEver);
+  if (*end_ == Ending::orderly) {
+    post(0, Tag::bye, {});
+    wait_until_sent(kForEver);
+  }
+  return *end_;
+}
+
+}  // namespace tessera::comm

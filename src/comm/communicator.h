@@ -1,0 +1,115 @@
+// The ranks of a job and how they talk: the one interface to the transport, implemented by MPI and, within one process,
+// by threads. Everything here belongs to one thread of the rank.
+//
+// Sending never waits for the receiver, and whoever waits takes in whatever arrives, so that no order of large messages
+// can lock two ranks up. A rank that cannot go on tells rank 0, whose next wait throws; rank 0 ends the job by telling
+// all, whose next wait throws JobEnded (rank_program.h does both).
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comm/failure.h"
+#include "comm/message.h"
+#include "comm/traffic.h"
+
+namespace tessera::comm {
+
+/// Thrown by the waits of every rank but 0 when rank 0 ended the job. Not an error, hence no std::exception: let it pass.
+struct JobEnded {};
+
+/// Thrown by the waits of a rank whose `interrupt` says so (interrupt_waits_when). The replies that were waited for may
+/// still come; the only thing left to do is to end the job.
+struct WaitInterrupted {};
+
+/// How the ranks leave.
+enum class Ending : std::uint8_t {
+  orderly,  // everyone waits for everyone, then MPI says its own farewell
+  at_once,  // the launcher is killing the job and answers nobody any more
+};
+
+class Communicator {
+ public:
+  virtual ~Communicator() = default;
+  Communicator() = default;
+  Communicator(const Communicator&) = delete;
+  Communicator& operator=(const Communicator&) = delete;
+
+  virtual int rank() const = 0;
+  virtual int size() const = 0;
+  /// The ranks that share this rank's node, ascending, itself included.
+  virtual const std::vector<int>& node_ranks() const = 0;
+  int local_rank() const;  // position in node_ranks()
+  int local_size() const { return int(node_ranks().size()); }
+  /// For messages to people: "rank 2 on node7".
+  virtual std::string place() const = 0;
+  /// Ends all ranks at once, without regard to what they do.
+  [[noreturn]] virtual void abort(int exit_code) = 0;
+
+  /// Returns without waiting for the receiver, unless kMostUnderWay bytes are already under way. Messages of one tag
+  /// from one rank to another arrive in order. At most 2^31 - 1 bytes.
+  void send(int to, Tag tag, Bytes bytes);
+  /// The next message of that tag from rank `from`.
+  Bytes receive(int from, Tag tag);
+  /// The next message of any of the tags from rank `from`, in the order in which they were sent.
+  Message receive_any(int from, std::initializer_list<Tag> tags);
+  /// Waits until all that was sent has left.
+  void flush();
+
+  /// Rank 0's bytes, on every rank.
+  Bytes broadcast(Bytes bytes);
+  /// Returns when every rank has come here.
+  void barrier();
+
+  /// From now on a wait that finds `interrupt` true throws WaitInterrupted.
+  void interrupt_waits_when(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
+
+  const Traffic& traffic() const { return traffic_; }
+
+  // How a job ends; see rank_program.h, which alone calls these.
+
+  /// To rank 0: this rank cannot go on.
+  void report_failure(const Failure& failure);
+  /// Rank 0: tells all others to leave.
+  void tell_end(Ending ending);
+  /// Rank 0: waits until all others said goodbye; false: some did not within `patience_s`.
+  bool wait_for_byes(double patience_s);
+  /// Waits until all that was sent has left; false: not within `patience_s`.
+  bool wait_until_sent(double patience_s);
+  /// Another rank: waits for tell_end and, unless that is `at_once`, says goodbye.
+  Ending wait_for_end();
+
+  static constexpr std::size_t kMostUnderWay = std::size_t(128) << 20;
+
+ protected:
+  /// Takes the message over; it arrives as long as poll() is called now and then.
+  virtual void start_send(int to, Message message) = 0;
+  /// A message that has arrived, if there is one; helps along what is under way.
+  virtual std::optional<Message> poll() = 0;
+  /// Bytes of messages that have not left yet; zero only if there are none.
+  virtual std::size_t under_way() const = 0;
+
+ private:
+  void post(int to, Tag tag, Bytes bytes);
+  void take_in_arrivals();
+  void throw_if_over() const;
+  void look();
+  template <class Done>
+  void wait_until(Done done);
+  template <class Done>
+  bool wait_patiently(Done done, double patience_s);
+
+  std::deque<Message> inbox_;
+  std::optional<Failure> failure_;  // rank 0: the first that was reported
+  std::optional<Ending> end_;       // others: as told by rank 0
+  int byes_ = 0;
+  std::function<bool()> interrupt_;
+  Traffic traffic_;
+};
+
+}  // namespace tessera::comm

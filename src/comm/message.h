@@ -1,0 +1,46 @@
+// What ranks send to each other: bytes with a tag that says what they are.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace tessera::comm {
+
+using Bytes = std::vector<char>;
+
+enum class Tag : int {
+  hello,          // worker -> master: its part of the library
+  start_field,    // master -> worker, as are the requests below; replies carry the request's name
+  update_field,
+  count_request,
+  count_reply,
+  dock_request,
+  dock_reply,
+  refine_request,
+  refine_reply,
+  broadcast,
+  barrier,
+  turn,           // worker -> worker of the same node: it is your turn
+  failure,        // any rank -> rank 0: this rank cannot go on
+  end,            // rank 0 -> all: leave
+  bye,            // any rank -> rank 0: leaving; nothing more comes from here
+};
+
+inline constexpr std::size_t kTags = std::size_t(Tag::bye) + 1;
+
+inline constexpr std::array<std::string_view, kTags> kTagNames = {
+    "hello",          "start field",  "update field", "count request", "count reply",
+    "dock request",   "dock reply",   "refine request", "refine reply", "broadcast",
+    "barrier",        "turn",         "failure",      "end",           "bye"};
+
+inline std::string_view tag_name(Tag tag) { return kTagNames[std::size_t(tag)]; }
+
+struct Message {
+  int from = 0;
+  Tag tag = Tag::hello;
+  Bytes bytes;
+};
+
+}  // namespace tessera::comm

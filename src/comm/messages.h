@@ -1,0 +1,75 @@
+// What the messages of matching hold, for Boost.Serialization. Structures without pointers travel as they lie in
+// memory, and vectors of them in one copy.
+#pragma once
+
+#include <boost/serialization/is_bitwise_serializable.hpp>
+#include <boost/serialization/level.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/tracking.hpp>
+#include <boost/serialization/vector.hpp>
+#include <type_traits>
+
+#include "comm/failure.h"
+#include "core/matcher.h"
+
+namespace tessera::comm {
+
+struct FieldStart {
+  int width = 0;   // nodes
+  int height = 0;
+  Vec2 origin;     // canvas px of node (0, 0)
+
+  friend bool operator==(const FieldStart&, const FieldStart&) = default;
+};
+
+}  // namespace tessera::comm
+
+#define TESSERA_SENT_AS_IT_LIES(Type)                \
+  static_assert(std::is_trivially_copyable_v<Type>); \
+  BOOST_IS_BITWISE_SERIALIZABLE(Type)                \
+  BOOST_CLASS_IMPLEMENTATION(Type, boost::serialization::primitive_type)
+
+TESSERA_SENT_AS_IT_LIES(tessera::comm::FieldStart)
+TESSERA_SENT_AS_IT_LIES(tessera::ShapeRange)
+TESSERA_SENT_AS_IT_LIES(tessera::Window)
+TESSERA_SENT_AS_IT_LIES(tessera::TargetSample)
+TESSERA_SENT_AS_IT_LIES(tessera::DistanceHistogram)
+TESSERA_SENT_AS_IT_LIES(tessera::Docking)
+TESSERA_SENT_AS_IT_LIES(tessera::RefinedDocking)
+
+#undef TESSERA_SENT_AS_IT_LIES
+
+#define TESSERA_SENT_BY_MEMBERS(Type)                                         \
+  BOOST_CLASS_IMPLEMENTATION(Type, boost::serialization::object_serializable) \
+  BOOST_CLASS_TRACKING(Type, boost::serialization::track_never)
+
+TESSERA_SENT_BY_MEMBERS(tessera::comm::Failure)
+TESSERA_SENT_BY_MEMBERS(tessera::FieldPatch)
+TESSERA_SENT_BY_MEMBERS(tessera::DockRequest)
+TESSERA_SENT_BY_MEMBERS(tessera::DockReply)
+
+#undef TESSERA_SENT_BY_MEMBERS
+
+namespace boost::serialization {
+
+template <class Archive>
+void serialize(Archive& archive, tessera::comm::Failure& failure, unsigned) {
+  archive & failure.exit_code & failure.text;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::FieldPatch& patch, unsigned) {
+  archive & patch.window & patch.value;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::DockRequest& request, unsigned) {
+  archive & request.samples & request.bin_limit & request.tangent_dockings;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::DockReply& reply, unsigned) {
+  archive & reply.dockings & reply.evaluated;
+}
+
+}  // namespace boost::serialization

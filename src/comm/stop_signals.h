@@ -1,0 +1,21 @@
+// Signals of a job's ranks. What mpirun (Open MPI 4.1) does when it gets SIGINT (Ctrl-C), SIGTERM or SIGHUP, or when a
+// rank died, to every rank: SIGCONT at once, SIGTERM after 1 s, SIGKILL after 2 s; each pause (MCA parameter
+// odls_base_sigkill_timeout) ends early when a rank exits. Ctrl-C does not reach the ranks: each has a process group of
+// its own. Meanwhile mpirun answers nobody: MPI_Finalize and MPI_Abort hang. A second Ctrl-C ends mpirun, and about a
+// second later the ranks. mpirun's exit code is then 1.
+//
+// Hence: the SIGCONT counts as the stop signal; the workers stay until rank 0 has written its files; then all leave
+// without MPI_Finalize.
+#pragma once
+
+namespace tessera::comm {
+
+/// To be called once on each rank. Rank 0: mpirun's SIGCONT raises SIGTERM, for which the program has a handler of its
+/// own; that SIGTERM comes once more a second later. Other ranks: the first SIGINT, SIGTERM and SIGHUP do nothing.
+/// All: writing to a closed pipe is an error of that write, not the end.
+void prepare_stop_signals(int rank);
+
+/// mpirun has begun to kill the job.
+bool launcher_ends_job();
+
+}  // namespace tessera::comm

@@ -1,0 +1,19 @@
+#include "comm/worker_team.h"
+
+#include "comm/encode.h"
+#include "comm/messages.h"
+#include "comm/remote_matcher.h"
+#include "core/composite_matcher.h"
+
+namespace tessera::comm {
+
+std::unique_ptr<Matcher> gather_workers(Communicator& ranks) {
+  std::vector<std::unique_ptr<Matcher>> workers;
+  for (int worker = 1; worker < ranks.size(); ++worker) {
+    const auto shapes = decode<ShapeRange>(ranks.receive(worker, Tag::hello));
+    workers.push_back(std::make_unique<RemoteMatcher>(ranks, worker, shapes));
+  }
+  return std::make_unique<CompositeMatcher>(std::move(workers));
+}
+
+}  // namespace tessera::comm

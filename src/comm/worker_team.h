@@ -1,0 +1,15 @@
+// All workers of a job as one matcher.
+#pragma once
+
+#include <memory>
+
+#include "comm/communicator.h"
+#include "core/matcher.h"
+
+namespace tessera::comm {
+
+/// On rank 0, with at least one other rank: waits until every worker has told its shapes (serve), which takes as long
+/// as the slowest one's start. Throws what a worker failed of. The communicator outlives the matcher.
+std::unique_ptr<Matcher> gather_workers(Communicator& ranks);
+
+}  // namespace tessera::comm

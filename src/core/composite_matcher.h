@@ -1,0 +1,32 @@
+// Several matchers, each with its own part of the library, as one: the devices of a rank, or the ranks of a job.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/matcher.h"
+
+namespace tessera {
+
+class CompositeMatcher : public Matcher {
+ public:
+  /// The parts' shape ranges follow one another without gaps.
+  explicit CompositeMatcher(std::vector<std::unique_ptr<Matcher>> parts);
+
+  ShapeRange shapes() const override;
+  void start_field(int width, int height, Vec2 origin) override;
+  void update_field(const FieldPatch& patch) override;
+  void post_count(const std::vector<TargetSample>& samples) override;
+  std::vector<DistanceHistogram> take_count() override;
+  void post_dock(const DockRequest& request) override;
+  DockReply take_dock() override;
+  void post_refine(const std::vector<Docking>& dockings) override;
+  std::vector<RefinedDocking> take_refine() override;
+
+ private:
+  std::vector<std::unique_ptr<Matcher>> parts_;
+  std::uint32_t samples_posted_ = 0;
+  std::vector<std::vector<std::size_t>> posted_to_;  // per part: positions in the refine request
+};
+
+}  // namespace tessera

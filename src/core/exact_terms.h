@@ -1,0 +1,21 @@
+// The exact areas of the objective's terms, for the finalists of a round.
+#pragma once
+
+#include "core/free_field.h"
+#include "core/settings.h"
+#include "core/shape.h"
+#include "core/similarity.h"
+
+namespace tessera {
+
+struct ExactAreas {
+  float overlap_px2 = 0;  // covered twice, or outside the canvas
+  float gap_px2 = 0;      // free, and out of reach of the smallest piece from now on
+};
+
+/// Counts nodes in the piece's window. A gap node could be reached by a disc of reachable_radius_px before the piece
+/// is placed, and cannot afterwards.
+ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
+                       const OpenedField& opened, const PieceSettings& pieces);
+
+}  // namespace tessera

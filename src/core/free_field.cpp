@@ -1,0 +1,114 @@
+#include "core/free_field.h"
+
+#include <cmath>
+
+#include "core/distance_transform.h"
+#include "core/tuning.h"
+
+namespace tessera {
+namespace {
+
+/// A rejected node of the contour field: a little below zero, so that the traced line stays close to the last good node.
+constexpr float kClosed = -0.3f;
+/// Discs are centred on nodes whose distance is the radius or up to this much more.
+constexpr float kDiscBand_px = 1.5f;
+
+}  // namespace
+
+Window piece_window(const Outline& outline, const Similarity& canvas_from_shape, Vec2 origin, float margin_px) {
+  Vec2 low{1e9f, 1e9f};
+  Vec2 high{-1e9f, -1e9f};
+  for (const Vec2& p : outline.curves.front()) {
+    const Vec2 z = canvas_from_shape.apply(p) - origin;
+    low = {std::min(low.x, z.x), std::min(low.y, z.y)};
+    high = {std::max(high.x, z.x), std::max(high.y, z.y)};
+  }
+  return {int(std::floor(low.x - margin_px)), int(std::floor(low.y - margin_px)),
+          int(std::ceil(high.x + margin_px)) + 1, int(std::ceil(high.y + margin_px)) + 1};
+}
+
+FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
+    : field_(canvas.distance), padding_px_(pieces.padding_px), band_px_(stamp_band_px(pieces)) {
+  for (float& d : field_.value.data()) d -= padding_px_;
+}
+
+Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape) {
+  const Similarity shape_from_canvas = canvas_from_shape.inverse();
+  const float scale = canvas_from_shape.scale();
+  const Window window =
+      piece_window(shape.outline, canvas_from_shape, field_.origin, band_px_).intersected(field_.value.bounds());
+  Window changed;
+  for (int y = window.y0; y < window.y1; ++y) {
+    float* row = field_.value.row(y);
+    for (int x = window.x0; x < window.x1; ++x) {
+      const Vec2 p{field_.origin.x + float(x), field_.origin.y + float(y)};
+      const float d = scale * shape.field.at(shape_from_canvas.apply(p)) - padding_px_;
+      if (d < row[x]) {
+        row[x] = d;
+        changed = changed.united({x, y, x + 1, y + 1});
+      }
+    }
+  }
+  return changed;
+}
+
+OpenedField::OpenedField(const FreeField& free, const PieceSettings& pieces)
+    : opening_px_(opening_radius_px(pieces)),
+      reachable_px_(reachable_radius_px(pieces)),
+      contour_(free.field().value.width(), free.field().value.height(), kClosed),
+      reachable_(contour_.width(), contour_.height(), 0) {
+  update(free, contour_.bounds());
+}
+
+Window OpenedField::update(const FreeField& free, const Window& changed) {
+  const Grid<float>& distance = free.field().value;
+  const int reach = int(2 * std::max(opening_px_, reachable_px_)) + 5;
+  const Window window = changed.grown(reach).intersected(distance.bounds());
+  open(distance, window);
+  mark_reachable(distance, window);
+  return window;
+}
+
+void OpenedField::open(const Grid<float>& distance, const Window& window) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      const float d = distance(x, y);
+      contour_(x, y) = d > opening_px_ + kDiscBand_px ? d : std::min(d, kClosed);
+    }
+  }
+  // The union of discs round all nodes at least opening_px deep is that round the shallowest of them, plus the core.
+  const int reach = int(opening_px_ + kDiscBand_px) + 2;
+  const Window centres = window.grown(reach).intersected(distance.bounds());
+  for (int y = centres.y0; y < centres.y1; ++y) {
+    for (int x = centres.x0; x < centres.x1; ++x) {
+      const float d = distance(x, y);
+      if (d < opening_px_ || d > opening_px_ + kDiscBand_px) continue;
+      const int r = int(d) + 2;
+      const Window disc = Window{x - r, y - r, x + r + 1, y + r + 1}.intersected(window);
+      for (int b = disc.y0; b < disc.y1; ++b) {
+        for (int a = disc.x0; a < disc.x1; ++a) {
+          const float inside = d - std::sqrt(float((a - x) * (a - x) + (b - y) * (b - y)));
+          contour_(a, b) = std::max(contour_(a, b), inside);
+        }
+      }
+    }
+  }
+}
+
+void OpenedField::mark_reachable(const Grid<float>& distance, const Window& window) {
+  const int reach = int(reachable_px_) + 3;
+  const Window around = window.grown(reach).intersected(distance.bounds());
+  Grid<std::uint8_t> centre(around.width(), around.height());
+  for (int y = around.y0; y < around.y1; ++y) {
+    for (int x = around.x0; x < around.x1; ++x) centre(x - around.x0, y - around.y0) = distance(x, y) > reachable_px_;
+  }
+  const Grid<float> squared = squared_distance_to(centre);
+  const float limit = (reachable_px_ + 1) * (reachable_px_ + 1);
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      reachable_(x, y) = squared(x - around.x0, y - around.y0) <= limit && distance(x, y) > -1;
+    }
+  }
+}
+
+}  // namespace tessera

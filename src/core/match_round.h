@@ -1,0 +1,31 @@
+// One round of matching (paper section 3.3): samples in, refined candidates of the whole library out.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/matcher.h"
+#include "core/placement.h"
+
+namespace tessera {
+
+struct MatchPlan {
+  std::uint64_t pairs_per_sample = 0;   // the top K % of the library's PADs; 0 = no PAD dockings
+  std::uint32_t tangent_dockings = 0;
+};
+
+struct MatchRound {
+  /// Feasible, at most kRefined for each sample, in the order of the samples.
+  std::vector<RefinedDocking> refined;
+  /// Per sample: something was left out for want of room, so matching it again may find more.
+  std::vector<bool> truncated;
+};
+
+/// Adds to the counters and times of `statistics`.
+MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan,
+                 std::uint64_t library_pads, RunStatistics& statistics);
+
+/// Two poses of one shape that would look the same: closer than `tolerance` of their scale in place and in size.
+bool near_copy(const Similarity& a, const Similarity& b, float tolerance);
+
+}  // namespace tessera

@@ -1,0 +1,29 @@
+// Which (target sample, shape PAD) pairs are worth docking (paper section 3.3; design, method 4): scale window first,
+// then sign, then local minima of the distance along the shape's curve, then the best few of the shape.
+// kernels/pairs.cl does the same for many at once, bit for bit.
+#pragma once
+
+#include <vector>
+
+#include "core/matching_context.h"
+#include "core/shape_model.h"
+#include "core/target_curve.h"
+
+namespace tessera {
+
+struct PadPair {
+  std::uint32_t source = 0;  // index of the shape's PAD, counted over the levels in use
+  float distance = 0;
+};
+
+/// At most kPairsPerShape pairs below beta, best first; ties by source.
+std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context);
+
+/// The level in use and the index within it of a source.
+struct SourceLocation {
+  int level_slot;
+  int index;
+};
+SourceLocation locate_source(const ShapeModel& shape, std::uint32_t source);
+
+}  // namespace tessera

@@ -1,0 +1,43 @@
+// The result of a collage: which shape lies where.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/similarity.h"
+
+namespace tessera {
+
+/// A candidate that was chosen. Canvas frame: px, y down, origin at the canvas' upper left corner.
+struct Placement {
+  std::uint32_t shape = 0;  // index in the library
+  Similarity canvas_from_shape;
+  float score = 0;
+  float matched_px = 0;  // length of its boundary within match.delta_px of the free region's boundary when placed
+
+  friend bool operator==(const Placement&, const Placement&) = default;
+};
+
+/// Counters and times of one run, with the columns of the paper's Table 2.
+struct RunStatistics {
+  std::uint64_t shapes = 0;            // "No. of candidates"
+  double pads_per_shape = 0;
+  std::uint64_t rounds = 0;            // "No. of iterations"
+  std::uint64_t docking_choices = 0;   // pairs (target sample, shape sample) plus tangent dockings drawn
+  std::uint64_t dockings_evaluated = 0;// those that reached the field
+  std::uint64_t refined = 0;
+  std::uint64_t target_samples = 0;    // matched, repeats included
+  double prune_s = 0;
+  double dock_s = 0;
+  double objective_s = 0;
+  double merge_s = 0;
+  double total_s = 0;
+  std::string stopped_by;              // "full", "pieces", "coverage", "seconds" or "signal"
+
+  double pruned_fraction() const {
+    return docking_choices ? 1.0 - double(dockings_evaluated) / double(docking_choices) : 0.0;
+  }
+};
+
+}  // namespace tessera

@@ -1,0 +1,40 @@
+// Functions that must give the same bits on every host and device: made of +, -, *, / and sqrt only, which IEEE 754
+// fixes, in the order written. kernels/portable_math.cl is the same in OpenCL C.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace tessera {
+
+/// 2^x for -64 < x < 64, relative error below 1e-6.
+inline float portable_exp2(float x) {
+  const float whole = std::floor(x);
+  const float f = x - whole;
+  // Taylor series of e^(f ln 2), Horner.
+  const float y = f * 0.69314718f;
+  float p = 1.98412698e-4f;
+  p = p * y + 1.38888889e-3f;
+  p = p * y + 8.33333333e-3f;
+  p = p * y + 4.16666667e-2f;
+  p = p * y + 1.66666667e-1f;
+  p = p * y + 0.5f;
+  p = p * y + 1.f;
+  p = p * y + 1.f;
+  for (int k = int(whole); k > 0; --k) p = p * 2.f;
+  for (int k = int(whole); k < 0; ++k) p = p * 0.5f;
+  return p;
+}
+
+/// Counter-based random bits: a good mix (splitmix64's finaliser) of a key. The same key gives the same bits anywhere.
+inline std::uint64_t mix_bits(std::uint64_t z) {
+  z += 0x9e3779b97f4a7c15ull;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+  return z ^ (z >> 31);
+}
+
+/// In [0, 1), from 24 bits.
+inline float unit_float(std::uint32_t bits) { return float(bits >> 8) * (1.f / 16777216.f); }
+
+}  // namespace tessera

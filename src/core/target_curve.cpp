@@ -1,0 +1,276 @@
+#include "core/target_curve.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "core/pyramid.h"
+#include "core/tuning.h"
+
+namespace tessera {
+namespace {
+
+struct EdgePosition {
+  int x;
+  int y;
+  bool down;  // from (x, y) to (x, y + 1), else to (x + 1, y)
+};
+
+EdgePosition edge_position(std::uint32_t edge, int width) {
+  return {int((edge >> 1) % std::uint32_t(width)), int((edge >> 1) / std::uint32_t(width)), (edge & 1) != 0};
+}
+
+bool touches(const Window& w, const EdgePosition& e) {
+  return w.contains(e.x, e.y) || (e.down ? w.contains(e.x, e.y + 1) : w.contains(e.x + 1, e.y));
+}
+
+/// Whether a PAD moved so much that what was matched with the old one no longer holds. Coarse levels may move more:
+/// they see far and weigh little.
+bool changed_much(const ArclengthPyramid& a, const ArclengthPyramid& b, int levels) {
+  if (a.convexity != b.convexity) return true;
+  for (int i = 0; i < levels; ++i) {
+    const float tolerance = i == levels - 1 ? 0.4f : i == levels - 2 ? 0.25f : 0.15f;
+    const float slack_px = 3;
+    if (std::abs(a.left[i] - b.left[i]) > tolerance * (b.left[i] + slack_px)) return true;
+    if (std::abs(a.right[i] - b.right[i]) > tolerance * (b.right[i] + slack_px)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+/// A vertex of the curve, seen smoothed; widens `support` by whatever it visits.
+class TargetCurve::Walk {
+ public:
+  Walk(TargetCurve& curve, int at, Window& support, Vec2 origin)
+      : curve_(&curve), at_(at), support_(&support), origin_(origin) {}
+
+  Vec2 position() const {
+    const Vec2 node = curve_->vertices_[at_].raw - origin_;
+    const int x = int(node.x);
+    const int y = int(node.y);
+    *support_ = support_->united({x, y, x + 2, y + 2});
+    return curve_->smooth_position(at_);
+  }
+  void forward() { at_ = curve_->vertices_[at_].next; }
+  void backward() { at_ = curve_->vertices_[at_].previous; }
+  bool operator==(const Walk& o) const { return at_ == o.at_; }
+
+ private:
+  TargetCurve* curve_;
+  int at_;
+  Window* support_;
+  Vec2 origin_;
+};
+
+TargetCurve::TargetCurve(const PieceSettings& pieces, const PadParameters& pad)
+    : sigma_px_(target_sigma_px(pieces)),
+      shortest_loop_px_(kShortestLoop * pieces.min_scale_px),
+      spacing_px_(sample_spacing_px(pieces)),
+      pad_(pad) {}
+
+std::vector<std::uint32_t> TargetCurve::sample_edges() const {
+  std::vector<std::uint32_t> edges;
+  edges.reserve(samples_.size());
+  for (const auto& [edge, held] : samples_) edges.push_back(edge);
+  return edges;
+}
+
+TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin, const Window& window) {
+  const Grid<float>& contour = opened.contour();
+  width_ = contour.width();
+  cut_window(window);
+  const Window cells =
+      Window{window.x0 - 1, window.y0 - 1, window.x1, window.y1}.intersected({0, 0, width_ - 1, contour.height() - 1});
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) trace_cell(contour, origin, x, y);
+  }
+  forget_smoothing(window, origin);
+
+  Change change;
+  std::map<std::uint32_t, int> wanted;  // to be computed (again), by edge
+  for (const auto& [edge, held] : samples_) {
+    const auto found = vertex_of_edge_.find(edge);
+    if (found == vertex_of_edge_.end()) {
+      change.removed.push_back(edge);
+    } else if (held.support.overlaps(window)) {
+      wanted.emplace(edge, found->second);
+    }
+  }
+  for (int v = 0; v < int(vertices_.size()); ++v) {
+    const Vertex& vertex = vertices_[v];
+    if (vertex.next < 0) continue;
+    if (touches(window, edge_position(vertex.edge, width_))) wanted.emplace(vertex.edge, v);
+  }
+  for (const auto& [edge, v] : wanted) {
+    const auto old = samples_.find(edge);
+    if (!wants_sample(vertices_[v], opened) || on_short_loop(v)) {
+      if (old != samples_.end()) change.removed.push_back(edge);
+      continue;
+    }
+    Held held = make_sample(v, origin);
+    const bool fresh = old == samples_.end();
+    const bool renewed = fresh || changed_much(old->second.matched, held.sample.pyramid, pad_.levels);
+    if (!renewed) held.matched = old->second.matched;
+    samples_.insert_or_assign(edge, held);
+    if (renewed) change.renewed.push_back(edge);
+  }
+  for (const std::uint32_t edge : change.removed) samples_.erase(edge);
+  std::sort(change.removed.begin(), change.removed.end());
+  return change;
+}
+
+int TargetCurve::vertex_at(std::uint32_t edge) {
+  const auto [found, fresh] = vertex_of_edge_.try_emplace(edge, -1);
+  if (!fresh) return found->second;
+  if (unused_.empty()) {
+    unused_.push_back(int(vertices_.size()));
+    vertices_.emplace_back();
+  }
+  const int v = unused_.back();
+  unused_.pop_back();
+  vertices_[v] = Vertex{};
+  vertices_[v].edge = edge;
+  found->second = v;
+  return v;
+}
+
+void TargetCurve::remove_vertex(int v) {
+  Vertex& vertex = vertices_[v];
+  if (vertex.next >= 0) vertices_[vertex.next].previous = -1;
+  if (vertex.previous >= 0) vertices_[vertex.previous].next = -1;
+  vertex_of_edge_.erase(vertex.edge);
+  vertex.next = vertex.previous = -1;
+  unused_.push_back(v);
+}
+
+void TargetCurve::cut_window(const Window& window) {
+  std::vector<int> inside;
+  for (const auto& [edge, v] : vertex_of_edge_) {
+    if (touches(window, edge_position(edge, width_))) inside.push_back(v);
+  }
+  for (const int v : inside) remove_vertex(v);
+}
+
+void TargetCurve::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y) {
+  // Corners in the order (x, y), (x+1, y), (x+1, y+1), (x, y+1); edge k joins corners k and k+1.
+  const float corner[4] = {contour(x, y), contour(x + 1, y), contour(x + 1, y + 1), contour(x, y + 1)};
+  int mask = 0;
+  for (int k = 0; k < 4; ++k) mask |= int(corner[k] > 0) << k;
+  if (mask == 0 || mask == 15) return;
+  const auto name = [&](int ex, int ey, bool down) { return 2 * (std::uint32_t(ey) * width_ + ex) + down; };
+  const std::uint32_t edge[4] = {name(x, y, false), name(x + 1, y, true), name(x, y + 1, false), name(x, y, true)};
+  const auto inside = [&](int k) { return (mask >> (k & 3) & 1) != 0; };
+  int leaving[2];
+  int entering[2];
+  int count = 0;
+  int count_in = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (inside(k) && !inside(k + 1)) leaving[count++] = k;
+    if (!inside(k) && inside(k + 1)) entering[count_in++] = k;
+  }
+  if (count == 1) {
+    link(contour, origin, edge[leaving[0]], edge[entering[0]]);
+    return;
+  }
+  // A saddle: the sign of the middle says whether the inside corners are joined.
+  const bool joined = corner[0] + corner[1] + corner[2] + corner[3] > 0;
+  for (int k = 0; k < 2; ++k) link(contour, origin, edge[leaving[k]], edge[(leaving[k] + (joined ? 1 : 3)) & 3]);
+}
+
+void TargetCurve::link(const Grid<float>& contour, Vec2 origin, std::uint32_t from, std::uint32_t to) {
+  const int a = vertex_at(from);
+  const int b = vertex_at(to);
+  vertices_[a].next = b;
+  vertices_[b].previous = a;
+  vertices_[a].raw = crossing(contour, origin, from);
+  vertices_[b].raw = crossing(contour, origin, to);
+}
+
+Vec2 TargetCurve::crossing(const Grid<float>& contour, Vec2 origin, std::uint32_t edge) const {
+  const EdgePosition e = edge_position(edge, width_);
+  const float here = contour(e.x, e.y);
+  const float there = e.down ? contour(e.x, e.y + 1) : contour(e.x + 1, e.y);
+  const float t = here / (here - there);
+  return origin + (e.down ? Vec2{float(e.x), float(e.y) + t} : Vec2{float(e.x) + t, float(e.y)});
+}
+
+void TargetCurve::forget_smoothing(const Window& window, Vec2 origin) {
+  const Window near = window.grown(int(3 * sigma_px_) + 3);
+  for (Vertex& v : vertices_) {
+    if (near.contains(int(v.raw.x - origin.x), int(v.raw.y - origin.y))) v.smoothed = false;
+  }
+}
+
+Vec2 TargetCurve::smooth_position(int v) {
+  Vertex& vertex = vertices_[v];
+  if (!vertex.smoothed) {
+    vertex.smooth = smoothed_at(v);
+    vertex.smoothed = true;
+  }
+  return vertex.smooth;
+}
+
+/// Gaussian along the arclength; every vertex weighs as much as half of its two edges is long. Summed outwards from v,
+/// so that the result does not depend on where the loop starts.
+Vec2 TargetCurve::smoothed_at(int v) const {
+  const Vertex& centre = vertices_[v];
+  const float edge_after = norm(vertices_[centre.next].raw - centre.raw);
+  const float edge_before = norm(vertices_[centre.previous].raw - centre.raw);
+  float total = 0.5f * (edge_after + edge_before);
+  Vec2 sum;
+  const auto add_side = [&](int Vertex::*step, float edge) {
+    int at = v;
+    for (float s = edge; s <= 3 * sigma_px_;) {
+      at = vertices_[at].*step;
+      if (at == v) return;
+      const Vertex& here = vertices_[at];
+      const float edge_out = norm(vertices_[here.*step].raw - here.raw);
+      const float t = s / sigma_px_;
+      const float weight = 0.5f * (edge + edge_out) * std::exp(-0.5f * t * t);
+      sum = sum + (here.raw - centre.raw) * weight;
+      total += weight;
+      edge = edge_out;
+      s += edge_out;
+    }
+  };
+  add_side(&Vertex::next, edge_after);
+  add_side(&Vertex::previous, edge_before);
+  return total > 0 ? centre.raw + sum * (1 / total) : centre.raw;
+}
+
+bool TargetCurve::wants_sample(const Vertex& v, const OpenedField& opened) const {
+  const EdgePosition e = edge_position(v.edge, width_);
+  if ((e.down ? e.x : e.y) % spacing_px_ != 0) return false;
+  return opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
+}
+
+bool TargetCurve::on_short_loop(int v) const {
+  float length = 0;
+  int at = v;
+  do {
+    const int next = vertices_[at].next;
+    length += norm(vertices_[next].raw - vertices_[at].raw);
+    at = next;
+  } while (at != v && length < shortest_loop_px_);
+  return length < shortest_loop_px_;
+}
+
+TargetCurve::Held TargetCurve::make_sample(int v, Vec2 origin) {
+  Held held;
+  Window visited;
+  held.sample.edge = vertices_[v].edge;
+  held.sample.position = vertices_[v].raw;
+  held.sample.pyramid = make_pyramid(Walk(*this, v, visited, origin), pad_, curvature_dead_zone(sigma_px_));
+  const auto& key = held.sample.pyramid.keypoint;
+  const Vec2 chord = key[pad_.levels + 1] - key[pad_.levels - 1];
+  held.sample.tangent = chord * (1 / std::max(norm(chord), 1e-6f));
+  held.matched = held.sample.pyramid;
+  // The loop test walks shortest_loop_px from here, the smoothing three sigma beyond what was visited.
+  const Vec2 node = held.sample.position - origin;
+  const int loop = int(shortest_loop_px_) + 2;
+  held.support = visited.grown(int(3 * sigma_px_) + 3)
+                     .united(Window{int(node.x), int(node.y), int(node.x) + 2, int(node.y) + 2}.grown(loop));
+  return held;
+}
+
+}  // namespace tessera

@@ -1,0 +1,84 @@
+// The boundary of the free region as linked vertices, and its target samples (paper section 4: "cut and paste").
+//
+// A vertex is known by the grid edge that the contour crosses. Whatever a placement did not touch keeps its vertices,
+// samples and PADs; only what is new, or whose PAD reaches into the change, is computed again. Everything about a
+// sample follows from a walk along its own neighbourhood, so updating gives the bits that starting afresh would give.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "core/free_field.h"
+#include "core/pad.h"
+#include "core/settings.h"
+
+namespace tessera {
+
+/// A point of the target curve where shapes are docked. Canvas px; the free region lies on the left.
+struct TargetSample {
+  std::uint32_t edge = 0;  // its name: 2 (y · width + x), +1 for the edge from (x, y) down to (x, y + 1)
+  std::uint32_t pass = 0;  // how often it was matched before: other random draws each time
+  Vec2 position;           // on the curve itself
+  Vec2 tangent;            // unit
+  ArclengthPyramid pyramid;  // of the curve smoothed by target_sigma_px
+};
+
+class TargetCurve {
+ public:
+  TargetCurve(const PieceSettings& pieces, const PadParameters& pad);
+
+  struct Change {
+    std::vector<std::uint32_t> removed;  // samples that are gone, ascending
+    std::vector<std::uint32_t> renewed;  // samples that are new or whose PAD changed much, ascending
+  };
+
+  /// Traces the nodes of `window` again (all others are as before). `origin` is the canvas position of node (0, 0).
+  Change retrace(const OpenedField& opened, Vec2 origin, const Window& window);
+
+  const TargetSample& sample(std::uint32_t edge) const { return samples_.at(edge).sample; }
+  std::size_t sample_count() const { return samples_.size(); }
+  std::vector<std::uint32_t> sample_edges() const;
+
+ private:
+  struct Vertex {
+    std::uint32_t edge = 0;
+    int next = -1;
+    int previous = -1;
+    Vec2 raw;
+    Vec2 smooth;
+    bool smoothed = false;
+  };
+  struct Held {
+    TargetSample sample;
+    ArclengthPyramid matched;  // as it was when last reported as renewed
+    Window support;            // nodes that its PAD depends on
+  };
+  class Walk;
+
+  int vertex_at(std::uint32_t edge);
+  void remove_vertex(int v);
+  void cut_window(const Window& window);
+  void trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y);
+  void link(const Grid<float>& contour, Vec2 origin, std::uint32_t from, std::uint32_t to);
+  Vec2 crossing(const Grid<float>& contour, Vec2 origin, std::uint32_t edge) const;
+  void forget_smoothing(const Window& window, Vec2 origin);
+  Vec2 smooth_position(int v);
+  Vec2 smoothed_at(int v) const;
+  bool wants_sample(const Vertex& v, const OpenedField& opened) const;
+  bool on_short_loop(int v) const;
+  Held make_sample(int v, Vec2 origin);
+
+  int width_ = 0;  // of the node grid
+  float sigma_px_;
+  float shortest_loop_px_;
+  int spacing_px_;
+  PadParameters pad_;
+  std::vector<Vertex> vertices_;
+  std::vector<int> unused_;
+  std::unordered_map<std::uint32_t, int> vertex_of_edge_;
+  std::map<std::uint32_t, Held> samples_;
+};
+
+}  // namespace tessera

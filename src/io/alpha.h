@@ -1,0 +1,11 @@
+// Straight and premultiplied alpha, CV_8UC4 BGRA. Scaling and averaging need premultiplied pixels, files straight ones.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace tessera::io {
+
+cv::Mat premultiplied(const cv::Mat& straight);
+cv::Mat straightened(const cv::Mat& premultiplied);
+
+}  // namespace tessera::io

@@ -1,0 +1,33 @@
+// Untrusted artwork, parsed and checked, ready to be drawn at any scale: an SVG page or a raster image.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <opencv2/core.hpp>
+#include <span>
+#include <string>
+
+namespace tessera::io {
+
+class ArtworkPage {
+ public:
+  virtual ~ArtworkPage() = default;
+
+  /// In units of its own; only the ratio matters.
+  virtual cv::Size2d natural_size() const = 0;
+  /// Drawing it larger than that costs memory or shows nothing more.
+  virtual int finest_side_px() const = 0;
+  /// Size of a pixel of the source in px of a drawing of this size; 0 for vectors.
+  virtual float source_px(int longest_side_px) const = 0;
+  /// The page drawn with this longest side, cut to `window` (px of that drawing, within page_size_px): CV_8UC4,
+  /// premultiplied BGRA.
+  virtual cv::Mat draw(int longest_side_px, const cv::Rect& window) const = 0;
+};
+
+/// Told apart by content, not by extension; `path` stands in messages. Throws InputError.
+std::unique_ptr<ArtworkPage> open_artwork_page(std::span<const std::uint8_t> bytes, const std::string& path);
+
+/// Size of the page's drawing: the longest side exactly, the other one rounded up.
+cv::Size page_size_px(const ArtworkPage& page, int longest_side_px);
+
+}  // namespace tessera::io

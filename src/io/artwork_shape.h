@@ -1,0 +1,26 @@
+// From an artwork file to a library shape.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <variant>
+
+#include "core/outline.h"
+#include "core/shape.h"
+
+namespace tessera::io {
+
+/// A shape, and what of its artwork is not part of it.
+struct ArtworkShape {
+  Shape shape;  // name: the file name without extension; Artwork::original stays empty
+  int other_components = 0;
+  float other_area_fraction = 0;  // see TracedOutline
+};
+
+/// `bytes` is the content of the file `path` (read_artwork_file). Two files with the same silhouette give equal
+/// Shape::outline. Throws InputError where it is no artwork; a drawing that is of no use gives the reason.
+std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
+                                                          const PadParameters& pad);
+
+}  // namespace tessera::io

@@ -1,0 +1,17 @@
+// The quality card: how good the collage is and what it took, with the columns of the paper's Table 2.
+#pragma once
+
+#include <string>
+
+#include "core/placement.h"
+#include "core/quality.h"
+
+namespace tessera::io {
+
+/// card.json. Units stand in the keys; shares and percentages say so. Stage shares are of the four stages' sum.
+std::string card_json(const Quality& quality, const RunStatistics& run);
+
+/// The same for people: a table of two columns, lines of less than 80 characters.
+std::string card_text(const Quality& quality, const RunStatistics& run);
+
+}  // namespace tessera::io

@@ -1,0 +1,45 @@
+// The job description (docs/job-format.md): TOML in, a checked struct out, and back.
+// The keys with their units, defaults and ranges stand in one table, job_keys.h; reading, checking, writing and the
+// documentation's test all go by it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/settings.h"
+
+namespace tessera::io {
+
+/// A rectangle of the size given, or the mask in `file` scaled into a box of that size with its aspect kept.
+struct CanvasSpec {
+  int width_px = 1000;
+  int height_px = 1000;
+  std::string file;   // SVG or image mask, absolute path; empty = the rectangle
+};
+
+struct OutputSpec {
+  int width_px = 2000;        // of collage.png; its height follows from the canvas
+  std::string background = "#f3f0ec";  // of the canvas region; outside it is white
+};
+
+struct Job {
+  std::string path;      // the file it came from
+  std::string library;   // absolute path
+  CanvasSpec canvas;
+  std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
+  OutputSpec output;
+  CollageSettings settings;
+};
+
+/// `overrides` are "section.key=value" with the value in TOML; what is not TOML is taken as a string. Relative paths in
+/// the file are relative to its folder, those in `overrides` to the working directory.
+/// Throws InputError that names file and line (or the override), key, what was found and what is allowed.
+Job load_job(const std::string& path, const std::vector<std::string>& overrides);
+
+/// The effective job with every key, readable by load_job, which then gives the same values bit by bit.
+std::string to_toml(const Job& job);
+
+/// The way back from to_toml, for the other ranks of a run. `path` becomes Job::path and stands in messages.
+Job job_from_toml(const std::string& text, const std::string& path);
+
+}  // namespace tessera::io

@@ -1,0 +1,75 @@
+// What a library file consists of (docs/library-format.md): the names, types, shapes and units of its columns and
+// attributes. A column is a data set whose first dimension grows; reader and writer are both made from this list.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/shape.h"
+
+namespace tessera::io::layout {
+
+inline constexpr char kFormat[] = "tessera-library";
+/// Counted up with every change that an old reader would misread. A reader takes its own version only.
+inline constexpr int kVersion = 1;
+
+inline constexpr char kFormatAttribute[] = "format";
+inline constexpr char kVersionAttribute[] = "version";
+inline constexpr char kPadLevelsAttribute[] = "pad_levels";
+inline constexpr char kDeltaTauAttribute[] = "pad_delta_tau_rad";
+inline constexpr char kUnitsAttribute[] = "units";
+inline constexpr char kDescriptionAttribute[] = "description";
+inline constexpr char kSigmaAttribute[] = "sigma";
+inline constexpr char kCurvePointsAttribute[] = "curve_points";
+inline constexpr char kSamplesAttribute[] = "samples";
+
+inline constexpr std::size_t kNameBytes = 256;   // NUL included
+inline constexpr std::size_t kPathBytes = 4096;  // Linux' PATH_MAX
+inline constexpr int kFieldNodes = 128;          // each way
+
+/// Sane maxima, checked when written and when read: a reader allocates no more than these ask for.
+inline constexpr std::size_t kMaxShapes = 4'000'000;
+inline constexpr std::size_t kMaxCurvesPerShape = 10'000;
+inline constexpr std::size_t kMaxPointsPerCurve = 100'000;
+inline constexpr std::size_t kMaxThumbnailBytes = 1u << 20;
+inline constexpr std::size_t kMaxOriginalBytes = 64u << 20;
+inline constexpr float kMaxCoordinate = 1e4f;  // shape units, lengths too; a shape of area 1 that long is a hairline
+inline constexpr float kLeastLength = 1e-6f;
+inline constexpr float kMaxLab = 200;
+inline constexpr int kMaxArtworkSize_px = 1 << 20;
+
+enum class Element { float32, int16, int32, uint8, uint64, text };
+
+struct Column {
+  std::string path;
+  Element element;
+  std::size_t text_bytes;             // of Element::text, which is NUL-padded UTF-8; otherwise 0
+  std::vector<std::size_t> row_dims;  // empty: one number a row
+  std::string units;
+  std::string description;
+};
+
+std::size_t element_bytes(const Column& column);
+std::size_t elements_per_row(const Column& column);
+std::size_t row_bytes(const Column& column);
+
+struct LevelColumns {
+  Column points, perimeter, lengths, keypoints, convexity;
+};
+
+struct Columns {
+  Column name, perimeter, radius, mean_lab;
+  Column first_curve, first_point, outline_points;
+  Column field_distance, field_scale, field_extent;
+  Column artwork_path, artwork_size, artwork_centroid, artwork_unit;
+  Column first_thumbnail_byte, thumbnail_bytes, first_original_byte, original_bytes;
+  std::vector<LevelColumns> levels;  // one for each of kSmoothingLevels
+};
+
+/// The group of smoothing level k.
+std::string level_group(std::size_t k);
+
+Columns library_columns(int pad_levels);
+
+}  // namespace tessera::io::layout

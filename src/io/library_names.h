@@ -1,0 +1,22 @@
+// Names of library shapes: readable, unique, and the same whenever the same files come in the same order.
+#pragma once
+
+#include <set>
+#include <string>
+
+namespace tessera::io {
+
+class LibraryNames {
+ public:
+  /// A name not given before: `stem` itself, or "stem (folder)" with the folder of `path`, or "stem (folder) 2" and so
+  /// on. Bytes that are not UTF-8 and control characters become '_'; long names are cut.
+  std::string unique(const std::string& stem, const std::string& path);
+
+ private:
+  std::set<std::string> given_;
+};
+
+/// `text` with every control character and every byte that is not part of valid UTF-8 replaced by '_'.
+std::string printable_utf8(const std::string& text);
+
+}  // namespace tessera::io

@@ -1,0 +1,11 @@
+// Numbers as text: the same bytes in every locale, without "-0.000".
+#pragma once
+
+#include <string>
+
+namespace tessera::io {
+
+/// With so many decimals, e.g. fixed(2, 3) == "2.000". Not-a-number and infinity, which no format here has, become 0.
+std::string fixed(double value, int decimals);
+
+}  // namespace tessera::io

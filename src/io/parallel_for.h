@@ -1,0 +1,38 @@
+// A loop over independent items on all cores.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace tessera::io {
+
+/// Calls body(i) for each i in [0, count), in any order, from as many threads as the machine has cores. After an
+/// exception no further item starts; the first one is thrown again here.
+template <class Body>
+void parallel_for(std::size_t count, Body&& body) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) body(i);
+    } catch (...) {
+      next = count;
+      const std::lock_guard lock(mutex);
+      if (!error) error = std::current_exception();
+    }
+  };
+  std::vector<std::jthread> threads;
+  const std::size_t wanted = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+  for (std::size_t i = 1; i < wanted; ++i) threads.emplace_back(work);
+  work();
+  threads.clear();  // joins
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace tessera::io

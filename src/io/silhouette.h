@@ -1,0 +1,34 @@
+// What the library takes from an artwork file: its silhouette at a good resolution, its mean colour, a thumbnail.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/grid.h"
+#include "core/vec2.h"
+
+namespace tessera::io {
+
+/// The drawing (not the page) is brought to this longest side, as far as the source gives it.
+inline constexpr int kSilhouetteSide_px = 512;
+inline constexpr int kThumbnailSide_px = 192;
+
+/// Artwork frame: px of the whole page (width_px x height_px), y down.
+struct Silhouette {
+  std::string path;
+  int width_px = 0;
+  int height_px = 0;
+  Grid<float> alpha;                        // 0..1, of the part of the page that is drawn on
+  Vec2 origin_px;                           // upper left corner of alpha's upper left pixel
+  float source_px = 0;                      // size of a pixel of the source; 0 for vectors
+  std::array<float, 3> mean_lab{};          // CIELAB (D65), alpha-weighted; 0 where nothing is drawn
+  std::vector<std::uint8_t> thumbnail_png;  // the whole page, RGBA, longest side kThumbnailSide_px
+};
+
+/// Throws InputError, see artwork_page.h. `path` is kept and stands in messages.
+Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path);
+
+}  // namespace tessera::io

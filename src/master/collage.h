@@ -1,0 +1,72 @@
+// The collage as the master holds it: free region, target curve, pool, placements (paper section 4, Fig. 15).
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "core/canvas.h"
+#include "core/free_field.h"
+#include "core/matching_context.h"
+#include "core/match_round.h"
+#include "core/placement.h"
+#include "core/pool.h"
+#include "core/settings.h"
+#include "core/shape_source.h"
+#include "core/target_curve.h"
+
+namespace tessera::master {
+
+class Collage {
+ public:
+  Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context, ShapeSource& shapes);
+
+  /// The nodes of the free field that changed since the last call; all of them at first.
+  Window take_changed_nodes();
+
+  /// Target samples to be matched (again); they count as matched from now on.
+  std::vector<TargetSample> take_stale_samples();
+  void mark_all_stale();
+  void add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round);
+
+  /// The best candidate of the pool after the finalists were checked exactly, made clear of its neighbours and grown;
+  /// false where the pool is dry.
+  bool choose(Candidate& best);
+
+  /// Merge: takes the piece out of the free region and brings target curve and pool up to date.
+  void place(const Candidate& candidate);
+
+  const FreeField& free() const { return free_; }
+  const std::vector<Placement>& placements() const { return placements_; }
+  double covered_px2() const { return covered_px2_; }
+  std::size_t open_samples() const { return curve_.sample_count(); }
+
+ private:
+  struct Ranked;
+
+  bool may_use(std::uint32_t shape) const;
+  float preference(const Candidate& candidate) const;
+  float score_of(const Candidate& candidate) const;
+  bool acceptable(const Candidate& candidate) const;
+  std::vector<Ranked> finalists();
+  void check_exactly(Candidate& candidate);
+  bool settle(Candidate& candidate);
+  void rescore(const Window& changed);
+  void retrace(const Window& changed);
+
+  CollageSettings settings_;
+  MatchingContext context_;
+  ShapeSource& shapes_;
+  FreeField free_;
+  OpenedField opened_;
+  TargetCurve curve_;
+  Pool pool_;
+  std::set<std::uint32_t> stale_;           // edges of samples to be matched
+  std::map<std::uint32_t, std::uint32_t> passes_;  // how often a sample was matched
+  std::vector<Placement> placements_;
+  std::vector<std::uint32_t> uses_;         // per shape
+  double covered_px2_ = 0;
+  Window changed_nodes_;
+};
+
+}  // namespace tessera::master

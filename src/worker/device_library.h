@@ -1,0 +1,39 @@
+// What stays on a device from request to request: the shard and the free field.
+#pragma once
+
+#include "core/matcher.h"
+#include "worker/opencl_runtime.h"
+#include "worker/shard.h"
+
+namespace tessera::worker {
+
+class DeviceLibrary {
+ public:
+  DeviceLibrary(const cl::Device& device, int pad_levels, const Shard& shard);
+
+  void start_field(int width, int height, Vec2 origin);
+  void update_field(const FieldPatch& patch);
+
+  const DeviceSession& session() const { return session_; }
+  int pad_levels() const { return pad_levels_; }
+  const MatchRecord& match() const { return match_; }
+  const DeviceBuffer<MatchRecord>& match_buffer() const { return match_buffer_; }
+  const DeviceBuffer<float>& pads() const { return pads_; }
+  const DeviceBuffer<float>& keypoints() const { return keypoints_; }
+  const DeviceBuffer<float>& contours() const { return contours_; }
+  const DeviceBuffer<ShapeRecord>& shapes() const { return shapes_; }
+  const DeviceBuffer<float>& field() const { return field_; }
+
+ private:
+  int pad_levels_;
+  DeviceSession session_;
+  MatchRecord match_;
+  DeviceBuffer<MatchRecord> match_buffer_;
+  DeviceBuffer<float> pads_;
+  DeviceBuffer<float> keypoints_;
+  DeviceBuffer<float> contours_;
+  DeviceBuffer<ShapeRecord> shapes_;
+  DeviceBuffer<float> field_;
+};
+
+}  // namespace tessera::worker

@@ -1,0 +1,97 @@
+#include "worker/dock_stage.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace tessera::worker {
+namespace {
+
+static_assert(sizeof(Docking) == sizeof(DockingRecord) && offsetof(Docking, key) == offsetof(DockingRecord, key) &&
+              offsetof(Docking, canvas_from_shape) == offsetof(DockingRecord, canvas_from_shape));
+
+}  // namespace
+
+struct DockStage::Part {
+  std::uint32_t first;
+  std::uint32_t end;
+  std::uint32_t count() const { return end - first; }
+};
+
+DockStage::DockStage(const DeviceLibrary& library, PairStage& pairs)
+    : library_(&library),
+      pairs_(&pairs),
+      dock_pairs_(library.session().kernel("dock_pairs")),
+      dock_tangents_(library.session().kernel("dock_tangents")),
+      keep_shortlist_(library.session().kernel("keep_shortlist")),
+      paired_(library.session()),
+      paired_keys_(library.session()),
+      tangent_(library.session()),
+      tangent_keys_(library.session()),
+      shortlists_(library.session()),
+      shortlist_counts_(library.session()),
+      evaluated_(library.session()) {}
+
+std::uint32_t DockStage::samples_at_a_time() const {
+  const std::size_t tangent_bytes = draws_ * (sizeof(DockingRecord) + sizeof(float));
+  const std::size_t most = kStageBytes / std::max<std::size_t>(1, tangent_bytes);
+  return std::uint32_t(std::clamp<std::size_t>(most, 1, pairs_->samples_at_a_time()));
+}
+
+void DockStage::post(const DockRequest& request) {
+  samples_ = std::uint32_t(request.samples.size());
+  draws_ = request.tangent_dockings;
+  with_pairs_ = std::any_of(request.bin_limit.begin(), request.bin_limit.end(), [](std::uint32_t b) { return b > 0; });
+  pairs_->set_samples(make_sample_records(request.samples, request.bin_limit, library_->pad_levels()));
+  shortlists_.reserve(std::size_t(samples_) * kShortlist);
+  shortlist_counts_.reserve(samples_);
+  evaluated_.clear(samples_);
+  for (std::uint32_t first = 0; first < samples_; first += samples_at_a_time()) {
+    post_part({first, std::min(samples_, first + samples_at_a_time())});
+  }
+  library_->session().flush();
+}
+
+void DockStage::post_part(const Part& part) {
+  if (with_pairs_) dock_pairs(part);
+  dock_tangents(part);
+  const std::uint32_t paired = with_pairs_ ? library_->match().shapes * kDockingsPerShape : 0;
+  launch(library_->session(), keep_shortlist_, {part.count()}, part.first, part.end, paired, paired_, paired_keys_,
+         draws_, tangent_, tangent_keys_, shortlists_, shortlist_counts_);
+}
+
+void DockStage::dock_pairs(const Part& part) {
+  const std::uint32_t first_paired = pairs_->need(part.first, part.end);
+  const std::size_t places = std::size_t(part.count()) * library_->match().shapes * kDockingsPerShape;
+  paired_.reserve(places);
+  paired_keys_.reserve(places);
+  launch(library_->session(), dock_pairs_, {part.count(), library_->match().shapes, kSamplesPerGroup},
+         library_->match_buffer(), library_->field(), library_->keypoints(), library_->contours(), library_->shapes(),
+         part.first, part.end, pairs_->samples(), first_paired, pairs_->pairs(), pairs_->pair_count(), paired_,
+         paired_keys_, evaluated_);
+}
+
+void DockStage::dock_tangents(const Part& part) {
+  const std::size_t places = std::size_t(part.count()) * draws_;
+  tangent_.reserve(places);
+  tangent_keys_.reserve(places);
+  launch(library_->session(), dock_tangents_, {part.count(), draws_}, library_->match_buffer(), library_->field(),
+         library_->contours(), library_->shapes(), part.first, part.end, pairs_->samples(), draws_, tangent_,
+         tangent_keys_, evaluated_);
+}
+
+DockReply DockStage::take() {
+  const std::vector<DockingRecord> shortlists = shortlists_.read(std::size_t(samples_) * kShortlist);
+  const std::vector<std::uint32_t> counts = shortlist_counts_.read(samples_);
+  const std::vector<std::uint32_t> evaluated = evaluated_.read(samples_);
+  DockReply reply;
+  reply.evaluated = std::accumulate(evaluated.begin(), evaluated.end(), std::uint64_t(0));
+  for (std::uint32_t t = 0; t < samples_; ++t) {
+    for (std::uint32_t i = 0; i < counts[t]; ++i) {
+      reply.dockings.push_back(std::bit_cast<Docking>(shortlists[std::size_t(t) * kShortlist + i]));
+    }
+  }
+  return reply;
+}
+
+}  // namespace tessera::worker

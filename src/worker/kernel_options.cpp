@@ -1,0 +1,65 @@
+#include "worker/kernel_options.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/docking.h"
+#include "core/field_lookup.h"
+#include "core/shape_model.h"
+#include "core/tuning.h"
+
+namespace tessera::worker {
+namespace {
+
+void define(std::string& options, const char* name, const std::string& value) {
+  options += std::string(" -D") + name + "=" + value;
+}
+
+void define(std::string& options, const char* name, int value) { define(options, name, std::to_string(value)); }
+
+/// All bits of the number, and brackets for its sign.
+void define(std::string& options, const char* name, float value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "(%af)", double(value));
+  define(options, name, std::string(text));
+}
+
+int most_level_samples() {
+  const auto fewer = [](const SmoothingLevel& a, const SmoothingLevel& b) { return a.samples < b.samples; };
+  return std::max_element(kSmoothingLevels.begin(), kSmoothingLevels.end(), fewer)->samples;
+}
+
+}  // namespace
+
+std::string kernel_options(const cl::Device& device, int pad_levels) {
+  std::string options = "-cl-std=CL1.2";
+  if (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) {
+    options += " -cl-fp32-correctly-rounded-divide-sqrt";
+  }
+  define(options, "kPadLevels", pad_levels);
+  define(options, "kPadKeypoints", 2 * pad_levels + 1);
+  define(options, "kMaxLevelSamples", most_level_samples());
+#define DEFINE(constant) define(options, #constant, constant)
+  DEFINE(kMaxPadLevels);
+  DEFINE(kBoundaryPoints);
+  DEFINE(kMediumStride);
+  DEFINE(kCoarseStride);
+  DEFINE(kMaxInteriorPoints);
+  DEFINE(kPairsPerShape);
+  DEFINE(kDockingsPerShape);
+  DEFINE(kDistanceBins);
+  DEFINE(kShortlist);
+  DEFINE(kScaleWindowLow);
+  DEFINE(kScaleWindowHigh);
+  DEFINE(kAlignmentTolerance);
+  DEFINE(kLeastDockingKey);
+  DEFINE(kOffGridDistance);
+  DEFINE(kHardDepth_px);
+  DEFINE(kPushSteps);
+  DEFINE(kPushShrink);
+#undef DEFINE
+  define(options, "kTangentSource", std::to_string(kTangentSource) + "u");
+  return options;
+}
+
+}  // namespace tessera::worker

@@ -1,0 +1,16 @@
+// How the kernels are compiled. Everything that may change from job to job stands in MatchRecord instead, so that a
+// device compiles once and for all.
+#pragma once
+
+#include <CL/opencl.hpp>
+#include <string>
+
+namespace tessera::worker {
+
+/// All files of kernels/, joined (made by cmake/EmbedKernels.cmake).
+extern const char* const kernel_source;
+
+/// The tunables of core under the same names, and whatever makes this device compute as IEEE 754 says.
+std::string kernel_options(const cl::Device& device, int pad_levels);
+
+}  // namespace tessera::worker

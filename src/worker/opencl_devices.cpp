@@ -1,0 +1,104 @@
+#include "worker/opencl_devices.h"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "worker/opencl_runtime.h"
+
+namespace tessera::worker {
+namespace {
+
+const char* kind_name(const cl::Device& device) {
+  const cl_device_type type = device.getInfo<CL_DEVICE_TYPE>();
+  return type & CL_DEVICE_TYPE_GPU ? "gpu" : type & CL_DEVICE_TYPE_CPU ? "cpu" : "accelerator";
+}
+
+/// "0: cpu "pthread-...", 1: ..."
+std::string listed(const std::vector<cl::Device>& devices) {
+  std::ostringstream text;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    text << (i ? ", " : "") << i << ": " << kind_name(devices[i]) << " \"" << devices[i].getInfo<CL_DEVICE_NAME>()
+         << "\"";
+  }
+  return text.str();
+}
+
+/// A platform without devices says so by an error.
+std::vector<cl::Device> devices_of(const cl::Platform& platform) {
+  std::vector<cl::Device> devices;
+  try {
+    platform.getDevices(CL_DEVICE_TYPE_ALL, &devices);
+  } catch (const cl::Error&) {
+    devices.clear();
+  }
+  return devices;
+}
+
+std::vector<cl::Platform> platforms() {
+  std::vector<cl::Platform> found;
+  try {
+    cl::Platform::get(&found);
+  } catch (const cl::Error&) {
+    found.clear();
+  }
+  return found;
+}
+
+std::vector<cl::Device> devices_of_kind(const std::vector<cl::Device>& all, const std::string& kind) {
+  std::vector<cl::Device> chosen;
+  for (const cl::Device& device : all) {
+    if (kind_name(device) == kind) chosen.push_back(device);
+  }
+  if (chosen.empty()) {
+    throw EnvironmentError("devices.use = \"" + kind + "\": this machine has no such OpenCL device; it has " +
+                           listed(all));
+  }
+  return chosen;
+}
+
+std::vector<cl::Device> devices_by_index(const std::vector<cl::Device>& all, const std::string& use) {
+  const auto refuse = [&](const std::string& found) {
+    return InputError("devices.use = \"" + use + "\": " + found +
+                      "; allowed: \"all\", \"cpu\", \"gpu\" or distinct indices of this machine's OpenCL devices: " +
+                      listed(all));
+  };
+  std::vector<std::size_t> indices;
+  std::istringstream list(use);
+  for (std::string item; std::getline(list, item, ',');) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), index);
+    if (error != std::errc() || end != item.data() + item.size()) throw refuse("\"" + item + "\" is no index");
+    if (index >= all.size()) throw refuse("there is no device " + item);
+    if (std::find(indices.begin(), indices.end(), index) != indices.end()) throw refuse(item + " stands there twice");
+    indices.push_back(index);
+  }
+  if (indices.empty()) throw refuse("no device is named");
+  std::vector<cl::Device> chosen;
+  for (const std::size_t index : indices) chosen.push_back(all[index]);
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<cl::Device> opencl_devices() {
+  std::vector<cl::Device> all;
+  const std::vector<cl::Platform> found = platforms();
+  for (const cl::Platform& platform : found) {
+    for (cl::Device& device : devices_of(platform)) all.push_back(std::move(device));
+  }
+  if (all.empty()) {
+    throw EnvironmentError(found.empty() ? "no OpenCL platform is installed (Debian: package pocl-opencl-icd for CPUs)"
+                                         : "the OpenCL platforms of this machine have no devices");
+  }
+  return all;
+}
+
+std::vector<cl::Device> chosen_devices(const std::string& use) {
+  const std::vector<cl::Device> all = opencl_devices();
+  if (use == "all") return all;
+  if (use == "cpu" || use == "gpu") return devices_of_kind(all, use);
+  return devices_by_index(all, use);
+}
+
+}  // namespace tessera::worker

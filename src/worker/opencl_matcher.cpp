@@ -1,0 +1,21 @@
+#include "worker/opencl_matcher.h"
+
+namespace tessera::worker {
+
+OpenCLMatcher::OpenCLMatcher(const cl::Device& device, const MatchingContext& context, std::uint32_t first_shape,
+                             const std::vector<ShapeModel>& models)
+    : library_(device, context.pad.levels, make_shard(context, first_shape, models)),
+      pairs_(library_),
+      docking_(library_, pairs_),
+      refinement_(library_) {}
+
+ShapeRange OpenCLMatcher::shapes() const {
+  const MatchRecord& match = library_.match();
+  return {match.first_shape, match.first_shape + match.shapes};
+}
+
+void OpenCLMatcher::post_count(const std::vector<TargetSample>& samples) {
+  pairs_.post_count(make_sample_records(samples, {}, library_.pad_levels()));
+}
+
+}  // namespace tessera::worker

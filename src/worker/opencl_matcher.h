@@ -1,0 +1,35 @@
+// The matcher on one OpenCL device: the same answers as ReferenceMatcher, bit for bit where the device's + - * / and
+// sqrt round as IEEE 754 says. post_* only hands work to the device; take_* waits for it.
+#pragma once
+
+#include "worker/dock_stage.h"
+#include "worker/refine_stage.h"
+
+namespace tessera::worker {
+
+class OpenCLMatcher : public Matcher {
+ public:
+  /// `models[i]` is library shape first_shape + i; none is needed. Throws EnvironmentError where the device fails.
+  OpenCLMatcher(const cl::Device& device, const MatchingContext& context, std::uint32_t first_shape,
+                const std::vector<ShapeModel>& models);
+  OpenCLMatcher(const OpenCLMatcher&) = delete;  // the stages point to the library
+  OpenCLMatcher& operator=(const OpenCLMatcher&) = delete;
+
+  ShapeRange shapes() const override;
+  void start_field(int width, int height, Vec2 origin) override { library_.start_field(width, height, origin); }
+  void update_field(const FieldPatch& patch) override { library_.update_field(patch); }
+  void post_count(const std::vector<TargetSample>& samples) override;
+  std::vector<DistanceHistogram> take_count() override { return pairs_.take_count(); }
+  void post_dock(const DockRequest& request) override { docking_.post(request); }
+  DockReply take_dock() override { return docking_.take(); }
+  void post_refine(const std::vector<Docking>& dockings) override { refinement_.post(dockings); }
+  std::vector<RefinedDocking> take_refine() override { return refinement_.take(); }
+
+ private:
+  DeviceLibrary library_;
+  PairStage pairs_;
+  DockStage docking_;
+  RefineStage refinement_;
+};
+
+}  // namespace tessera::worker

@@ -1,0 +1,75 @@
+#include "worker/opencl_runtime.h"
+
+#include <limits>
+#include <stdexcept>
+
+namespace tessera::worker {
+namespace {
+
+/// What a user can do something about; the numbers are those of CL/cl.h.
+std::string meaning(cl_int code) {
+  switch (code) {
+    case CL_DEVICE_NOT_AVAILABLE: return " (the device is not available)";
+    case CL_MEM_OBJECT_ALLOCATION_FAILURE:
+    case CL_OUT_OF_RESOURCES:
+    case CL_OUT_OF_HOST_MEMORY: return " (out of memory: use more ranks or devices)";
+    case CL_INVALID_BUFFER_SIZE: return " (more than the device holds in one buffer: use more ranks or devices)";
+    default: return "";
+  }
+}
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
+
+}  // namespace
+
+EnvironmentError opencl_error(const cl::Error& error, const std::string& device) {
+  return EnvironmentError("OpenCL device \"" + device + "\": " + error.what() + " failed with code " +
+                          std::to_string(error.err()) + meaning(error.err()));
+}
+
+DeviceSession::DeviceSession(const cl::Device& device, const std::string& source, const std::string& build_options)
+    : device_(device), name_(device.getInfo<CL_DEVICE_NAME>()) {
+  checked(name_, [&] {
+    context_ = cl::Context(device_);
+    queue_ = cl::CommandQueue(context_, device_);
+    program_ = cl::Program(context_, source);
+    try {
+      program_.build(build_options.c_str());
+    } catch (const cl::BuildError& error) {
+      const std::string log = program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_);
+      throw EnvironmentError("OpenCL device \"" + name_ + "\" cannot compile the kernels: " + one_line(log));
+    }
+  });
+}
+
+cl::Kernel DeviceSession::kernel(const char* name) const {
+  return checked(name_, [&] { return cl::Kernel(program_, name); });
+}
+
+void DeviceSession::flush() const {
+  checked(name_, [&] { queue_.flush(); });
+}
+
+void DeviceSession::finish() const {
+  checked(name_, [&] { queue_.finish(); });
+}
+
+void set_argument(cl::Kernel& kernel, cl_uint index, std::uint32_t value) { kernel.setArg(index, value); }
+
+void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, cl_uint arguments) {
+  if (kernel.getInfo<CL_KERNEL_NUM_ARGS>() != arguments) {
+    throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": wrong number of arguments");
+  }
+  const std::size_t x = (size.x + size.group - 1) / size.group * size.group;
+  if (std::max(x, size.y) > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": more work than 32-bit indices count");
+  }
+  session.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(x, size.y), cl::NDRange(size.group, 1));
+}
+
+}  // namespace tessera::worker

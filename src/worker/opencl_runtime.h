@@ -1,0 +1,129 @@
+// A thin layer over OpenCL's C++ binding: errors that say which call failed on which device, buffers that know their
+// length, and one function that launches kernels. Nothing here knows about shapes.
+#pragma once
+
+#include <CL/opencl.hpp>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+namespace tessera::worker {
+
+/// One line with the call's name, the code and the device.
+EnvironmentError opencl_error(const cl::Error& error, const std::string& device);
+
+/// Runs `calls`; an OpenCL error becomes an EnvironmentError.
+template <class Calls>
+auto checked(const std::string& device, Calls&& calls) {
+  try {
+    return calls();
+  } catch (const cl::Error& error) {
+    throw opencl_error(error, device);
+  }
+}
+
+/// A device with its queue (in order: every command sees what the one before it left) and a built program.
+class DeviceSession {
+ public:
+  /// Throws EnvironmentError with the build log where the source does not compile.
+  DeviceSession(const cl::Device& device, const std::string& source, const std::string& build_options);
+
+  const std::string& name() const { return name_; }
+  const cl::Context& context() const { return context_; }
+  const cl::CommandQueue& queue() const { return queue_; }
+  cl::Kernel kernel(const char* name) const;
+  /// Hands what was posted to the device, without waiting.
+  void flush() const;
+  void finish() const;
+
+ private:
+  cl::Device device_;
+  std::string name_;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+  cl::Program program_;
+};
+
+/// `T` is a number or a struct of kernels/records.h.
+template <class T>
+class DeviceBuffer {
+ public:
+  explicit DeviceBuffer(const DeviceSession& session) : session_(&session) {}
+  DeviceBuffer(const DeviceSession& session, const std::vector<T>& content) : session_(&session) { write(content); }
+
+  /// Room for `count` at least. What was in it may be lost.
+  void reserve(std::size_t count) {
+    if (count <= capacity_ && capacity_ > 0) return;
+    capacity_ = count > 0 ? count : 1;  // OpenCL knows no empty buffers
+    checked(session_->name(), [&] {
+      buffer_ = cl::Buffer();  // the old one first: both together may not fit
+      buffer_ = cl::Buffer(session_->context(), CL_MEM_READ_WRITE, capacity_ * sizeof(T));
+    });
+  }
+
+  /// The first content.size() elements. Returns when `content` may change again.
+  void write(const std::vector<T>& content) {
+    reserve(content.size());
+    if (content.empty()) return;
+    checked(session_->name(), [&] {
+      session_->queue().enqueueWriteBuffer(buffer_, CL_TRUE, 0, content.size() * sizeof(T), content.data());
+    });
+  }
+
+  /// All `count` elements zero, without waiting.
+  void clear(std::size_t count) {
+    reserve(count);
+    if (count == 0) return;
+    checked(session_->name(), [&] {
+      session_->queue().enqueueFillBuffer(buffer_, std::uint32_t(0), 0, count * sizeof(T));
+    });
+  }
+
+  /// The first `count` elements, once all that was posted before is done.
+  std::vector<T> read(std::size_t count) const {
+    std::vector<T> content(count);
+    if (count == 0) return content;
+    checked(session_->name(), [&] {
+      session_->queue().enqueueReadBuffer(buffer_, CL_TRUE, 0, count * sizeof(T), content.data());
+    });
+    return content;
+  }
+
+  const cl::Buffer& get() const { return buffer_; }
+
+ private:
+  const DeviceSession* session_;
+  cl::Buffer buffer_;
+  std::size_t capacity_ = 0;
+};
+
+/// Work items of a launch; the first dimension comes in groups of `group`, rounded up: kernels check it.
+struct WorkSize {
+  std::size_t x = 0;
+  std::size_t y = 1;
+  std::size_t group = 1;
+};
+
+void set_argument(cl::Kernel& kernel, cl_uint index, std::uint32_t value);
+template <class T>
+void set_argument(cl::Kernel& kernel, cl_uint index, const DeviceBuffer<T>& buffer) {
+  kernel.setArg(index, buffer.get());
+}
+
+void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, cl_uint arguments);
+
+/// Posts `kernel` with its arguments: buffers and 32-bit numbers. Does nothing where there is no work.
+template <class... Arguments>
+void launch(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, const Arguments&... arguments) {
+  if (size.x == 0 || size.y == 0) return;
+  checked(session.name(), [&] {
+    cl_uint index = 0;
+    (set_argument(kernel, index++, arguments), ...);
+    enqueue(session, kernel, size, index);
+  });
+}
+
+}  // namespace tessera::worker

@@ -1,0 +1,60 @@
+#include "worker/pair_stage.h"
+
+#include <algorithm>
+
+namespace tessera::worker {
+
+PairStage::PairStage(const DeviceLibrary& library)
+    : library_(&library),
+      select_pairs_(library.session().kernel("select_pairs")),
+      count_pairs_(library.session().kernel("count_pairs")),
+      sample_buffer_(library.session()),
+      pairs_(library.session()),
+      pair_count_(library.session()),
+      histograms_(library.session()) {}
+
+std::uint32_t PairStage::samples_at_a_time() const {
+  const std::size_t bytes = library_->match().shapes * (kPairsPerShape * sizeof(PairRecord) + sizeof(std::uint32_t));
+  return std::uint32_t(std::max<std::size_t>(1, kStageBytes / std::max<std::size_t>(1, bytes)));
+}
+
+void PairStage::set_samples(std::vector<SampleRecord> samples) {
+  if (!same_samples(samples, samples_)) held_ = {};
+  samples_ = std::move(samples);
+  sample_buffer_.write(samples_);
+}
+
+std::uint32_t PairStage::need(std::uint32_t first, std::uint32_t end) {
+  if (first >= held_.begin && end <= held_.end) return held_.begin;
+  const std::size_t places = std::size_t(end - first) * library_->match().shapes;
+  pairs_.reserve(places * kPairsPerShape);
+  pair_count_.reserve(places);
+  launch(library_->session(), select_pairs_, {end - first, library_->match().shapes, kSamplesPerGroup},
+         library_->match_buffer(), library_->pads(), first, end, sample_buffer_, pairs_, pair_count_);
+  held_ = {first, end};
+  return first;
+}
+
+void PairStage::post_count(std::vector<SampleRecord> samples) {
+  set_samples(std::move(samples));
+  const std::uint32_t count = std::uint32_t(samples_.size());
+  histograms_.clear(count * kDistanceBins);
+  for (std::uint32_t first = 0; first < count; first += samples_at_a_time()) {
+    const std::uint32_t end = std::min(count, first + samples_at_a_time());
+    const std::uint32_t first_paired = need(first, end);
+    launch(library_->session(), count_pairs_, {end - first, library_->match().shapes, kSamplesPerGroup},
+           library_->match_buffer(), first, end, first_paired, pairs_, pair_count_, histograms_);
+  }
+  library_->session().flush();
+}
+
+std::vector<DistanceHistogram> PairStage::take_count() {
+  const std::vector<std::uint32_t> bins = histograms_.read(samples_.size() * kDistanceBins);
+  std::vector<DistanceHistogram> histograms(samples_.size());
+  for (std::size_t t = 0; t < histograms.size(); ++t) {
+    std::copy_n(bins.begin() + std::ptrdiff_t(t * kDistanceBins), kDistanceBins, histograms[t].begin());
+  }
+  return histograms;
+}
+
+}  // namespace tessera::worker

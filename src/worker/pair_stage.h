@@ -1,0 +1,48 @@
+// The pairs of target samples and shape PADs on a device (kernels/pairs.cl), counted for the top K % threshold and kept
+// for the docking of the same samples.
+#pragma once
+
+#include "worker/device_library.h"
+#include "worker/sample_records.h"
+
+namespace tessera::worker {
+
+class PairStage {
+ public:
+  explicit PairStage(const DeviceLibrary& library);
+
+  void post_count(std::vector<SampleRecord> samples);
+  std::vector<DistanceHistogram> take_count();
+
+  /// The samples of the requests that follow, on the device.
+  void set_samples(std::vector<SampleRecord> samples);
+  const DeviceBuffer<SampleRecord>& samples() const { return sample_buffer_; }
+
+  /// Pairs of samples [first, end) of those set, posted where they are not there already.
+  /// Gives the sample with which pairs() begins.
+  std::uint32_t need(std::uint32_t first, std::uint32_t end);
+  const DeviceBuffer<PairRecord>& pairs() const { return pairs_; }
+  const DeviceBuffer<std::uint32_t>& pair_count() const { return pair_count_; }
+
+  /// How many samples' pairs are on the device at a time: however large the library, the buffer stays small.
+  std::uint32_t samples_at_a_time() const;
+
+ private:
+  const DeviceLibrary* library_;
+  cl::Kernel select_pairs_;
+  cl::Kernel count_pairs_;
+  std::vector<SampleRecord> samples_;
+  DeviceBuffer<SampleRecord> sample_buffer_;
+  DeviceBuffer<PairRecord> pairs_;
+  DeviceBuffer<std::uint32_t> pair_count_;
+  DeviceBuffer<std::uint32_t> histograms_;
+  ShapeRange held_;  // samples whose pairs are on the device
+};
+
+/// Samples in a work group of kernels that run over (sample, shape): they share the shape's data in a cache.
+inline constexpr std::size_t kSamplesPerGroup = 16;
+
+/// Bytes of pairs, or of dockings, on a device at a time.
+inline constexpr std::size_t kStageBytes = std::size_t(64) << 20;
+
+}  // namespace tessera::worker

@@ -1,0 +1,51 @@
+#include "worker/refine_stage.h"
+
+#include <bit>
+#include <stdexcept>
+
+namespace tessera::worker {
+namespace {
+
+static_assert(sizeof(DockingTerms) == sizeof(TermsRecord) && sizeof(Similarity) == sizeof(PoseRecord));
+
+RefinedDocking refined_docking(Docking docking, const RefinedRecord& record) {
+  docking.canvas_from_shape = std::bit_cast<Similarity>(record.canvas_from_shape);
+  return {docking, std::bit_cast<DockingTerms>(record.terms), record.feasible != 0};
+}
+
+}  // namespace
+
+RefineStage::RefineStage(const DeviceLibrary& library)
+    : library_(&library),
+      refine_dockings_(library.session().kernel("refine_dockings")),
+      dockings_(library.session()),
+      refined_(library.session()) {}
+
+void RefineStage::post(const std::vector<Docking>& dockings) {
+  const MatchRecord& match = library_->match();
+  std::vector<DockingRecord> records;
+  records.reserve(dockings.size());
+  for (const Docking& docking : dockings) {
+    if (docking.shape < match.first_shape || docking.shape - match.first_shape >= match.shapes) {
+      throw std::out_of_range("a docking to refine is of a shape of another part of the library");
+    }
+    records.push_back(std::bit_cast<DockingRecord>(docking));
+  }
+  posted_ = dockings;
+  dockings_.write(records);
+  refined_.reserve(records.size());
+  const std::uint32_t count = std::uint32_t(records.size());
+  launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(), library_->field(),
+         library_->contours(), library_->shapes(), count, dockings_, refined_);
+  library_->session().flush();
+}
+
+std::vector<RefinedDocking> RefineStage::take() {
+  const std::vector<RefinedRecord> records = refined_.read(posted_.size());
+  std::vector<RefinedDocking> refined;
+  refined.reserve(records.size());
+  for (std::size_t i = 0; i < records.size(); ++i) refined.push_back(refined_docking(posted_[i], records[i]));
+  return refined;
+}
+
+}  // namespace tessera::worker

@@ -1,0 +1,24 @@
+// Refinement on a device (kernels/refinement.cl, docking_terms.cl).
+#pragma once
+
+#include "worker/device_library.h"
+
+namespace tessera::worker {
+
+class RefineStage {
+ public:
+  explicit RefineStage(const DeviceLibrary& library);
+
+  /// Throws std::out_of_range for a docking whose shape is not in the shard.
+  void post(const std::vector<Docking>& dockings);
+  std::vector<RefinedDocking> take();
+
+ private:
+  const DeviceLibrary* library_;
+  cl::Kernel refine_dockings_;
+  std::vector<Docking> posted_;
+  DeviceBuffer<DockingRecord> dockings_;
+  DeviceBuffer<RefinedRecord> refined_;
+};
+
+}  // namespace tessera::worker

@@ -1,0 +1,108 @@
+#include "worker/shard.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tessera::worker {
+namespace {
+
+static_assert(kSmoothingLevelCount == kSmoothingLevels.size());
+static_assert(kBoundaryPoints % (kLanes * kMediumStride) == 0 && kBoundaryPoints % (kLanes * kCoarseStride) == 0);
+static_assert(kMaxInteriorPoints % kLanes == 0);
+static_assert(std::all_of(kSmoothingLevels.begin(), kSmoothingLevels.end(),
+                          [](const SmoothingLevel& level) { return level.samples % kLanes == 0; }));
+static_assert(std::tuple_size_v<decltype(Pad::element)> == kMaxPadElements);
+static_assert(std::tuple_size_v<decltype(ArclengthPyramid::keypoint)> == kMaxKeypoints);
+
+MatchRecord make_match_record(const MatchingContext& c, std::uint32_t first_shape, std::size_t shapes) {
+  MatchRecord m{};
+  m.seed = c.seed;
+  m.beta = c.beta;
+  m.delta_px = c.delta_px;
+  m.min_scale_px = c.min_scale_px;
+  m.max_scale_px = c.max_scale_px;
+  m.gap_px = c.gap_px;
+  m.log2_scale_ratio = c.log2_scale_ratio;
+  m.rotation_middle_x = c.rotation_middle.x;
+  m.rotation_middle_y = c.rotation_middle.y;
+  m.rotation_min_cosine = c.rotation_min_cosine;
+  m.library_shapes = c.library_shapes;
+  m.first_shape = first_shape;
+  m.shapes = u32(shapes);
+  m.level_count = u32(c.levels.size());
+  for (std::size_t k = 0; k < c.levels.size(); ++k) {
+    const u32 count = u32(kSmoothingLevels[c.levels[k]].samples);
+    m.level[k] = {m.sources, count, c.level_range[k].low, c.level_range[k].high};
+    m.sources += count;
+  }
+  return m;
+}
+
+void check_levels(const MatchRecord& match, const ShapeModel& model) {
+  bool fits = model.levels.size() == match.level_count && model.interior.size() <= kMaxInteriorPoints;
+  for (std::size_t k = 0; fits && k < model.levels.size(); ++k) {
+    fits = model.levels[k].samples.size() == match.level[k].count && model.levels[k].pads.size() == match.level[k].count;
+  }
+  if (!fits) throw std::logic_error("a shape model does not have the levels and samples of its matching context");
+}
+
+void append_pads(std::vector<float>& pads, const ModelLevel& level, int pad_levels) {
+  for (int e = 0; e < 2 * (pad_levels - 1); ++e) {
+    for (const Pad& pad : level.pads) pads.push_back(pad.element[e]);
+  }
+  const int k = scale_level(pad_levels);
+  for (const ArclengthPyramid& sample : level.samples) pads.push_back(sample.left[k] + sample.right[k]);
+  for (const Pad& pad : level.pads) pads.push_back(pad.convexity);
+}
+
+void append_keypoints(std::vector<float>& keypoints, const ArclengthPyramid& sample, int pad_levels) {
+  const int count = 2 * pad_levels + 1;
+  for (int i = 0; i < count; ++i) keypoints.push_back(sample.keypoint[i].x);
+  for (int i = 0; i < count; ++i) keypoints.push_back(sample.keypoint[i].y);
+}
+
+/// Every stride-th point, all x and then all y, in a set with room for `room`.
+template <class Points>
+void put_points(float* set, const Points& points, std::size_t stride, std::size_t room) {
+  for (std::size_t i = 0, at = 0; i < points.size(); i += stride, ++at) {
+    set[at] = points[i].x;
+    set[room + at] = points[i].y;
+  }
+}
+
+void append_contour(std::vector<float>& contours, const ShapeModel& model) {
+  contours.resize(contours.size() + kContourFloats, 0.f);
+  float* const contour = contours.data() + contours.size() - kContourFloats;
+  put_points(contour + kFineAt, model.boundary, 1, kBoundaryPoints);
+  put_points(contour + kTangentAt, model.tangent, 1, kBoundaryPoints);
+  put_points(contour + kMediumAt, model.boundary, kMediumStride, kMediumPoints);
+  put_points(contour + kCoarseAt, model.boundary, kCoarseStride, kCoarsePoints);
+  put_points(contour + kInteriorAt, model.interior, 1, kMaxInteriorPoints);
+  put_points(contour + kCoarseInteriorAt, model.interior, kInteriorStride, kCoarseInteriorPoints);
+}
+
+}  // namespace
+
+int scale_level(int pad_levels) { return std::min(2, pad_levels - 1); }
+
+Shard make_shard(const MatchingContext& context, std::uint32_t first_shape, const std::vector<ShapeModel>& models) {
+  Shard shard;
+  shard.match = make_match_record(context, first_shape, models.size());
+  const int pad_levels = context.pad.levels;
+  const std::size_t sources = models.size() * shard.match.sources;
+  shard.pads.reserve(sources * (2 * pad_levels));
+  shard.keypoints.reserve(sources * 2 * (2 * pad_levels + 1));
+  shard.contours.reserve(models.size() * kContourFloats);
+  for (const ShapeModel& model : models) {
+    check_levels(shard.match, model);
+    for (const ModelLevel& level : model.levels) {
+      append_pads(shard.pads, level, pad_levels);
+      for (const ArclengthPyramid& sample : level.samples) append_keypoints(shard.keypoints, sample, pad_levels);
+    }
+    append_contour(shard.contours, model);
+    shard.shapes.push_back({model.perimeter, model.radius, u32(model.interior.size())});
+  }
+  return shard;
+}
+
+}  // namespace tessera::worker

@@ -1,0 +1,167 @@
+// Whatever goes through a message comes out bit for bit, not-a-number and negative zero included.
+#include "comm/messages.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "comm/encode.h"
+#include "core/error.h"
+
+namespace tessera::comm {
+namespace {
+
+float any_float() { return std::bit_cast<float>(*rc::gen::arbitrary<std::uint32_t>()); }
+Vec2 any_vec2() { return {any_float(), any_float()}; }
+std::uint32_t any_index() { return *rc::gen::arbitrary<std::uint32_t>(); }
+
+template <class Make>
+auto any_vector(Make make, int most = 40) {
+  std::vector<decltype(make())> values(std::size_t(*rc::gen::inRange(0, most)));
+  for (auto& value : values) value = make();
+  return values;
+}
+
+TargetSample any_sample() {
+  TargetSample sample;
+  sample.edge = any_index();
+  sample.pass = any_index();
+  sample.position = any_vec2();
+  sample.tangent = any_vec2();
+  for (float& length : sample.pyramid.left) length = any_float();
+  for (float& length : sample.pyramid.right) length = any_float();
+  for (Vec2& p : sample.pyramid.keypoint) p = any_vec2();
+  sample.pyramid.convexity = any_float();
+  return sample;
+}
+
+Docking any_docking() {
+  return {any_index(), any_index(), any_index(), any_float(), {any_float(), any_float(), any_float(), any_float()}};
+}
+
+RefinedDocking any_refined() {
+  return {any_docking(),
+          {any_float(), any_float(), any_float(), any_float(), any_float()},
+          *rc::gen::arbitrary<bool>()};
+}
+
+DistanceHistogram any_histogram() {
+  DistanceHistogram histogram;
+  for (std::uint32_t& count : histogram) count = any_index();
+  return histogram;
+}
+
+/// Bit equality: operator== calls -0 and 0 equal and no NaN equal to itself. Only for types without padding.
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  static_assert(sizeof(T) % sizeof(float) == 0);
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool same_bits(const RefinedDocking& a, const RefinedDocking& b) {
+  return std::memcmp(&a.docking, &b.docking, sizeof a.docking) == 0 &&
+         std::memcmp(&a.terms, &b.terms, sizeof a.terms) == 0 && a.feasible == b.feasible;
+}
+
+template <class T>
+T there_and_back(const T& value) {
+  return decode<T>(encode(value));
+}
+
+TEST(Messages, TargetSamplesAndHistograms) {
+  EXPECT_TRUE(rc::check([] {
+    const auto samples = any_vector(any_sample);
+    RC_ASSERT(same_bits(there_and_back(samples), samples));
+    const auto histograms = any_vector(any_histogram, 4);
+    RC_ASSERT(same_bits(there_and_back(histograms), histograms));
+  }));
+}
+
+TEST(Messages, DockRequestsAndReplies) {
+  EXPECT_TRUE(rc::check([] {
+    const DockRequest request{any_vector(any_sample), any_vector(any_index), any_index()};
+    const DockRequest same_request = there_and_back(request);
+    RC_ASSERT(same_bits(same_request.samples, request.samples));
+    RC_ASSERT(same_request.bin_limit == request.bin_limit);
+    RC_ASSERT(same_request.tangent_dockings == request.tangent_dockings);
+    const DockReply reply{any_vector(any_docking), *rc::gen::arbitrary<std::uint64_t>()};
+    const DockReply same_reply = there_and_back(reply);
+    RC_ASSERT(same_bits(same_reply.dockings, reply.dockings));
+    RC_ASSERT(same_reply.evaluated == reply.evaluated);
+  }));
+}
+
+TEST(Messages, RefinedDockings) {
+  EXPECT_TRUE(rc::check([] {
+    const auto refined = any_vector(any_refined);
+    const auto same = there_and_back(refined);
+    RC_ASSERT(same.size() == refined.size());
+    for (std::size_t i = 0; i < same.size(); ++i) RC_ASSERT(same_bits(same[i], refined[i]));
+  }));
+}
+
+TEST(Messages, FieldPatches) {
+  EXPECT_TRUE(rc::check([] {
+    const FieldPatch patch{{*rc::gen::arbitrary<int>(), -3, 7, *rc::gen::arbitrary<int>()}, any_vector(any_float, 500)};
+    const FieldPatch same = there_and_back(patch);
+    RC_ASSERT(same.window == patch.window);
+    RC_ASSERT(same_bits(same.value, patch.value));
+  }));
+}
+
+TEST(Messages, SpecialFloatsKeepTheirBits) {
+  const std::vector<float> special = {-0.f, std::nanf("0x123"), -std::numeric_limits<float>::infinity(),
+                                      std::numeric_limits<float>::denorm_min(),
+                                      std::numeric_limits<float>::signaling_NaN()};
+  EXPECT_TRUE(same_bits(there_and_back(FieldPatch{{0, 0, 5, 1}, special}).value, special));
+}
+
+TEST(Messages, TheSmallOnes) {
+  const ShapeRange range = there_and_back(ShapeRange{7, 4000000000u});
+  EXPECT_EQ(range.begin, 7u);
+  EXPECT_EQ(range.end, 4000000000u);
+  const FieldStart start{1012, 1013, {-5.5f, -0.f}};
+  EXPECT_EQ(there_and_back(start), start);
+  const Failure failure{2, "library.h5: not ours"};
+  EXPECT_EQ(there_and_back(failure), failure);
+}
+
+TEST(Messages, VectorsTravelInOneCopy) {
+  // A field costs its own bytes and a few more: nothing for each number.
+  const FieldPatch patch{{0, 0, 100, 100}, std::vector<float>(10000, 1.f)};
+  EXPECT_LT(encode(patch).size(), 40000u + 64u);
+  EXPECT_LT(encode(std::vector<TargetSample>(100)).size(), 100 * sizeof(TargetSample) + 64);
+}
+
+TEST(Messages, TooFewBytesAreAnError) {
+  Bytes bytes = encode(std::vector<TargetSample>(3));
+  bytes.resize(bytes.size() - 1);
+  EXPECT_THROW(decode<std::vector<TargetSample>>(bytes), boost::archive::archive_exception);
+}
+
+Failure described(const std::function<void()>& thrower) {
+  try {
+    thrower();
+  } catch (...) {
+    return describe_current_exception();
+  }
+  return {0, ""};
+}
+
+TEST(Failures, KeepTheirKindAndText) {
+  EXPECT_EQ(described([] { throw InputError("a"); }), (Failure{2, "a"}));
+  EXPECT_EQ(described([] { throw EnvironmentError("b"); }), (Failure{1, "b"}));
+  EXPECT_EQ(described([] { throw std::bad_alloc(); }), (Failure{1, "out of memory"}));
+  EXPECT_EQ(described([] { throw std::logic_error("c"); }), (Failure{1, "internal error: c"}));
+  EXPECT_EQ(described([] { throw 5; }), (Failure{1, "internal error of unknown kind"}));
+  for (const Failure& failure : {Failure{2, "x"}, Failure{1, "y"}}) {
+    EXPECT_EQ(described([&] { throw_failure(failure); }), failure);
+  }
+}
+
+}  // namespace
+}  // namespace tessera::comm

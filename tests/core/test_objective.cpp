@@ -1,0 +1,96 @@
+#include "core/objective.h"
+
+#include <gtest/gtest.h>
+
+#include "core/exact_terms.h"
+#include "core/pool.h"
+#include "core/tuning.h"
+#include "support/synthetic_shapes.h"
+
+namespace tessera {
+namespace {
+
+const PieceSize kPiece{50, 200, 100};
+
+TEST(Objective, PrefersLongContactAndLittleWaste) {
+  for (const Objective kind : {Objective::paper, Objective::scale_aware}) {
+    ObjectiveSettings settings;
+    settings.kind = kind;
+    const DockingTerms good{150, 10, 20, 100, 400};
+    DockingTerms shorter = good;
+    shorter.matched_px = 100;
+    DockingTerms overlapping = good;
+    overlapping.overlap_px2 = 100;
+    overlapping.overlap_px4 = 1e4f;
+    DockingTerms gaping = good;
+    gaping.gap_px2 = 200;
+    gaping.gap_px4 = 4e4f;
+    const float best = objective(good, kPiece, settings);
+    EXPECT_GT(best, objective(shorter, kPiece, settings));
+    EXPECT_GT(best, objective(overlapping, kPiece, settings));
+    EXPECT_GT(best, objective(gaping, kPiece, settings));
+    EXPECT_GT(best, objective(good, {25, 100, 100}, settings)) << "a dwarf of the same terms";
+  }
+}
+
+TEST(Objective, OfThePaperPunishesOneLargeGapMoreThanManySmall) {
+  ObjectiveSettings settings;
+  settings.kind = Objective::paper;
+  const DockingTerms one{150, 0, 100, 0, 1e4f};
+  const DockingTerms many{150, 0, 100, 0, 1e3f};  // ten of 10 px² each
+  EXPECT_LT(objective(one, kPiece, settings), objective(many, kPiece, settings));
+}
+
+TEST(Objective, ScaleAwareHasItsFormula) {
+  ObjectiveSettings settings;
+  const DockingTerms terms{128, 50, 150, 0, 0};
+  const float expected = std::pow(128.f / 200, 0.5f) * (1 - (3 * 50.f + 150.f) / 2500) * std::pow(0.5f, 0.7f);
+  EXPECT_NEAR(objective(terms, kPiece, settings), expected, 1e-6f);
+}
+
+TEST(ExactAreas, OfADiscInAFreeCanvas) {
+  const Shape disc = test::make_test_shape("disc", test::disc_outline());
+  const PieceSettings pieces{.min_scale_px = 20, .max_scale_px = 80};
+  FreeField free(make_rectangle_canvas(200, 200), pieces);
+  OpenedField opened(free, pieces);
+  const ExactAreas clear = exact_areas(disc, {60, 0, 100, 100}, free, opened, pieces);
+  EXPECT_EQ(clear.overlap_px2, 0);
+  EXPECT_EQ(clear.gap_px2, 0);
+
+  const ExactAreas over_the_edge = exact_areas(disc, {60, 0, 0, 100}, free, opened, pieces);
+  EXPECT_NEAR(over_the_edge.overlap_px2, 400, 30);  // as far as the rim of 6 px reaches
+}
+
+TEST(ExactAreas, SeeTheGapThatNothingCanEnter) {
+  const Shape disc = test::make_test_shape("disc", test::disc_outline());
+  const PieceSettings pieces{.min_scale_px = 40, .max_scale_px = 80};
+  FreeField free(make_rectangle_canvas(200, 200), pieces);
+  OpenedField opened(free, pieces);
+  const float radius = 60 / std::sqrt(3.14159265f);
+  const ExactAreas touching = exact_areas(disc, {60, 0, 100, radius + 1}, free, opened, pieces);
+  const ExactAreas apart = exact_areas(disc, {60, 0, 100, radius + 45}, free, opened, pieces);
+  EXPECT_GT(touching.gap_px2, 50);  // the two wedges between the disc and the edge
+  EXPECT_EQ(apart.gap_px2, 0);
+}
+
+TEST(Pool, KeepsTheBestInATotalOrder) {
+  Pool pool;
+  std::vector<Candidate> candidates;
+  for (std::uint32_t i = 0; i < 7; ++i) {
+    Candidate c;
+    c.shape = 10 - i;
+    c.score = i < 5 ? 0.5f : 0.1f * float(i);
+    candidates.push_back(c);
+  }
+  pool.put(1, candidates, false);
+  const Pool::Entry& entry = pool.entries().at(1);
+  ASSERT_EQ(entry.candidates.size(), std::size_t(kPoolPerSample));
+  EXPECT_TRUE(entry.truncated);
+  EXPECT_EQ(entry.candidates[0].shape, 4u);
+  EXPECT_EQ(entry.candidates[1].shape, 5u);
+  EXPECT_EQ(entry.candidates[2].shape, 6u);  // equal scores: the lower shape first
+  EXPECT_EQ(entry.candidates[3].shape, 7u);
+}
+
+}  // namespace
+}  // namespace tessera

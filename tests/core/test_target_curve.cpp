@@ -1,0 +1,105 @@
+// Cut and paste: a curve kept up to date placement by placement equals one traced afresh, to the bit.
+#include "core/target_curve.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "support/synthetic_shapes.h"
+
+namespace tessera {
+namespace {
+
+const PieceSettings kPieces{.min_scale_px = 14, .max_scale_px = 90};
+
+const std::vector<Shape>& shapes() {
+  static const std::vector<Shape> all = {
+      test::make_test_shape("bean", test::bean_outline()), test::make_test_shape("star", test::star_outline(5)),
+      test::make_test_shape("ring", test::ring_outline()), test::make_test_shape("blob", test::blob_outline(7))};
+  return all;
+}
+
+struct Poses {
+  std::vector<std::pair<int, Similarity>> list;
+};
+
+Poses random_poses(int count) {
+  Poses poses;
+  for (int i = 0; i < count; ++i) {
+    const float scale = float(*rc::gen::inRange(20, 90));
+    const float angle = 0.01f * float(*rc::gen::inRange(0, 628));
+    poses.list.push_back({*rc::gen::inRange(0, 4),
+                          {scale * std::cos(angle), scale * std::sin(angle), float(*rc::gen::inRange(0, 200)),
+                           float(*rc::gen::inRange(0, 170))}});
+  }
+  return poses;
+}
+
+/// The three layers of the target, kept up to date or made afresh.
+struct Target {
+  FreeField free;
+  OpenedField opened;
+  TargetCurve curve{kPieces, PadParameters{}};
+
+  explicit Target(const Canvas& canvas) : free(canvas, kPieces), opened(free, kPieces) { trace(all()); }
+  Window all() const { return free.field().value.bounds(); }
+  TargetCurve::Change trace(const Window& window) { return curve.retrace(opened, free.field().origin, window); }
+  TargetCurve::Change place(int shape, const Similarity& pose) {
+    return trace(opened.update(free, free.stamp(shapes()[shape], pose)));
+  }
+};
+
+TEST(TargetCurve, UpdatingEqualsTracingAfresh) {
+  EXPECT_TRUE(rc::check([] {
+    const Canvas canvas = make_rectangle_canvas(200, 170);
+    const Poses poses = random_poses(5);
+    Target updated(canvas);
+    FreeField free(canvas, kPieces);
+    for (const auto& [shape, pose] : poses.list) {
+      updated.place(shape, pose);
+      free.stamp(shapes()[shape], pose);
+    }
+    OpenedField opened(free, kPieces);
+    TargetCurve afresh(kPieces, PadParameters{});
+    afresh.retrace(opened, free.field().origin, free.field().value.bounds());
+
+    RC_ASSERT(updated.free.field().value.data() == free.field().value.data());
+    RC_ASSERT(updated.opened.contour().data() == opened.contour().data());
+    RC_ASSERT(updated.curve.sample_edges() == afresh.sample_edges());
+    for (const std::uint32_t edge : afresh.sample_edges()) {
+      RC_ASSERT(updated.curve.sample(edge).pyramid == afresh.sample(edge).pyramid);
+      RC_ASSERT(updated.curve.sample(edge).position == afresh.sample(edge).position);
+      RC_ASSERT(updated.curve.sample(edge).tangent == afresh.sample(edge).tangent);
+    }
+  }));
+}
+
+TEST(TargetCurve, ReportsOnlyWhatTheChangeReaches) {
+  Target target(make_rectangle_canvas(600, 200));
+  const std::size_t before = target.curve.sample_count();
+  const TargetCurve::Change change = target.place(0, {40, 0, 80, 100});
+  // Straight sides see as far as the next corners, but a good part of the canvas' edge sees nothing of the piece.
+  EXPECT_GT(change.renewed.size(), 0u);
+  EXPECT_LT(change.renewed.size(), before);
+  EXPECT_LT(change.removed.size(), before / 4);
+}
+
+TEST(TargetCurve, HasTheFreeRegionOnItsLeft) {
+  Target target(make_rectangle_canvas(200, 160));
+  target.place(1, {60, 0, 100, 80});
+  const FieldView field = target.free.view();
+  for (const std::uint32_t edge : target.curve.sample_edges()) {
+    const TargetSample& s = target.curve.sample(edge);
+    const Vec2 left{-s.tangent.y, s.tangent.x};
+    EXPECT_GT(field_value(field, s.position + left * 2.f), field_value(field, s.position - left * 2.f));
+  }
+}
+
+TEST(TargetCurve, AFullCanvasHasNoSamples) {
+  Target target(make_rectangle_canvas(60, 60));
+  target.place(0, {80, 0, 30, 30});
+  target.place(3, {80, 0, 30, 30});
+  EXPECT_EQ(target.curve.sample_count(), 0u);
+}
+
+}  // namespace
+}  // namespace tessera

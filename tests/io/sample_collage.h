@@ -1,0 +1,50 @@
+// A collage of two or three pieces, put together by hand, for the tests of what is written about it.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "io/collage_files.h"
+#include "support/synthetic_shapes.h"
+
+namespace tessera::test {
+
+/// Canvas 200 x 100 px, picture twice that; library shape 7 is a disc, 3 a ring, both without artwork.
+struct SampleCollage {
+  SampleCollage() {
+    job.path = "sample.toml";
+    job.library = "/nowhere/sample.h5";
+    job.output.width_px = 400;
+    job.output.background = "#ffe0c0";
+    report.job = &job;
+    report.canvas = &canvas;
+    report.shape_index = {7, 3};
+    report.shapes = {make_test_shape("disc", disc_outline()), make_test_shape("ring", ring_outline())};
+    place(7, 40, {50, 50}, 0.5f);
+    place(3, 60, {140, 50}, 0);
+  }
+  SampleCollage(const SampleCollage&) = delete;
+  SampleCollage& operator=(const SampleCollage&) = delete;
+
+  void place(std::uint32_t shape, float scale, Vec2 centre, float rotation_rad) {
+    const Similarity t{scale * std::cos(rotation_rad), scale * std::sin(rotation_rad), centre.x, centre.y};
+    report.placements.push_back({shape, t, 0.75f, 12.5f});
+  }
+
+  io::Job job;
+  Canvas canvas = make_rectangle_canvas(200, 100);
+  io::CollageReport report;
+};
+
+/// Gives a shape this file as its embedded artwork, on a page of `width` x `height` units; the shape's centre lies in
+/// the page's middle and one shape unit is `unit` of them.
+inline void embed_artwork(Shape& shape, const std::string& file, float width, float height, float unit) {
+  const float px = 512 / std::max(width, height);  // the size that library build draws at
+  shape.artwork.original.assign(file.begin(), file.end());
+  shape.artwork.width_px = int(std::ceil(width * px));
+  shape.artwork.height_px = int(std::ceil(height * px));
+  shape.artwork.centroid_px = {width * px / 2, height * px / 2};
+  shape.artwork.unit_px = unit * px;
+}
+
+}  // namespace tessera::test

@@ -1,0 +1,132 @@
+// Canvases from masks: which part is filled, the size in the box, and files that leave nothing to fill.
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/error.h"
+#include "io/canvas_file.h"
+#include "scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+class CanvasFile : public testing::Test {
+ protected:
+  std::string svg(const std::string& body, const std::string& size = "width=\"100\" height=\"50\"") {
+    return folder_.write("mask.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + ">" + body + "</svg>");
+  }
+
+  std::string png(const cv::Mat& image) {
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(".png", image, bytes);
+    return folder_.write("mask.png", std::string(bytes.begin(), bytes.end()));
+  }
+
+  std::string mistake(const CanvasSpec& spec) {
+    try {
+      load_canvas(spec);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no mistake found";
+  }
+
+  test::ScratchFolder folder_;
+};
+
+/// Signed distance at the canvas position nearest to (x, y).
+float distance_at(const Canvas& canvas, float x, float y) {
+  const CanvasField& field = canvas.distance;
+  return field.value(int(std::lround(x - field.origin.x)), int(std::lround(y - field.origin.y)));
+}
+
+TEST_F(CanvasFile, without_file_it_is_a_rectangle) {
+  const Canvas canvas = load_canvas({.width_px = 120, .height_px = 80, .file = ""});
+  EXPECT_EQ(canvas.width_px, 120);
+  EXPECT_EQ(canvas.height_px, 80);
+  EXPECT_EQ(canvas.area_px2, 120 * 80);
+}
+
+TEST_F(CanvasFile, opaque_part_of_an_svg_is_filled_and_holes_stay_free) {
+  const Canvas canvas = load_canvas(
+      {.width_px = 200, .height_px = 200,
+       .file = svg("<path fill-rule=\"evenodd\" d=\"M10 5h80v40h-80z M40 15v20h20v-20z\" fill=\"yellow\"/>")});
+  EXPECT_EQ(canvas.width_px, 200);
+  EXPECT_EQ(canvas.height_px, 100);
+  EXPECT_NEAR(canvas.area_px2, (80 * 40 - 20 * 20) * 4, 20);
+  EXPECT_NEAR(distance_at(canvas, 50, 50), 30, 1);    // 30 px from the left side and from the hole
+  EXPECT_NEAR(distance_at(canvas, 100, 50), -20, 1);  // the middle of the hole
+  EXPECT_LT(distance_at(canvas, 5, 50), 0);
+}
+
+TEST_F(CanvasFile, aspect_is_kept_in_the_box) {
+  const std::string file = svg("<rect width=\"100\" height=\"50\"/><circle r=\"9\" cx=\"50\" cy=\"25\" fill=\"white\"/>");
+  const Canvas wide = load_canvas({.width_px = 64, .height_px = 1000, .file = file});
+  EXPECT_EQ(wide.width_px, 64);
+  EXPECT_EQ(wide.height_px, 32);
+  const Canvas low = load_canvas({.width_px = 1000, .height_px = 64, .file = file});
+  EXPECT_EQ(low.width_px, 128);
+  EXPECT_EQ(low.height_px, 64);
+}
+
+TEST_F(CanvasFile, opaque_svg_is_filled_where_it_differs_from_its_background) {
+  const Canvas canvas = load_canvas(
+      {.width_px = 200, .height_px = 100,
+       .file = svg("<rect width=\"100\" height=\"50\" fill=\"white\"/><circle r=\"20\" cx=\"50\" cy=\"25\"/>")});
+  EXPECT_NEAR(canvas.area_px2, 3.1416 * 40 * 40, 30);
+  EXPECT_NEAR(distance_at(canvas, 100, 50), 40, 1);
+}
+
+TEST_F(CanvasFile, black_on_white_and_white_on_black_images_are_masks) {
+  cv::Mat image(60, 90, CV_8UC1, cv::Scalar(255));
+  cv::rectangle(image, {30, 20, 30, 20}, cv::Scalar(0), cv::FILLED);
+  const auto area = [&](const cv::Mat& mask) {
+    return load_canvas({.width_px = 90, .height_px = 60, .file = png(mask)}).area_px2;
+  };
+  EXPECT_NEAR(area(image), 600, 30);
+  EXPECT_NEAR(area(~image), 600, 30);
+}
+
+TEST_F(CanvasFile, alpha_of_an_image_is_a_mask) {
+  cv::Mat image(100, 100, CV_8UC4, cv::Scalar(255, 255, 255, 0));
+  cv::circle(image, {50, 50}, 30, cv::Scalar(0, 0, 255, 255), cv::FILLED);
+  const Canvas canvas = load_canvas({.width_px = 100, .height_px = 100, .file = png(image)});
+  EXPECT_NEAR(canvas.area_px2, 2821, 30);
+}
+
+TEST_F(CanvasFile, coverage_has_even_sides) {
+  const cv::Mat page(31, 45, CV_8UC4, cv::Scalar(0, 0, 0, 0));
+  const Grid<float> coverage = mask_coverage(page);
+  EXPECT_EQ(coverage.width(), 46);
+  EXPECT_EQ(coverage.height(), 32);
+}
+
+TEST_F(CanvasFile, heart_of_the_example_job_has_area) {
+  const Canvas canvas =
+      load_canvas({.width_px = 300, .height_px = 300, .file = TESSERA_SOURCE_DIR "/jobs/canvas/heart.svg"});
+  EXPECT_EQ(canvas.width_px, 300);
+  EXPECT_EQ(canvas.height_px, 270);
+  EXPECT_GT(canvas.area_px2, 0.5 * 300 * 270);
+}
+
+TEST_F(CanvasFile, nothing_to_fill_is_a_mistake) {
+  const CanvasSpec empty{.width_px = 100, .height_px = 100, .file = svg("")};
+  EXPECT_NE(mistake(empty).find("no area to fill"), std::string::npos);
+  const cv::Mat grey(50, 50, CV_8UC3, cv::Scalar(128, 128, 128));
+  EXPECT_NE(mistake({.width_px = 100, .height_px = 100, .file = png(grey)}).find("no area to fill"),
+            std::string::npos);
+}
+
+TEST_F(CanvasFile, unusable_files_and_sizes_are_mistakes) {
+  EXPECT_NE(mistake({.width_px = 99, .height_px = 99, .file = folder_.path("none.svg")}).find("none.svg"),
+            std::string::npos);
+  EXPECT_NE(mistake({.width_px = 99, .height_px = 99, .file = folder_.write("a.png", "no image")}).find("a.png"),
+            std::string::npos);
+  const std::string ribbon = svg("<rect width=\"9000\" height=\"9\"/>", "width=\"9000\" height=\"9\"");
+  EXPECT_NE(mistake({.width_px = 500, .height_px = 500, .file = ribbon}).find("16 px or more"), std::string::npos);
+  EXPECT_NE(mistake({.width_px = 9000, .height_px = 500, .file = ribbon}).find("4096 px or less"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tessera::io

@@ -1,0 +1,87 @@
+// The quality card, for programs and for people.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/card_output.h"
+
+namespace tessera::io {
+namespace {
+
+Quality sample_quality() {
+  Quality q;
+  q.coverage = 0.9123456789;
+  q.overlap = 0.00412;
+  q.outside = 0.0001;
+  q.shared_boundary = 0.683;
+  q.pieces = 1234;
+  q.distinct_shapes = 118;
+  q.scale_px_quantiles = {20, 24.5, 48.25, 110, 160};
+  q.largest_gap_px = 9.75;
+  return q;
+}
+
+RunStatistics sample_run() {
+  RunStatistics r;
+  r.shapes = 120;
+  r.pads_per_shape = 512;
+  r.rounds = 230;
+  r.docking_choices = 12345678;
+  r.dockings_evaluated = 1234568;
+  r.prune_s = 1;
+  r.dock_s = 2;
+  r.objective_s = 4;
+  r.merge_s = 3;
+  r.total_s = 12.5;
+  r.stopped_by = "full";
+  return r;
+}
+
+TEST(Card, JsonHasEveryMeasureWithItsUnit) {
+  const auto card = nlohmann::json::parse(card_json(sample_quality(), sample_run()));
+  const auto& quality = card["quality"];
+  EXPECT_EQ(quality["coverage_fraction"], 0.912346);
+  EXPECT_EQ(quality["overlap_fraction"], 0.00412);
+  EXPECT_EQ(quality["outside_fraction"], 0.0001);
+  EXPECT_EQ(quality["pieces"], 1234);
+  EXPECT_EQ(quality["distinct_shapes"], 118);
+  EXPECT_EQ(quality["shared_boundary_fraction"], 0.683);
+  EXPECT_EQ(quality["scale_px"]["median"], 48.25);
+  EXPECT_EQ(quality["largest_gap_radius_px"], 9.75);
+}
+
+TEST(Card, JsonHasTheColumnsOfTable2) {
+  const auto run = nlohmann::json::parse(card_json(sample_quality(), sample_run()))["run"];
+  EXPECT_EQ(run["candidates"], 120);
+  EXPECT_EQ(run["pads_per_shape"], 512);
+  EXPECT_EQ(run["iterations"], 230);
+  EXPECT_EQ(run["docking_choices"], 12345678);
+  EXPECT_NEAR(run["pruned_percent"].get<double>(), 90, 1e-3);
+  EXPECT_EQ(run["total_s"], 12.5);
+  EXPECT_EQ(run["prune_share_percent"], 10);
+  EXPECT_EQ(run["dock_share_percent"], 20);
+  EXPECT_EQ(run["objective_share_percent"], 40);
+  EXPECT_EQ(run["merge_share_percent"], 30);
+  EXPECT_EQ(run["stopped_by"], "full");
+}
+
+TEST(Card, TextIsATableThatFitsATerminal) {
+  const std::string text = card_text(sample_quality(), sample_run());
+  for (const char* part : {"91.23 %", "0.412 %", "0.010 %", "1,234 of 118", "68.3 %", "12,345,678", "90.00 %", "12.5 s",
+                           "10.0 % / 20.0 %", "40.0 % / 30.0 %", "full"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 80u) << line;
+}
+
+TEST(Card, ARunThatDidNothing) {
+  const auto card = nlohmann::json::parse(card_json({}, {}));
+  EXPECT_EQ(card["run"]["prune_share_percent"], 0);
+  EXPECT_EQ(card["run"]["pruned_percent"], 0);
+  EXPECT_FALSE(card_text({}, {}).empty());
+}
+
+}  // namespace
+}  // namespace tessera::io

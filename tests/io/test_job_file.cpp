@@ -1,0 +1,347 @@
+// The job file: what it accepts, every kind of mistake, the way back to TOML, and that the documentation has every key.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "core/error.h"
+#include "io/job_file.h"
+#include "io/job_keys.h"
+#include "io/job_value.h"
+#include "io/nearest_name.h"
+#include "scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+using testing::Test;
+
+class JobFile : public Test {
+ protected:
+  Job load(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    return load_job(folder_.write("job.toml", text), overrides);
+  }
+
+  /// The message of the InputError, without the folder of the test.
+  std::string mistake(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    try {
+      load(text, overrides);
+    } catch (const InputError& error) {
+      std::string message = error.what();
+      const auto at = message.find(folder_.path(""));
+      return at == std::string::npos ? message : message.erase(at, folder_.path("").size());
+    }
+    return "no mistake found";
+  }
+
+  test::ScratchFolder folder_;
+  const std::string minimal_ = "[library]\nfile = \"animals.h5\"\n";
+};
+
+TEST_F(JobFile, needs_nothing_but_a_library) {
+  const Job job = load(minimal_);
+  EXPECT_EQ(job.library, folder_.path("animals.h5"));
+  EXPECT_EQ(job.canvas.width_px, 1000);
+  EXPECT_EQ(job.canvas.file, "");
+  EXPECT_EQ(job.devices, "all");
+  EXPECT_EQ(job.settings.seed, CollageSettings().seed);
+  EXPECT_EQ(job.settings.match.pad, PadParameters());
+}
+
+TEST_F(JobFile, reads_every_key) {
+  const Job job = load(R"(
+    seed = 42
+    [library]
+    file = "/data/birds.h5"
+    [canvas]
+    size_px = [640, 480]
+    file = "../mask.png"
+    [pieces]
+    scale_px = [14, 180.5]
+    rotation_deg = [-90, 45]
+    uses = 3
+    padding_px = 1.5
+    [match]
+    levels = 4
+    delta_tau = 0.25
+    top_percent = 5
+    beta = 0.4
+    tangent_dockings = 0
+    delta_px = 3
+    [objective]
+    kind = "paper"
+    overlap_weight = 1
+    gap_weight = 2
+    length_exponent = 1
+    scale_exponent = 1.5
+    repetition_exponent = 0
+    near_twin_factor = 1
+    [stop]
+    pieces = 100
+    coverage = 0.8
+    seconds = 2.5
+    [devices]
+    use = [2, 0]
+    [output]
+    width_px = 640
+    background = "#FFeedd"
+  )");
+  EXPECT_EQ(job.settings.seed, 42u);
+  EXPECT_EQ(job.library, "/data/birds.h5");
+  EXPECT_EQ(job.canvas.width_px, 640);
+  EXPECT_EQ(job.canvas.height_px, 480);
+  EXPECT_EQ(job.canvas.file, std::filesystem::path(folder_.path("../mask.png")).lexically_normal());
+  EXPECT_EQ(job.settings.pieces.min_scale_px, 14);
+  EXPECT_EQ(job.settings.pieces.max_scale_px, 180.5f);
+  EXPECT_FLOAT_EQ(job.settings.pieces.min_rotation_rad, -std::numbers::pi_v<float> / 2);
+  EXPECT_FLOAT_EQ(job.settings.pieces.max_rotation_rad, std::numbers::pi_v<float> / 4);
+  EXPECT_EQ(job.settings.pieces.uses, 3);
+  EXPECT_EQ(job.settings.pieces.padding_px, 1.5f);
+  EXPECT_EQ(job.settings.match.pad, (PadParameters{4, 0.25f}));
+  EXPECT_EQ(job.settings.match.top_percent, 5);
+  EXPECT_EQ(job.settings.match.beta, 0.4f);
+  EXPECT_EQ(job.settings.match.tangent_dockings, 0);
+  EXPECT_EQ(job.settings.match.delta_px, 3);
+  EXPECT_EQ(job.settings.objective.kind, Objective::paper);
+  EXPECT_EQ(job.settings.objective.overlap_weight, 1);
+  EXPECT_EQ(job.settings.objective.gap_weight, 2);
+  EXPECT_EQ(job.settings.objective.length_exponent, 1);
+  EXPECT_EQ(job.settings.objective.scale_exponent, 1.5f);
+  EXPECT_EQ(job.settings.objective.repetition_exponent, 0);
+  EXPECT_EQ(job.settings.objective.near_twin_factor, 1);
+  EXPECT_EQ(job.settings.stop.pieces, 100);
+  EXPECT_EQ(job.settings.stop.coverage, 0.8f);
+  EXPECT_EQ(job.settings.stop.seconds, 2.5);
+  EXPECT_EQ(job.devices, "2,0");
+  EXPECT_EQ(job.output.width_px, 640);
+  EXPECT_EQ(job.output.background, "#ffeedd");
+}
+
+TEST_F(JobFile, names_line_key_found_and_allowed) {
+  EXPECT_EQ(mistake(minimal_ + "[pieces]\nscale_px = [180, 14]\n"),
+            "job.toml:4: pieces.scale_px: found [ 180, 14 ], allowed: [min, max] with 2 <= min < max <= 5000 px");
+  EXPECT_EQ(mistake("seed = -1"), "job.toml:1: seed: found -1, allowed: a whole number from 0 to 9007199254740991");
+  EXPECT_EQ(mistake("[objective]\nkind = \"papre\""),
+            "job.toml:2: objective.kind: found \"papre\", allowed: \"scale_aware\" or \"paper\"");
+}
+
+TEST_F(JobFile, names_the_nearest_key) {
+  EXPECT_EQ(mistake("[pieces]\n\nscale = [20, 160]"),
+            "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); "
+            "allowed in [pieces]: scale_px, rotation_deg, uses, padding_px");
+  EXPECT_EQ(mistake("[output]\nuses = 3"),
+            "job.toml:2: unknown key output.uses (did you mean pieces.uses?); allowed in [output]: width_px, background");
+  EXPECT_EQ(mistake("uses = 3"), "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
+  EXPECT_EQ(mistake("[piece]\nuses = 3"),
+            "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, match, "
+            "objective, stop, devices, output");
+  EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
+            "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
+}
+
+TEST_F(JobFile, reports_the_first_line_first) {
+  EXPECT_EQ(mistake("[stop]\npieces = -1\n[canvas]\nsize_px = 3\n").substr(0, 11), "job.toml:2:");
+}
+
+TEST_F(JobFile, tells_sections_from_keys) {
+  EXPECT_EQ(mistake("pieces = 3"),
+            "job.toml:1: pieces is a section with the keys scale_px, rotation_deg, uses, padding_px, found 3");
+  EXPECT_NE(mistake("[[pieces]]\nuses = 1").find("pieces is a section"), std::string::npos);
+  EXPECT_NE(mistake("[seed]\nuses = 1").find("seed: found"), std::string::npos);
+  EXPECT_NE(mistake("[nonsense]").find("unknown section [nonsense]"), std::string::npos);
+}
+
+TEST_F(JobFile, says_where_the_toml_is_broken) {
+  EXPECT_EQ(mistake("seed = 1\nuses = = 2\n").substr(0, 21), "job.toml:2: not TOML:");
+  EXPECT_EQ(mistake("seed = 1\nseed = 2\n").substr(0, 21), "job.toml:2: not TOML:");
+  EXPECT_EQ(mistake("\xff\xfe = 1").substr(0, 21), "job.toml:1: not TOML:");
+  EXPECT_EQ(mistake("a = " + std::string(5000, '[')).substr(0, 21), "job.toml:1: not TOML:");
+}
+
+TEST_F(JobFile, misses_the_library) {
+  EXPECT_EQ(mistake("seed = 1"),
+            "job.toml: library.file is missing; needed: the library of shapes, made by `tessera library build`");
+  EXPECT_NE(mistake("[library]\nfile = \"\"").find("library.file is missing"), std::string::npos);
+}
+
+TEST_F(JobFile, survives_deep_keys_and_endless_files) {
+  std::string deep;
+  for (int i = 0; i < 8000; ++i) deep += "a.";
+  EXPECT_NE(mistake(deep + "a = 1").find("unknown section [a]"), std::string::npos);
+  EXPECT_NE(mistake(std::string(1 << 20, ' ')).find("larger than 16384 bytes"), std::string::npos);
+  EXPECT_THROW(load_job("/dev/zero", {}), InputError);
+  EXPECT_THROW(load_job(folder_.path("missing.toml"), {}), InputError);
+  EXPECT_THROW(load_job(folder_.path(""), {}), InputError);
+}
+
+TEST_F(JobFile, shows_hostile_text_in_one_short_line) {
+  const std::string message = mistake("\"new\\nline" + std::string(10000, 'x') + "\" = 1");
+  EXPECT_EQ(message.find('\n'), std::string::npos);
+  EXPECT_LT(message.size(), 200u);
+  EXPECT_LT(mistake("seed = \"" + std::string(10000, 'x') + "\"").size(), 200u);
+}
+
+
+class RefusedValue : public JobFile, public testing::WithParamInterface<const char*> {};
+
+TEST_P(RefusedValue, in_file_and_argument) {
+  const std::string assignment = GetParam();
+  const auto dot = assignment.find('.');
+  EXPECT_NE(mistake("[" + assignment.substr(0, dot) + "]\n" + assignment.substr(dot + 1)).find(", allowed: "),
+            std::string::npos);
+  const std::string message = mistake(minimal_, {assignment});
+  EXPECT_EQ(message.find("--set " + assignment + ": "), 0u) << message;
+  EXPECT_NE(message.find(", allowed: "), std::string::npos) << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    WrongTypeOrRange, RefusedValue,
+    testing::Values("canvas.size_px = 1000", "canvas.size_px = [1000]", "canvas.size_px = [10.5, 1000]",
+                    "canvas.size_px = [15, 1000]", "canvas.size_px = [20001, 1000]", "canvas.size_px = [20000, 20000]",
+                    "canvas.size_px = [\"a\", 1000]", "canvas.file = 3", "canvas.file = \"a\\u0000b\"",
+                    "library.file = true", "library.file = [\"a\", \"b\"]", "pieces.scale_px = [20, 20]",
+                    "pieces.scale_px = [1, 20]", "pieces.scale_px = [20, 1e9]", "pieces.scale_px = [nan, 20]",
+                    "pieces.scale_px = [1, 2, 3]", "pieces.rotation_deg = [90, -90]", "pieces.rotation_deg = [-400, 0]",
+                    "pieces.uses = -1", "pieces.uses = 1.5", "pieces.padding_px = -0.1", "match.levels = 1",
+                    "match.levels = 7", "match.levels = \"5\"", "match.delta_tau = 0", "match.top_percent = 0",
+                    "match.top_percent = 101", "match.beta = nan", "match.beta = inf", "match.tangent_dockings = 1e5",
+                    "match.delta_px = 0", "objective.kind = \"Paper\"", "objective.kind = 1",
+                    "objective.near_twin_factor = 1.1", "objective.scale_exponent = -1", "stop.coverage = 0",
+                    "stop.coverage = 1.01", "stop.seconds = -1", "stop.pieces = false", "devices.use = \"cpux\"",
+                    "devices.use = \"\"", "devices.use = \"0;1\"", "devices.use = [0, 0]", "devices.use = []",
+                    "devices.use = [0.5]", "devices.use = -1", "devices.use = \"0,99\"", "output.width_px = 63",
+                    "output.width_px = 1e4", "output.background = \"red\"", "output.background = \"#ffff\"",
+                    "output.background = \"#gggggg\"", "output.background = 1979-05-27",
+                    "output.background = {r = 1}"));
+
+TEST_F(JobFile, overrides_win_and_the_last_one_most) {
+  const Job job = load(minimal_ + "[pieces]\nscale_px = [20, 160]\n",
+                       {"pieces.scale_px=[14,180]", "seed=5", "seed = 6", "stop.coverage=0.5"});
+  EXPECT_EQ(job.settings.pieces.min_scale_px, 14);
+  EXPECT_EQ(job.settings.pieces.max_scale_px, 180);
+  EXPECT_EQ(job.settings.seed, 6u);
+  EXPECT_EQ(job.settings.stop.coverage, 0.5f);
+}
+
+TEST_F(JobFile, overrides_need_no_quotes) {
+  const Job job = load(minimal_, {"devices.use=0,2", "output.background=#102030", "objective.kind=paper",
+                                  "library.file=\"a b.h5\""});
+  EXPECT_EQ(job.devices, "0,2");
+  EXPECT_EQ(job.output.background, "#102030");
+  EXPECT_EQ(job.settings.objective.kind, Objective::paper);
+  EXPECT_EQ(job.library, std::filesystem::current_path() / "a b.h5");
+}
+
+TEST_F(JobFile, override_mistakes_name_the_argument) {
+  EXPECT_EQ(mistake(minimal_, {"pieces.scale=3"}).substr(0, 77),
+            "--set pieces.scale=3: unknown key pieces.scale (did you mean pieces.scale_px?");
+  EXPECT_EQ(mistake(minimal_, {"seed"}), "--set seed: allowed: section.key=value");
+  EXPECT_EQ(mistake(minimal_, {"=1"}), "--set =1: allowed: section.key=value");
+  EXPECT_NE(mistake(minimal_, {"seed=1\nx=2"}).find("seed: found \"1\\nx=2\""), std::string::npos);
+  EXPECT_NE(mistake(minimal_, {"pieces.uses.more=1"}).find("unknown key pieces.uses.more"), std::string::npos);
+  EXPECT_NE(mistake(minimal_, {"seed=" + std::string(100000, '{')}).find("longer than"), std::string::npos);
+}
+
+TEST_F(JobFile, paths_are_relative_to_the_file_or_the_working_directory) {
+  EXPECT_EQ(load("[library]\nfile = \"../x/./y.h5\"").library,
+            std::filesystem::path(folder_.path("../x/y.h5")).lexically_normal());
+  EXPECT_EQ(load(minimal_, {"library.file=y.h5"}).library, std::filesystem::current_path() / "y.h5");
+}
+
+/// A value that the key takes, not always a round one.
+JobValue random_value(const JobKey& key) {
+  const auto number = [&] {
+    const double share = double(*rc::gen::inRange(0, 1000001)) / 1e6;
+    const double value = key.min + share * (key.max - key.min);
+    return key.kind == JobKind::number || key.kind == JobKind::interval ? value : std::floor(value);
+  };
+  switch (key.kind) {
+    case JobKind::number:
+    case JobKind::integer: return {{number()}, {}};
+    case JobKind::interval: return {{key.min + (number() - key.min) / 2, key.max}, {}};
+    case JobKind::proper_interval: return {{key.min + 0.1, key.min + 0.3 + (number() - key.min) / 2}, {}};
+    case JobKind::size: return {{double(*rc::gen::inRange(16, 5000)), double(*rc::gen::inRange(16, 20001))}, {}};
+    case JobKind::word: return {{}, *rc::gen::elementOf(key.words)};
+    case JobKind::file: return {{}, "/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')) + "x"};
+    case JobKind::colour: return {{}, *rc::gen::element<std::string>("#000000", "#12abcf", "#ffffff")};
+    case JobKind::devices: return {{}, *rc::gen::element<std::string>("all", "gpu", "3", "5,0,63")};
+  }
+  return {};
+}
+
+RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
+  Job job;
+  for (const JobKey& key : job_keys()) {
+    JobValue value = random_value(key);
+    if (key.kind == JobKind::file) value.text = std::filesystem::path(value.text).lexically_normal();
+    key.set(job, value);
+  }
+  const Job back = load(to_toml(job));
+  for (const JobKey& key : job_keys()) {
+    if (key.get(back) != key.get(job)) RC_FAIL(key.full_name() + " changed:\n" + to_toml(job));
+  }
+  RC_ASSERT(to_toml(back) == to_toml(job));
+  RC_ASSERT(to_toml(job_from_toml(to_toml(job), "elsewhere/job.toml")) == to_toml(job));
+}
+
+TEST_F(JobFile, writes_defaults_as_one_would_write_them) {
+  const std::string text = to_toml(load(minimal_));
+  EXPECT_NE(text.find("rotation_deg = [-180, 180]\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("delta_tau = 0.2\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("beta = 0.12\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("kind = \"scale_aware\"\n"), std::string::npos) << text;
+}
+
+TEST(JobKeys, defaults_are_allowed) {
+  for (const JobKey& key : job_keys()) {
+    const toml::table table = toml::parse("value = " + job_value_to_toml(key, Job()));
+    const auto value = read_job_value(key, *table.get("value"));
+    ASSERT_TRUE(value.has_value()) << key.full_name();
+    Job job;
+    key.set(job, *value);
+    EXPECT_EQ(key.get(job), key.get(Job())) << key.full_name();
+  }
+}
+
+/// The part of docs/job-format.md under "### [section]".
+std::string documented_section(const std::string& section) {
+  std::ifstream file(std::string(TESSERA_SOURCE_DIR) + "/docs/job-format.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  const std::string all = text.str();
+  const auto begin = all.find(section.empty() ? "### Top level\n" : "### [" + section + "]\n");
+  if (begin == std::string::npos) return {};
+  return all.substr(begin, all.find("\n### ", begin) - begin);
+}
+
+TEST(JobKeys, documentation_has_every_key_with_unit_default_and_range) {
+  for (const JobKey& key : job_keys()) {
+    std::string row = "| `";
+    row.append(key.name).append("` | ").append(key.unit).append(" | ");
+    row.append(key.required ? "required" : "`" + job_value_to_toml(key, Job()) + "`");
+    row.append(" | ").append(allowed_values(key)).append(" | ").append(key.meaning).append(" |\n");
+    EXPECT_NE(documented_section(key.section).find(row), std::string::npos) << "docs/job-format.md lacks: " << row;
+  }
+}
+
+TEST(NearestName, is_the_least_edited_one_or_none) {
+  EXPECT_EQ(nearest_name("scal_px", {"uses", "scale_px", "size_px"}), "scale_px");
+  EXPECT_EQ(nearest_name("xyz", {"uses", "scale_px"}), "");
+  EXPECT_EQ(nearest_name("", {"uses"}), "");
+  EXPECT_EQ(nearest_name(std::string(1000000, 'a'), {"uses"}), "");
+}
+
+RC_GTEST_PROP(NearestName, edit_distance_is_a_metric, ()) {
+  const auto word = rc::gen::container<std::string>(rc::gen::element('a', 'b'));
+  const auto a = *word, b = *word, c = *word;
+  RC_ASSERT(edit_distance(a, b) == edit_distance(b, a));
+  RC_ASSERT((edit_distance(a, b) == 0) == (a == b));
+  RC_ASSERT(edit_distance(a, c) <= edit_distance(a, b) + edit_distance(b, c));
+}
+
+}  // namespace
+}  // namespace tessera::io

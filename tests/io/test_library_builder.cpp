@@ -1,0 +1,245 @@
+// From files to a library: which files, in which order, under which names, and what becomes of those that are of no use.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "core/error.h"
+#include "io/contact_sheet.h"
+#include "io/library_builder.h"
+#include "io/library_file.h"
+#include "io/library_names.h"
+#include "io/shape_codec.h"
+#include "random_shape.h"
+#include "scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+using test::RandomShape;
+using test::ScratchFolder;
+
+const BuildMonitor kSilent{[](std::size_t, std::size_t) {}, [] { return false; }};
+const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A file's name says what becomes of it: a number is the seed of its silhouette, words are trouble.
+std::variant<ArtworkShape, SkipReason> fake_load(const std::string& path) {
+  const std::string content = bytes_of(path);
+  if (content == "hairlines") return SkipReason::hairlines;
+  if (content == "unreadable") throw InputError(path + ": not a drawing");
+  if (content == "crash") std::quick_exit(1);
+  ArtworkShape result{.shape = RandomShape(std::stoul(content), 5).make()};
+  result.shape.name = std::filesystem::path(path).stem();
+  result.shape.artwork.path = path;
+  result.shape.artwork.original.clear();
+  result.other_components = content == "7" ? 2 : 0;
+  std::this_thread::sleep_for(std::chrono::milliseconds(std::stoul(content) * 7 % 5));
+  return result;
+}
+
+class LibraryBuilder : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& content) const {
+    std::filesystem::create_directories(std::filesystem::path(folder_.path("in/" + name)).parent_path());
+    folder_.write("in/" + name, content);
+  }
+
+  ArtworkFiles found(const std::string& glob = "") const { return find_artwork({folder_.path("in")}, glob); }
+
+  LibraryBuildReport build(const LibraryBuildSettings& settings = {}, const std::string& name = "out.h5") const {
+    return build_library(found(), folder_.path(name), settings, fake_load, kSilent);
+  }
+
+  std::vector<Shape> shapes(const std::string& name = "out.h5") const {
+    const LibraryFile library(folder_.path(name));
+    return library.read(0, library.size(), kEverything);
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(LibraryBuilder, FindsArtworkSortedAndOnce) {
+  for (const char* name : {"b.svg", "a/z.PNG", "a/y.svgz", "c.txt", "d.jpeg"}) write(name, "1");
+  std::filesystem::create_symlink(folder_.path("in/b.svg"), folder_.path("in/a/again.svg"));
+  std::filesystem::create_symlink(folder_.path("in"), folder_.path("in/a/loop"));
+  const std::string in = folder_.path("in/");
+  EXPECT_EQ(found().paths, (std::vector<std::string>{in + "a/y.svgz", in + "a/z.PNG", in + "b.svg", in + "d.jpeg"}));
+  EXPECT_EQ(found("*.txt").paths, std::vector<std::string>{in + "c.txt"});
+  EXPECT_EQ(find_artwork({in + "c.txt", in + "a", in + "a/../a"}, "").paths.size(), 4u);
+  EXPECT_THROW(find_artwork({in + "nothing"}, ""), InputError);
+}
+
+TEST_F(LibraryBuilder, WritesShapesInTheOrderOfTheFiles) {
+  for (int i = 10; i < 40; ++i) write(std::to_string(i) + ".svg", std::to_string(i));
+  const LibraryBuildReport report = build();
+  EXPECT_TRUE(report.written);
+  EXPECT_EQ(report.shapes, 30u);
+  const auto all = shapes();
+  ASSERT_EQ(all.size(), 30u);
+  for (std::size_t i = 0; i < 30; ++i) EXPECT_EQ(all[i].name, std::to_string(10 + i));
+  EXPECT_EQ(all[5].outline, RandomShape(15, 5).make().outline);
+}
+
+TEST_F(LibraryBuilder, BytesDoNotDependOnTheProcesses) {
+  for (int i = 10; i < 30; ++i) write(std::to_string(i) + ".svg", std::to_string(i));
+  LibraryBuildSettings settings;
+  build(settings, "one.h5");
+  settings.pool.processes = 4;
+  build(settings, "four.h5");
+  EXPECT_EQ(bytes_of(folder_.path("one.h5")), bytes_of(folder_.path("four.h5")));
+}
+
+TEST_F(LibraryBuilder, SkipsWithReasons) {
+  write("a.svg", "1");
+  write("b.svg", "hairlines");
+  write("c.svg", "unreadable");
+  write("d.svg", "crash");
+  write("e.svg", "7");
+  const LibraryBuildReport report = build();
+  EXPECT_TRUE(report.written);
+  EXPECT_EQ(report.files, 5u);
+  EXPECT_EQ(report.shapes, 2u);
+  ASSERT_EQ(report.skipped.size(), 3u);
+  EXPECT_EQ(report.skipped[0].path, folder_.path("in/b.svg"));
+  EXPECT_EQ(report.skipped[0].reason, to_string(SkipReason::hairlines));
+  EXPECT_EQ(report.skipped[1].reason, "not a drawing");
+  EXPECT_EQ(report.skipped[2].reason, "its process ended");
+  EXPECT_EQ(report.with_specks, std::vector<std::string>{folder_.path("in/e.svg")});
+}
+
+TEST_F(LibraryBuilder, StrictWritesNothingWhereAFileIsSkipped) {
+  write("a.svg", "1");
+  EXPECT_TRUE(build({.pad = {}, .embed = false, .strict = true, .pool = {}}).written);
+  std::filesystem::remove(folder_.path("out.h5"));
+  write("b.svg", "unreadable");
+  EXPECT_FALSE(build({.pad = {}, .embed = false, .strict = true, .pool = {}}).written);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5.tmp")));
+}
+
+TEST_F(LibraryBuilder, WritesNothingWithoutShapes) {
+  write("a.svg", "unreadable");
+  EXPECT_FALSE(build().written);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5")));
+}
+
+TEST_F(LibraryBuilder, MergesEqualSilhouettesAndNamesThem) {
+  write("a.svg", "1");
+  write("b.svg", "2");
+  write("c.svg", "1");
+  const LibraryBuildReport report = build();
+  EXPECT_EQ(report.shapes, 2u);
+  ASSERT_EQ(report.merged.size(), 1u);
+  EXPECT_EQ(report.merged[0].path, folder_.path("in/c.svg"));
+  EXPECT_EQ(report.merged[0].name, "a");
+}
+
+TEST_F(LibraryBuilder, NamesAreUnique) {
+  write("a.svg", "1");
+  write("x/a.svg", "2");
+  write("x/a.png", "3");
+  build();
+  const auto all = shapes();
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].name, "a");
+  EXPECT_EQ(all[1].name, "a (x)");
+  EXPECT_EQ(all[2].name, "a (x) 2");
+}
+
+TEST_F(LibraryBuilder, EmbedsTheFiles) {
+  write("a.svg", "17");
+  build({.pad = {}, .embed = true, .strict = false, .pool = {}});
+  EXPECT_EQ(shapes()[0].artwork.original, (std::vector<std::uint8_t>{'1', '7'}));
+}
+
+TEST_F(LibraryBuilder, AnInterruptionLeavesNothing) {
+  write("a.svg", "1");
+  const BuildMonitor impatient{[](std::size_t, std::size_t) {}, [] { return true; }};
+  EXPECT_THROW(build_library(found(), folder_.path("out.h5"), {}, fake_load, impatient), EnvironmentError);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5.tmp")));
+}
+
+TEST_F(LibraryBuilder, ReportsProgress) {
+  for (int i = 0; i < 5; ++i) write(std::to_string(i) + ".svg", std::to_string(i));
+  std::vector<std::size_t> seen;
+  const BuildMonitor monitor{[&](std::size_t done, std::size_t) { seen.push_back(done); }, [] { return false; }};
+  build_library(found(), folder_.path("out.h5"), {}, fake_load, monitor);
+  EXPECT_EQ(seen, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
+}
+
+std::string svg(const std::string& path_data, const std::string& fill) {
+  return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><path fill='" + fill + "' d='" + path_data +
+         "'/></svg>";
+}
+
+// The whole way with real drawings: the same silhouette in two colours, another one, and rubbish.
+TEST_F(LibraryBuilder, BuildsFromRealDrawings) {
+  const std::string drop = "M50 5 C80 40 90 60 90 70 A40 25 0 1 1 10 70 C10 60 20 40 50 5Z";
+  write("blue.svg", svg(drop, "#0000ff"));
+  write("moon.svg", svg("M70 10 A42 42 0 1 0 70 90 A50 50 0 0 1 70 10Z", "gold"));
+  write("red.svg", svg(drop, "#ff0000"));
+  write("rubbish.svg", "this is no drawing");
+  const LibraryBuildReport report = build_library(found(), folder_.path("out.h5"), {}, artwork_loader({}), kSilent);
+  EXPECT_EQ(report.shapes, 2u);
+  ASSERT_EQ(report.merged.size(), 1u);
+  EXPECT_EQ(report.merged[0].name, "blue");
+  ASSERT_EQ(report.skipped.size(), 1u);
+  const auto all = shapes();
+  EXPECT_EQ(all[1].name, "moon");
+  EXPECT_LT(all[0].mean_lab[2], -50);  // blue
+  EXPECT_GT(all[1].mean_lab[2], 50);   // yellow
+
+  const LibraryFile library(folder_.path("out.h5"));
+  EXPECT_EQ(write_contact_sheet(library, folder_.path("sheet.png")), 2u);
+  const cv::Mat sheet = cv::imread(folder_.path("sheet.png"));
+  ASSERT_FALSE(sheet.empty());
+  const cv::Scalar mean = cv::mean(sheet);
+  EXPECT_GT(mean[0], 150);  // mostly paper
+  EXPECT_LT(mean[0], 250);  // but not only
+}
+
+TEST(ShapeCodec, GivesBackTheShape) {
+  const Shape shape = RandomShape(3, 5).make();
+  const std::string bytes = encode_shape(shape);
+  EXPECT_EQ(encode_shape(decode_shape(bytes)), bytes);
+  EXPECT_EQ(decode_shape(bytes).outline, shape.outline);
+  EXPECT_EQ(decode_shape(bytes).field.distance.data(), shape.field.distance.data());
+  EXPECT_EQ(decode_shape(bytes).levels[2].samples, shape.levels[2].samples);
+}
+
+TEST(ShapeCodec, RefusesOtherBytes) {
+  const std::string bytes = encode_shape(RandomShape(3, 5).make());
+  for (std::size_t length = 0; length < bytes.size(); length += 997) {
+    EXPECT_THROW(decode_shape(std::string_view(bytes).substr(0, length)), std::runtime_error) << length;
+  }
+  EXPECT_THROW(decode_shape(bytes + "x"), std::runtime_error);
+  EXPECT_THROW(decode_shape(std::string(8, '\xff')), std::runtime_error);
+}
+
+TEST(LibraryNames, ArePrintableAndShort) {
+  EXPECT_EQ(printable_utf8("Käfer 🐞"), "Käfer 🐞");
+  EXPECT_EQ(printable_utf8("a\nb\x7f\xff\xc3"), "a_b___");
+  EXPECT_EQ(printable_utf8("\xc0\xaf \xed\xa0\x80"), "__ ___");
+  LibraryNames names;
+  EXPECT_EQ(names.unique("", "/x/.svg"), "_");
+  std::string umlauts;
+  for (int i = 0; i < 150; ++i) umlauts += "ü";
+  const std::string first = names.unique(umlauts, "/" + umlauts + "/a.svg");
+  const std::string second = names.unique(umlauts, "/" + umlauts + "/a.svg");
+  EXPECT_EQ(printable_utf8(first), first);  // not cut within a character
+  EXPECT_EQ(printable_utf8(second), second);
+  EXPECT_NE(first, second);
+  EXPECT_LT(second.size(), layout::kNameBytes);
+}
+
+}  // namespace
+}  // namespace tessera::io

@@ -1,0 +1,222 @@
+// What is written to a library comes back, in any range and any part; unfinished libraries leave nothing.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "core/error.h"
+#include "io/library_file.h"
+#include "random_shape.h"
+#include "scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+using test::RandomShape;
+using test::ScratchFolder;
+
+const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+
+std::vector<Shape> random_shapes(std::uint64_t seed, int count, int pad_levels) {
+  RandomShape random(seed, pad_levels);
+  std::vector<Shape> shapes;
+  for (int i = 0; i < count; ++i) shapes.push_back(random.make());
+  return shapes;
+}
+
+void write_library(const std::string& path, const std::vector<Shape>& shapes, const PadParameters& pad) {
+  LibraryWriter writer(path, pad);
+  for (const Shape& shape : shapes) writer.append(shape);
+  writer.finish();
+}
+
+bool equal(const LevelCurve& a, const LevelCurve& b) {
+  return a.points == b.points && a.perimeter == b.perimeter && a.samples == b.samples;
+}
+
+bool equal(const Artwork& a, const Artwork& b) {
+  return a.path == b.path && a.width_px == b.width_px && a.height_px == b.height_px &&
+         a.centroid_px == b.centroid_px && a.unit_px == b.unit_px && a.thumbnail_png == b.thumbnail_png &&
+         a.original == b.original;
+}
+
+float largest_difference(const Grid<float>& a, const Grid<float>& b) {
+  if (a.data().size() != b.data().size()) return INFINITY;
+  float largest = 0;
+  for (std::size_t i = 0; i < a.data().size(); ++i) largest = std::max(largest, std::abs(a.data()[i] - b.data()[i]));
+  return largest;
+}
+
+bool equal(const Shape& a, const Shape& b) {
+  return a.name == b.name && a.outline == b.outline && a.perimeter == b.perimeter && a.radius == b.radius &&
+         a.mean_lab == b.mean_lab && a.field.extent == b.field.extent &&
+         largest_difference(a.field.distance, b.field.distance) < 1e-4f &&
+         std::equal(a.levels.begin(), a.levels.end(), b.levels.begin(),
+                    [](const LevelCurve& x, const LevelCurve& y) { return equal(x, y); }) &&
+         equal(a.artwork, b.artwork);
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+bool all_equal(const std::vector<Shape>& read, const std::vector<Shape>& written, std::size_t begin) {
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    if (!equal(read[i], written[begin + i])) return false;
+  }
+  return true;
+}
+
+RC_GTEST_PROP(LibraryFile, GivesBackWhatWasWritten, ()) {
+  const ScratchFolder folder;
+  const PadParameters pad{*rc::gen::inRange(2, kMaxPadLevels + 1), 0.15f};
+  const auto shapes = random_shapes(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(1, 6), pad.levels);
+  write_library(folder.path("a.h5"), shapes, pad);
+
+  const LibraryFile library(folder.path("a.h5"));
+  RC_ASSERT(library.size() == shapes.size());
+  RC_ASSERT(library.pad_parameters() == pad);
+  const auto begin = *rc::gen::inRange<std::size_t>(0, shapes.size());
+  const auto end = *rc::gen::inRange<std::size_t>(begin, shapes.size() + 1);
+  const auto read = library.read(begin, end, kEverything);
+  RC_ASSERT(read.size() == end - begin);
+  RC_ASSERT(all_equal(read, shapes, begin));
+}
+
+// More shapes than fit into a chunk of any column but the smallest.
+TEST(LibraryFile, ReadsRangesAcrossChunks) {
+  const ScratchFolder folder;
+  const auto shapes = random_shapes(1, 150, 5);
+  write_library(folder.path("a.h5"), shapes, {});
+  const LibraryFile library(folder.path("a.h5"));
+  for (const auto& [begin, end] : {std::pair<std::size_t, std::size_t>{0, 150}, {31, 33}, {99, 150}, {149, 150}}) {
+    EXPECT_TRUE(all_equal(library.read(begin, end, kEverything), shapes, begin)) << begin;
+  }
+  EXPECT_TRUE(library.read(7, 7, kEverything).empty());
+}
+
+TEST(LibraryFile, ReadsOnlyTheAskedParts) {
+  const ScratchFolder folder;
+  const auto shapes = random_shapes(2, 2, 5);
+  write_library(folder.path("a.h5"), shapes, {});
+  const LibraryParts parts{.outline = false, .field = false, .levels = 1u << 3, .artwork = false, .original = false};
+  const Shape shape = LibraryFile(folder.path("a.h5")).read(1, 2, parts).at(0);
+  EXPECT_EQ(shape.name, shapes[1].name);
+  EXPECT_TRUE(equal(shape.levels[3], shapes[1].levels[3]));
+  EXPECT_TRUE(shape.outline.curves.empty());
+  EXPECT_TRUE(shape.field.distance.data().empty());
+  EXPECT_TRUE(shape.levels[2].points.empty());
+  EXPECT_TRUE(shape.artwork.path.empty() && shape.artwork.thumbnail_png.empty() && shape.artwork.original.empty());
+}
+
+TEST(LibraryFile, SummaryCountsWhatIsStored) {
+  const ScratchFolder folder;
+  const auto shapes = random_shapes(3, 5, 5);
+  write_library(folder.path("a.h5"), shapes, {});
+  std::size_t curves = 0, points = 0, original_bytes = 0;
+  for (const Shape& shape : shapes) {
+    curves += shape.outline.curves.size();
+    for (const auto& curve : shape.outline.curves) points += curve.size();
+    original_bytes += shape.artwork.original.size();
+  }
+  const LibrarySummary summary = LibraryFile(folder.path("a.h5")).summary();
+  EXPECT_EQ(summary.shapes, shapes.size());
+  EXPECT_EQ(summary.curves, curves);
+  EXPECT_EQ(summary.outline_points, points);
+  EXPECT_EQ(summary.original_bytes, original_bytes);
+  EXPECT_EQ(summary.file_bytes, std::filesystem::file_size(folder.path("a.h5")));
+  std::uint64_t stored = 0;
+  for (const auto& [part, bytes] : summary.stored_bytes_of_part) stored += bytes;
+  EXPECT_GT(stored, 0u);
+  EXPECT_LT(stored, summary.file_bytes);
+}
+
+TEST(LibraryWriter, GivesTheSameBytesForTheSameShapes) {
+  const ScratchFolder folder;
+  const auto shapes = random_shapes(4, 20, 5);
+  write_library(folder.path("a.h5"), shapes, {});
+  write_library(folder.path("b.h5"), shapes, {});
+  EXPECT_EQ(bytes_of(folder.path("a.h5")), bytes_of(folder.path("b.h5")));
+}
+
+TEST(LibraryWriter, LeavesNothingWhenUnfinished) {
+  const ScratchFolder folder;
+  { LibraryWriter(folder.path("a.h5"), {}).append(random_shapes(5, 1, 5)[0]); }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path("")));
+}
+
+TEST(LibraryWriter, KeepsTheOldLibraryUntilTheNewOneIsWhole) {
+  const ScratchFolder folder;
+  const auto old_shapes = random_shapes(6, 2, 5);
+  write_library(folder.path("a.h5"), old_shapes, {});
+  { LibraryWriter(folder.path("a.h5"), {}).append(random_shapes(7, 1, 5)[0]); }
+  EXPECT_TRUE(all_equal(LibraryFile(folder.path("a.h5")).read(0, 2, kEverything), old_shapes, 0));
+}
+
+TEST(LibraryWriter, RefusesShapesThatNoReaderWouldTake) {
+  const ScratchFolder folder;
+  const Shape good = random_shapes(8, 1, 5)[0];
+  LibraryWriter writer(folder.path("a.h5"), {});
+  const auto refuses = [&](auto spoil) {
+    Shape shape = good;
+    spoil(shape);
+    EXPECT_THROW(writer.append(shape), InputError);
+  };
+  refuses([](Shape& s) { s.perimeter = NAN; });
+  refuses([](Shape& s) { s.outline.curves.clear(); });
+  refuses([](Shape& s) { s.outline.curves[0][1].x = INFINITY; });
+  refuses([](Shape& s) { s.field.distance(5, 7) = NAN; });
+  refuses([](Shape& s) { s.field.distance = Grid<float>(64, 64); });
+  refuses([](Shape& s) { s.levels[2].samples.pop_back(); });
+  refuses([](Shape& s) { s.levels[1].samples[3].left[2] = NAN; });
+  refuses([](Shape& s) { s.name = std::string(1000, 'x'); });
+  refuses([](Shape& s) { s.artwork.unit_px = 0; });
+  writer.append(good);
+  writer.finish();
+  EXPECT_EQ(LibraryFile(folder.path("a.h5")).size(), 1u);
+}
+
+TEST(LibraryWriter, NamesThePlaceThatCannotBeWritten) {
+  try {
+    LibraryWriter("/no/such/folder/a.h5", {});
+    FAIL();
+  } catch (const EnvironmentError& error) {
+    EXPECT_STREQ(error.what(), "cannot write /no/such/folder/a.h5: No such file or directory");
+  }
+}
+
+/// A limit on the size of files acts like a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    old_handler_ = ::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &old_);
+    ::signal(SIGXFSZ, old_handler_);
+  }
+
+ private:
+  rlimit old_{};
+  void (*old_handler_)(int) = nullptr;
+};
+
+TEST(LibraryWriter, LeavesNothingOnAFullDisk) {
+  const ScratchFolder folder;
+  const auto shapes = random_shapes(9, 30, 5);
+  for (const rlim_t bytes : {1000, 200'000, 2'000'000}) {
+    const FileSizeLimit limit(bytes);
+    EXPECT_THROW(write_library(folder.path("a.h5"), shapes, {}), EnvironmentError) << bytes;
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path(""))) << bytes;
+  }
+}
+
+}  // namespace
+}  // namespace tessera::io

@@ -1,0 +1,131 @@
+// collage.svg: drawn by another renderer it is the picture that collage.png is.
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <regex>
+#include <set>
+
+#include "artwork_samples.h"
+#include "io/artwork_render.h"
+#include "io/png_output.h"
+#include "io/svg_output.h"
+#include "sample_collage.h"
+#include "scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+using test::SampleCollage;
+
+/// What librsvg makes of it; it has no transparent parts.
+cv::Mat drawn(const std::string& svg, int width_px) {
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
+  cv::Mat bgr;
+  cv::cvtColor(render_artwork(bytes, "collage.svg", width_px), bgr, cv::COLOR_BGRA2BGR);
+  return bgr;
+}
+
+double mean_difference(const cv::Mat& a, const cv::Mat& b) {
+  cv::Mat difference;
+  cv::absdiff(a, b, difference);
+  const cv::Scalar mean = cv::mean(difference);
+  return (mean[0] + mean[1] + mean[2]) / 3;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+std::string face(const std::string& colour, const std::string& head) {
+  return head + R"~(<style>.a{fill:)~" + colour + R"~(}</style><defs><linearGradient id="g"><stop stop-color=")~" + colour +
+         R"~("/><stop offset="1" stop-color="white"/></linearGradient></defs>)~" +
+         R"~(<circle class="a" cx="40" cy="30" r="28"/><rect x="30" y="20" width="20" height="10" fill="url(#g)"/></svg>)~";
+}
+
+constexpr char kXmlns[] = R"~(<svg xmlns="http://www.w3.org/2000/svg" )~";
+
+struct TwoFaces : SampleCollage {
+  TwoFaces() {
+    // The same ids and classes in both, one page in mm with a view box, one in px without.
+    test::embed_artwork(report.shapes[0], face("red", std::string(kXmlns) + R"~(width="160mm" height="120mm" viewBox="0 0 80 60">)~"), 80, 60, 50);
+    test::embed_artwork(report.shapes[1], face("blue", std::string(kXmlns) + R"~(width="80" height="60">)~"), 80, 60, 50);
+    place(7, 30, {100, 20}, 1.2f);
+    place(7, 25, {100, 80}, -2.f);
+  }
+};
+
+TEST(SvgOutput, AgreesWithThePng) {
+  const TwoFaces sample;
+  const cv::Mat svg = drawn(collage_svg(sample.report, false), 400);
+  const cv::Mat png = draw_collage(sample.report, false);
+  ASSERT_EQ(svg.size(), png.size());
+  EXPECT_LT(mean_difference(svg, png), 1.2);
+  EXPECT_GT(svg.at<cv::Vec3b>(60, 100)[2], 200);   // the red one kept its colours
+  EXPECT_LT(svg.at<cv::Vec3b>(60, 100)[0], 50);
+  EXPECT_GT(svg.at<cv::Vec3b>(60, 280)[0], 200);   // and the blue one
+}
+
+TEST(SvgOutput, EachArtworkIsDefinedOnceAndPlacedOften) {
+  const TwoFaces sample;
+  const std::string svg = collage_svg(sample.report, false);
+  EXPECT_EQ(count(svg, "<circle"), 2u);
+  EXPECT_EQ(count(svg, "<use "), 4u);
+  EXPECT_EQ(count(svg, "xlink:href=\"#a0\""), 3u);
+  EXPECT_EQ(count(svg, "viewBox=\"0 0 200 100\""), 1u);
+}
+
+TEST(SvgOutput, IdsAreUnique) {
+  const TwoFaces sample;
+  const std::string svg = collage_svg(sample.report, false);
+  std::set<std::string> ids;
+  const std::regex id(R"re(\sid="([^"]*)")re");
+  for (std::sregex_iterator it(svg.begin(), svg.end(), id), end; it != end; ++it) {
+    EXPECT_TRUE(ids.insert((*it)[1]).second) << (*it)[1];
+  }
+  EXPECT_EQ(ids.size(), 4u);
+}
+
+TEST(SvgOutput, ReadsTheOriginalFromItsPlace) {
+  const test::ScratchFolder folder;
+  TwoFaces sample;
+  Artwork& artwork = sample.report.shapes[0].artwork;
+  artwork.path = folder.write("face.svg", std::string(artwork.original.begin(), artwork.original.end()));
+  const std::string embedded = collage_svg(sample.report, false);
+  artwork.original.clear();
+  EXPECT_EQ(collage_svg(sample.report, false), embedded);
+}
+
+TEST(SvgOutput, BitmapsAndLostOriginalsAreEmbeddedAsPictures) {
+  SampleCollage sample;
+  const test::Bytes png = test::encoded(test::disc_with_alpha(), ".png");
+  for (Shape& shape : sample.report.shapes) test::embed_artwork(shape, std::string(png.begin(), png.end()), 300, 200, 106);
+  Artwork& lost = sample.report.shapes[1].artwork;
+  lost.original.clear();
+  lost.path = "/nowhere/lost.png";
+  lost.thumbnail_png = png;
+  const std::string svg = collage_svg(sample.report, false);
+  EXPECT_EQ(count(svg, "data:image/png;base64,"), 2u);
+  EXPECT_LT(mean_difference(drawn(svg, 400), draw_collage(sample.report, false)), 1.2);
+}
+
+TEST(SvgOutput, QuickAndArtlessShapes) {
+  SampleCollage sample;
+  EXPECT_LT(mean_difference(drawn(collage_svg(sample.report, false), 400), draw_collage(sample.report, false)), 1.2);
+  const TwoFaces faces;
+  EXPECT_EQ(count(collage_svg(faces.report, true), "<circle"), 0u);
+}
+
+TEST(SvgOutput, AMaskedCanvasIsAPath) {
+  SampleCollage sample;
+  Grid<float> mask(400, 200, 0.f);
+  for (int y = 20; y < 180; ++y) std::fill(mask.row(y) + 100, mask.row(y) + 300, 1.f);
+  sample.canvas = make_mask_canvas(mask);
+  sample.job.canvas.file = "mask.png";
+  EXPECT_LT(mean_difference(drawn(collage_svg(sample.report, false), 400), draw_collage(sample.report, false)), 1.2);
+}
+
+}  // namespace
+}  // namespace tessera::io

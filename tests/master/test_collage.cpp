@@ -1,0 +1,150 @@
+// Whole collages of synthetic shapes, with the plain C++ matcher.
+#include <gtest/gtest.h>
+
+#include "core/composite_matcher.h"
+#include "core/quality.h"
+#include "core/reference_matcher.h"
+#include "master/collage_loop.h"
+#include "support/synthetic_library.h"
+
+namespace tessera::master {
+namespace {
+
+const std::vector<Shape>& library() {
+  static const std::vector<Shape> shapes = test::synthetic_library(12);
+  return shapes;
+}
+
+CollageSettings settings() {
+  CollageSettings s;
+  s.seed = 3;
+  s.pieces.min_scale_px = 20;
+  s.pieces.max_scale_px = 90;
+  s.match.tangent_dockings = 150;
+  return s;
+}
+
+std::unique_ptr<Matcher> reference(const MatchingContext& context, std::uint32_t begin, std::uint32_t end) {
+  return std::make_unique<ReferenceMatcher>(context, begin, test::models_of(library(), context, begin, end));
+}
+
+/// The library divided at `cuts`.
+CollageResult run(const Canvas& canvas, const CollageSettings& s, std::vector<std::uint32_t> cuts,
+                  Observer& observer) {
+  const std::uint32_t count = std::uint32_t(library().size());
+  const MatchingContext context = make_matching_context(s, count);
+  cuts.insert(cuts.begin(), 0);
+  cuts.push_back(count);
+  std::vector<std::unique_ptr<Matcher>> parts;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) parts.push_back(reference(context, cuts[i], cuts[i + 1]));
+  CompositeMatcher matcher(std::move(parts));
+  test::VectorShapes shapes(library());
+  return make_collage(canvas, s, matcher, shapes, observer);
+}
+
+CollageResult run(const Canvas& canvas, const CollageSettings& s, std::vector<std::uint32_t> cuts = {}) {
+  SilentObserver silent;
+  return run(canvas, s, std::move(cuts), silent);
+}
+
+Quality quality(const Canvas& canvas, const CollageResult& result) {
+  return measure_quality(canvas, result.placements, [](std::uint32_t i) -> const Shape& { return library()[i]; });
+}
+
+TEST(Collage, FillsTheCanvasWithoutOverlap) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const CollageResult result = run(canvas, settings());
+  const Quality q = quality(canvas, result);
+  EXPECT_GT(q.coverage, 0.78);
+  EXPECT_LT(q.overlap, 0.006);
+  EXPECT_LT(q.outside, 0.001);
+  EXPECT_GT(q.shared_boundary, 0.4);
+  EXPECT_EQ(result.statistics.stopped_by, "full");
+  for (const Placement& p : result.placements) {
+    EXPECT_GE(p.canvas_from_shape.scale(), 20.f);
+    EXPECT_LE(p.canvas_from_shape.scale(), 90.1f);
+  }
+}
+
+TEST(Collage, DoesNotDependOnHowTheLibraryIsDivided) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  const auto whole = run(canvas, settings()).placements;
+  ASSERT_GT(whole.size(), 5u);
+  EXPECT_EQ(run(canvas, settings(), {5}).placements, whole);
+  EXPECT_EQ(run(canvas, settings(), {1, 2, 9}).placements, whole);
+  EXPECT_EQ(run(canvas, settings(), {4, 4}).placements, whole) << "one part without shapes";
+}
+
+TEST(Collage, IsTheSameFromRunToRunAndAnotherWithAnotherSeed) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  CollageSettings s = settings();
+  s.stop.pieces = 8;
+  const auto first = run(canvas, s).placements;
+  EXPECT_EQ(run(canvas, s).placements, first);
+  s.seed = 4;
+  EXPECT_NE(run(canvas, s).placements, first);
+}
+
+TEST(Collage, FillsARegionWithAHole) {
+  Grid<float> coverage(600, 600);
+  for (int y = 0; y < 600; ++y) {
+    for (int x = 0; x < 600; ++x) {
+      const float r = std::hypot(float(x) - 300, float(y) - 300);
+      coverage(x, y) = r < 290 && r > 90;
+    }
+  }
+  const Canvas canvas = make_mask_canvas(coverage);
+  const Quality q = quality(canvas, run(canvas, settings()));
+  EXPECT_GT(q.coverage, 0.7);
+  EXPECT_LT(q.outside, 0.003);
+}
+
+TEST(Collage, RespectsUsesRotationAndPieces) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  CollageSettings s = settings();
+  s.pieces.uses = 1;
+  s.pieces.min_rotation_rad = -0.3f;
+  s.pieces.max_rotation_rad = 0.3f;
+  const CollageResult once = run(canvas, s);
+  std::vector<int> uses(library().size());
+  for (const Placement& p : once.placements) {
+    EXPECT_EQ(++uses[p.shape], 1);
+    EXPECT_LE(std::abs(p.canvas_from_shape.rotation_rad()), 0.301f);
+  }
+  EXPECT_GT(once.placements.size(), 4u);
+  s.stop.pieces = 3;
+  const CollageResult three = run(canvas, s);
+  EXPECT_EQ(three.placements.size(), 3u);
+  EXPECT_EQ(three.statistics.stopped_by, "pieces");
+}
+
+TEST(Collage, KeepsThePadding) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  CollageSettings s = settings();
+  s.pieces.padding_px = 3;
+  const Quality q = quality(canvas, run(canvas, s));
+  EXPECT_EQ(q.overlap, 0);
+  EXPECT_GT(q.coverage, 0.5);
+  EXPECT_LT(q.shared_boundary, 0.1);
+}
+
+TEST(Collage, StopsWhenAsked) {
+  class StopAfter : public SilentObserver {
+   public:
+    void progressed(const Progress& progress) override { pieces = progress.pieces; }
+    bool stop_requested() override { return pieces >= 4; }
+    std::size_t pieces = 0;
+  };
+  StopAfter observer;
+  const CollageResult result = run(make_rectangle_canvas(240, 160), settings(), {}, observer);
+  EXPECT_EQ(result.placements.size(), 4u);
+  EXPECT_EQ(result.statistics.stopped_by, "signal");
+}
+
+TEST(Collage, OfACanvasWithoutAreaIsEmpty) {
+  const CollageResult result = run(make_mask_canvas(Grid<float>(100, 80, 0.f)), settings());
+  EXPECT_TRUE(result.placements.empty());
+}
+
+}  // namespace
+}  // namespace tessera::master
