@@ -2,6 +2,7 @@
 // looks on a few points of the free field.
 
 #define NO_DOCKING -1.f
+#define NOT_EVALUATED -2.f  // nor looked at the field
 
 typedef struct Alignment {
   PoseRecord canvas_from_shape;
@@ -46,7 +47,8 @@ Alignment align_pyramids(global const float* shape_x, global const float* shape_
   return result;
 }
 
-// How a pose ranks by 32 boundary points and a third of the interior points; NO_DOCKING where it is hopeless.
+// How a pose ranks by 32 boundary points and a third of the interior points; where that is below kLeastDockingKey
+// anything below it.
 float docking_key(global const float* contour, uint interior_points, PoseRecord s, const Field* field,
                   float max_scale_px) {
   const float scale = scale_of(s);
@@ -58,21 +60,25 @@ float docking_key(global const float* contour, uint interior_points, PoseRecord 
   for (int block = 0; block < kCoarsePoints / kLanes; ++block) {
     const Points p = placed_points(s, contour + kCoarseAt, kCoarsePoints, block);
     const float16 d = field_values(field, p.x, p.y);
+    if (any_lane(d < -hopeless_px)) return NO_DOCKING;
     const int16 deep = d < -near_px;
     bad += count_lanes(deep);
-    if (bad > most_bad || any_lane(d < -hopeless_px)) return NO_DOCKING;
-    hits += count_lanes(~deep & d < near_px);
+    if (bad > most_bad) return NO_DOCKING;
+    hits += count_lanes(~deep & (d < near_px));
   }
+  const float contact = ((float)hits - 1.5f * (float)bad) / (float)kCoarsePoints;
+  // Large pieces first: they are harder to place later.
+  const float size = sqrt(sqrt(scale / max_scale_px));
+  if (contact * size < kLeastDockingKey) return NO_DOCKING;  // interior points can only make it less
   int covered = 0;
   const int coarse_points = ((int)interior_points + kInteriorStride - 1) / kInteriorStride;
   for (int block = 0; block * kLanes < coarse_points; ++block) {
     const Points p = placed_points(s, contour + kCoarseInteriorAt, kCoarseInteriorPoints, block);
     const int16 used = lane_index() + block * kLanes < coarse_points;
-    covered += count_lanes(used & field_values(field, p.x, p.y) < 0);
+    covered += count_lanes(used & (field_values(field, p.x, p.y) < 0));
   }
   const float interior = interior_points == 0 ? 0.f : 9.f * (float)covered / (float)interior_points;
-  const float fit = ((float)hits - 1.5f * (float)bad) / (float)kCoarsePoints - interior;
-  return fit * sqrt(sqrt(scale / max_scale_px));
+  return (contact - interior) * size;
 }
 
 typedef struct BestDockings {
@@ -155,18 +161,18 @@ PoseRecord tangent_docking(global const float* contour, uint point, float scale_
   return s;
 }
 
-// Work item: (target sample - first_sample, draw). Its docking at the same place if its shape is of this shard and the
-// early reject leaves it; else NO_DOCKING as key.
+// Work item: (draw, target sample - first_sample). Its docking, at place
+// (target sample - first_sample) * draws + draw, if its shape is of this shard and the early reject leaves it; else
+// NO_DOCKING or NOT_EVALUATED as key.
 kernel void dock_tangents(constant MatchRecord* match, global const float* field_value, global const float* contours,
-                          global const ShapeRecord* shapes, uint first_sample, uint end_sample,
-                          global const SampleRecord* samples, uint draws, global DockingRecord* dockings,
-                          global float* keys, global uint* evaluated) {
-  const uint t = first_sample + get_global_id(0);
-  const uint draw = get_global_id(1);
-  if (t >= end_sample) return;
+                          global const ShapeRecord* shapes, uint first_sample, global const SampleRecord* samples,
+                          uint draws, global DockingRecord* dockings, global float* keys) {
+  const uint draw = get_global_id(0);
+  if (draw >= draws) return;
+  const uint t = first_sample + get_global_id(1);
   global const SampleRecord* target = samples + t;
-  const size_t place = (size_t)get_global_id(0) * draws + draw;
-  keys[place] = NO_DOCKING;
+  const size_t place = get_global_id(1) * draws + draw;
+  keys[place] = NOT_EVALUATED;
   const ulong bits =
       mix_bits(match->seed ^ mix_bits(((ulong)target->edge << 32) | ((ulong)target->pass << 16 | draw)));
   const uint library_shape = (uint)(((bits >> 32) * match->library_shapes) >> 32);
@@ -177,11 +183,10 @@ kernel void dock_tangents(constant MatchRecord* match, global const float* field
   global const float* contour = contours + (size_t)shape * kContourFloats;
   const PoseRecord pose = tangent_docking(contour, point, match->min_scale_px * growth, target);
   if (!rotation_allowed(match, pose)) return;
-  atomic_inc(evaluated + t);
   const Field field = free_field(match, field_value);
   const float key = docking_key(contour, shapes[shape].interior_points, pose, &field, match->max_scale_px);
+  keys[place] = key < kLeastDockingKey ? NO_DOCKING : key;
   if (key < kLeastDockingKey) return;
   const DockingRecord docking = {t, library_shape, kTangentSource + draw, key, pose};
-  keys[place] = key;
   dockings[place] = docking;
 }

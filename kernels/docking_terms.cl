@@ -32,7 +32,7 @@ int covered_interior_points(global const float* contour, int interior_points, Po
   for (int block = 0; block * kLanes < interior_points; ++block) {
     const Points p = placed_points(s, contour + kInteriorAt, kMaxInteriorPoints, block);
     const int16 used = lane_index() + block * kLanes < interior_points;
-    covered += count_lanes(used & field_values(field, p.x, p.y) < 0);
+    covered += count_lanes(used & (field_values(field, p.x, p.y) < 0));
   }
   return covered;
 }

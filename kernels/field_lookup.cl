@@ -25,18 +25,18 @@ typedef struct Cells {
   vstore2(vload2(0, f->value + node.s##k), 0x##k, upper);                  \
   vstore2(vload2(0, f->value + f->width + node.s##k), 0x##k, lower)
 
-Cells cells_at(const Field* f, float16 x, float16 y) {
+__attribute__((always_inline)) Cells cells_at(const Field* f, float16 x, float16 y) {
   Cells c;
   const float16 u = x - f->origin_x;
   const float16 v = y - f->origin_y;
-  c.on_grid = u >= 0 & v >= 0 & u < (float)(f->width - 1) & v < (float)(f->height - 1);
+  c.on_grid = (u >= 0) & (v >= 0) & (u < (float)(f->width - 1)) & (v < (float)(f->height - 1));
   const float16 u_on = c.on_grid ? u : (float16)0;
   const float16 v_on = c.on_grid ? v : (float16)0;
-  const float16 i = floor(u_on);
-  const float16 j = floor(v_on);
-  c.s = u_on - i;
-  c.t = v_on - j;
-  const int16 node = int_lanes(j) * f->width + int_lanes(i);
+  const int16 i = convert_int16(u_on);
+  const int16 j = convert_int16(v_on);
+  c.s = u_on - convert_float16(i);
+  c.t = v_on - convert_float16(j);
+  const int16 node = j * f->width + i;
   float upper[2 * kLanes];
   float lower[2 * kLanes];
   LOAD_ROWS(0); LOAD_ROWS(1); LOAD_ROWS(2); LOAD_ROWS(3);

@@ -24,15 +24,15 @@ float16 pad_distances(global const float* pads, constant LevelRecord* level, uin
   const uint count = level->count;
   const float16 length = vload16(block, pads + kPadElements * count);
   const float16 convexity = vload16(block, pads + (kPadElements + 1) * count);
-  const int16 fits = target->scale_length >= length * (level->scale_low_px * kScaleWindowLow) &
-                     target->scale_length <= length * (level->scale_high_px * kScaleWindowHigh) &
-                     target->convexity * convexity >= 0;
+  const int16 fits = (target->scale_length >= length * (level->scale_low_px * kScaleWindowLow)) &
+                     (target->scale_length <= length * (level->scale_high_px * kScaleWindowHigh)) &
+                     (target->convexity * convexity >= 0);
   float16 distance = NO_PAIR;
   if (!any_lane(fits)) return distance;
   distance = 0;
   for (int e = 0; e < kPadElements; ++e) {
     distance = max(distance, fabs(target->element[e] - vload16(block, pads + e * count)));
-    if (e == kPadElements / 2 - 1 && !any_lane(fits & distance < beta)) break;
+    if (e == kPadElements / 2 - 1 && !any_lane(fits & (distance < beta))) break;
   }
   return fits ? distance : (float16)NO_PAIR;
 }
@@ -43,9 +43,13 @@ typedef struct BestPairs {
   uint source[kPairsPerShape];
 } BestPairs;
 
+// A pair must be nearer than this: where the list is full, a later pair of equal distance comes behind and falls off.
+float farthest_kept(const BestPairs* best, float beta) {
+  return best->count < kPairsPerShape ? beta : best->distance[kPairsPerShape - 1];
+}
+
 // Sources come in ascending order, so that a later pair of equal distance comes behind.
 void keep_pair(BestPairs* best, float distance, uint source) {
-  if (best->count == kPairsPerShape && distance >= best->distance[kPairsPerShape - 1]) return;
   int at = best->count < kPairsPerShape ? best->count++ : kPairsPerShape - 1;
   for (; at > 0 && best->distance[at - 1] > distance; --at) {
     best->distance[at] = best->distance[at - 1];
@@ -61,12 +65,14 @@ void keep_local_minima(BestPairs* best, float* distance, uint count, uint first_
   distance[count] = distance[0];
   for (uint j = 0; j < count; j += kLanes) {
     const float16 d = vload16(0, distance + j);
-    const int16 minimum = d < beta & d <= vload16(0, distance + j - 1) & d < vload16(0, distance + j + 1);
+    const int16 near = d < farthest_kept(best, beta);
+    const int16 minimum = near & (d <= vload16(0, distance + j - 1)) & (d < vload16(0, distance + j + 1));
     if (!any_lane(minimum)) continue;
     int is_minimum[kLanes];
     vstore16(minimum, 0, is_minimum);
     for (uint k = 0; k < kLanes; ++k) {
-      if (is_minimum[k]) keep_pair(best, distance[j + k], first_source + j + k);
+      if (!is_minimum[k] || distance[j + k] >= farthest_kept(best, beta)) continue;
+      keep_pair(best, distance[j + k], first_source + j + k);
     }
   }
 }

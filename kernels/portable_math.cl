@@ -45,7 +45,11 @@ int count_lanes(int16 mask) {
   return -(c.x + c.y);
 }
 
-int16 lane_index(void) { return (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15); }
+float largest_lane(float16 v) {
+  const float8 a = max(v.lo, v.hi);
+  const float4 b = max(a.lo, a.hi);
+  const float2 c = max(b.lo, b.hi);
+  return max(c.x, c.y);
+}
 
-// For 0 <= x < 2^23 without fraction: cheaper than a conversion of 16 lanes one by one.
-int16 int_lanes(float16 x) { return as_int16(x + 8388608.f) & 0x7fffff; }
+int16 lane_index(void) { return (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15); }

@@ -133,20 +133,23 @@ PoseRecord descended(PoseRecord s, const Piece* piece, Descent descent) {
   return s;
 }
 
-// Whether depth_px of the reference is above kHardDepth_px.
-bool too_deep(PoseRecord s, const Piece* piece) {
+// How deep the piece reaches into what is covered, or as soon as that is known anything above kHopelessDepth_px.
+float depth_px(PoseRecord s, const Piece* piece) {
+  float16 deepest = 0;
   for (int block = 0; block < kBoundaryPoints / kLanes; ++block) {
     const Points p = placed_points(s, piece->contour + kFineAt, kBoundaryPoints, block);
-    if (any_lane(-field_values(piece->field, p.x, p.y) > kHardDepth_px)) return true;
+    deepest = max(deepest, -field_values(piece->field, p.x, p.y));
+    if (any_lane(deepest > kHopelessDepth_px)) break;
   }
   const int interior_points = piece->shape->interior_points;
   for (int block = 0; block * kLanes < interior_points; ++block) {
+    if (any_lane(deepest > kHopelessDepth_px)) break;
     const Points p = placed_points(s, piece->contour + kInteriorAt, kMaxInteriorPoints, block);
     const float16 d = -field_values(piece->field, p.x, p.y);
-    const int16 used = lane_index() + block * kLanes < interior_points;
-    if (any_lane(used & d > 0 & d + 3 > kHardDepth_px)) return true;
+    const int16 covered = (lane_index() + block * kLanes < interior_points) & (d > 0);
+    deepest = max(deepest, covered ? d + 3 : (float16)0);
   }
-  return false;
+  return largest_lane(deepest);
 }
 
 // Gives whether the refined pose is feasible.
@@ -157,21 +160,19 @@ bool refine(PoseRecord* pose, const Piece* piece) {
   const Descent push = {2, 1.5f, 1.5f, 25.f, true};
   s = descended(s, piece, approach);
   s = descended(s, piece, settle);
-  bool clear = false;
-  for (int pushed = 0; pushed < kPushSteps; ++pushed) {
-    clear = !too_deep(s, piece);
-    if (clear) break;
+  float depth = depth_px(s, piece);
+  for (int pushed = 0; pushed < kPushSteps && depth > kHardDepth_px && depth <= kHopelessDepth_px; ++pushed) {
     if (pushed > 0) {
       s.a *= kPushShrink;
       s.b *= kPushShrink;
     }
     s = descended(s, piece, push);
+    depth = depth_px(s, piece);
   }
-  if (!clear) clear = !too_deep(s, piece);
   const float scale = scale_of(s);
   *pose = s;
-  return clear && scale >= piece->match->min_scale_px && scale <= piece->match->max_scale_px * 1.0001f &&
-         rotation_allowed(piece->match, s);
+  return depth <= kHardDepth_px && scale >= piece->match->min_scale_px &&
+         scale <= piece->match->max_scale_px * 1.0001f && rotation_allowed(piece->match, s);
 }
 
 // Work item: a docking, whose shape is of this shard.

@@ -27,25 +27,28 @@ void shorten(Shortlist* list, global const DockingRecord* docking, float key) {
   if (list->count < kShortlist) ++list->count;
 }
 
-void shorten_all(Shortlist* list, global const DockingRecord* dockings, global const float* keys, uint count) {
+// Gives how many were evaluated.
+uint shorten_all(Shortlist* list, global const DockingRecord* dockings, global const float* keys, uint count) {
+  uint evaluated = 0;
   for (uint i = 0; i < count; ++i) {
     if (keys[i] >= kLeastDockingKey) shorten(list, dockings + i, keys[i]);
+    evaluated += keys[i] > NOT_EVALUATED;
   }
+  return evaluated;
 }
 
 // Work item: target sample - first_sample. `paired`: dockings from pairs for each sample, `tangent`: from draws. The
-// shortlist of sample t goes to t * kShortlist, best first.
-kernel void keep_shortlist(uint first_sample, uint end_sample, uint paired, global const DockingRecord* paired_dockings,
+// shortlist of sample t goes to t * kShortlist, best first; `evaluated` has the dockings of all its pairs already.
+kernel void keep_shortlist(uint first_sample, uint paired, global const DockingRecord* paired_dockings,
                            global const float* paired_keys, uint tangent,
                            global const DockingRecord* tangent_dockings, global const float* tangent_keys,
-                           global DockingRecord* shortlist, global uint* shortlist_count) {
+                           global DockingRecord* shortlist, global uint* shortlist_count, global uint* evaluated) {
   const size_t i = get_global_id(0);
   const uint t = first_sample + i;
-  if (t >= end_sample) return;
   Shortlist list;
   list.count = 0;
   shorten_all(&list, paired_dockings + i * paired, paired_keys + i * paired, paired);
-  shorten_all(&list, tangent_dockings + i * tangent, tangent_keys + i * tangent, tangent);
+  evaluated[t] += shorten_all(&list, tangent_dockings + i * tangent, tangent_keys + i * tangent, tangent);
   for (int k = 0; k < list.count; ++k) shortlist[(size_t)t * kShortlist + k] = *list.docking[k];
   shortlist_count[t] = list.count;
 }

@@ -23,10 +23,22 @@ std::string reason_class(const std::string& reason) {
   return io::printable_utf8(reason.substr(0, reason.find(": ")));
 }
 
-std::string first_names(const std::vector<std::string>& paths) {
+std::string text_of(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(paths.size(), kNamesShown); ++i) text += (i ? ", " : "") + file_name(paths[i]);
-  return paths.size() > kNamesShown ? text + ", ..." : text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// Collections keep copies of one drawing in several folders: a name is shown once.
+std::string first_names(const std::vector<std::string>& paths) {
+  std::vector<std::string> names;
+  for (const std::string& path : paths) {
+    if (const std::string name = file_name(path); std::find(names.begin(), names.end(), name) == names.end()) {
+      if (names.size() == kNamesShown) return text_of(names) + ", ...";
+      names.push_back(name);
+    }
+  }
+  return text_of(names);
 }
 
 std::string table_row(const std::string& reason, int width, const std::string& count, const std::string& names) {

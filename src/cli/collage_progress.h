@@ -22,7 +22,7 @@ class CollageProgress : public master::Observer {
   std::optional<ProgressBar> bar_;
 };
 
-/// The share of the loop's time that is probably over, 0..1, from whichever of the stops comes first.
+/// The share of the loop's time that is probably over, 0..0.99, from whichever of the stops comes first.
 double expected_time_share(const master::Progress& progress, const StopSettings& stop);
 
 /// "123 pieces, 45.6 % covered, 12.3 pieces/s"

@@ -91,6 +91,7 @@ int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
   const io::LibraryFile library(job.library);
   const Canvas canvas = io::load_canvas(job.canvas);
+  io::check_picture_height(job.output, canvas);
   const std::string folder = output_folder(arguments);
   io::prepare_output_directory(folder);
   ranks.broadcast(to_bytes(io::to_toml(job)));

@@ -1,7 +1,5 @@
 #include "cli/library_build_command.h"
 
-#include <signal.h>
-
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -13,6 +11,7 @@
 
 #include "cli/build_summary.h"
 #include "cli/progress_bar.h"
+#include "cli/stop_signal.h"
 #include "core/error.h"
 #include "io/library_builder.h"
 
@@ -33,36 +32,13 @@ struct BuildArguments {
   io::LibraryBuildSettings settings;
 };
 
-volatile sig_atomic_t interrupt_signal = 0;
-
-/// Ctrl-C and a batch system's TERM end the build in order: the half library is removed.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    struct sigaction action {};
-    action.sa_handler = [](int signal) { interrupt_signal = signal; };
-    ::sigaction(SIGINT, &action, &old_int_);
-    ::sigaction(SIGTERM, &action, &old_term_);
-  }
-  ~InterruptGuard() {
-    ::sigaction(SIGINT, &old_int_, nullptr);
-    ::sigaction(SIGTERM, &old_term_, nullptr);
-  }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  struct sigaction old_int_ {};
-  struct sigaction old_term_ {};
-};
-
 io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, const io::ArtworkFiles& files) {
   cv::setNumThreads(1);  // the processes are the parallelism
-  const InterruptGuard guard;
+  install_stop_handlers();  // the half library is removed
   ProgressBar bar("library", files.paths.size());
   const io::BuildMonitor monitor{
       [&](std::size_t done, std::size_t shapes) { bar.update(done, std::to_string(shapes) + " shapes"); },
-      [] { return interrupt_signal != 0; }};
+      stop_signalled};
   return io::build_library(files, arguments.output, arguments.settings,
                            io::artwork_loader(arguments.settings.pad), monitor);
 }

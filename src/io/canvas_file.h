@@ -14,6 +14,9 @@ namespace tessera::io {
 /// artwork_render.h, becomes narrower than 16 px, or leaves nothing to fill.
 Canvas load_canvas(const CanvasSpec& spec);
 
+/// A picture of the canvas in that width must not become higher than wide ones may be: throws InputError.
+void check_picture_height(const OutputSpec& output, const Canvas& canvas);
+
 /// The region in a page of straight BGRA, as coverage 0..1 of each pixel, the sizes rounded up to even ones: the alpha
 /// where the page is transparent anywhere, else what differs from the colour that prevails along its edge (mask.h).
 Grid<float> mask_coverage(const cv::Mat& page);

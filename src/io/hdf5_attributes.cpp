@@ -1,7 +1,5 @@
 #include "io/hdf5_attributes.h"
 
-#include <algorithm>
-
 namespace tessera::io {
 namespace {
 
@@ -43,8 +41,8 @@ void write_attribute(hid_t object, const std::string& name, float value) {
 
 void write_attribute(hid_t object, const std::string& name, const std::string& value) {
   const Hdf5Handle type(H5Tcopy(H5T_C_S1), name);
-  hdf5_checked(H5Tset_size(type.get(), std::max<std::size_t>(value.size(), 1)), name);
-  hdf5_checked(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), name);
+  hdf5_checked(H5Tset_size(type.get(), value.size() + 1), name);
+  hdf5_checked(H5Tset_strpad(type.get(), H5T_STR_NULLTERM), name);
   hdf5_checked(H5Tset_cset(type.get(), H5T_CSET_UTF8), name);
   write_scalar(object, name, type.get(), type.get(), value.c_str());
 }

@@ -21,7 +21,7 @@ std::string name_of(const Column& column) { return "data set " + column.path; }
 Hdf5Handle text_type(std::size_t bytes) {
   Hdf5Handle type(H5Tcopy(H5T_C_S1), "text type");
   hdf5_checked(H5Tset_size(type.get(), bytes), "text type");
-  hdf5_checked(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "text type");
+  hdf5_checked(H5Tset_strpad(type.get(), H5T_STR_NULLTERM), "text type");
   hdf5_checked(H5Tset_cset(type.get(), H5T_CSET_UTF8), "text type");
   return type;
 }
@@ -32,7 +32,7 @@ Hdf5Handle file_type(const Column& column) {
     case layout::Element::int16: return {H5Tcopy(H5T_STD_I16LE), "type"};
     case layout::Element::int32: return {H5Tcopy(H5T_STD_I32LE), "type"};
     case layout::Element::uint8: return {H5Tcopy(H5T_STD_U8LE), "type"};
-    case layout::Element::uint64: return {H5Tcopy(H5T_STD_U64LE), "type"};
+    case layout::Element::int64: return {H5Tcopy(H5T_STD_I64LE), "type"};
     case layout::Element::text: return text_type(column.text_bytes);
   }
   throw Hdf5Error(name_of(column) + ": unknown element type");

@@ -12,7 +12,7 @@ Column text(const std::string& path, std::size_t bytes, const std::string& descr
 }
 
 Column offsets(const std::string& path, const std::string& units, const std::string& description) {
-  return {path, Element::uint64, 0, {}, units, description};
+  return {path, Element::int64, 0, {}, units, description};
 }
 
 Column floats(const std::string& path, std::vector<std::size_t> row_dims, const std::string& units,
@@ -48,7 +48,7 @@ std::size_t element_bytes(const Column& column) {
     case Element::int16: return 2;
     case Element::float32:
     case Element::int32: return 4;
-    case Element::uint64: return 8;
+    case Element::int64: return 8;
     case Element::text: return column.text_bytes;
   }
   return 0;

@@ -39,12 +39,12 @@ inline constexpr float kLeastLength = 1e-6f;
 inline constexpr float kMaxLab = 200;
 inline constexpr int kMaxArtworkSize_px = 1 << 20;
 
-enum class Element { float32, int16, int32, uint8, uint64, text };
+enum class Element { float32, int16, int32, int64, uint8, text };
 
 struct Column {
   std::string path;
   Element element;
-  std::size_t text_bytes;             // of Element::text, which is NUL-padded UTF-8; otherwise 0
+  std::size_t text_bytes;             // of Element::text, which is UTF-8 that ends with NULs; otherwise 0
   std::vector<std::size_t> row_dims;  // empty: one number a row
   std::string units;
   std::string description;

@@ -52,6 +52,7 @@ std::vector<std::string> read_texts(const ColumnReader& column, std::size_t begi
 /// Offsets [begin, end], the last one being the end of the last group. Groups have least to most of `rows` rows.
 std::vector<std::uint64_t> read_offsets(const ColumnReader& first, std::size_t begin, std::size_t end,
                                         std::size_t rows, std::size_t least, std::size_t most) {
+  // Stored signed, which numpy computes better with; a negative one is out of range here.
   std::vector<std::uint64_t> offsets = first.read<std::uint64_t>(begin, end + 1);
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     if (offsets[i] > rows) out_of_range(first);

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <numeric>
 
 namespace tessera::worker {
 namespace {
+
+constexpr std::size_t kDrawsPerGroup = 32;
 
 static_assert(sizeof(Docking) == sizeof(DockingRecord) && offsetof(Docking, key) == offsetof(DockingRecord, key) &&
               offsetof(Docking, canvas_from_shape) == offsetof(DockingRecord, canvas_from_shape));
@@ -34,7 +37,7 @@ DockStage::DockStage(const DeviceLibrary& library, PairStage& pairs)
 
 std::uint32_t DockStage::samples_at_a_time() const {
   const std::size_t tangent_bytes = draws_ * (sizeof(DockingRecord) + sizeof(float));
-  const std::size_t most = kStageBytes / std::max<std::size_t>(1, tangent_bytes);
+  const std::size_t most = pairs_->stage_bytes() / std::max<std::size_t>(1, tangent_bytes);
   return std::uint32_t(std::clamp<std::size_t>(most, 1, pairs_->samples_at_a_time()));
 }
 
@@ -56,8 +59,8 @@ void DockStage::post_part(const Part& part) {
   if (with_pairs_) dock_pairs(part);
   dock_tangents(part);
   const std::uint32_t paired = with_pairs_ ? library_->match().shapes * kDockingsPerShape : 0;
-  launch(library_->session(), keep_shortlist_, {part.count()}, part.first, part.end, paired, paired_, paired_keys_,
-         draws_, tangent_, tangent_keys_, shortlists_, shortlist_counts_);
+  launch(library_->session(), keep_shortlist_, {part.count()}, part.first, paired, paired_, paired_keys_, draws_,
+         tangent_, tangent_keys_, shortlists_, shortlist_counts_, evaluated_);
 }
 
 void DockStage::dock_pairs(const Part& part) {
@@ -75,9 +78,9 @@ void DockStage::dock_tangents(const Part& part) {
   const std::size_t places = std::size_t(part.count()) * draws_;
   tangent_.reserve(places);
   tangent_keys_.reserve(places);
-  launch(library_->session(), dock_tangents_, {part.count(), draws_}, library_->match_buffer(), library_->field(),
-         library_->contours(), library_->shapes(), part.first, part.end, pairs_->samples(), draws_, tangent_,
-         tangent_keys_, evaluated_);
+  launch(library_->session(), dock_tangents_, {draws_, part.count(), kDrawsPerGroup}, library_->match_buffer(),
+         library_->field(), library_->contours(), library_->shapes(), part.first, pairs_->samples(), draws_, tangent_,
+         tangent_keys_);
 }
 
 DockReply DockStage::take() {

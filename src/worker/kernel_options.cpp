@@ -55,6 +55,7 @@ std::string kernel_options(const cl::Device& device, int pad_levels) {
   DEFINE(kLeastDockingKey);
   DEFINE(kOffGridDistance);
   DEFINE(kHardDepth_px);
+  DEFINE(kHopelessDepth_px);
   DEFINE(kPushSteps);
   DEFINE(kPushShrink);
 #undef DEFINE

@@ -3,9 +3,9 @@
 namespace tessera::worker {
 
 OpenCLMatcher::OpenCLMatcher(const cl::Device& device, const MatchingContext& context, std::uint32_t first_shape,
-                             const std::vector<ShapeModel>& models)
+                             const std::vector<ShapeModel>& models, std::size_t stage_bytes)
     : library_(device, context.pad.levels, make_shard(context, first_shape, models)),
-      pairs_(library_),
+      pairs_(library_, stage_bytes),
       docking_(library_, pairs_),
       refinement_(library_) {}
 

@@ -7,11 +7,14 @@
 
 namespace tessera::worker {
 
+/// Bytes of pairs, and of dockings, that wait on a device for the next stage: large requests go through in parts.
+inline constexpr std::size_t kStageBytes = std::size_t(64) << 20;
+
 class OpenCLMatcher : public Matcher {
  public:
   /// `models[i]` is library shape first_shape + i; none is needed. Throws EnvironmentError where the device fails.
   OpenCLMatcher(const cl::Device& device, const MatchingContext& context, std::uint32_t first_shape,
-                const std::vector<ShapeModel>& models);
+                const std::vector<ShapeModel>& models, std::size_t stage_bytes = kStageBytes);
   OpenCLMatcher(const OpenCLMatcher&) = delete;  // the stages point to the library
   OpenCLMatcher& operator=(const OpenCLMatcher&) = delete;
 

@@ -4,8 +4,9 @@
 
 namespace tessera::worker {
 
-PairStage::PairStage(const DeviceLibrary& library)
+PairStage::PairStage(const DeviceLibrary& library, std::size_t stage_bytes)
     : library_(&library),
+      stage_bytes_(stage_bytes),
       select_pairs_(library.session().kernel("select_pairs")),
       count_pairs_(library.session().kernel("count_pairs")),
       sample_buffer_(library.session()),
@@ -15,7 +16,7 @@ PairStage::PairStage(const DeviceLibrary& library)
 
 std::uint32_t PairStage::samples_at_a_time() const {
   const std::size_t bytes = library_->match().shapes * (kPairsPerShape * sizeof(PairRecord) + sizeof(std::uint32_t));
-  return std::uint32_t(std::max<std::size_t>(1, kStageBytes / std::max<std::size_t>(1, bytes)));
+  return std::uint32_t(std::max<std::size_t>(1, stage_bytes_ / std::max<std::size_t>(1, bytes)));
 }
 
 void PairStage::set_samples(std::vector<SampleRecord> samples) {

@@ -9,7 +9,8 @@ namespace tessera::worker {
 
 class PairStage {
  public:
-  explicit PairStage(const DeviceLibrary& library);
+  /// `stage_bytes`: of pairs on the device at a time.
+  PairStage(const DeviceLibrary& library, std::size_t stage_bytes);
 
   void post_count(std::vector<SampleRecord> samples);
   std::vector<DistanceHistogram> take_count();
@@ -24,11 +25,13 @@ class PairStage {
   const DeviceBuffer<PairRecord>& pairs() const { return pairs_; }
   const DeviceBuffer<std::uint32_t>& pair_count() const { return pair_count_; }
 
-  /// How many samples' pairs are on the device at a time: however large the library, the buffer stays small.
+  /// However large the library, the buffers stay small.
   std::uint32_t samples_at_a_time() const;
+  std::size_t stage_bytes() const { return stage_bytes_; }
 
  private:
   const DeviceLibrary* library_;
+  std::size_t stage_bytes_;
   cl::Kernel select_pairs_;
   cl::Kernel count_pairs_;
   std::vector<SampleRecord> samples_;
@@ -41,8 +44,5 @@ class PairStage {
 
 /// Samples in a work group of kernels that run over (sample, shape): they share the shape's data in a cache.
 inline constexpr std::size_t kSamplesPerGroup = 16;
-
-/// Bytes of pairs, or of dockings, on a device at a time.
-inline constexpr std::size_t kStageBytes = std::size_t(64) << 20;
 
 }  // namespace tessera::worker

@@ -20,7 +20,9 @@ TEST(CollageProgress, the_nearest_stop_gives_the_share) {
   const master::Progress progress{.pieces = 50, .coverage = 0.3, .seconds = 6, .open_samples = 0};
   EXPECT_DOUBLE_EQ(expected_time_share(progress, {.pieces = 100, .coverage = 1, .seconds = 0}), 0.5);
   EXPECT_DOUBLE_EQ(expected_time_share(progress, {.pieces = 100, .coverage = 1, .seconds = 8}), 0.75);
-  EXPECT_NEAR(expected_time_share(progress, {.pieces = 0, .coverage = 0.3f, .seconds = 0}), 1, 1e-6);
+  EXPECT_DOUBLE_EQ(expected_time_share(progress, {.pieces = 50, .coverage = 1, .seconds = 0}), 0.99);
+  EXPECT_NEAR(expected_time_share(progress, {.pieces = 0, .coverage = 0.6f, .seconds = 0}), 0.5, 1e-6);
+  EXPECT_NEAR(expected_time_share(progress, {.pieces = 0, .coverage = 1, .seconds = 0}), 0.67 / 3, 1e-6);
 }
 
 RC_GTEST_PROP(CollageProgress, the_share_grows_and_stays_below_one, ()) {

@@ -68,7 +68,7 @@ TEST(Communicator, ReceiveAnyFollowsTheOrderOfSending) {
 }
 
 TEST(Communicator, LargeMessagesBothWaysDoNotLockUp) {
-  constexpr std::size_t kSize = 100'000'000;
+  static constexpr std::size_t kSize = 100'000'000;
   on_all_ranks([](Communicator& ranks) {
     if (ranks.rank() > 1) return;  // two ranks say it all
     const int other = ranks.size() == 1 ? 0 : 1 - ranks.rank();

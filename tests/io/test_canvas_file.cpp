@@ -128,5 +128,11 @@ TEST_F(CanvasFile, unusable_files_and_sizes_are_mistakes) {
   EXPECT_NE(mistake({.width_px = 9000, .height_px = 500, .file = ribbon}).find("4096 px or less"), std::string::npos);
 }
 
+TEST(PictureHeight, of_narrow_canvases_limits_the_width) {
+  const OutputSpec output{.width_px = 2000, .background = "#000000"};
+  EXPECT_NO_THROW(check_picture_height(output, make_rectangle_canvas(16, 160)));
+  EXPECT_THROW(check_picture_height(output, make_rectangle_canvas(16, 161)), InputError);
+}
+
 }  // namespace
 }  // namespace tessera::io

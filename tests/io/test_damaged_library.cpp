@@ -232,13 +232,18 @@ TEST_F(DamagedLibrary, RowsThatDoNotAgree) {
 }
 
 TEST_F(DamagedLibrary, OffsetsThatLeadAstray) {
-  put("/outline/first_point", {1}, H5T_NATIVE_UINT64, std::uint64_t(1) << 60);
+  put("/outline/first_point", {1}, H5T_NATIVE_INT64, std::int64_t(1) << 60);
   expect_complaint("data set /outline/first_point: a value is out of range");
 }
 
 TEST_F(DamagedLibrary, OffsetsThatGoBack) {
-  put("/artwork/first_thumbnail_byte", {0}, H5T_NATIVE_UINT64, std::uint64_t(30'000));
+  put("/artwork/first_thumbnail_byte", {0}, H5T_NATIVE_INT64, std::int64_t(30'000));
   expect_complaint("data set /artwork/first_thumbnail_byte: a value is out of range");
+}
+
+TEST_F(DamagedLibrary, NegativeOffsets) {
+  put("/outline/first_curve", {0}, H5T_NATIVE_INT64, std::int64_t(-1));
+  expect_complaint("data set /outline/first_curve: a value is out of range");
 }
 
 TEST_F(DamagedLibrary, NotANumber) {

@@ -213,7 +213,12 @@ TEST(LibraryWriter, LeavesNothingOnAFullDisk) {
   const auto shapes = random_shapes(9, 30, 5);
   for (const rlim_t bytes : {1000, 200'000, 2'000'000}) {
     const FileSizeLimit limit(bytes);
-    EXPECT_THROW(write_library(folder.path("a.h5"), shapes, {}), EnvironmentError) << bytes;
+    try {
+      write_library(folder.path("a.h5"), shapes, {});
+      ADD_FAILURE() << bytes;
+    } catch (const EnvironmentError& error) {
+      EXPECT_NE(std::string(error.what()).find("File too large"), std::string::npos) << error.what();
+    }
     EXPECT_TRUE(std::filesystem::is_empty(folder.path(""))) << bytes;
   }
 }

@@ -1,0 +1,53 @@
+// What the library commands print: the progress line and the table at the end.
+#include <gtest/gtest.h>
+
+#include "cli/build_summary.h"
+#include "cli/progress_bar.h"
+
+namespace tessera::cli {
+namespace {
+
+TEST(ProgressText, ForATerminalAndForALogFile) {
+  EXPECT_EQ(progress_text("library", 50, 200, "31 shapes", 10, 0), "library: 25 %, 31 shapes, 0:30 left");
+  EXPECT_EQ(progress_text("library", 100, 200, "31 shapes", 100, 200),
+            "library  [###############...............]  50 %  31 shapes  1:40 left");
+}
+
+TEST(ProgressText, SaysNothingAboutTheTimeThatItCannotKnow) {
+  EXPECT_EQ(progress_text("library", 0, 200, "", 10, 0), "library: 0 %");
+  EXPECT_EQ(progress_text("library", 200, 200, "", 10, 0), "library: 100 %");
+  EXPECT_EQ(progress_text("library", 0, 0, "", 10, 0), "library: 100 %");
+}
+
+TEST(ProgressText, FitsTheTerminal) {
+  EXPECT_EQ(progress_text("library", 1, 2, "a long note", 10, 20).size(), 20u);
+}
+
+TEST(BuildSummary, IsEmptyWhereAllIsUsed) {
+  io::LibraryBuildReport report;
+  report.files = report.shapes = 3;
+  EXPECT_EQ(build_summary(report), "");
+}
+
+TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
+  io::LibraryBuildReport report;
+  report.with_specks = {"/a/deer.svg"};
+  report.merged = {{"/a/red.svg", "blue"}};
+  report.skipped = {{"/a/x.svg", "not a readable SVG file: line 3: no"},
+                    {"/a/b\n.svg", "hairlines"},
+                    {"/a/c.svg", "hairlines"},
+                    {"/b/c.svg", "hairlines"},  // a copy
+                    {"/a/d.svg", "hairlines"},
+                    {"/a/e.svg", "hairlines"}};
+  EXPECT_EQ(build_summary(report),
+            "specks beside the largest part left out in 1: deer.svg\n"
+            "merged 1 with the same silhouette:\n"
+            "  red.svg = blue\n"
+            "skipped 6:\n"
+            "  reason                    files  first\n"
+            "  hairlines                     5  b_.svg, c.svg, d.svg, ...\n"
+            "  not a readable SVG file       1  x.svg\n");
+}
+
+}  // namespace
+}  // namespace tessera::cli

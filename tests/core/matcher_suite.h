@@ -1,0 +1,231 @@
+// What every Matcher must do, whatever it computes with. Include it in one file of a test binary and instantiate
+// MatcherSuite with the kinds to test.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/composite_matcher.h"
+#include "core/reference_matcher.h"
+#include "core/refinement.h"
+#include "support/matcher_round.h"
+
+namespace tessera::test {
+
+struct MatcherKind {
+  std::string name;
+  std::function<std::unique_ptr<Matcher>(const MatchingContext&, std::uint32_t first_shape, std::vector<ShapeModel>)>
+      make;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const MatcherKind& kind) { return out << kind.name; }
+
+class MatcherSuite : public testing::TestWithParam<MatcherKind> {
+ protected:
+  static const MatchingScene& scene() {
+    static const MatchingScene made = make_scene();
+    return made;
+  }
+
+  /// With the whole library of `scene` on its field.
+  std::unique_ptr<Matcher> matcher_of(const MatchingScene& scene) const {
+    std::unique_ptr<Matcher> matcher = GetParam().make(scene.context, 0, scene.models);
+    set_field(*matcher, scene.field);
+    return matcher;
+  }
+
+  static ReferenceMatcher reference_of(const MatchingScene& scene) {
+    ReferenceMatcher matcher(scene.context, 0, scene.models);
+    set_field(matcher, scene.field);
+    return matcher;
+  }
+
+  void expect_the_references_round(const MatchingScene& scene) const {
+    const std::unique_ptr<Matcher> matcher = matcher_of(scene);
+    ReferenceMatcher reference = reference_of(scene);
+    const Round expected = run_round(reference, scene);
+    ASSERT_FALSE(expected.refined.empty());
+    expect_same_round(run_round(*matcher, scene), expected);
+  }
+};
+
+TEST_P(MatcherSuite, KnowsItsShapes) {
+  const auto matcher = GetParam().make(scene().context, 3, {scene().models.begin() + 3, scene().models.begin() + 7});
+  EXPECT_EQ(matcher->shapes().begin, 3u);
+  EXPECT_EQ(matcher->shapes().end, 7u);
+}
+
+TEST_P(MatcherSuite, GivesTheReferencesRound) { expect_the_references_round(scene()); }
+
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithOtherSettings) {
+  CollageSettings settings = scene_settings();
+  settings.seed = 77;
+  settings.pieces.min_rotation_rad = -0.6f;
+  settings.pieces.max_rotation_rad = 0.9f;
+  settings.pieces.min_scale_px = 25;
+  settings.match.pad = {4, 0.3f};
+  settings.match.beta = 0.3f;
+  expect_the_references_round(make_scene(settings, {6, 200, 2, 8}));
+}
+
+TEST_P(MatcherSuite, FindsDockingsOfBothKinds) {
+  const auto matcher = matcher_of(scene());
+  const Round round = run_round(*matcher, scene());
+  std::size_t pads = 0;
+  for (const Docking& docking : round.docked.dockings) pads += docking.source < kTangentSource;
+  EXPECT_GT(pads, 10u);
+  EXPECT_GT(round.docked.dockings.size(), pads + 10);
+  EXPECT_GE(round.docked.evaluated, round.docked.dockings.size());
+}
+
+TEST_P(MatcherSuite, ShortlistsAreShortAndInOrder) {
+  const auto matcher = matcher_of(scene());
+  const std::vector<Docking> dockings = run_round(*matcher, scene()).docked.dockings;
+  ASSERT_FALSE(dockings.empty());
+  std::vector<int> of_sample(scene().samples.size());
+  for (std::size_t i = 0; i < dockings.size(); ++i) {
+    ASSERT_LT(dockings[i].sample, of_sample.size());
+    EXPECT_LE(++of_sample[dockings[i].sample], kShortlist);
+    EXPECT_GE(dockings[i].key, kLeastDockingKey);
+    EXPECT_LT(dockings[i].shape, scene().models.size());
+    if (i == 0) continue;
+    EXPECT_LE(dockings[i - 1].sample, dockings[i].sample);
+    if (dockings[i - 1].sample == dockings[i].sample) EXPECT_TRUE(docks_better(dockings[i - 1], dockings[i]));
+  }
+}
+
+TEST_P(MatcherSuite, BinLimitsAndDrawsChooseTheKindOfDocking) {
+  const auto matcher = matcher_of(scene());
+  DockRequest request{scene().samples, std::vector<std::uint32_t>(scene().samples.size(), 0), 60};
+  matcher->post_dock(request);
+  for (const Docking& docking : matcher->take_dock().dockings) EXPECT_GE(docking.source, kTangentSource);
+  request.tangent_dockings = 0;
+  matcher->post_dock(request);
+  const DockReply nothing = matcher->take_dock();
+  EXPECT_TRUE(nothing.dockings.empty());
+  EXPECT_EQ(nothing.evaluated, 0u);
+  request.bin_limit.assign(scene().samples.size(), kDistanceBins);
+  matcher->post_dock(request);
+  const DockReply pads = matcher->take_dock();
+  EXPECT_FALSE(pads.dockings.empty());
+  for (const Docking& docking : pads.dockings) EXPECT_LT(docking.source, kTangentSource);
+}
+
+TEST_P(MatcherSuite, ADrawPutsItsBoundaryPointOnTheSample) {
+  const auto matcher = matcher_of(scene());
+  matcher->post_dock({scene().samples, std::vector<std::uint32_t>(scene().samples.size(), 0), 60});
+  const std::vector<Docking> dockings = matcher->take_dock().dockings;
+  ASSERT_FALSE(dockings.empty());
+  for (const Docking& docking : dockings) {
+    const TargetSample& sample = scene().samples[docking.sample];
+    const TangentDraw draw = draw_tangent(scene().context, sample, docking.source - kTangentSource);
+    EXPECT_EQ(draw.shape, docking.shape);
+    const Vec2 point = docking.canvas_from_shape.apply(scene().models[draw.shape].boundary[draw.boundary_point]);
+    EXPECT_LT(norm(point - sample.position), 0.01f);
+  }
+}
+
+TEST_P(MatcherSuite, DocksTheSameWithOrWithoutCounting) {
+  const std::vector<TargetSample> others(scene().samples.begin() + 2, scene().samples.begin() + 7);
+  const DockRequest request{others, std::vector<std::uint32_t>(others.size(), kDistanceBins / 2), 20};
+  const auto fresh = matcher_of(scene());
+  fresh->post_dock(request);
+  const std::vector<Docking> expected = fresh->take_dock().dockings;
+  EXPECT_FALSE(expected.empty());
+  for (const std::vector<TargetSample>& counted : {others, scene().samples}) {
+    const auto matcher = matcher_of(scene());
+    matcher->post_count(counted);
+    matcher->take_count();
+    matcher->post_dock(request);
+    EXPECT_EQ(matcher->take_dock().dockings, expected);
+  }
+}
+
+TEST_P(MatcherSuite, ANewPassDrawsAnew) {
+  const auto matcher = matcher_of(scene());
+  DockRequest request{scene().samples, std::vector<std::uint32_t>(scene().samples.size(), 0), 60};
+  matcher->post_dock(request);
+  const std::vector<Docking> first = matcher->take_dock().dockings;
+  for (TargetSample& sample : request.samples) ++sample.pass;
+  matcher->post_dock(request);
+  EXPECT_NE(matcher->take_dock().dockings, first);
+}
+
+TEST_P(MatcherSuite, RefinedDockingsKeepTheirOrderAndAreFeasible) {
+  const auto matcher = matcher_of(scene());
+  const Round round = run_round(*matcher, scene());
+  ASSERT_EQ(round.refined.size(), round.docked.dockings.size());
+  const PieceSettings& pieces = scene().settings.pieces;
+  int feasible = 0;
+  for (std::size_t i = 0; i < round.refined.size(); ++i) {
+    const RefinedDocking& refined = round.refined[i];
+    EXPECT_EQ(refined.docking.shape, round.docked.dockings[i].shape);
+    EXPECT_EQ(refined.docking.source, round.docked.dockings[i].source);
+    if (!refined.feasible) continue;
+    ++feasible;
+    const Similarity& pose = refined.docking.canvas_from_shape;
+    EXPECT_LE(depth_px(pose, scene().models[refined.docking.shape], FieldView(scene().field)), kHardDepth_px + 1e-3f);
+    EXPECT_GE(pose.scale(), pieces.min_scale_px * 0.999f);
+    EXPECT_LE(pose.scale(), pieces.max_scale_px * 1.001f);
+    EXPECT_GE(refined.terms.matched_px, 0);
+  }
+  EXPECT_GT(feasible, 20);
+}
+
+TEST_P(MatcherSuite, SeesWhatIsWrittenIntoTheField) {
+  const auto matcher = matcher_of(scene());
+  const Round before = run_round(*matcher, scene());
+  const Grid<float> covered(scene().field.value.width(), scene().field.value.height(), -50.f);
+  matcher->update_field(read_patch(covered, covered.bounds()));
+  EXPECT_TRUE(run_round(*matcher, scene()).docked.dockings.empty());
+  const int middle = covered.height() / 3;  // back in two parts
+  matcher->update_field(read_patch(scene().field.value, {0, 0, covered.width(), middle}));
+  matcher->update_field(read_patch(scene().field.value, {0, middle, covered.width(), covered.height()}));
+  expect_same_round(run_round(*matcher, scene()), before);
+}
+
+TEST_P(MatcherSuite, AFieldMayBeStartedAgain) {
+  const auto matcher = GetParam().make(scene().context, 0, scene().models);
+  set_field(*matcher, {Grid<float>(40, 30, -1.f), {}});
+  EXPECT_TRUE(run_round(*matcher, scene()).docked.dockings.empty());
+  set_field(*matcher, scene().field);
+  ReferenceMatcher reference = reference_of(scene());
+  expect_same_round(run_round(*matcher, scene()), run_round(reference, scene()));
+}
+
+TEST_P(MatcherSuite, PartsGiveTheAnswersOfTheWhole) {
+  const std::vector<ShapeModel>& models = scene().models;
+  std::vector<std::unique_ptr<Matcher>> parts;
+  parts.push_back(GetParam().make(scene().context, 0, {models.begin(), models.begin() + 3}));
+  parts.push_back(GetParam().make(scene().context, 3, {models.begin() + 3, models.end()}));
+  CompositeMatcher divided(std::move(parts));
+  set_field(divided, scene().field);
+  const auto whole = matcher_of(scene());
+  expect_same_round(run_round(divided, scene()), run_round(*whole, scene()));
+}
+
+TEST_P(MatcherSuite, NoShapesGiveNoDockings) {
+  const auto matcher = GetParam().make(scene().context, 4, {});
+  set_field(*matcher, scene().field);
+  EXPECT_EQ(matcher->shapes().begin, matcher->shapes().end);
+  const Round round = run_round(*matcher, scene());
+  for (const DistanceHistogram& histogram : round.histograms) EXPECT_EQ(histogram, DistanceHistogram{});
+  EXPECT_EQ(round.histograms.size(), scene().samples.size());
+  EXPECT_TRUE(round.docked.dockings.empty());
+  EXPECT_EQ(round.docked.evaluated, 0u);
+}
+
+TEST_P(MatcherSuite, EmptyRequestsGiveEmptyReplies) {
+  const auto matcher = matcher_of(scene());
+  matcher->post_count({});
+  EXPECT_TRUE(matcher->take_count().empty());
+  matcher->post_dock({{}, {}, 60});
+  EXPECT_TRUE(matcher->take_dock().dockings.empty());
+  matcher->post_refine({});
+  EXPECT_TRUE(matcher->take_refine().empty());
+}
+
+}  // namespace tessera::test

@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <numeric>
+
+#include "core/partition.h"
+
+namespace tessera {
+namespace {
+
+std::vector<std::uint64_t> some_weights() {
+  return *rc::gen::container<std::vector<std::uint64_t>>(rc::gen::inRange<std::uint64_t>(0, 1000));
+}
+
+std::uint64_t weight_of(const std::vector<std::uint64_t>& weights, const ShapeRange& range) {
+  return std::accumulate(weights.begin() + range.begin, weights.begin() + range.end, std::uint64_t(0));
+}
+
+RC_GTEST_PROP(BalancedRanges, FollowOneAnotherOverAllItems, ()) {
+  const std::vector<std::uint64_t> weights = some_weights();
+  const int parts = *rc::gen::inRange(1, 20);
+  const std::vector<ShapeRange> ranges = balanced_ranges(weights, parts);
+  RC_ASSERT(int(ranges.size()) == parts);
+  RC_ASSERT(ranges.front().begin == 0u);
+  RC_ASSERT(ranges.back().end == weights.size());
+  for (std::size_t i = 1; i < ranges.size(); ++i) RC_ASSERT(ranges[i].begin == ranges[i - 1].end);
+}
+
+RC_GTEST_PROP(BalancedRanges, NoneWeighsMoreThanTheAverageAndTheHeaviestItem, ()) {
+  const std::vector<std::uint64_t> weights = some_weights();
+  const int parts = *rc::gen::inRange(1, 20);
+  const std::uint64_t total = weight_of(weights, {0, std::uint32_t(weights.size())});
+  const std::uint64_t heaviest = weights.empty() ? 0 : *std::max_element(weights.begin(), weights.end());
+  for (const ShapeRange& range : balanced_ranges(weights, parts)) {
+    RC_ASSERT(weight_of(weights, range) <= total / parts + 1 + heaviest);
+  }
+}
+
+RC_GTEST_PROP(BalancedRanges, NoneIsEmptyAsLongAsThereAreItems, ()) {
+  const std::vector<std::uint64_t> weights = some_weights();
+  const std::size_t parts = *rc::gen::inRange<std::size_t>(1, 20);
+  const std::vector<ShapeRange> ranges = balanced_ranges(weights, int(parts));
+  for (std::size_t i = 0; i < std::min(parts, weights.size()); ++i) RC_ASSERT(ranges[i].begin < ranges[i].end);
+}
+
+TEST(BalancedRanges, DividesEqualWeightsEvenly) {
+  const std::vector<ShapeRange> ranges = balanced_ranges(std::vector<std::uint64_t>(10, 320), 4);
+  std::vector<std::uint32_t> sizes;
+  for (const ShapeRange& range : ranges) sizes.push_back(range.end - range.begin);
+  EXPECT_EQ(std::accumulate(sizes.begin(), sizes.end(), 0u), 10u);
+  for (const std::uint32_t size : sizes) EXPECT_TRUE(size == 2 || size == 3) << size;
+}
+
+TEST(BalancedRanges, DoesNotOverflow) {
+  const std::uint64_t heavy = std::uint64_t(1) << 61;
+  const std::vector<ShapeRange> ranges = balanced_ranges(std::vector<std::uint64_t>(6, heavy), 3);
+  for (const ShapeRange& range : ranges) EXPECT_EQ(range.end - range.begin, 2u);
+}
+
+TEST(BalancedRanges, NeedsAPart) { EXPECT_THROW(balanced_ranges({}, 0), std::invalid_argument); }
+
+}  // namespace
+}  // namespace tessera
