@@ -11,8 +11,8 @@ constexpr const char* kExamples =
     "  tessera collage jobs/animals.toml\n"
     "  tessera collage jobs/animals.toml --out small --set 'pieces.scale_px=[14, 90]' --set seed=3\n"
     "  mpirun -n 3 tessera collage jobs/animals.toml    rank 0 is the master, the others are workers\n"
-    "The result, collage.png and .svg, pieces.geojson, the quality card and the effective job, is the same on any number\n"
-    "of ranks. Ctrl-C ends early and writes what is placed so far. Every key of a job: docs/job-format.md";
+    "The result (collage.png and .svg, pieces.geojson, quality card, effective job) is the same on any number of ranks.\n"
+    "Ctrl-C ends early and writes what is placed so far. Every key of a job: docs/job-format.md";
 
 }  // namespace
 

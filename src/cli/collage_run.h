@@ -1,5 +1,5 @@
-// tessera collage, after its arguments are read: from the job file to the files of the result. Rank 0 is the master, the
-// others are workers; a single rank is both.
+// tessera collage, after its arguments are read: from the job file to the files of the result. Rank 0 is the master,
+// the others are workers; a single rank is both.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// tessera: parses the command line and runs the sub-command as one rank of a job, which reports errors once and ends all
-// ranks together. Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input (arguments, files).
+// tessera: parses the command line and runs the sub-command as one rank of a job, which reports errors once and ends
+// all ranks together. Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input (arguments, files).
 #include <CLI/CLI.hpp>
 
 #include <cstdio>

@@ -90,7 +90,7 @@ std::string scales_text(const Quality& q) {
     if (!text.empty()) text += " / ";
     text += fixed(scale, 1);
   }
-  return text + " px  (min / 10 % / median / 90 % / max)";
+  return text + " px";
 }
 
 std::string quality_text(const Quality& q) {
@@ -100,6 +100,7 @@ std::string quality_text(const Quality& q) {
          line("pieces", grouped(q.pieces) + " of " + grouped(q.distinct_shapes) + " distinct shapes") +
          line("shared boundary", percent_text(q.shared_boundary, 1) + "  (within 2 px)") +
          line("scale", scales_text(q)) +
+         line("", "(min / 10 % / median / 90 % / max)") +
          line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)");
 }
 

@@ -18,8 +18,8 @@ struct JobEntry {
   std::filesystem::path base;  // what a relative path is relative to
 };
 
-/// Sets the key in `job`. Throws InputError: an unknown section or key with the nearest one, or the value found and what
-/// is allowed.
+/// Sets the key in `job`. Throws InputError: an unknown section or key with the nearest one, or the value found and
+/// what is allowed.
 void apply_entry(const JobEntry& entry, Job& job);
 
 bool is_job_section(const std::string& name);

@@ -16,10 +16,12 @@ draw(corner "M10 10 H90 V45 H45 V90 H10Z")
 draw(leaf "M10 90 C10 30 50 10 90 10 C90 60 60 90 10 90Z")
 draw(drop "M50 5 C60 40 85 50 85 70 A35 25 0 0 1 15 70 C15 50 40 40 50 5Z")
 file(WRITE ${FOLDER}/small.toml
-     "[library]\nfile = 'own.h5'\n[canvas]\nsize_px = [160, 120]\n[pieces]\nscale_px = [14, 60]\n[output]\nwidth_px = 160\n")
+     "[library]\nfile = 'own.h5'\n[canvas]\nsize_px = [160, 120]\n"
+     "[pieces]\nscale_px = [14, 60]\n[output]\nwidth_px = 160\n")
 
 function(run)
-  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${FOLDER}
+                  RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "exit code ${code} of ${ARGN}\n${out}")
   endif()

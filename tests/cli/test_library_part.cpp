@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "../io/scratch_folder.h"
-#include "../support/matching_scene.h"
 #include "cli/library_part.h"
 #include "core/matching_context.h"
+#include "io/scratch_folder.h"
+#include "support/matching_scene.h"
 
 namespace tessera::cli {
 namespace {
@@ -27,13 +27,13 @@ TEST(LibraryPart, models_are_read_in_order_from_any_range) {
   constexpr std::size_t kShapes = 200;
   const test::ScratchFolder folder;
   const std::string path = folder.path("many.h5");
-  const Shape bean = test::shape_from_outline(test::bean_outline(), PadParameters());
+  Shape bean = test::shape_from_outline(test::bean_outline(), PadParameters());
+  bean.artwork.width_px = bean.artwork.height_px = 600;
   io::LibraryWriter writer(path, PadParameters());
   for (std::size_t i = 0; i < kShapes; ++i) {
-    Shape shape = bean;
-    shape.name = "bean " + std::to_string(i);
-    shape.perimeter = 1 + float(i);  // tells the models apart
-    writer.append(shape);
+    bean.name = "bean " + std::to_string(i);
+    bean.perimeter = 1 + float(i);  // tells the models apart
+    writer.append(bean);
   }
   writer.finish();
 

@@ -1,18 +1,14 @@
-// The job file: what it accepts, every kind of mistake, the way back to TOML, and that the documentation has every key.
+// The job file: what it accepts, every kind of mistake, and the way back to TOML.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include "core/error.h"
 #include "io/job_file.h"
 #include "io/job_keys.h"
-#include "io/job_value.h"
-#include "io/nearest_name.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {
@@ -134,8 +130,10 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); "
             "allowed in [pieces]: scale_px, rotation_deg, uses, padding_px");
   EXPECT_EQ(mistake("[output]\nuses = 3"),
-            "job.toml:2: unknown key output.uses (did you mean pieces.uses?); allowed in [output]: width_px, background");
-  EXPECT_EQ(mistake("uses = 3"), "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
+            "job.toml:2: unknown key output.uses (did you mean pieces.uses?); "
+            "allowed in [output]: width_px, background");
+  EXPECT_EQ(mistake("uses = 3"),
+            "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, match, "
             "objective, stop, devices, output");
@@ -294,53 +292,6 @@ TEST_F(JobFile, writes_defaults_as_one_would_write_them) {
   EXPECT_NE(text.find("delta_tau = 0.2\n"), std::string::npos) << text;
   EXPECT_NE(text.find("beta = 0.12\n"), std::string::npos) << text;
   EXPECT_NE(text.find("kind = \"scale_aware\"\n"), std::string::npos) << text;
-}
-
-TEST(JobKeys, defaults_are_allowed) {
-  for (const JobKey& key : job_keys()) {
-    const toml::table table = toml::parse("value = " + job_value_to_toml(key, Job()));
-    const auto value = read_job_value(key, *table.get("value"));
-    ASSERT_TRUE(value.has_value()) << key.full_name();
-    Job job;
-    key.set(job, *value);
-    EXPECT_EQ(key.get(job), key.get(Job())) << key.full_name();
-  }
-}
-
-/// The part of docs/job-format.md under "### [section]".
-std::string documented_section(const std::string& section) {
-  std::ifstream file(std::string(TESSERA_SOURCE_DIR) + "/docs/job-format.md");
-  std::stringstream text;
-  text << file.rdbuf();
-  const std::string all = text.str();
-  const auto begin = all.find(section.empty() ? "### Top level\n" : "### [" + section + "]\n");
-  if (begin == std::string::npos) return {};
-  return all.substr(begin, all.find("\n### ", begin) - begin);
-}
-
-TEST(JobKeys, documentation_has_every_key_with_unit_default_and_range) {
-  for (const JobKey& key : job_keys()) {
-    std::string row = "| `";
-    row.append(key.name).append("` | ").append(key.unit).append(" | ");
-    row.append(key.required ? "required" : "`" + job_value_to_toml(key, Job()) + "`");
-    row.append(" | ").append(allowed_values(key)).append(" | ").append(key.meaning).append(" |\n");
-    EXPECT_NE(documented_section(key.section).find(row), std::string::npos) << "docs/job-format.md lacks: " << row;
-  }
-}
-
-TEST(NearestName, is_the_least_edited_one_or_none) {
-  EXPECT_EQ(nearest_name("scal_px", {"uses", "scale_px", "size_px"}), "scale_px");
-  EXPECT_EQ(nearest_name("xyz", {"uses", "scale_px"}), "");
-  EXPECT_EQ(nearest_name("", {"uses"}), "");
-  EXPECT_EQ(nearest_name(std::string(1000000, 'a'), {"uses"}), "");
-}
-
-RC_GTEST_PROP(NearestName, edit_distance_is_a_metric, ()) {
-  const auto word = rc::gen::container<std::string>(rc::gen::element('a', 'b'));
-  const auto a = *word, b = *word, c = *word;
-  RC_ASSERT(edit_distance(a, b) == edit_distance(b, a));
-  RC_ASSERT((edit_distance(a, b) == 0) == (a == b));
-  RC_ASSERT(edit_distance(a, c) <= edit_distance(a, b) + edit_distance(b, c));
 }
 
 }  // namespace

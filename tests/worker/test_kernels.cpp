@@ -1,0 +1,301 @@
+// The kernels against core, bit for bit: their building blocks by small probe kernels, the rest on random numbers, which
+// meet more of the arithmetic's corners than shapes do.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+
+#include "core/portable_math.h"
+#include "core/reference_matcher.h"
+#include "support/matcher_round.h"
+#include "worker/kernel_options.h"
+#include "worker/opencl_devices.h"
+#include "worker/opencl_matcher.h"
+
+namespace tessera::worker {
+namespace {
+
+const char* const kProbes = R"(
+kernel void probe_exp2(global const float* x, global float* result) {
+  result[get_global_id(0)] = portable_exp2(x[get_global_id(0)]);
+}
+
+kernel void probe_mix_bits(global const ulong* key, global ulong* bits, global float* unit) {
+  const size_t i = get_global_id(0);
+  bits[i] = mix_bits(key[i]);
+  unit[i] = unit_float((uint)(bits[i] >> 32));
+}
+
+kernel void probe_field(constant MatchRecord* match, global const float* value, global const float* x,
+                        global const float* y, global float* looked_up, global float* sampled, global float* slope_x,
+                        global float* slope_y) {
+  const size_t i = get_global_id(0);
+  const Field field = free_field(match, value);
+  vstore16(field_values(&field, vload16(i, x), vload16(i, y)), i, looked_up);
+  const FieldSamples samples = field_samples(&field, vload16(i, x), vload16(i, y));
+  vstore16(samples.value, i, sampled);
+  vstore16(samples.gradient_x, i, slope_x);
+  vstore16(samples.gradient_y, i, slope_y);
+}
+)";
+
+const DeviceSession& probe_session() {
+  static const cl::Device device = opencl_devices().front();
+  static const DeviceSession session(device, std::string(kernel_source) + kProbes, kernel_options(device, 5));
+  return session;
+}
+
+class Random {
+ public:
+  explicit Random(std::uint32_t seed) : engine_(seed) {}
+  float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine_); }
+  int below(int limit) { return std::uniform_int_distribution<int>(0, limit - 1)(engine_); }
+  std::uint64_t bits() { return std::uniform_int_distribution<std::uint64_t>()(engine_); }
+  Vec2 point(float reach) { return {between(-reach, reach), between(-reach, reach)}; }
+
+ private:
+  std::mt19937 engine_;
+};
+
+/// How many floats differ in their bits, with one example in the message.
+void expect_same_bits(const std::vector<float>& found, const std::vector<float>& expected, const char* what) {
+  ASSERT_EQ(found.size(), expected.size());
+  std::size_t differing = 0;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (std::bit_cast<std::uint32_t>(found[i]) == std::bit_cast<std::uint32_t>(expected[i])) continue;
+    ++differing;
+    if (std::abs(found[i] - expected[i]) >= std::abs(found[worst] - expected[worst])) worst = i;
+  }
+  EXPECT_EQ(differing, 0u) << what << ": " << differing << " of " << found.size() << " differ, the most at " << worst
+                           << ": " << found[worst] << " for " << expected[worst];
+}
+
+TEST(Kernels, Exp2) {
+  Random random(1);
+  std::vector<float> x = {0.f, -0.f, 1.f, -1.f, 63.9f, -63.9f, 0.99999994f, -1e-20f};
+  while (x.size() < 4096) x.push_back(random.between(-64, 64));
+  std::vector<float> expected;
+  for (const float v : x) expected.push_back(portable_exp2(v));
+  DeviceBuffer<float> input(probe_session(), x);
+  DeviceBuffer<float> output(probe_session());
+  output.reserve(x.size());
+  cl::Kernel kernel = probe_session().kernel("probe_exp2");
+  launch(probe_session(), kernel, {x.size()}, input, output);
+  expect_same_bits(output.read(x.size()), expected, "portable_exp2");
+}
+
+TEST(Kernels, RandomBits) {
+  Random random(2);
+  std::vector<std::uint64_t> keys = {0, 1, ~std::uint64_t(0), std::uint64_t(1) << 63};
+  while (keys.size() < 4096) keys.push_back(random.bits());
+  std::vector<std::uint64_t> expected_bits;
+  std::vector<float> expected_unit;
+  for (const std::uint64_t key : keys) {
+    expected_bits.push_back(mix_bits(key));
+    expected_unit.push_back(unit_float(std::uint32_t(expected_bits.back() >> 32)));
+  }
+  DeviceBuffer<std::uint64_t> input(probe_session(), keys);
+  DeviceBuffer<std::uint64_t> bits(probe_session());
+  DeviceBuffer<float> unit(probe_session());
+  bits.reserve(keys.size());
+  unit.reserve(keys.size());
+  cl::Kernel kernel = probe_session().kernel("probe_mix_bits");
+  launch(probe_session(), kernel, {keys.size()}, input, bits, unit);
+  EXPECT_EQ(bits.read(keys.size()), expected_bits);
+  expect_same_bits(unit.read(keys.size()), expected_unit, "unit_float");
+}
+
+CanvasField random_field(Random& random, int width, int height, float reach_px) {
+  CanvasField field{Grid<float>(width, height), {-5.5f, -5.5f}};
+  for (float& value : field.value.data()) value = random.between(-reach_px, reach_px);
+  return field;
+}
+
+/// Mostly on the grid; also on its nodes, on its rim and far away.
+std::vector<Vec2> points_on(const CanvasField& field, Random& random, std::size_t count) {
+  const float width = float(field.value.width());
+  const float height = float(field.value.height());
+  std::vector<Vec2> points = {field.origin,
+                              field.origin + Vec2{width - 1, height - 1},
+                              field.origin + Vec2{width - 1.00001f, 3},
+                              field.origin + Vec2{-1e-6f, 2},
+                              {1e9f, 0},
+                              {0, -1e9f}};
+  for (int k = 0; k < 100; ++k) points.push_back(field.origin + Vec2{float(random.below(50)), float(random.below(40))});
+  while (points.size() < count) {
+    points.push_back(field.origin + Vec2{random.between(-8, width + 8), random.between(-8, height + 8)});
+  }
+  return points;
+}
+
+TEST(Kernels, FieldLookUps) {
+  Random random(3);
+  const CanvasField field = random_field(random, 71, 53, 30);
+  const std::size_t count = 4096;
+  std::vector<float> x, y, value, slope_x, slope_y;
+  for (const Vec2 p : points_on(field, random, count)) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+    const FieldSample sample = field_sample(FieldView(field), p);
+    ASSERT_EQ(sample.value, field_value(FieldView(field), p));
+    value.push_back(sample.value);
+    slope_x.push_back(sample.gradient.x);
+    slope_y.push_back(sample.gradient.y);
+  }
+  MatchRecord match{};
+  match.field_width = field.value.width();
+  match.field_height = field.value.height();
+  match.field_origin_x = field.origin.x;
+  match.field_origin_y = field.origin.y;
+  const DeviceSession& session = probe_session();
+  const DeviceBuffer<MatchRecord> match_buffer(session, {match});
+  const DeviceBuffer<float> field_buffer(session, field.value.data());
+  const DeviceBuffer<float> x_buffer(session, x);
+  const DeviceBuffer<float> y_buffer(session, y);
+  std::vector<DeviceBuffer<float>> results(4, DeviceBuffer<float>(session));
+  for (DeviceBuffer<float>& result : results) result.reserve(count);
+  cl::Kernel kernel = session.kernel("probe_field");
+  launch(session, kernel, {count / kLanes}, match_buffer, field_buffer, x_buffer, y_buffer, results[0], results[1],
+         results[2], results[3]);
+  expect_same_bits(results[0].read(count), value, "field_value");
+  expect_same_bits(results[1].read(count), value, "value of field_sample");
+  expect_same_bits(results[2].read(count), slope_x, "gradient x");
+  expect_same_bits(results[3].read(count), slope_y, "gradient y");
+}
+
+ArclengthPyramid random_pyramid(Random& random, float unit) {
+  ArclengthPyramid pyramid;
+  float left = 0;
+  float right = 0;
+  for (int i = 0; i < kMaxPadLevels; ++i) {
+    // Few different lengths: equal distances are common, and their order is tested.
+    pyramid.left[i] = left += unit * 0.125f * float(1 + random.below(3));
+    pyramid.right[i] = right += unit * 0.125f * float(1 + random.below(3));
+  }
+  for (int i = 0; i < int(pyramid.keypoint.size()); ++i) {
+    const float angle = 0.45f * float(i);
+    pyramid.keypoint[i] = Vec2{std::cos(angle), std::sin(angle)} * unit + random.point(0.08f * unit);
+  }
+  pyramid.convexity = float(random.below(3) - 1);
+  return pyramid;
+}
+
+ShapeModel random_model(Random& random, const MatchingContext& context) {
+  ShapeModel model;
+  for (int i = 0; i < kBoundaryPoints; ++i) {
+    const float angle = test::kTwoPi * float(i) / kBoundaryPoints;
+    model.boundary[i] = Vec2{std::cos(angle), std::sin(angle)} * random.between(0.5f, 0.6f);
+    model.tangent[i] = {-std::sin(angle), std::cos(angle)};
+  }
+  for (int i = random.below(kMaxInteriorPoints + 1); i > 0; --i) model.interior.push_back(random.point(0.4f));
+  model.perimeter = random.between(3.5f, 5);
+  model.radius = 0.6f;
+  for (const int level : context.levels) {
+    ModelLevel made;
+    made.level = level;
+    for (int j = 0; j < kSmoothingLevels[level].samples; ++j) {
+      made.samples.push_back(random_pyramid(random, 1));
+      made.pads.push_back(make_pad(made.samples.back(), context.pad.levels));
+    }
+    model.levels.push_back(made);
+  }
+  return model;
+}
+
+/// Hills and hollows some ten px wide.
+CanvasField wavy_field(Random& random, int size) {
+  CanvasField field{Grid<float>(size, size), {-5.5f, -5.5f}};
+  const float phase = random.between(0, 6);
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      field.value(x, y) = 14 * std::sin(0.05f * float(x) + phase) * std::cos(0.04f * float(y)) + 2;
+    }
+  }
+  return field;
+}
+
+test::MatchingScene random_scene(std::uint32_t seed) {
+  Random random(seed);
+  test::MatchingScene scene;
+  scene.settings = test::scene_settings();
+  scene.settings.seed = random.bits() >> 11;
+  scene.settings.match.beta = 0.4f;
+  scene.settings.pieces.max_scale_px = random.between(60, 250);
+  scene.settings.pieces.max_rotation_rad = seed % 2 ? 1.f : 3.1415927f;
+  scene.context = make_matching_context(scene.settings, 7);
+  for (int i = 0; i < 7; ++i) scene.models.push_back(random_model(random, scene.context));
+  scene.field = wavy_field(random, 220);
+  for (int t = 0; t < 9; ++t) {
+    TargetSample sample;
+    sample.edge = std::uint32_t(random.bits());
+    sample.pass = std::uint32_t(random.below(4));
+    sample.position = random.point(100) + Vec2{100, 100};
+    const float angle = random.between(-3, 3);
+    sample.tangent = {std::cos(angle), std::sin(angle)};
+    sample.pyramid = random_pyramid(random, random.between(20, 80));
+    for (Vec2& p : sample.pyramid.keypoint) p = p + sample.position;
+    scene.samples.push_back(sample);
+  }
+  return scene;
+}
+
+class RandomScenes : public testing::TestWithParam<std::uint32_t> {
+ protected:
+  RandomScenes()
+      : scene(random_scene(GetParam())),
+        kernels(opencl_devices().front(), scene.context, 0, scene.models),
+        reference(scene.context, 0, scene.models) {
+    test::set_field(kernels, scene.field);
+    test::set_field(reference, scene.field);
+  }
+
+  const test::MatchingScene scene;
+  OpenCLMatcher kernels;
+  ReferenceMatcher reference;
+};
+
+TEST_P(RandomScenes, WholeRound) {
+  const test::Round expected = test::run_round(reference, scene);
+  EXPECT_FALSE(expected.docked.dockings.empty());
+  EXPECT_NE(expected.histograms.front(), DistanceHistogram{});
+  test::expect_same_round(test::run_round(kernels, scene), expected);
+}
+
+TEST_P(RandomScenes, AllPairs) {
+  const DockRequest request{scene.samples, std::vector<std::uint32_t>(scene.samples.size(), kDistanceBins), 0};
+  reference.post_dock(request);
+  const DockReply expected = reference.take_dock();
+  EXPECT_GT(expected.evaluated, 20u);
+  kernels.post_dock(request);
+  const DockReply found = kernels.take_dock();
+  EXPECT_EQ(found.evaluated, expected.evaluated);
+  test::expect_same_dockings(found.dockings, expected.dockings);
+}
+
+/// From anywhere, off the canvas too: more of the descent's branches than from good dockings.
+TEST_P(RandomScenes, RefinementFromAnywhere) {
+  Random random(GetParam() + 1000);
+  std::vector<Docking> dockings(200);
+  for (Docking& docking : dockings) {
+    docking.shape = std::uint32_t(random.below(int(scene.models.size())));
+    const float scale = random.between(10, 260);
+    const float angle = random.between(-3, 3);
+    const Vec2 at = random.point(140) + Vec2{100, 100};
+    docking.canvas_from_shape = {scale * std::cos(angle), scale * std::sin(angle), at.x, at.y};
+  }
+  reference.post_refine(dockings);
+  const std::vector<RefinedDocking> expected = reference.take_refine();
+  const auto is_feasible = [](const RefinedDocking& d) { return d.feasible; };
+  const auto feasible = std::count_if(expected.begin(), expected.end(), is_feasible);
+  EXPECT_GT(feasible, 0);
+  EXPECT_LT(feasible, std::ssize(expected));
+  kernels.post_refine(dockings);
+  test::expect_same_refined(kernels.take_refine(), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, testing::Range(1u, 9u),
+                         [](const auto& info) { return "seed" + std::to_string(info.param); });
+
+}  // namespace
+}  // namespace tessera::worker

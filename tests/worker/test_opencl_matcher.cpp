@@ -1,0 +1,71 @@
+// Runs as it is, and once more with two devices (tests/worker/CMakeLists.txt).
+#include "core/matcher_suite.h"
+
+#include <cstdlib>
+
+#include "worker/device_group.h"
+#include "worker/opencl_devices.h"
+#include "worker/opencl_matcher.h"
+
+namespace tessera::test {
+namespace {
+
+std::unique_ptr<Matcher> make_on_all_devices(const MatchingContext& context, std::uint32_t first,
+                                             std::vector<ShapeModel> models) {
+  return worker::make_device_matcher("all", context, first, std::move(models));
+}
+
+/// One target sample after the other.
+std::unique_ptr<Matcher> make_in_small_parts(const MatchingContext& context, std::uint32_t first,
+                                             std::vector<ShapeModel> models) {
+  return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, first, models, 1);
+}
+
+/// Pairs of three samples, and dockings of one or two, at a time.
+std::unique_ptr<Matcher> make_in_uneven_parts(const MatchingContext& context, std::uint32_t first,
+                                              std::vector<ShapeModel> models) {
+  const std::size_t bytes = 3 * models.size() * (kPairsPerShape * sizeof(worker::PairRecord) + sizeof(std::uint32_t));
+  return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, first, models, bytes);
+}
+
+INSTANTIATE_TEST_SUITE_P(OpenCL, MatcherSuite,
+                         testing::Values(MatcherKind{"AllDevices", make_on_all_devices},
+                                         MatcherKind{"SmallParts", make_in_small_parts},
+                                         MatcherKind{"UnevenParts", make_in_uneven_parts}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(DeviceGroup, UsesAllDevicesThatThereAre) {
+  const char* const expected = std::getenv("TESSERA_TEST_DEVICES");
+  if (!expected) GTEST_SKIP() << "runs where the number of devices is set";
+  EXPECT_EQ(worker::opencl_devices().size(), std::size_t(std::atoi(expected)));
+  const MatchingScene scene = make_scene(scene_settings(), {2, 150, 1, 2});
+  const auto matcher = make_on_all_devices(scene.context, 0, scene.models);
+  EXPECT_NE(dynamic_cast<CompositeMatcher*>(matcher.get()), nullptr);
+}
+
+TEST(DeviceGroup, ManagesWithFewerShapesThanDevices) {
+  const MatchingScene scene = make_scene(scene_settings(), {1, 150, 0, 2});
+  const auto matcher = make_on_all_devices(scene.context, 5, scene.models);
+  EXPECT_EQ(matcher->shapes().begin, 5u);
+  EXPECT_EQ(matcher->shapes().end, 6u);
+}
+
+TEST(OpenCLMatcher, RefusesToRefineAnotherPartsShape) {
+  const MatchingScene scene = make_scene(scene_settings(), {2, 150, 0, 2});
+  worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, 5, scene.models);
+  Docking docking;
+  for (const std::uint32_t shape : {4u, 7u}) {
+    docking.shape = shape;
+    EXPECT_THROW(matcher.post_refine({docking}), std::out_of_range);
+  }
+}
+
+TEST(OpenCLMatcher, RefusesModelsOfOtherLevels) {
+  MatchingScene scene = make_scene(scene_settings(), {1, 150, 0, 2});
+  scene.models.front().levels.pop_back();
+  EXPECT_THROW(worker::OpenCLMatcher(worker::opencl_devices().front(), scene.context, 0, scene.models),
+               std::logic_error);
+}
+
+}  // namespace
+}  // namespace tessera::test
