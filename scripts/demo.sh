@@ -30,6 +30,4 @@ echo "Computing the collage: one master and two workers"
 mpirun --oversubscribe --bind-to none -n 3 "$tessera" collage jobs/animals.toml --out "$result"
 
 echo
-cat "$result/card.txt"
-echo
 echo "The picture: $PWD/$result/collage.png (collage.svg, pieces.geojson, card.json and job.toml beside it)"
