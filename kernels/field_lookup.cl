@@ -25,7 +25,7 @@ typedef struct Cells {
   vstore2(vload2(0, f->value + node.s##k), 0x##k, upper);                  \
   vstore2(vload2(0, f->value + f->width + node.s##k), 0x##k, lower)
 
-__attribute__((always_inline)) Cells cells_at(const Field* f, float16 x, float16 y) {
+Cells cells_at(const Field* f, float16 x, float16 y) {
   Cells c;
   const float16 u = x - f->origin_x;
   const float16 v = y - f->origin_y;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <optional>
 #include <system_error>
 
@@ -18,8 +19,9 @@ namespace {
 
 constexpr float kLargestStep = 32767;  // of a quantised distance
 
-/// HDF5's own message for this is long and technical.
+/// What would otherwise show after minutes of work only, or in HDF5's words.
 void check_can_create(const std::string& temporary, const std::string& path) {
+  if (std::filesystem::is_directory(path)) throw EnvironmentError("cannot write " + path + ": it is a folder");
   std::FILE* file = std::fopen(temporary.c_str(), "wb");
   if (!file) throw EnvironmentError("cannot write " + path + ": " + std::generic_category().message(errno));
   std::fclose(file);

@@ -189,6 +189,11 @@ TEST(LibraryWriter, NamesThePlaceThatCannotBeWritten) {
   }
 }
 
+TEST(LibraryWriter, DoesNotReplaceAFolder) {
+  const ScratchFolder folder;
+  EXPECT_THROW(LibraryWriter(folder.path(""), {}), EnvironmentError);
+}
+
 /// A limit on the size of files acts like a full disk.
 class FileSizeLimit {
  public:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <memory>
 #include <random>
 
 #include "core/portable_math.h"
@@ -39,11 +40,19 @@ kernel void probe_field(constant MatchRecord* match, global const float* value, 
 }
 )";
 
-const DeviceSession& probe_session() {
-  static const cl::Device device = opencl_devices().front();
-  static const DeviceSession session(device, std::string(kernel_source) + kProbes, kernel_options(device, 5));
-  return session;
-}
+/// The program with the probes, built once; gone before main ends, as the OpenCL runtime may go then.
+class Kernels : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const cl::Device device = opencl_devices().front();
+    session_ = std::make_unique<DeviceSession>(device, std::string(kernel_source) + kProbes, kernel_options(device, 5));
+  }
+  static void TearDownTestSuite() { session_.reset(); }
+  static const DeviceSession& session() { return *session_; }
+
+ private:
+  inline static std::unique_ptr<DeviceSession> session_;
+};
 
 class Random {
  public:
@@ -71,21 +80,21 @@ void expect_same_bits(const std::vector<float>& found, const std::vector<float>&
                            << ": " << found[worst] << " for " << expected[worst];
 }
 
-TEST(Kernels, Exp2) {
+TEST_F(Kernels, Exp2) {
   Random random(1);
   std::vector<float> x = {0.f, -0.f, 1.f, -1.f, 63.9f, -63.9f, 0.99999994f, -1e-20f};
   while (x.size() < 4096) x.push_back(random.between(-64, 64));
   std::vector<float> expected;
   for (const float v : x) expected.push_back(portable_exp2(v));
-  DeviceBuffer<float> input(probe_session(), x);
-  DeviceBuffer<float> output(probe_session());
+  DeviceBuffer<float> input(session(), x);
+  DeviceBuffer<float> output(session());
   output.reserve(x.size());
-  cl::Kernel kernel = probe_session().kernel("probe_exp2");
-  launch(probe_session(), kernel, {x.size()}, input, output);
+  cl::Kernel kernel = session().kernel("probe_exp2");
+  launch(session(), kernel, {x.size()}, input, output);
   expect_same_bits(output.read(x.size()), expected, "portable_exp2");
 }
 
-TEST(Kernels, RandomBits) {
+TEST_F(Kernels, RandomBits) {
   Random random(2);
   std::vector<std::uint64_t> keys = {0, 1, ~std::uint64_t(0), std::uint64_t(1) << 63};
   while (keys.size() < 4096) keys.push_back(random.bits());
@@ -95,13 +104,13 @@ TEST(Kernels, RandomBits) {
     expected_bits.push_back(mix_bits(key));
     expected_unit.push_back(unit_float(std::uint32_t(expected_bits.back() >> 32)));
   }
-  DeviceBuffer<std::uint64_t> input(probe_session(), keys);
-  DeviceBuffer<std::uint64_t> bits(probe_session());
-  DeviceBuffer<float> unit(probe_session());
+  DeviceBuffer<std::uint64_t> input(session(), keys);
+  DeviceBuffer<std::uint64_t> bits(session());
+  DeviceBuffer<float> unit(session());
   bits.reserve(keys.size());
   unit.reserve(keys.size());
-  cl::Kernel kernel = probe_session().kernel("probe_mix_bits");
-  launch(probe_session(), kernel, {keys.size()}, input, bits, unit);
+  cl::Kernel kernel = session().kernel("probe_mix_bits");
+  launch(session(), kernel, {keys.size()}, input, bits, unit);
   EXPECT_EQ(bits.read(keys.size()), expected_bits);
   expect_same_bits(unit.read(keys.size()), expected_unit, "unit_float");
 }
@@ -129,7 +138,7 @@ std::vector<Vec2> points_on(const CanvasField& field, Random& random, std::size_
   return points;
 }
 
-TEST(Kernels, FieldLookUps) {
+TEST_F(Kernels, FieldLookUps) {
   Random random(3);
   const CanvasField field = random_field(random, 71, 53, 30);
   const std::size_t count = 4096;
@@ -148,15 +157,14 @@ TEST(Kernels, FieldLookUps) {
   match.field_height = field.value.height();
   match.field_origin_x = field.origin.x;
   match.field_origin_y = field.origin.y;
-  const DeviceSession& session = probe_session();
-  const DeviceBuffer<MatchRecord> match_buffer(session, {match});
-  const DeviceBuffer<float> field_buffer(session, field.value.data());
-  const DeviceBuffer<float> x_buffer(session, x);
-  const DeviceBuffer<float> y_buffer(session, y);
-  std::vector<DeviceBuffer<float>> results(4, DeviceBuffer<float>(session));
+  const DeviceBuffer<MatchRecord> match_buffer(session(), {match});
+  const DeviceBuffer<float> field_buffer(session(), field.value.data());
+  const DeviceBuffer<float> x_buffer(session(), x);
+  const DeviceBuffer<float> y_buffer(session(), y);
+  std::vector<DeviceBuffer<float>> results(4, DeviceBuffer<float>(session()));
   for (DeviceBuffer<float>& result : results) result.reserve(count);
-  cl::Kernel kernel = session.kernel("probe_field");
-  launch(session, kernel, {count / kLanes}, match_buffer, field_buffer, x_buffer, y_buffer, results[0], results[1],
+  cl::Kernel kernel = session().kernel("probe_field");
+  launch(session(), kernel, {count / kLanes}, match_buffer, field_buffer, x_buffer, y_buffer, results[0], results[1],
          results[2], results[3]);
   expect_same_bits(results[0].read(count), value, "field_value");
   expect_same_bits(results[1].read(count), value, "value of field_sample");
