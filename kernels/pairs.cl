@@ -17,8 +17,8 @@ uint distance_bin(float distance, float beta) {
   return (uint)(bin < kDistanceBins ? bin : kDistanceBins - 1);
 }
 
-// Distances of PADs [16 block, 16 block + 16) of a level; NO_PAIR where the scale or the sign cannot fit. Lanes that
-// reached beta early may be too small, never below beta: they are no pairs either way.
+// Distances of PADs [16 block, 16 block + 16) of a level; NO_PAIR where the scale or the sign cannot fit, or where half
+// of the elements show that no lane comes below beta.
 float16 pad_distances(global const float* pads, constant LevelRecord* level, uint block,
                       global const SampleRecord* target, float beta) {
   const uint count = level->count;
@@ -27,12 +27,14 @@ float16 pad_distances(global const float* pads, constant LevelRecord* level, uin
   const int16 fits = (target->scale_length >= length * (level->scale_low_px * kScaleWindowLow)) &
                      (target->scale_length <= length * (level->scale_high_px * kScaleWindowHigh)) &
                      (target->convexity * convexity >= 0);
-  float16 distance = NO_PAIR;
-  if (!any_lane(fits)) return distance;
-  distance = 0;
-  for (int e = 0; e < kPadElements; ++e) {
+  if (!any_lane(fits)) return NO_PAIR;
+  float16 distance = 0;
+  for (int e = 0; e < kPadElements / 2; ++e) {
     distance = max(distance, fabs(target->element[e] - vload16(block, pads + e * count)));
-    if (e == kPadElements / 2 - 1 && !any_lane(fits & (distance < beta))) break;
+  }
+  if (!any_lane(fits & (distance < beta))) return NO_PAIR;
+  for (int e = kPadElements / 2; e < kPadElements; ++e) {
+    distance = max(distance, fabs(target->element[e] - vload16(block, pads + e * count)));
   }
   return fits ? distance : (float16)NO_PAIR;
 }
@@ -91,10 +93,13 @@ kernel void select_pairs(constant MatchRecord* match, global const float* pads, 
   for (uint k = 0; k < match->level_count; ++k) {
     constant LevelRecord* level = match->level + k;
     global const float* level_pads = pads + ((size_t)shape * match->sources + level->first) * kPadFloats;
+    int16 near = 0;
     for (uint block = 0; block < level->count / kLanes; ++block) {
-      vstore16(pad_distances(level_pads, level, block, target, match->beta), block, distance + kRim);
+      const float16 d = pad_distances(level_pads, level, block, target, match->beta);
+      vstore16(d, block, distance + kRim);
+      near |= d < match->beta;
     }
-    keep_local_minima(&best, distance + kRim, level->count, level->first, match->beta);
+    if (any_lane(near)) keep_local_minima(&best, distance + kRim, level->count, level->first, match->beta);
   }
   const size_t place = (size_t)get_global_id(0) * match->shapes + shape;
   pair_count[place] = best.count;

@@ -14,14 +14,10 @@ constexpr std::size_t kNamesShown = 3;
 constexpr std::size_t kMergedShown = 10;
 constexpr int kMaxReasonWidth = 60;
 
-std::string file_name(const std::string& path) {
-  return io::printable_utf8(std::filesystem::path(path).filename());
-}
+std::string file_name(const std::string& path) { return io::printable_utf8(std::filesystem::path(path).filename()); }
 
 /// Where a reason has details after a colon (a parser's message), the table counts what stands before it.
-std::string reason_class(const std::string& reason) {
-  return io::printable_utf8(reason.substr(0, reason.find(": ")));
-}
+std::string reason_class(const std::string& reason) { return io::printable_utf8(reason.substr(0, reason.find(": "))); }
 
 std::string text_of(const std::vector<std::string>& names) {
   std::string text;

@@ -22,7 +22,8 @@ constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library build /usr/share/openclipart/svg/animals -o animals.h5\n"
     "  tessera library build logos/ letters/a.png --glob '*.svg' --embed -o mine.h5\n"
-    "Reads SVG and SVGZ, PNG, WebP and TIFF with transparency, and two-colour masks (PNG, BMP, JPEG). Files that cannot\n"
+    "Reads SVG and SVGZ, PNG, WebP and TIFF with transparency, and two-colour masks (PNG, BMP, JPEG). Files that "
+    "cannot\n"
     "be used are skipped and listed at the end with the reason.";
 
 struct BuildArguments {
@@ -33,14 +34,14 @@ struct BuildArguments {
 };
 
 io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, const io::ArtworkFiles& files) {
-  cv::setNumThreads(1);  // the processes are the parallelism
+  cv::setNumThreads(1);     // the processes are the parallelism
   install_stop_handlers();  // the half library is removed
   ProgressBar bar("library", files.paths.size());
   const io::BuildMonitor monitor{
       [&](std::size_t done, std::size_t shapes) { bar.update(done, std::to_string(shapes) + " shapes"); },
       stop_signalled};
-  return io::build_library(files, arguments.output, arguments.settings,
-                           io::artwork_loader(arguments.settings.pad), monitor);
+  return io::build_library(files, arguments.output, arguments.settings, io::artwork_loader(arguments.settings.pad),
+                           monitor);
 }
 
 void throw_if_not_written(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
@@ -78,11 +79,13 @@ void add_library_build_command(CLI::App& library, Command& selected) {
 
   CLI::App* build = library.add_subcommand("build", "Trace artwork files and write a library of shapes");
   build->footer(kExamples);
-  build->add_option("SOURCE", arguments->sources, "Artwork files, and folders that are searched to any depth")->required();
+  build->add_option("SOURCE", arguments->sources, "Artwork files, and folders that are searched to any depth")
+      ->required();
   build->add_option("-o,--output", arguments->output, "The library file to write, replaced if it exists")
       ->required()
       ->type_name("LIB.h5");
-  build->add_option("--glob", arguments->glob, "Only files of the folders whose name matches this pattern, e.g. '*.svg'");
+  build->add_option("--glob", arguments->glob,
+                    "Only files of the folders whose name matches this pattern, e.g. '*.svg'");
   build->add_flag("--embed", settings.embed, "Keep the artwork files themselves in the library");
   build->add_flag("--strict", settings.strict, "Write nothing where a file cannot be used; exit code 2");
   build->add_option("--processes", settings.pool.processes, "How many files are traced at a time; default: all cores")
@@ -90,7 +93,9 @@ void add_library_build_command(CLI::App& library, Command& selected) {
   build->add_option("--pad-levels", settings.pad.levels, "Levels n of the arclength descriptor; jobs must agree")
       ->check(CLI::Range(2, kMaxPadLevels))
       ->capture_default_str();
-  build->add_option("--delta-tau", settings.pad.delta_tau, "Its base interval of integral curvature, rad; jobs must agree")
+  build
+      ->add_option("--delta-tau", settings.pad.delta_tau,
+                   "Its base interval of integral curvature, rad; jobs must agree")
       ->check(CLI::Range(0.05, 1.0))
       ->capture_default_str();
   build->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });

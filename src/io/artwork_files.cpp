@@ -16,13 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 9> kExtensions = {".svg", ".svgz", ".png",  ".webp", ".tif",
+constexpr std::array<std::string_view, 9> kExtensions = {".svg",  ".svgz", ".png", ".webp", ".tif",
                                                          ".tiff", ".bmp",  ".jpg", ".jpeg"};
 
 bool is_wanted(const fs::path& file, const std::string& glob) {
   if (!glob.empty()) return ::fnmatch(glob.c_str(), file.filename().c_str(), 0) == 0;
   std::string extension = file.extension();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 

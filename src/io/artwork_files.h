@@ -12,8 +12,8 @@ struct UnusedFile {
 };
 
 struct ArtworkFiles {
-  std::vector<std::string> paths;       // absolute, sorted bytewise, each file once however many links lead to it
-  std::vector<UnusedFile> unreadable;   // folders that could not be listed
+  std::vector<std::string> paths;      // absolute, sorted bytewise, each file once however many links lead to it
+  std::vector<UnusedFile> unreadable;  // folders that could not be listed
 };
 
 /// `sources`: files, taken as they are, and folders, searched to any depth for files (not through links to folders)

@@ -20,7 +20,9 @@ constexpr int kPollMilliseconds = 100;
 class Pool {
  public:
   Pool(const std::vector<std::string>& inputs, const PoolWork& work, const PoolSettings& settings)
-      : inputs_(inputs), work_(work), settings_(settings) {
+      : inputs_(inputs),
+        work_(work),
+        settings_(settings) {
     const std::size_t wanted = std::min<std::size_t>(std::max(1, settings.processes), inputs.size());
     for (std::size_t i = 0; i < wanted; ++i) workers_.emplace_back(work, settings);
   }

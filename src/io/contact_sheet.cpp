@@ -16,7 +16,7 @@
 namespace tessera::io {
 namespace {
 
-constexpr int kCell_px = 140;       // of the drawing; the name stands below it
+constexpr int kCell_px = 140;  // of the drawing; the name stands below it
 constexpr int kName_px = 18;
 constexpr int kGap_px = 14;
 constexpr int kMargin_px = 28;
@@ -50,7 +50,8 @@ struct SheetLayout {
 bool has_sane_size(std::span<const std::uint8_t> png) {
   if (png.size() < 24) return false;
   const auto side = [&](std::size_t at) {
-    return std::uint32_t(png[at]) << 24 | std::uint32_t(png[at + 1]) << 16 | std::uint32_t(png[at + 2]) << 8 | png[at + 3];
+    return std::uint32_t(png[at]) << 24 | std::uint32_t(png[at + 1]) << 16 | std::uint32_t(png[at + 2]) << 8 |
+           png[at + 3];
   };
   return std::min(side(16), side(20)) >= 1 && std::max(side(16), side(20)) <= kMaxThumbnailSide_px;
 }
@@ -181,7 +182,8 @@ Shape read_one(const LibraryFile& library, std::size_t index) {
 std::vector<std::uint8_t> encoded(cairo_surface_t* surface, const std::string& path) {
   std::vector<std::uint8_t> png;
   const cairo_status_t status = cairo_surface_write_to_png_stream(surface, append_bytes, &png);
-  if (status != CAIRO_STATUS_SUCCESS) throw EnvironmentError("cannot draw " + path + ": " + cairo_status_to_string(status));
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw EnvironmentError("cannot draw " + path + ": " + cairo_status_to_string(status));
   return png;
 }
 

@@ -7,8 +7,8 @@
 
 namespace tessera::io {
 
-void write_attribute(hid_t object, const std::string& name, int value);         // 32-bit little-endian
-void write_attribute(hid_t object, const std::string& name, float value);       // 32-bit IEEE little-endian
+void write_attribute(hid_t object, const std::string& name, int value);                 // 32-bit little-endian
+void write_attribute(hid_t object, const std::string& name, float value);               // 32-bit IEEE little-endian
 void write_attribute(hid_t object, const std::string& name, const std::string& value);  // fixed-length UTF-8
 
 /// The attribute must be a scalar of the type that write_attribute gives; a text has at most 1000 bytes.

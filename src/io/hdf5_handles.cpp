@@ -22,9 +22,7 @@ std::string system_message_in(const std::string& text) {
 
 }  // namespace
 
-void prepare_hdf5() {
-  [[maybe_unused]] static const herr_t once = H5dont_atexit();
-}
+void prepare_hdf5() { [[maybe_unused]] static const herr_t once = H5dont_atexit(); }
 
 std::string last_hdf5_message() {
   std::string text = "unknown HDF5 error";

@@ -47,7 +47,10 @@ class Builder {
  public:
   Builder(const ArtworkFiles& files, const std::string& output, const LibraryBuildSettings& settings,
           const BuildMonitor& monitor)
-      : files_(files), settings_(settings), monitor_(monitor), writer_(output, settings.pad) {
+      : files_(files),
+        settings_(settings),
+        monitor_(monitor),
+        writer_(output, settings.pad) {
     report_.files = files.paths.size();
     report_.skipped = files.unreadable;
   }

@@ -60,8 +60,8 @@ Hdf5Handle selected_rows(const Column& column, hid_t data_set, hsize_t begin, hs
   std::vector<hsize_t> start(1 + column.row_dims.size(), 0);
   start[0] = begin;
   const std::vector<hsize_t> count = dims_of(column, end - begin);
-  hdf5_checked(
-      H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), name_of(column));
+  hdf5_checked(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+               name_of(column));
   return space;
 }
 
@@ -158,7 +158,8 @@ std::size_t check_storage(hid_t data_set, const Column& column, std::size_t rows
 }  // namespace
 
 ColumnWriter::ColumnWriter(hid_t file, const Column& column)
-    : column_(column), data_set_(create_data_set(file, column)) {
+    : column_(column),
+      data_set_(create_data_set(file, column)) {
   write_attribute(data_set_.get(), layout::kUnitsAttribute, column.units);
   write_attribute(data_set_.get(), layout::kDescriptionAttribute, column.description);
 }

@@ -1,5 +1,5 @@
-// One column of a library file: a data set whose first dimension counts rows. Writing appends; reading takes any range of
-// rows and touches only the chunks that hold it. Both throw Hdf5Error, which names the data set.
+// One column of a library file: a data set whose first dimension counts rows. Writing appends; reading takes any range
+// of rows and touches only the chunks that hold it. Both throw Hdf5Error, which names the data set.
 #pragma once
 
 #include <cstddef>

@@ -25,7 +25,7 @@ struct LibraryParts {
 /// What `tessera library info` shows; costs no reading of shapes.
 struct LibrarySummary {
   std::size_t shapes = 0;
-  std::size_t curves = 0;          // outlines' outer curves and holes
+  std::size_t curves = 0;  // outlines' outer curves and holes
   std::size_t outline_points = 0;
   std::uint64_t original_bytes = 0;  // embedded artwork; 0 without --embed
   std::uint64_t file_bytes = 0;

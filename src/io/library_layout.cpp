@@ -31,7 +31,8 @@ LevelColumns level_columns(std::size_t k, std::size_t n) {
   return {
       floats(group + "points", {points, 2}, kShapeUnits, "smoothed outer curve, even arclength, x y"),
       floats(group + "perimeter", {}, kShapeUnits, "length of the smoothed curve"),
-      floats(group + "lengths", {samples, 2 * n}, kShapeUnits, "arclengths l_{n-1} .. l_0 r_0 .. r_{n-1} of each sample"),
+      floats(group + "lengths", {samples, 2 * n}, kShapeUnits,
+             "arclengths l_{n-1} .. l_0 r_0 .. r_{n-1} of each sample"),
       floats(group + "keypoints", {samples, 2 * n + 1, 2}, kShapeUnits,
              "left end of level n-1 .. of level 0, the sample, right end of level 0 .. of level n-1, x y"),
       floats(group + "convexity", {samples}, kNone, "+1 convex, -1 concave, 0 flat"),
@@ -68,12 +69,17 @@ Columns library_columns(int pad_levels) {
       .perimeter = floats("/shapes/perimeter", {}, kShapeUnits, "length of all curves of the outline"),
       .radius = floats("/shapes/radius", {}, kShapeUnits, "largest distance of an outline point from the origin"),
       .mean_lab = floats("/shapes/mean_lab", {3}, "CIELAB (D65)", "alpha-weighted mean colour of the artwork"),
-      .first_curve = offsets("/outline/first_curve", "curves",
-                             "shape i has the curves first_curve[i] .. first_curve[i + 1] - 1; the first is the outer one"),
-      .first_point = offsets("/outline/first_point", "points",
-                             "curve c has the points first_point[c] .. first_point[c + 1] - 1"),
+      .first_curve =
+          offsets("/outline/first_curve", "curves",
+                  "shape i has the curves first_curve[i] .. first_curve[i + 1] - 1; the first is the outer one"),
+      .first_point =
+          offsets("/outline/first_point", "points", "curve c has the points first_point[c] .. first_point[c + 1] - 1"),
       .outline_points = floats("/outline/points", {2}, kShapeUnits, "closed curves, interior on the left, x y"),
-      .field_distance = {"/field/distance", Element::int16, 0, {kFieldNodes, kFieldNodes}, "scale[i] shape units",
+      .field_distance = {"/field/distance",
+                         Element::int16,
+                         0,
+                         {kFieldNodes, kFieldNodes},
+                         "scale[i] shape units",
                          "signed distance to the outline, positive outside; row y, column x, node 0 at -extent[i]"},
       .field_scale = floats("/field/scale", {}, kShapeUnits, "one step of /field/distance"),
       .field_extent = floats("/field/extent", {}, kShapeUnits, "the field spans [-extent, extent] both ways"),
@@ -89,7 +95,8 @@ Columns library_columns(int pad_levels) {
       .original_bytes = bytes("/artwork/original", "embedded artwork files, one after another; empty without --embed"),
       .levels = {},
   };
-  for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k) c.levels.push_back(level_columns(k, std::size_t(pad_levels)));
+  for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k)
+    c.levels.push_back(level_columns(k, std::size_t(pad_levels)));
   return c;
 }
 

@@ -7,7 +7,7 @@
 namespace tessera::io {
 namespace {
 
-constexpr std::size_t kMaxStemBytes = 160;   // with folder and number below layout::kNameBytes
+constexpr std::size_t kMaxStemBytes = 160;  // with folder and number below layout::kNameBytes
 constexpr std::size_t kMaxFolderBytes = 60;
 
 bool is_continuation(unsigned char c) { return (c & 0xc0) == 0x80; }

@@ -23,7 +23,8 @@ void check_level_attributes(hid_t file, std::size_t k) {
   }
 }
 
-std::vector<float> read_floats(const ColumnReader& column, std::size_t begin, std::size_t end, float least, float most) {
+std::vector<float> read_floats(const ColumnReader& column, std::size_t begin, std::size_t end, float least,
+                               float most) {
   std::vector<float> values = column.read<float>(begin, end);
   if (!all_within(values.data(), values.size(), least, most)) out_of_range(column);
   return values;
@@ -50,8 +51,8 @@ std::vector<std::string> read_texts(const ColumnReader& column, std::size_t begi
 }
 
 /// Offsets [begin, end], the last one being the end of the last group. Groups have least to most of `rows` rows.
-std::vector<std::uint64_t> read_offsets(const ColumnReader& first, std::size_t begin, std::size_t end,
-                                        std::size_t rows, std::size_t least, std::size_t most) {
+std::vector<std::uint64_t> read_offsets(const ColumnReader& first, std::size_t begin, std::size_t end, std::size_t rows,
+                                        std::size_t least, std::size_t most) {
   // Stored signed, which numpy computes better with; a negative one is out of range here.
   std::vector<std::uint64_t> offsets = first.read<std::uint64_t>(begin, end + 1);
   for (std::size_t i = 0; i < offsets.size(); ++i) {
@@ -102,8 +103,7 @@ OutlineReader::OutlineReader(hid_t file, const layout::Columns& columns)
 }
 
 void OutlineReader::read(const ShapeRange& range) const {
-  const auto curves =
-      read_offsets(first_curve_, range.begin, range.end, this->curves(), 1, layout::kMaxCurvesPerShape);
+  const auto curves = read_offsets(first_curve_, range.begin, range.end, this->curves(), 1, layout::kMaxCurvesPerShape);
   const auto points =
       read_offsets(first_point_, curves.front(), curves.back(), points_.rows(), 3, layout::kMaxPointsPerCurve);
   const std::vector<Vec2> xy = read_points(points_, points.front(), points.back());
@@ -118,7 +118,9 @@ void OutlineReader::read(const ShapeRange& range) const {
 }
 
 FieldReader::FieldReader(hid_t file, const layout::Columns& columns)
-    : distance_(file, columns.field_distance), scale_(file, columns.field_scale), extent_(file, columns.field_extent) {}
+    : distance_(file, columns.field_distance),
+      scale_(file, columns.field_scale),
+      extent_(file, columns.field_extent) {}
 
 void FieldReader::read(const ShapeRange& range) const {
   const auto quantised = distance_.read<std::int16_t>(range.begin, range.end);
@@ -169,14 +171,15 @@ void LevelReader::read_samples(const ShapeRange& range, std::size_t n) const {
     auto& to = range.shapes[i].levels[level_].samples;
     to.reserve(samples);
     for (std::size_t row = i * samples; row < (i + 1) * samples; ++row) {
-      to.push_back(
-          make_sample(lengths.data() + row * 2 * n, keypoints.data() + row * (2 * n + 1), convexity[row], n));
+      to.push_back(make_sample(lengths.data() + row * 2 * n, keypoints.data() + row * (2 * n + 1), convexity[row], n));
     }
   }
 }
 
 BytesReader::BytesReader(hid_t file, const layout::Column& first, const layout::Column& bytes, std::size_t most)
-    : most_(most), first_(file, first), bytes_(file, bytes) {}
+    : most_(most),
+      first_(file, first),
+      bytes_(file, bytes) {}
 
 void BytesReader::read(const ShapeRange& range, std::vector<std::uint8_t> Artwork::*target) const {
   const auto first = read_offsets(first_, range.begin, range.end, bytes_.rows(), 0, most_);

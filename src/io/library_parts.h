@@ -1,4 +1,4 @@
-// Reads the parts of a library file: one class for each group of columns. All throw Hdf5Error where the file is damaged.
+// Reads the parts of a library file: one class for each group of columns. All throw Hdf5Error where it is damaged.
 #pragma once
 
 #include <cstddef>

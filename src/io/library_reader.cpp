@@ -52,7 +52,9 @@ struct LibraryFile::State {
 
 std::vector<const ColumnReader*> LibraryFile::State::columns() const {
   std::vector<const ColumnReader*> all;
-  const auto add = [&](const std::vector<const ColumnReader*>& some) { all.insert(all.end(), some.begin(), some.end()); };
+  const auto add = [&](const std::vector<const ColumnReader*>& some) {
+    all.insert(all.end(), some.begin(), some.end());
+  };
   add(head.columns());
   add(outline.columns());
   add(field.columns());

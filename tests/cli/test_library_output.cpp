@@ -19,9 +19,7 @@ TEST(ProgressText, SaysNothingAboutTheTimeThatItCannotKnow) {
   EXPECT_EQ(progress_text("library", 0, 0, "", 10, 0), "library: 100 %");
 }
 
-TEST(ProgressText, FitsTheTerminal) {
-  EXPECT_EQ(progress_text("library", 1, 2, "a long note", 10, 20).size(), 20u);
-}
+TEST(ProgressText, FitsTheTerminal) { EXPECT_EQ(progress_text("library", 1, 2, "a long note", 10, 20).size(), 20u); }
 
 TEST(BuildSummary, IsEmptyWhereAllIsUsed) {
   io::LibraryBuildReport report;

@@ -52,7 +52,11 @@ TEST(ArtworkPool, GivesResultsInTheOrderOfTheInputs) {
   expect_no_children();
 }
 
-TEST(ArtworkPool, TakesNoInputs) { EXPECT_TRUE(results_of({}, [](const std::string& s) { return s; }, kThree).empty()); }
+TEST(ArtworkPool, TakesNoInputs) {
+  EXPECT_TRUE(results_of(
+                  {}, [](const std::string& s) { return s; }, kThree)
+                  .empty());
+}
 
 TEST(ArtworkPool, ExceptionsBecomeReasons) {
   const auto work = [](const std::string& input) -> std::string {
@@ -75,7 +79,8 @@ TEST(ArtworkPool, ReplacesWhatHangsOrDies) {
   };
   PoolSettings settings = kThree;
   settings.seconds_per_input = 0.3;
-  const auto results = results_of({"hang", "1", "kill", "2", "exit", "hang", "hang", "kill", "kill", "3"}, work, settings);
+  const auto results =
+      results_of({"hang", "1", "kill", "2", "exit", "hang", "hang", "kill", "kill", "3"}, work, settings);
   for (const std::size_t i : {1, 3, 9}) EXPECT_TRUE(results[i].done) << i;
   for (const std::size_t i : {0, 5, 6}) EXPECT_EQ(results[i].reason, "took longer than 1 s") << i;
   for (const std::size_t i : {2, 7, 8}) EXPECT_EQ(results[i].reason, "crashed its process (Killed)") << i;
@@ -87,7 +92,13 @@ TEST(ArtworkPool, ACrashIsNamed) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer catches the signal";
 #endif
-  const auto results = results_of({"x"}, [](const std::string&) -> std::string { ::raise(SIGSEGV); return {}; }, kThree);
+  const auto results = results_of(
+      {"x"},
+      [](const std::string&) -> std::string {
+        ::raise(SIGSEGV);
+        return {};
+      },
+      kThree);
   EXPECT_EQ(results[0].reason, "crashed its process (Segmentation fault)");
 }
 
@@ -108,7 +119,13 @@ TEST(ArtworkPool, BoundsTheMemory) {
 
 TEST(ArtworkPool, KeepsChildrenQuiet) {
   testing::internal::CaptureStderr();
-  results_of({"x"}, [](const std::string& s) { std::fputs("noise of a decoder", stderr); return s; }, kThree);
+  results_of(
+      {"x"},
+      [](const std::string& s) {
+        std::fputs("noise of a decoder", stderr);
+        return s;
+      },
+      kThree);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
@@ -121,9 +138,13 @@ TEST(ArtworkPool, EndsWhenTheConsumerThrows) {
 
 TEST(ArtworkPool, EndsWhenInterrupted) {
   const auto start = std::chrono::steady_clock::now();
-  const auto work = [](const std::string&) -> std::string { std::this_thread::sleep_for(1h); return {}; };
+  const auto work = [](const std::string&) -> std::string {
+    std::this_thread::sleep_for(1h);
+    return {};
+  };
   const auto soon = [&] { return std::chrono::steady_clock::now() - start > 200ms; };
-  EXPECT_FALSE(work_in_processes({"a", "b"}, work, [](std::size_t, const PoolResult&) {}, kThree, soon));
+  EXPECT_FALSE(work_in_processes(
+      {"a", "b"}, work, [](std::size_t, const PoolResult&) {}, kThree, soon));
   EXPECT_LT(std::chrono::steady_clock::now() - start, 2s);
   expect_no_children();
 }

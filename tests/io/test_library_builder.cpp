@@ -1,4 +1,4 @@
-// From files to a library: which files, in which order, under which names, and what becomes of those that are of no use.
+// From files to a library: which files, in which order, under which names, and what becomes of the others.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "core/error.h"
@@ -38,9 +39,8 @@ bool equal(const LevelCurve& a, const LevelCurve& b) {
 }
 
 bool equal(const Artwork& a, const Artwork& b) {
-  return a.path == b.path && a.width_px == b.width_px && a.height_px == b.height_px &&
-         a.centroid_px == b.centroid_px && a.unit_px == b.unit_px && a.thumbnail_png == b.thumbnail_png &&
-         a.original == b.original;
+  return a.path == b.path && a.width_px == b.width_px && a.height_px == b.height_px && a.centroid_px == b.centroid_px &&
+         a.unit_px == b.unit_px && a.thumbnail_png == b.thumbnail_png && a.original == b.original;
 }
 
 float largest_difference(const Grid<float>& a, const Grid<float>& b) {
@@ -133,6 +133,20 @@ TEST(LibraryFile, SummaryCountsWhatIsStored) {
   for (const auto& [part, bytes] : summary.stored_bytes_of_part) stored += bytes;
   EXPECT_GT(stored, 0u);
   EXPECT_LT(stored, summary.file_bytes);
+}
+
+TEST(LibraryFile, IsReadByH5dump) {
+  const ScratchFolder folder;
+  auto shapes = random_shapes(10, 2, 5);
+  shapes[1].name = "duck";  // h5dump escapes what is not ASCII
+  write_library(folder.path("a.h5"), shapes, {});
+  FILE* dump = ::popen(("h5dump -d /shapes/name -d /field/scale " + folder.path("a.h5")).c_str(), "r");
+  ASSERT_NE(dump, nullptr);
+  std::string text(100'000, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), dump));
+  EXPECT_EQ(::pclose(dump), 0);
+  EXPECT_NE(text.find("\"duck\""), std::string::npos) << text;
+  EXPECT_NE(text.find("one step of /field/distance"), std::string::npos) << text;
 }
 
 TEST(LibraryWriter, GivesTheSameBytesForTheSameShapes) {
