@@ -160,8 +160,8 @@ void TargetCurve::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int
   const auto name = [&](int ex, int ey, bool down) { return 2 * (std::uint32_t(ey) * width_ + ex) + down; };
   const std::uint32_t edge[4] = {name(x, y, false), name(x + 1, y, true), name(x, y + 1, false), name(x, y, true)};
   const auto inside = [&](int k) { return (mask >> (k & 3) & 1) != 0; };
-  int leaving[2];
-  int entering[2];
+  int leaving[2] = {};
+  int entering[2] = {};
   int count = 0;
   int count_in = 0;
   for (int k = 0; k < 4; ++k) {
