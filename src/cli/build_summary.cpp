@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "io/library_names.h"
+#include "io/library/library_names.h"
 
 namespace tessera::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/library_builder.h"
+#include "io/library/library_builder.h"
 
 namespace tessera::cli {
 

@@ -13,7 +13,7 @@
 #include "cli/progress_bar.h"
 #include "cli/stop_signal.h"
 #include "core/error.h"
-#include "io/library_builder.h"
+#include "io/library/library_builder.h"
 
 namespace tessera::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "io/contact_sheet.h"
-#include "io/library_file.h"
+#include "io/library/contact_sheet.h"
+#include "io/library/library_file.h"
 
 namespace tessera::cli {
 namespace {

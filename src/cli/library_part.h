@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/matcher.h"
-#include "io/job_file.h"
-#include "io/library_file.h"
+#include "io/job/job_file.h"
+#include "io/library/library_file.h"
 
 namespace tessera::cli {
 

@@ -5,7 +5,7 @@
 #include <unordered_map>
 
 #include "core/shape_source.h"
-#include "io/library_file.h"
+#include "io/library/library_file.h"
 
 namespace tessera::master {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/silhouette.h"
+#include "io/artwork/silhouette.h"
 
 namespace tessera::test {
 

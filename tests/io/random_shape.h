@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/shape.h"
-#include "io/library_layout.h"
+#include "io/library/library_layout.h"
 
 namespace tessera::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "io/collage_files.h"
+#include "io/result/collage_files.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera::test {

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/artwork_pool.h"
+#include "io/library/artwork_pool.h"
 
 namespace tessera::io {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "artwork_samples.h"
 #include "core/error.h"
-#include "io/artwork_render.h"
+#include "io/artwork/artwork_render.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {

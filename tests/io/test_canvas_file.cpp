@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/error.h"
-#include "io/canvas_file.h"
+#include "io/job/canvas_file.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "io/card_output.h"
+#include "io/result/card_output.h"
 
 namespace tessera::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <clocale>
 #include <nlohmann/json.hpp>
 
-#include "io/geojson_output.h"
+#include "io/result/geojson_output.h"
 #include "io/number_text.h"
 #include "sample_collage.h"
 

@@ -1,5 +1,5 @@
 // Sizes from headers, and headers that lie or end early.
-#include "io/image_header.h"
+#include "io/artwork/image_header.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

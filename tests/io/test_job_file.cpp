@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "core/error.h"
-#include "io/job_file.h"
-#include "io/job_keys.h"
+#include "io/job/job_file.h"
+#include "io/job/job_keys.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/job_file.h"
-#include "io/job_keys.h"
-#include "io/job_value.h"
-#include "io/nearest_name.h"
+#include "io/job/job_file.h"
+#include "io/job/job_keys.h"
+#include "io/job/job_value.h"
+#include "io/job/nearest_name.h"
 
 namespace tessera::io {
 namespace {

@@ -8,11 +8,11 @@
 #include <thread>
 
 #include "core/error.h"
-#include "io/contact_sheet.h"
-#include "io/library_builder.h"
-#include "io/library_file.h"
-#include "io/library_names.h"
-#include "io/shape_codec.h"
+#include "io/library/contact_sheet.h"
+#include "io/library/library_builder.h"
+#include "io/library/library_file.h"
+#include "io/library/library_names.h"
+#include "io/library/shape_codec.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 

@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "core/error.h"
-#include "io/library_file.h"
+#include "io/library/library_file.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 

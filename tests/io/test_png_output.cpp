@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "artwork_samples.h"
-#include "io/png_output.h"
+#include "io/result/png_output.h"
 #include "sample_collage.h"
 
 namespace tessera::io {

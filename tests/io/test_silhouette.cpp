@@ -1,5 +1,5 @@
 // From artwork to silhouette, picture and shape: every format, small and large drawings.
-#include "io/silhouette.h"
+#include "io/artwork/silhouette.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 
 #include "artwork_samples.h"
 #include "core/error.h"
-#include "io/artwork_page.h"
-#include "io/artwork_render.h"
-#include "io/artwork_shape.h"
+#include "io/artwork/artwork_page.h"
+#include "io/artwork/artwork_render.h"
+#include "io/artwork/artwork_shape.h"
 
 namespace tessera::io {
 namespace {

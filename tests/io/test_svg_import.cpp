@@ -4,8 +4,8 @@
 #include <chrono>
 
 #include "core/error.h"
-#include "io/svg_import.h"
-#include "io/svg_style.h"
+#include "io/result/svg_import.h"
+#include "io/result/svg_style.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "artwork_samples.h"
-#include "io/artwork_render.h"
-#include "io/png_output.h"
-#include "io/svg_output.h"
+#include "io/artwork/artwork_render.h"
+#include "io/result/png_output.h"
+#include "io/result/svg_output.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 

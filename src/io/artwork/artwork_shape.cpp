@@ -1,0 +1,27 @@
+#include "io/artwork/artwork_shape.h"
+
+#include <filesystem>
+
+#include "core/shape_builder.h"
+#include "io/artwork/silhouette.h"
+
+namespace tessera::io {
+
+std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
+                                                          const PadParameters& pad) {
+  Silhouette silhouette = make_silhouette(bytes, path);
+  const auto traced = trace_outline(silhouette.alpha, silhouette.origin_px, silhouette.source_px);
+  if (const auto* reason = std::get_if<SkipReason>(&traced)) return *reason;
+
+  const auto& outline = std::get<TracedOutline>(traced);
+  Shape shape = make_shape(outline, pad);
+  shape.name = std::filesystem::path(path).stem();
+  shape.mean_lab = silhouette.mean_lab;
+  shape.artwork.path = std::filesystem::absolute(path);
+  shape.artwork.width_px = silhouette.width_px;
+  shape.artwork.height_px = silhouette.height_px;
+  shape.artwork.thumbnail_png = std::move(silhouette.thumbnail_png);
+  return ArtworkShape{std::move(shape), outline.other_components, outline.other_area_fraction};
+}
+
+}  // namespace tessera::io

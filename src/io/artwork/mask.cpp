@@ -1,0 +1,84 @@
+#include "io/artwork/mask.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+
+namespace tessera::io {
+namespace {
+
+/// Below this difference (of 255) image and background are one: noise of a JPEG.
+constexpr double kLeastContrast = 24;
+
+/// Mean of the fullest of 16 x 16 x 16 colour bins along the edge.
+cv::Vec3d prevailing_edge_colour(const cv::Mat& bgr) {
+  struct Bin {
+    cv::Vec3d sum{0, 0, 0};
+    int count = 0;
+  };
+  std::vector<Bin> bins(16 * 16 * 16);
+  const auto add = [&](int x, int y) {
+    const cv::Vec3b c = bgr.at<cv::Vec3b>(y, x);
+    Bin& bin = bins[std::size_t(c[0] >> 4 << 8 | c[1] >> 4 << 4 | c[2] >> 4)];
+    bin.sum += cv::Vec3d(c);
+    ++bin.count;
+  };
+  for (int x = 0; x < bgr.cols; ++x) {
+    add(x, 0);
+    add(x, bgr.rows - 1);
+  }
+  for (int y = 0; y < bgr.rows; ++y) {
+    add(0, y);
+    add(bgr.cols - 1, y);
+  }
+  const Bin& best = *std::max_element(bins.begin(), bins.end(), [](auto& a, auto& b) { return a.count < b.count; });
+  return best.sum / best.count;
+}
+
+/// Largest difference of the three colours, CV_8U.
+cv::Mat difference_from(const cv::Mat& bgr, const cv::Vec3d& colour) {
+  cv::Mat difference;
+  cv::absdiff(bgr, cv::Scalar(colour[0], colour[1], colour[2]), difference);
+  std::array<cv::Mat, 3> channel;
+  cv::split(difference, channel.data());
+  return cv::max(cv::max(channel[0], channel[1]), channel[2]);
+}
+
+cv::Mat alpha_of(const cv::Mat& difference) {
+  cv::Mat is_shape;
+  cv::threshold(difference, is_shape, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
+  const double shape = cv::mean(difference, is_shape)[0];
+  const double background = cv::mean(difference, ~is_shape)[0];
+  cv::Mat alpha = cv::Mat::zeros(difference.size(), CV_8U);
+  if (shape - background < kLeastContrast) return alpha;
+  const double slope = 255 / (shape - background);
+  difference.convertTo(alpha, CV_8U, slope, -background * slope);  // saturates
+  return alpha;
+}
+
+/// The colour of which `seen` is a mixture with the background.
+std::uint8_t unmixed(double seen, double background, int alpha) {
+  return alpha == 0 ? 0 : cv::saturate_cast<std::uint8_t>(background + (seen - background) * 255 / alpha);
+}
+
+}  // namespace
+
+cv::Mat cut_from_background(const cv::Mat& bgr) {
+  const cv::Vec3d background = prevailing_edge_colour(bgr);
+  const cv::Mat alpha = alpha_of(difference_from(bgr, background));
+  cv::Mat result(bgr.size(), CV_8UC4);
+  for (int y = 0; y < bgr.rows; ++y) {
+    for (int x = 0; x < bgr.cols; ++x) {
+      const cv::Vec3b seen = bgr.at<cv::Vec3b>(y, x);
+      const int a = alpha.at<std::uint8_t>(y, x);
+      cv::Vec4b& out = result.at<cv::Vec4b>(y, x);
+      for (int c = 0; c < 3; ++c) out[c] = unmixed(seen[c], background[c], a);
+      out[3] = std::uint8_t(a);
+    }
+  }
+  return result;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,95 @@
+#include "io/artwork/raster_page.h"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/error.h"
+#include "io/artwork/alpha.h"
+#include "io/artwork/image_header.h"
+#include "io/artwork/mask.h"
+
+namespace tessera::io {
+namespace {
+
+/// An enlarged drawing shows nothing more, but its contour is smoothed on a grid that is fine enough.
+constexpr int kLeastFinestSide_px = 512;
+constexpr int kMostFinestSide_px = 2048;
+
+void check_header(std::span<const std::uint8_t> bytes, const std::string& path) {
+  const std::optional<cv::Size2d> size = image_size_from_header(bytes);
+  if (!size) throw InputError(path + ": neither SVG nor a readable PNG, WebP, TIFF, BMP or JPEG image");
+  if (size->area() > kMaxImagePixels) {
+    throw InputError(cv::format("%s: %.0f x %.0f pixels, more than the %.0f million allowed", path.c_str(), size->width,
+                                size->height, kMaxImagePixels * 1e-6));
+  }
+}
+
+cv::Mat decoded(std::span<const std::uint8_t> bytes, const std::string& path) {
+  check_header(bytes, path);
+  // OpenCV takes a mutable pointer and only reads.
+  const cv::Mat packed(1, int(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data()));
+  cv::Mat image;
+  try {
+    image = cv::imdecode(packed, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {  // the same as an empty image
+  }
+  if (image.empty()) throw InputError(path + ": a damaged image");
+  return image;
+}
+
+cv::Mat to_8_bits(const cv::Mat& image, const std::string& path) {
+  if (image.depth() == CV_8U) return image;
+  if (image.depth() != CV_16U) throw InputError(path + ": an image must have 8 or 16 bits a channel");
+  cv::Mat result;
+  image.convertTo(result, CV_8U, 1.0 / 257);
+  return result;
+}
+
+bool has_transparency(const cv::Mat& bgra) {
+  cv::Mat alpha;
+  cv::extractChannel(bgra, alpha, 3);
+  double least = 255;
+  cv::minMaxLoc(alpha, &least);
+  return least < 255;
+}
+
+/// Straight BGRA, from alpha or by threshold.
+cv::Mat with_silhouette(const cv::Mat& image) {
+  if (image.channels() == 4 && has_transparency(image)) return image;
+  cv::Mat bgr = image;
+  if (image.channels() == 4) cv::cvtColor(image, bgr, cv::COLOR_BGRA2BGR);
+  if (image.channels() == 1) cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
+  return cut_from_background(bgr);
+}
+
+class RasterPage : public ArtworkPage {
+ public:
+  explicit RasterPage(cv::Mat premultiplied_bgra) : image_(std::move(premultiplied_bgra)) {}
+
+  cv::Size2d natural_size() const override { return {double(image_.cols), double(image_.rows)}; }
+  int finest_side_px() const override { return std::clamp(longest_side(), kLeastFinestSide_px, kMostFinestSide_px); }
+  float source_px(int longest_side_px) const override { return float(longest_side_px) / float(longest_side()); }
+
+  cv::Mat draw(int longest_side_px, const cv::Rect& window) const override {
+    cv::Mat page;
+    const int filter = longest_side_px < longest_side() ? cv::INTER_AREA : cv::INTER_LINEAR;
+    cv::resize(image_, page, page_size_px(*this, longest_side_px), 0, 0, filter);
+    return page(window).clone();
+  }
+
+ private:
+  int longest_side() const { return std::max(image_.cols, image_.rows); }
+
+  cv::Mat image_;
+};
+
+}  // namespace
+
+std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path) {
+  const cv::Mat image = to_8_bits(decoded(bytes, path), path);
+  if (image.channels() == 2) throw InputError(path + ": an image must have 1, 3 or 4 channels");
+  return std::make_unique<RasterPage>(premultiplied(with_silhouette(image)));
+}
+
+}  // namespace tessera::io

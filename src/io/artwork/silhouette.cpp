@@ -1,0 +1,113 @@
+#include "io/artwork/silhouette.h"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "io/artwork/alpha.h"
+#include "io/artwork/artwork_page.h"
+
+namespace tessera::io {
+namespace {
+
+/// A drawing that would gain less resolution than this is not drawn again.
+constexpr double kLeastZoom = 1.15;
+/// Kept around the drawing: what was too faint to be seen at first.
+constexpr int kMargin_px = 4;
+
+/// What is drawn on, with a margin; empty where nothing is.
+cv::Rect drawn_part(const cv::Mat& bgra) {
+  cv::Mat alpha;
+  cv::extractChannel(bgra, alpha, 3);
+  const cv::Rect part = cv::boundingRect(alpha >= 128);
+  if (part.empty()) return {};
+  const cv::Rect grown = part + cv::Size(2 * kMargin_px, 2 * kMargin_px) - cv::Point(kMargin_px, kMargin_px);
+  return grown & cv::Rect({0, 0}, bgra.size());
+}
+
+struct Drawing {
+  int longest_side_px = 0;
+  cv::Rect part;
+  cv::Mat bgra;  // of the part
+};
+
+/// The drawn part at the resolution wanted. A small drawing on a large page needs a second look.
+Drawing drawn_finely(const ArtworkPage& page, const cv::Mat& first) {
+  const cv::Rect part = drawn_part(first);
+  if (part.empty()) return {kSilhouetteSide_px, {}, {}};
+  const double wanted = double(kSilhouetteSide_px) / std::max(part.width, part.height);
+  const double possible = double(page.finest_side_px()) / kSilhouetteSide_px;
+  const double zoom = std::min(wanted, possible);
+  if (zoom < kLeastZoom) return {kSilhouetteSide_px, part, first(part)};
+
+  Drawing finer;
+  finer.longest_side_px = int(kSilhouetteSide_px * zoom);
+  const cv::Rect zoomed(cv::Point2d(part.tl()) * zoom, cv::Point2d(part.br()) * zoom);
+  finer.part = zoomed & cv::Rect({0, 0}, page_size_px(page, finer.longest_side_px));
+  finer.bgra = page.draw(finer.longest_side_px, finer.part);
+  return finer;
+}
+
+Grid<float> alpha_grid(const cv::Mat& bgra) {
+  Grid<float> alpha(bgra.cols, bgra.rows);
+  for (int y = 0; y < bgra.rows; ++y) {
+    for (int x = 0; x < bgra.cols; ++x) alpha(x, y) = float(bgra.at<cv::Vec4b>(y, x)[3]) / 255;
+  }
+  return alpha;
+}
+
+cv::Mat thumbnail_of(const cv::Mat& page_bgra) {
+  const double scale = double(kThumbnailSide_px) / std::max(page_bgra.cols, page_bgra.rows);
+  const auto side = [&](int length) { return std::max(1, cvRound(length * scale)); };
+  cv::Mat small;
+  cv::resize(page_bgra, small, {side(page_bgra.cols), side(page_bgra.rows)}, 0, 0, cv::INTER_AREA);
+  return straightened(small);
+}
+
+std::array<float, 3> mean_lab_of(const cv::Mat& straight_bgra) {
+  cv::Mat bgr, lab, alpha;
+  cv::cvtColor(straight_bgra, bgr, cv::COLOR_BGRA2BGR);
+  bgr.convertTo(bgr, CV_32F, 1.0 / 255);
+  cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
+  cv::extractChannel(straight_bgra, alpha, 3);
+  cv::Vec3d sum(0, 0, 0);
+  double weight = 0;
+  for (int y = 0; y < lab.rows; ++y) {
+    for (int x = 0; x < lab.cols; ++x) {
+      const double a = alpha.at<std::uint8_t>(y, x);
+      sum += a * cv::Vec3d(lab.at<cv::Vec3f>(y, x));
+      weight += a;
+    }
+  }
+  if (weight == 0) return {};
+  return {float(sum[0] / weight), float(sum[1] / weight), float(sum[2] / weight)};
+}
+
+std::vector<std::uint8_t> png_of(const cv::Mat& bgra) {
+  std::vector<std::uint8_t> png;
+  cv::imencode(".png", bgra, png);
+  return png;
+}
+
+}  // namespace
+
+Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path) {
+  const std::unique_ptr<ArtworkPage> page = open_artwork_page(bytes, path);
+  const cv::Mat first = page->draw(kSilhouetteSide_px, cv::Rect({0, 0}, page_size_px(*page, kSilhouetteSide_px)));
+  const Drawing drawing = drawn_finely(*page, first);
+  const cv::Size size = page_size_px(*page, drawing.longest_side_px);
+  const cv::Mat thumbnail = thumbnail_of(first);
+
+  Silhouette silhouette;
+  silhouette.path = path;
+  silhouette.width_px = size.width;
+  silhouette.height_px = size.height;
+  silhouette.alpha = alpha_grid(drawing.bgra);
+  silhouette.origin_px = {float(drawing.part.x), float(drawing.part.y)};
+  silhouette.source_px = page->source_px(drawing.longest_side_px);
+  silhouette.mean_lab = mean_lab_of(thumbnail);
+  silhouette.thumbnail_png = png_of(thumbnail);
+  return silhouette;
+}
+
+}  // namespace tessera::io

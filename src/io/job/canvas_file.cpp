@@ -1,0 +1,92 @@
+#include "io/job/canvas_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "core/error.h"
+#include "io/artwork/artwork_render.h"
+#include "io/job/job_keys.h"
+#include "io/artwork/mask.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr int kMinCanvas_px = 16;
+constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;  // the mask is drawn at twice the canvas' resolution
+
+/// The largest page with the artwork's aspect that fits into twice the spec's box.
+cv::Mat render_into_box(const CanvasSpec& spec) {
+  const auto bytes = read_artwork_file(spec.file);
+  const int box_width = 2 * spec.width_px;
+  const int box_height = 2 * spec.height_px;
+  const int side = std::max(box_width, box_height);
+  const cv::Mat page = render_artwork(bytes, spec.file, side);
+  const double fit = std::min(double(box_width) / page.cols, double(box_height) / page.rows);
+  return fit >= 1 ? page : render_artwork(bytes, spec.file, std::max(1, int(fit * side)));
+}
+
+/// Half transparent or more somewhere, the rim apart: drawing blurs the edge of an opaque page.
+bool has_transparency(const cv::Mat& alpha) {
+  constexpr int kRim_px = 2;
+  if (alpha.cols <= 2 * kRim_px || alpha.rows <= 2 * kRim_px) return false;
+  const cv::Rect inner(kRim_px, kRim_px, alpha.cols - 2 * kRim_px, alpha.rows - 2 * kRim_px);
+  double least = 255;
+  cv::minMaxLoc(alpha(inner), &least);
+  return least < 128;
+}
+
+cv::Mat region(const cv::Mat& page) {
+  cv::Mat alpha;
+  cv::extractChannel(page, alpha, 3);
+  if (!has_transparency(alpha)) {  // an SVG with a background; images come cut out already
+    cv::Mat bgr;
+    cv::cvtColor(page, bgr, cv::COLOR_BGRA2BGR);
+    cv::extractChannel(cut_from_background(bgr), alpha, 3);
+  }
+  alpha.convertTo(alpha, CV_32F, 1.0 / 255);
+  return alpha;
+}
+
+void check_box(const CanvasSpec& spec) {
+  if (std::max(spec.width_px, spec.height_px) <= kMaxMaskCanvas_px) return;
+  throw InputError("canvas.size_px: found [" + std::to_string(spec.width_px) + ", " + std::to_string(spec.height_px) +
+                   "], allowed with a canvas.file: " + std::to_string(kMaxMaskCanvas_px) + " px or less each");
+}
+
+}  // namespace
+
+Grid<float> mask_coverage(const cv::Mat& page) {
+  const cv::Mat inside = region(page);
+  Grid<float> coverage(inside.cols + inside.cols % 2, inside.rows + inside.rows % 2, 0.f);
+  for (int y = 0; y < inside.rows; ++y) std::copy_n(inside.ptr<float>(y), inside.cols, coverage.row(y));
+  return coverage;
+}
+
+void check_picture_height(const OutputSpec& output, const Canvas& canvas) {
+  const double most_px = find_job_key("output", "width_px")->max;
+  const double height_px = double(output.width_px) * canvas.height_px / canvas.width_px;
+  if (height_px <= most_px) return;
+  throw InputError("output.width_px: found " + std::to_string(output.width_px) + ", which makes collage.png " +
+                   std::to_string(std::lround(height_px)) + " px high; allowed for this canvas: " +
+                   std::to_string(int(most_px * canvas.width_px / canvas.height_px)) + " or less");
+}
+
+Canvas load_canvas(const CanvasSpec& spec) {
+  if (spec.file.empty()) return make_rectangle_canvas(spec.width_px, spec.height_px);
+  check_box(spec);
+  const Grid<float> coverage = mask_coverage(render_into_box(spec));
+  if (std::min(coverage.width(), coverage.height()) < 2 * kMinCanvas_px) {
+    throw InputError("canvas file " + spec.file + ": only " + std::to_string(coverage.width() / 2) + " x " +
+                     std::to_string(coverage.height() / 2) + " px in the box of canvas.size_px, allowed: " +
+                     std::to_string(kMinCanvas_px) + " px or more each");
+  }
+  Canvas canvas = make_mask_canvas(coverage);
+  if (canvas.area_px2 <= 0) {
+    throw InputError("canvas file " + spec.file + ": no area to fill; needed: an opaque silhouette on a transparent " +
+                     "page or a plain background");
+  }
+  return canvas;
+}
+
+}  // namespace tessera::io

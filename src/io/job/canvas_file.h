@@ -1,0 +1,24 @@
+// The canvas of a job: a rectangle, or the silhouette in an SVG or image file.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "core/canvas.h"
+#include "core/grid.h"
+#include "io/job/job_file.h"
+
+namespace tessera::io {
+
+/// A mask is scaled into the box of the spec's size with its aspect kept; the canvas is then as large as the scaled
+/// page, which touches the box in width or height. Throws InputError where the file is no artwork, breaks a limit of
+/// artwork_render.h, becomes narrower than 16 px, or leaves nothing to fill.
+Canvas load_canvas(const CanvasSpec& spec);
+
+/// A picture of the canvas in that width must not become higher than wide ones may be: throws InputError.
+void check_picture_height(const OutputSpec& output, const Canvas& canvas);
+
+/// The region in a page of straight BGRA, as coverage 0..1 of each pixel, the sizes rounded up to even ones: the alpha
+/// where the page is transparent anywhere, else what differs from the colour that prevails along its edge (mask.h).
+Grid<float> mask_coverage(const cv::Mat& page);
+
+}  // namespace tessera::io

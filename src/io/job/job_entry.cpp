@@ -1,0 +1,109 @@
+#include "io/job/job_entry.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/error.h"
+#include "io/job/job_keys.h"
+#include "io/job/job_value.h"
+#include "io/job/nearest_name.h"
+
+namespace tessera::io {
+namespace {
+
+std::string found_text(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&](const auto& value) { text << toml::toml_formatter(value, toml::format_flags::none); });
+  return printable(text.str());
+}
+
+std::vector<std::string> section_names() {
+  std::vector<std::string> names;
+  for (const auto& key : job_keys()) {
+    if (!key.section.empty() && (names.empty() || names.back() != key.section)) names.push_back(key.section);
+  }
+  return names;
+}
+
+std::vector<std::string> key_names(const std::string& section) {
+  std::vector<std::string> names;
+  for (const auto& key : job_keys()) {
+    if (key.section == section) names.push_back(key.name);
+  }
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+std::string full_name(const JobEntry& entry) {
+  return entry.section.empty() ? entry.name : entry.section + "." + entry.name;
+}
+
+/// Of the entry's own section first, then the same or a like name elsewhere.
+std::string suggestion(const JobEntry& entry) {
+  if (const auto name = nearest_name(entry.name, key_names(entry.section)); !name.empty()) {
+    return find_job_key(entry.section, name)->full_name();
+  }
+  std::vector<std::string> full_names;
+  for (const auto& key : job_keys()) {
+    if (key.name == entry.name) return key.full_name();
+    full_names.push_back(key.full_name());
+  }
+  return nearest_name(full_name(entry), full_names);
+}
+
+std::string did_you_mean(const std::string& nearest) {
+  return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
+}
+
+[[noreturn]] void fail_unknown_section(const JobEntry& entry) {
+  const std::string nearest = nearest_name(entry.section, section_names());
+  throw InputError(entry.where + ": unknown section [" + printable(entry.section) + "]" +
+                   did_you_mean(nearest.empty() ? "" : "[" + nearest + "]") + "; allowed: " + joined(section_names()));
+}
+
+[[noreturn]] void fail_unknown_key(const JobEntry& entry) {
+  if (entry.section.empty() && is_job_section(entry.name)) {
+    throw InputError(entry.where + ": " + entry.name + " is a section with the keys " + joined(key_names(entry.name)) +
+                     ", found " + found_text(*entry.value));
+  }
+  const std::string place = entry.section.empty() ? "at top level" : "in [" + entry.section + "]";
+  throw InputError(entry.where + ": unknown key " + printable(full_name(entry)) + did_you_mean(suggestion(entry)) +
+                   "; allowed " + place + ": " + joined(key_names(entry.section)));
+}
+
+}  // namespace
+
+std::string printable(std::string text, std::size_t max_bytes) {
+  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  if (text.size() <= max_bytes) return text;
+  std::size_t end = max_bytes;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // not inside a UTF-8 character
+  return text.substr(0, end) + "...";
+}
+
+bool is_job_section(const std::string& name) {
+  const auto names = section_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void apply_entry(const JobEntry& entry, Job& job) {
+  if (!entry.section.empty() && !is_job_section(entry.section)) fail_unknown_section(entry);
+  const JobKey* key = find_job_key(entry.section, entry.name);
+  if (!key) fail_unknown_key(entry);
+  auto value = read_job_value(*key, *entry.value);
+  if (!value) {
+    throw InputError(entry.where + ": " + key->full_name() + ": found " + found_text(*entry.value) + ", allowed: " +
+                     allowed_values(*key));
+  }
+  if (key->kind == JobKind::file && !value->text.empty()) {
+    value->text = (entry.base / value->text).lexically_normal().string();
+  }
+  key->set(job, *value);
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,30 @@
+// One "key = value" of a job file or of --set: checked against the table of keys, and all that is said about mistakes.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <string>
+
+#include "io/job/job_file.h"
+
+namespace tessera::io {
+
+struct JobEntry {
+  std::string section;         // empty = top level
+  std::string name;
+  const toml::node* value;
+  std::string where;           // start of every message about it: "job.toml:12" or "--set a.b=c"
+  std::filesystem::path base;  // what a relative path is relative to
+};
+
+/// Sets the key in `job`. Throws InputError: an unknown section or key with the nearest one, or the value found and
+/// what is allowed.
+void apply_entry(const JobEntry& entry, Job& job);
+
+bool is_job_section(const std::string& name);
+
+/// For messages: without control characters, cut to `max_bytes`.
+std::string printable(std::string text, std::size_t max_bytes = 60);
+
+}  // namespace tessera::io

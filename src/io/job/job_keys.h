@@ -1,0 +1,61 @@
+// The table of all keys of a job file: what docs/job-format.md lists, load_job accepts and to_toml writes.
+// To add a key: a member in Job (job_file.h) or core/settings.h with its default, a line in job_keys.cpp, a line in
+// docs/job-format.md (the test says which).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "io/job/job_file.h"
+
+namespace tessera::io {
+
+enum class JobKind {
+  number,
+  integer,
+  interval,         // [min, max] of numbers, min <= max
+  proper_interval,  // [min, max] of numbers, min < max
+  size,             // [width, height] of whole numbers
+  word,             // one of JobKey::words
+  file,             // a path
+  colour,           // "#rrggbb"
+  devices,          // "all", "cpu", "gpu", indices
+};
+
+/// A value as the job file has it: one or two numbers, or a text.
+struct JobValue {
+  std::vector<double> numbers;
+  std::string text;
+
+  friend bool operator==(const JobValue&, const JobValue&) = default;
+};
+
+struct JobKey {
+  std::string section;  // empty = top level
+  std::string name;
+  JobKind kind;
+  std::string unit;     // empty = none
+  double min = 0;       // of each number; both ends are allowed
+  double max = 0;
+  std::vector<std::string> words = {};
+  std::string meaning = {};
+  std::function<JobValue(const Job&)> get = {};
+  std::function<void(Job&, const JobValue&)> set = {};
+  bool required = false;  // the default, an empty text, will not do
+
+  /// "section.name", or the name alone at top level.
+  std::string full_name() const { return section.empty() ? name : section + "." + name; }
+};
+
+/// In the order in which docs/job-format.md and to_toml have them.
+const std::vector<JobKey>& job_keys();
+
+/// Null where there is none.
+const JobKey* find_job_key(const std::string& section, const std::string& name);
+
+/// A canvas of more px than this is refused: its fields alone would take gigabytes.
+inline constexpr double kMaxCanvas_px2 = 100e6;
+inline constexpr int kMaxDeviceIndex = 63;
+
+}  // namespace tessera::io

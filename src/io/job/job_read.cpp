@@ -1,0 +1,127 @@
+// load_job: the file's entries in the order of its lines, then the overrides, each checked against its key.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "core/error.h"
+#include "io/job/job_entry.h"
+#include "io/job/job_keys.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+// toml++ 3.3 builds and destroys a dotted key "a.a.a..." by recursion; 32,000 levels overflow a stack of 8 MB. Half a
+// file's bytes is the most that can be dots. A job with every key and comments has 3 kB.
+constexpr std::size_t kMaxJobBytes = 16384;
+
+std::string read_bytes(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    throw InputError("job file " + path + ": " + (fs::exists(path, error) ? "not a regular file" : "not found"));
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(kMaxJobBytes + 1, '\0');
+  file.read(bytes.data(), std::streamsize(bytes.size()));
+  if (file.gcount() == 0 && !file.eof()) throw InputError("job file " + path + ": cannot be read (no permission?)");
+  bytes.resize(std::size_t(file.gcount()));
+  if (bytes.size() > kMaxJobBytes) {
+    throw InputError("job file " + path + ": larger than " + std::to_string(kMaxJobBytes) + " bytes, the most allowed");
+  }
+  return bytes;
+}
+
+toml::table parse(const std::string& text, const std::string& path) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw InputError(path + ":" + std::to_string(error.source().begin.line) + ": not TOML: " +
+                     printable(std::string(error.description()), 200));
+  }
+}
+
+std::vector<JobEntry> entries_of(const toml::table& table, const std::string& path) {
+  std::vector<std::pair<toml::source_index, JobEntry>> by_line;
+  const fs::path base = fs::absolute(path).parent_path();
+  const auto add = [&](const std::string& section, const std::string& name, const toml::node& value) {
+    const auto line = value.source().begin.line;
+    by_line.push_back({line, {section, name, &value, path + ":" + std::to_string(line), base}});
+  };
+  for (const auto& [name, node] : table) {
+    const toml::table* section = node.as_table();
+    const std::string text(name.str());
+    if (!section || find_job_key("", text)) {
+      add("", text, node);
+    } else if (section->empty() && !is_job_section(text)) {
+      add(text, "", node);
+    } else {
+      for (const auto& [key, value] : *section) add(text, std::string(key.str()), value);
+    }
+  }
+  std::stable_sort(by_line.begin(), by_line.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<JobEntry> entries;
+  for (auto& [line, entry] : by_line) entries.push_back(std::move(entry));
+  return entries;
+}
+
+/// "[1, 2]" as TOML; what is not one TOML value is a string: a path, a colour, "0,2".
+toml::table parse_value(const std::string& text) {
+  try {
+    toml::table table = toml::parse("value = " + text);
+    if (table.size() == 1 && table.contains("value")) return table;
+  } catch (const toml::parse_error&) {
+  }
+  return toml::table{{"value", text}};
+}
+
+std::string without_blanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+void apply_override(const std::string& text, Job& job) {
+  const std::string where = "--set " + printable(text);
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) throw InputError(where + ": allowed: section.key=value");
+  if (text.size() > kMaxJobBytes) throw InputError(where + ": longer than " + std::to_string(kMaxJobBytes) + " bytes");
+  const std::string name = without_blanks(text.substr(0, equals));
+  const auto dot = name.find('.');
+  const bool top_level = dot == std::string::npos;
+  const toml::table table = parse_value(text.substr(equals + 1));
+  apply_entry({.section = top_level ? "" : name.substr(0, dot),
+               .name = top_level ? name : name.substr(dot + 1),
+               .value = table.get("value"),
+               .where = where,
+               .base = fs::current_path()},
+              job);
+}
+
+void check_required(const Job& job) {
+  for (const JobKey& key : job_keys()) {
+    if (key.required && key.get(job).text.empty()) {
+      throw InputError(job.path + ": " + key.full_name() + " is missing; needed: " + key.meaning);
+    }
+  }
+}
+
+Job read_job(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  Job job;
+  job.path = path;
+  const toml::table table = parse(text, path);
+  for (const JobEntry& entry : entries_of(table, path)) apply_entry(entry, job);
+  for (const std::string& override : overrides) apply_override(override, job);
+  check_required(job);
+  return job;
+}
+
+}  // namespace
+
+Job load_job(const std::string& path, const std::vector<std::string>& overrides) {
+  return read_job(read_bytes(path), path, overrides);
+}
+
+Job job_from_toml(const std::string& text, const std::string& path) { return read_job(text, path, {}); }
+
+}  // namespace tessera::io

@@ -1,0 +1,34 @@
+#include "io/library/hdf5_handles.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace tessera::io {
+namespace {
+
+herr_t keep_description(unsigned, const H5E_error2_t* entry, void* text) {
+  if (entry->desc != nullptr) *static_cast<std::string*>(text) = entry->desc;
+  return 0;
+}
+
+/// Of a failed system call HDF5 tells a long story, with the time and a pointer; the system's own words are enough.
+std::string system_message_in(const std::string& text) {
+  constexpr std::string_view kBefore = "error message = '";
+  const std::size_t at = text.find(kBefore);
+  if (at == std::string::npos) return text;
+  const std::size_t begin = at + kBefore.size();
+  return text.substr(begin, text.find('\'', begin) - begin);
+}
+
+}  // namespace
+
+void prepare_hdf5() { [[maybe_unused]] static const herr_t once = H5dont_atexit(); }
+
+std::string last_hdf5_message() {
+  std::string text = "unknown HDF5 error";
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_description, &text);  // outermost first: the innermost stays
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return system_message_in(text);
+}
+
+}  // namespace tessera::io

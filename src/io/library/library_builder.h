@@ -1,0 +1,57 @@
+// From artwork files to a library file. Every drawing is traced in a child process, so that none can hang or crash the
+// build; results are taken in the order of the files, so that the library's bytes do not depend on timing.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/outline.h"
+#include "io/library/artwork_files.h"
+#include "io/library/artwork_pool.h"
+#include "io/artwork/artwork_shape.h"
+
+namespace tessera::io {
+
+struct LibraryBuildSettings {
+  PadParameters pad;
+  bool embed = false;   // keep the artwork files' bytes
+  bool strict = false;  // write nothing where a file cannot be used
+  PoolSettings pool;
+};
+
+struct LibraryBuildReport {
+  struct Merged {
+    std::string path;
+    std::string name;  // of the shape with the same silhouette that was kept
+  };
+
+  bool written = false;  // false: no shape, or strict and not all files were used
+  std::size_t files = 0;
+  std::size_t shapes = 0;
+  std::vector<UnusedFile> skipped;
+  std::vector<Merged> merged;
+  std::vector<std::string> with_specks;  // paths: small components beside the largest were left out
+};
+
+/// Called in a child process for each file. Throws where the file is no artwork.
+using ShapeLoader = std::function<std::variant<ArtworkShape, SkipReason>(const std::string& path)>;
+
+/// shape_from_artwork of the file.
+ShapeLoader artwork_loader(const PadParameters& pad);
+
+/// What the caller wants to see and say while it lasts; both are called in the calling process.
+struct BuildMonitor {
+  std::function<void(std::size_t files_done, std::size_t shapes)> progress;
+  std::function<bool()> interrupted;
+};
+
+/// Writes the library at `output`, whole or not at all. Call it while the process has a single thread.
+/// Throws EnvironmentError where the file cannot be written or the build was interrupted.
+LibraryBuildReport build_library(const ArtworkFiles& files, const std::string& output,
+                                 const LibraryBuildSettings& settings, const ShapeLoader& load,
+                                 const BuildMonitor& monitor);
+
+}  // namespace tessera::io

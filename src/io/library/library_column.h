@@ -1,0 +1,58 @@
+// One column of a library file: a data set whose first dimension counts rows. Writing appends; reading takes any range
+// of rows and touches only the chunks that hold it. Both throw Hdf5Error, which names the data set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "io/library/hdf5_handles.h"
+#include "io/library/library_layout.h"
+
+namespace tessera::io {
+
+/// Creates the data set: chunked, shuffled, deflated, with checksums, units and description.
+class ColumnWriter {
+ public:
+  ColumnWriter(hid_t file, const layout::Column& column);
+
+  std::size_t rows() const { return rows_; }
+  /// `data` holds rows x elements_per_row(column) elements in the column's type, row by row.
+  void append(const void* data, std::size_t rows);
+
+ private:
+  layout::Column column_;
+  Hdf5Handle data_set_;
+  std::size_t rows_ = 0;
+};
+
+/// Opens the data set of an untrusted file. Refuses what is not exactly such a column: another type or shape, links or
+/// storage outside the file, filters that are not built in, chunks that are missing.
+class ColumnReader {
+ public:
+  ColumnReader(hid_t file, const layout::Column& column);
+
+  const layout::Column& column() const { return column_; }
+  std::size_t rows() const { return rows_; }
+  /// Bytes in the file.
+  std::uint64_t stored_bytes() const;
+
+  /// Rows [begin, end), 0 <= begin <= end <= rows(). Element is the column's type (char for text).
+  template <class Element>
+  std::vector<Element> read(std::size_t begin, std::size_t end) const {
+    std::vector<Element> data((end - begin) * layout::row_bytes(column_) / sizeof(Element));
+    read_into(data.data(), begin, end);
+    return data;
+  }
+
+ private:
+  void read_into(void* data, std::size_t begin, std::size_t end) const;
+  void check_chunks_of(std::size_t begin, std::size_t end) const;
+
+  layout::Column column_;
+  Hdf5Handle data_set_;
+  std::size_t rows_ = 0;
+  std::size_t chunk_rows_ = 0;
+};
+
+}  // namespace tessera::io

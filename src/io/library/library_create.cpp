@@ -1,0 +1,61 @@
+#include "io/library/library_create.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "core/error.h"
+#include "core/shape.h"
+#include "io/atomic_file.h"
+#include "io/library/hdf5_attributes.h"
+#include "io/library/library_layout.h"
+
+namespace tessera::io {
+namespace {
+
+/// What would otherwise show after minutes of work only, or in HDF5's words.
+void check_can_create(const std::string& temporary, const std::string& path) {
+  if (std::filesystem::is_directory(path)) throw EnvironmentError("cannot write " + path + ": it is a folder");
+  std::FILE* file = std::fopen(temporary.c_str(), "wb");
+  if (!file) throw EnvironmentError("cannot write " + path + ": " + std::generic_category().message(errno));
+  std::fclose(file);
+}
+
+Hdf5Handle create_group(hid_t file, const std::string& name) {
+  const Hdf5Handle properties(H5Pcreate(H5P_GROUP_CREATE), name);
+  hdf5_checked(H5Pset_obj_track_times(properties.get(), false), name);
+  return {H5Gcreate2(file, name.c_str(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), "group " + name};
+}
+
+void create_level_group(hid_t file, std::size_t k) {
+  const Hdf5Handle group = create_group(file, layout::level_group(k));
+  write_attribute(group.get(), layout::kSigmaAttribute, kSmoothingLevels[k].sigma);
+  write_attribute(group.get(), layout::kCurvePointsAttribute, kSmoothingLevels[k].curve_points);
+  write_attribute(group.get(), layout::kSamplesAttribute, kSmoothingLevels[k].samples);
+}
+
+}  // namespace
+
+Hdf5Handle create_library_file(const std::string& path) {
+  check_can_create(temporary_path(path), path);
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "file");
+  // The newest format has checksums over all of its metadata, which the reader relies on.
+  hdf5_checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), "file");
+  hdf5_checked(H5Pset_file_locking(access.get(), false, true), "file");  // often missing on cluster file systems
+  const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), "file");
+  hdf5_checked(H5Pset_obj_track_times(creation.get(), false), "file");
+  return {H5Fcreate(temporary_path(path).c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
+          "cannot create the file"};
+}
+
+void write_library_header(hid_t file, const PadParameters& pad) {
+  write_attribute(file, layout::kFormatAttribute, std::string(layout::kFormat));
+  write_attribute(file, layout::kVersionAttribute, layout::kVersion);
+  write_attribute(file, layout::kPadLevelsAttribute, pad.levels);
+  write_attribute(file, layout::kDeltaTauAttribute, pad.delta_tau);
+  for (const char* name : {"/shapes", "/outline", "/field", "/artwork", "/levels"}) create_group(file, name);
+  for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k) create_level_group(file, k);
+}
+
+}  // namespace tessera::io

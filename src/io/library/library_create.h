@@ -1,0 +1,18 @@
+// The beginning of a library file: the file itself, its attributes and groups.
+#pragma once
+
+#include <string>
+
+#include "core/pad.h"
+#include "io/library/hdf5_handles.h"
+
+namespace tessera::io {
+
+/// Creates temporary_path(path), for the library that is to become `path`. Throws EnvironmentError where that cannot be,
+/// Hdf5Error where HDF5 fails.
+Hdf5Handle create_library_file(const std::string& path);
+
+/// Format, version, PAD parameters, and the groups with those of the smoothing levels. Throws Hdf5Error.
+void write_library_header(hid_t file, const PadParameters& pad);
+
+}  // namespace tessera::io

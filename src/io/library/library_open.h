@@ -1,0 +1,20 @@
+// The first look at an untrusted library file: is it one, and of this program's version?
+#pragma once
+
+#include <string>
+
+#include "core/pad.h"
+#include "io/library/hdf5_handles.h"
+
+namespace tessera::io {
+
+/// What to do about a library of another version; appended to messages.
+inline constexpr char kBuildAgain[] = "; build it again with tessera library build";
+
+/// For reading. Throws InputError where there is no such file or it is not HDF5, Hdf5Error where it is damaged.
+Hdf5Handle open_library(const std::string& path);
+
+/// Checks format and version; throws Hdf5Error.
+PadParameters read_library_header(hid_t file);
+
+}  // namespace tessera::io

@@ -1,0 +1,259 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+#include "io/library/library_check.h"
+#include "io/library/library_column.h"
+#include "io/library/library_create.h"
+#include "io/library/library_file.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr float kLargestStep = 32767;  // of a quantised distance
+
+class LevelWriter {
+ public:
+  LevelWriter(hid_t file, const layout::LevelColumns& columns)
+      : points_(file, columns.points),
+        perimeter_(file, columns.perimeter),
+        lengths_(file, columns.lengths),
+        keypoints_(file, columns.keypoints),
+        convexity_(file, columns.convexity) {}
+
+  void append(const LevelCurve& level, int n) {
+    std::vector<float> lengths, convexity;
+    std::vector<Vec2> keypoints;
+    for (const ArclengthPyramid& sample : level.samples) {
+      for (int i = n - 1; i >= 0; --i) lengths.push_back(sample.left[i]);
+      lengths.insert(lengths.end(), sample.right.begin(), sample.right.begin() + n);
+      keypoints.insert(keypoints.end(), sample.keypoint.begin(), sample.keypoint.begin() + 2 * n + 1);
+      convexity.push_back(sample.convexity);
+    }
+    points_.append(level.points.data(), 1);
+    perimeter_.append(&level.perimeter, 1);
+    lengths_.append(lengths.data(), 1);
+    keypoints_.append(keypoints.data(), 1);
+    convexity_.append(convexity.data(), 1);
+  }
+
+ private:
+  ColumnWriter points_, perimeter_, lengths_, keypoints_, convexity_;
+};
+
+/// Rows of any number for each shape: the data and where each shape's begin, with the end as the last offset.
+class RaggedWriter {
+ public:
+  RaggedWriter(hid_t file, const layout::Column& first, const layout::Column& data)
+      : first_(file, first),
+        data_(file, data) {
+    append_offset(0);
+  }
+
+  void append(const void* rows, std::size_t count) {
+    data_.append(rows, count);
+    append_offset(data_.rows());
+  }
+  std::size_t groups() const { return first_.rows() - 1; }
+
+ private:
+  void append_offset(std::uint64_t offset) { first_.append(&offset, 1); }
+
+  ColumnWriter first_, data_;
+};
+
+class FieldWriter {
+ public:
+  FieldWriter(hid_t file, const layout::Columns& columns)
+      : distance_(file, columns.field_distance),
+        scale_(file, columns.field_scale),
+        extent_(file, columns.field_extent) {}
+
+  /// 16 bits, with a step for each shape: a step is about a ten-thousandth of a shape unit.
+  void append(const ShapeField& field) {
+    float largest = 1e-3f;
+    for (const float d : field.distance.data()) largest = std::max(largest, std::abs(d));
+    const float step = largest / kLargestStep;
+    std::vector<std::int16_t> quantised;
+    quantised.reserve(field.distance.data().size());
+    for (const float d : field.distance.data()) {
+      quantised.push_back(std::int16_t(std::clamp(std::round(d / step), -kLargestStep, kLargestStep)));
+    }
+    distance_.append(quantised.data(), 1);
+    scale_.append(&step, 1);
+    extent_.append(&field.extent, 1);
+  }
+
+ private:
+  ColumnWriter distance_, scale_, extent_;
+};
+
+class TextWriter {
+ public:
+  TextWriter(hid_t file, const layout::Column& column) : bytes_(column.text_bytes), column_(file, column) {}
+
+  void append(const std::string& text) {
+    std::vector<char> padded(bytes_, '\0');
+    std::memcpy(padded.data(), text.data(), std::min(text.size(), bytes_ - 1));
+    column_.append(padded.data(), 1);
+  }
+
+ private:
+  std::size_t bytes_;
+  ColumnWriter column_;
+};
+
+class ArtworkWriter {
+ public:
+  ArtworkWriter(hid_t file, const layout::Columns& columns)
+      : path_(file, columns.artwork_path),
+        size_(file, columns.artwork_size),
+        centroid_(file, columns.artwork_centroid),
+        unit_(file, columns.artwork_unit),
+        thumbnail_(file, columns.first_thumbnail_byte, columns.thumbnail_bytes),
+        original_(file, columns.first_original_byte, columns.original_bytes) {}
+
+  void append(const Artwork& artwork) {
+    const std::int32_t size[2] = {artwork.width_px, artwork.height_px};
+    path_.append(artwork.path);
+    size_.append(size, 1);
+    centroid_.append(&artwork.centroid_px, 1);
+    unit_.append(&artwork.unit_px, 1);
+    thumbnail_.append(artwork.thumbnail_png.data(), artwork.thumbnail_png.size());
+    original_.append(artwork.original.data(), artwork.original.size());
+  }
+
+ private:
+  TextWriter path_;
+  ColumnWriter size_, centroid_, unit_;
+  RaggedWriter thumbnail_, original_;
+};
+
+class OutlineWriter {
+ public:
+  OutlineWriter(hid_t file, const layout::Columns& columns)
+      : first_curve_(file, columns.first_curve),
+        curves_(file, columns.first_point, columns.outline_points) {
+    append_first_curve();
+  }
+
+  void append(const Outline& outline) {
+    for (const std::vector<Vec2>& curve : outline.curves) curves_.append(curve.data(), curve.size());
+    append_first_curve();
+  }
+
+ private:
+  void append_first_curve() {
+    const std::uint64_t first = curves_.groups();
+    first_curve_.append(&first, 1);
+  }
+
+  ColumnWriter first_curve_;
+  RaggedWriter curves_;
+};
+
+}  // namespace
+
+struct LibraryWriter::State {
+  State(const std::string& target, const PadParameters& parameters)
+      : path(target),
+        pad(parameters),
+        file(create_library_file(target)) {}
+
+  /// Members are destroyed from the last to the first: the columns before their file.
+  struct Content {
+    Content(hid_t file, const layout::Columns& columns)
+        : name(file, columns.name),
+          perimeter(file, columns.perimeter),
+          radius(file, columns.radius),
+          mean_lab(file, columns.mean_lab),
+          outline(file, columns),
+          field(file, columns),
+          artwork(file, columns) {
+      for (const layout::LevelColumns& level : columns.levels) levels.emplace_back(file, level);
+    }
+
+    TextWriter name;
+    ColumnWriter perimeter, radius, mean_lab;
+    OutlineWriter outline;
+    FieldWriter field;
+    ArtworkWriter artwork;
+    std::vector<LevelWriter> levels;
+  };
+
+  void remove_temporary() {
+    content.reset();
+    file.close();
+    std::remove(temporary_path(path).c_str());
+  }
+
+  std::string path;
+  PadParameters pad;
+  Hdf5Handle file;
+  std::optional<Content> content;
+  bool finished = false;
+};
+
+namespace {
+
+EnvironmentError write_error(const std::string& path, const Hdf5Error& error) {
+  return EnvironmentError("cannot write " + path + ": " + error.what());
+}
+
+}  // namespace
+
+LibraryWriter::LibraryWriter(const std::string& path, const PadParameters& pad) {
+  const Hdf5Silence silence;
+  try {
+    state_ = std::make_unique<State>(path, pad);
+    write_library_header(state_->file.get(), pad);
+    state_->content.emplace(state_->file.get(), layout::library_columns(pad.levels));
+  } catch (const Hdf5Error& error) {
+    if (state_) state_->remove_temporary();
+    throw write_error(path, error);
+  }
+}
+
+LibraryWriter::~LibraryWriter() {
+  const Hdf5Silence silence;
+  if (!state_->finished) state_->remove_temporary();
+}
+
+void LibraryWriter::append(const Shape& shape) {
+  const Hdf5Silence silence;
+  check_fits_library(shape);
+  try {
+    State::Content& to = *state_->content;
+    to.name.append(shape.name);
+    to.perimeter.append(&shape.perimeter, 1);
+    to.radius.append(&shape.radius, 1);
+    to.mean_lab.append(shape.mean_lab.data(), 1);
+    to.outline.append(shape.outline);
+    to.field.append(shape.field);
+    to.artwork.append(shape.artwork);
+    for (std::size_t k = 0; k < to.levels.size(); ++k) to.levels[k].append(shape.levels[k], state_->pad.levels);
+  } catch (const Hdf5Error& error) {
+    throw write_error(state_->path, error);
+  }
+}
+
+void LibraryWriter::finish() {
+  const Hdf5Silence silence;
+  State& state = *state_;
+  try {
+    // Flushed while the columns are open: closing a column cannot report that the disk is full.
+    hdf5_checked(H5Fflush(state.file.get(), H5F_SCOPE_GLOBAL), "flush");
+    state.content.reset();
+    if (!state.file.close()) throw Hdf5Error("close: " + last_hdf5_message());
+  } catch (const Hdf5Error& error) {
+    throw write_error(state.path, error);
+  }
+  commit_temporary_file(state.path);
+  state.finished = true;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,130 @@
+#include "io/result/card_output.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/number_text.h"
+
+namespace tessera::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct StageShares {
+  double prune = 0;
+  double dock = 0;
+  double objective = 0;
+  double merge = 0;
+};
+
+StageShares stage_shares(const RunStatistics& run) {
+  const double sum_s = run.prune_s + run.dock_s + run.objective_s + run.merge_s;
+  if (sum_s <= 0) return {};
+  return {run.prune_s / sum_s, run.dock_s / sum_s, run.objective_s / sum_s, run.merge_s / sum_s};
+}
+
+double rounded(double value, int decimals) {
+  const double unit = std::pow(10., decimals);
+  return std::round(value * unit) / unit;
+}
+
+Json quality_json(const Quality& q) {
+  const auto px = [](double v) { return rounded(v, 3); };
+  const auto fraction = [](double v) { return rounded(v, 6); };
+  return {{"coverage_fraction", fraction(q.coverage)},
+          {"overlap_fraction", fraction(q.overlap)},
+          {"outside_fraction", fraction(q.outside)},
+          {"pieces", q.pieces},
+          {"distinct_shapes", q.distinct_shapes},
+          {"shared_boundary_fraction", fraction(q.shared_boundary)},
+          {"scale_px",
+           {{"min", px(q.scale_px_quantiles[0])},
+            {"p10", px(q.scale_px_quantiles[1])},
+            {"median", px(q.scale_px_quantiles[2])},
+            {"p90", px(q.scale_px_quantiles[3])},
+            {"max", px(q.scale_px_quantiles[4])}}},
+          {"largest_gap_radius_px", px(q.largest_gap_px)}};
+}
+
+Json run_json(const RunStatistics& run) {
+  const StageShares share = stage_shares(run);
+  const auto seconds = [](double v) { return rounded(v, 3); };
+  const auto percent = [](double fraction) { return rounded(100 * fraction, 3); };
+  return {{"candidates", run.shapes},
+          {"pads_per_shape", rounded(run.pads_per_shape, 3)},
+          {"iterations", run.rounds},
+          {"target_samples", run.target_samples},
+          {"docking_choices", run.docking_choices},
+          {"dockings_evaluated", run.dockings_evaluated},
+          {"dockings_refined", run.refined},
+          {"pruned_percent", percent(run.pruned_fraction())},
+          {"total_s", seconds(run.total_s)},
+          {"prune_s", seconds(run.prune_s)},
+          {"dock_s", seconds(run.dock_s)},
+          {"objective_s", seconds(run.objective_s)},
+          {"merge_s", seconds(run.merge_s)},
+          {"prune_share_percent", percent(share.prune)},
+          {"dock_share_percent", percent(share.dock)},
+          {"objective_share_percent", percent(share.objective)},
+          {"merge_share_percent", percent(share.merge)},
+          {"stopped_by", run.stopped_by}};
+}
+
+std::string percent_text(double fraction, int decimals = 2) { return fixed(100 * fraction, decimals) + " %"; }
+
+/// 12345678 -> "12,345,678".
+std::string grouped(std::uint64_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
+  return text;
+}
+
+std::string line(const std::string& label, const std::string& value) {
+  constexpr std::size_t kLabelWidth = 24;
+  return std::string("  ") + label + std::string(kLabelWidth - label.size(), ' ') + value + "\n";
+}
+
+std::string scales_text(const Quality& q) {
+  std::string text;
+  for (const double scale : q.scale_px_quantiles) {
+    if (!text.empty()) text += " / ";
+    text += fixed(scale, 1);
+  }
+  return text + " px";
+}
+
+std::string quality_text(const Quality& q) {
+  return std::string("Quality\n") + line("coverage", percent_text(q.coverage)) +
+         line("overlap", percent_text(q.overlap, 3)) +
+         line("outside", percent_text(q.outside, 3)) +
+         line("pieces", grouped(q.pieces) + " of " + grouped(q.distinct_shapes) + " distinct shapes") +
+         line("shared boundary", percent_text(q.shared_boundary, 1) + "  (within 2 px)") +
+         line("scale", scales_text(q)) +
+         line("", "(min / 10 % / median / 90 % / max)") +
+         line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)");
+}
+
+std::string run_text(const RunStatistics& run) {
+  const StageShares share = stage_shares(run);
+  return std::string("Run (the paper's Table 2)\n") + line("candidates", grouped(run.shapes)) +
+         line("PADs per shape", fixed(run.pads_per_shape, 1)) +
+         line("iterations", grouped(run.rounds)) +
+         line("docking choices", grouped(run.docking_choices)) +
+         line("pruned", percent_text(run.pruned_fraction())) +
+         line("total time", fixed(run.total_s, 1) + " s") +
+         line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
+         line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1)) +
+         line("stopped by", run.stopped_by);
+}
+
+}  // namespace
+
+std::string card_json(const Quality& quality, const RunStatistics& run) {
+  return Json{{"quality", quality_json(quality)}, {"run", run_json(run)}}.dump(2) + "\n";
+}
+
+std::string card_text(const Quality& quality, const RunStatistics& run) {
+  return quality_text(quality) + run_text(run);
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,95 @@
+#include "io/result/geojson_output.h"
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <utility>
+
+#include "io/number_text.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr int kPixelDecimals = 3;
+constexpr int kScoreDecimals = 6;
+
+/// Names and paths are whatever the file system had; what is not UTF-8 is replaced.
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void append_position(Vec2 p, std::string& text) {
+  text += '[';
+  text += fixed(p.x, kPixelDecimals);
+  text += ',';
+  text += fixed(p.y, kPixelDecimals);
+  text += ']';
+}
+
+void append_ring(const std::vector<Vec2>& curve, const Similarity& canvas_from_shape, std::string& text) {
+  text += '[';
+  for (const Vec2 p : curve) {
+    append_position(canvas_from_shape.apply(p), text);
+    text += ',';
+  }
+  append_position(canvas_from_shape.apply(curve.front()), text);
+  text += ']';
+}
+
+void append_geometry(const Outline& outline, const Similarity& canvas_from_shape, std::string& text) {
+  text += R"({"type":"Polygon","coordinates":[)";
+  bool first = true;
+  for (const std::vector<Vec2>& curve : outline.curves) {
+    if (curve.empty()) continue;
+    if (!std::exchange(first, false)) text += ',';
+    append_ring(curve, canvas_from_shape, text);
+  }
+  text += "]}";
+}
+
+/// `value` is JSON already.
+void append_property(const char* key, const std::string& value, std::string& text) {
+  text += text.ends_with('{') ? "\"" : ",\"";
+  text += key;
+  text += "\":";
+  text += value;
+}
+
+void append_properties(const Placement& placement, std::size_t index, const Shape& shape, std::string& text) {
+  const Similarity& t = placement.canvas_from_shape;
+  const double rotation_deg = double(t.rotation_rad()) * 180 / std::numbers::pi;
+  text += '{';
+  append_property("index", std::to_string(index), text);
+  append_property("shape", quoted(shape.name), text);
+  append_property("source", quoted(shape.artwork.path), text);
+  append_property("scale", fixed(t.scale(), kPixelDecimals), text);
+  append_property("rotation_deg", fixed(rotation_deg, kPixelDecimals), text);
+  append_property("x_px", fixed(t.tx, kPixelDecimals), text);
+  append_property("y_px", fixed(t.ty, kPixelDecimals), text);
+  append_property("mirrored", "false", text);
+  append_property("score", fixed(placement.score, kScoreDecimals), text);
+  append_property("matched_px", fixed(placement.matched_px, kPixelDecimals), text);
+  text += '}';
+}
+
+void append_feature(const Placement& placement, std::size_t index, const Shape& shape, std::string& text) {
+  text += R"({"type":"Feature","properties":)";
+  append_properties(placement, index, shape, text);
+  text += R"(,"geometry":)";
+  append_geometry(shape.outline, placement.canvas_from_shape, text);
+  text += '}';
+}
+
+}  // namespace
+
+std::string geojson_text(const CollageReport& report) {
+  std::string text = R"({"type":"FeatureCollection","features":[)";
+  for (std::size_t i = 0; i < report.placements.size(); ++i) {
+    const Placement& placement = report.placements[i];
+    text += i ? ",\n" : "\n";
+    append_feature(placement, i, report.shape(placement.shape), text);
+  }
+  text += "\n]}\n";
+  return text;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,81 @@
+#include "io/result/sprite.h"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/error.h"
+#include "core/rasterise.h"
+#include "io/artwork/alpha.h"
+#include "io/result/artwork_original.h"
+#include "io/artwork/artwork_render.h"
+
+namespace tessera::io {
+namespace {
+
+int longest_side(const Artwork& artwork) { return std::max(1, std::max(artwork.width_px, artwork.height_px)); }
+
+Sprite sprite_of(const cv::Mat& straight_bgra, const Artwork& artwork) {
+  const int side = std::max(straight_bgra.cols, straight_bgra.rows);
+  return {premultiplied(straight_bgra), double(side) / longest_side(artwork)};
+}
+
+cv::Mat rendered_original(const Artwork& artwork, int longest_side_px) {
+  const std::vector<std::uint8_t> bytes = artwork_original(artwork);
+  if (bytes.empty()) return {};
+  try {
+    return render_artwork(bytes, artwork.path, longest_side_px);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+cv::Mat decoded_thumbnail(const Artwork& artwork) {
+  if (artwork.thumbnail_png.empty()) return {};
+  const cv::Mat image = cv::imdecode(artwork.thumbnail_png, cv::IMREAD_UNCHANGED);
+  return image.type() == CV_8UC4 ? image : cv::Mat();
+}
+
+Sprite filled_outline(const Shape& shape, int longest_side_px) {
+  const double scale = double(longest_side_px) / longest_side(shape.artwork);
+  const Similarity sprite_from_shape = scaled(artwork_from_shape(shape.artwork), float(scale));
+  const cv::Vec3b colour = mean_bgr(shape);
+  cv::Mat bgra(std::max(1, int(shape.artwork.height_px * scale + 0.5)),
+               std::max(1, int(shape.artwork.width_px * scale + 0.5)), CV_8UC4, cv::Scalar());
+  for (const Span& span : fill_spans(shape.outline, sprite_from_shape, {0, 0, bgra.cols, bgra.rows})) {
+    cv::Vec4b* row = bgra.ptr<cv::Vec4b>(span.y);
+    std::fill(row + span.x0, row + span.x1, cv::Vec4b(colour[0], colour[1], colour[2], 255));
+  }
+  return {bgra, scale};
+}
+
+}  // namespace
+
+Sprite make_sprite(const Shape& shape, int longest_side_px, SpriteSource source) {
+  cv::Mat image;
+  if (source == SpriteSource::original) image = rendered_original(shape.artwork, longest_side_px);
+  if (image.empty()) image = decoded_thumbnail(shape.artwork);
+  return image.empty() ? filled_outline(shape, longest_side_px) : sprite_of(image, shape.artwork);
+}
+
+Sprite shrunk(const Sprite& sprite, double px_per_artwork_px) {
+  const double factor = px_per_artwork_px / sprite.px_per_artwork_px;
+  if (factor >= 1) return sprite;
+  const cv::Size size(std::max(1, cvRound(sprite.bgra.cols * factor)), std::max(1, cvRound(sprite.bgra.rows * factor)));
+  Sprite small;
+  cv::resize(sprite.bgra, small.bgra, size, 0, 0, cv::INTER_AREA);
+  small.px_per_artwork_px = sprite.px_per_artwork_px * std::max(size.width, size.height) /
+                            std::max(sprite.bgra.cols, sprite.bgra.rows);
+  return small;
+}
+
+cv::Vec3b mean_bgr(const Shape& shape) {
+  const cv::Mat lab(1, 1, CV_32FC3, cv::Scalar(shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]));
+  cv::Mat bgr;
+  cv::cvtColor(lab, bgr, cv::COLOR_Lab2BGR);
+  const cv::Vec3f c = bgr.at<cv::Vec3f>(0, 0) * 255;
+  return {cv::saturate_cast<std::uint8_t>(c[0]), cv::saturate_cast<std::uint8_t>(c[1]),
+          cv::saturate_cast<std::uint8_t>(c[2])};
+}
+
+}  // namespace tessera::io
