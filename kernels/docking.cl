@@ -1,8 +1,8 @@
 // core/docking.cpp in OpenCL C (paper section 3.3): from a pair, or from random bits, to a similarity, and how well it
 // looks on a few points of the free field.
 
-#define NO_DOCKING -1.f
-#define NOT_EVALUATED -2.f  // nor looked at the field
+#define NO_DOCKING (-1.f)
+#define NOT_EVALUATED (-2.f)  // nor looked at the field
 
 typedef struct Alignment {
   PoseRecord canvas_from_shape;

@@ -109,7 +109,8 @@ kernel void select_pairs(constant MatchRecord* match, global const float* pads, 
   }
 }
 
-// Work item as in select_pairs, whose pairs begin with sample `first_paired`. `histogram`: kDistanceBins for each target sample. Whole numbers: any order will do.
+// Work item as in select_pairs, whose pairs begin with sample `first_paired`. `histogram`: kDistanceBins for each target
+// sample. Whole numbers: any order will do.
 kernel void count_pairs(constant MatchRecord* match, uint first_sample, uint end_sample, uint first_paired,
                         global const PairRecord* pairs, global const uint* pair_count, global uint* histogram) {
   const uint t = first_sample + get_global_id(0);

@@ -1,7 +1,9 @@
 // core/portable_math.h in OpenCL C, bit for bit, and reductions over the lanes of a vector.
 //
 // All kernels together: only + - * / sqrt floor fabs min max and comparisons, in the order in which the reference does
-// them; no built-in whose rounding may differ (mad, fma, native_*, dot, length).
+// them; no built-in whose rounding may differ (mad, fma, native_*, dot, length). Tunables come from the host under
+// their names; numbers that stand in the midst of a reference's function stand in its kernel too, and tests/worker
+// compares the bits of both.
 #pragma OPENCL FP_CONTRACT OFF
 
 float portable_exp2(float x) {

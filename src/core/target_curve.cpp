@@ -155,7 +155,9 @@ void TargetCurve::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int
   // Corners in the order (x, y), (x+1, y), (x+1, y+1), (x, y+1); edge k joins corners k and k+1.
   const float corner[4] = {contour(x, y), contour(x + 1, y), contour(x + 1, y + 1), contour(x, y + 1)};
   int mask = 0;
-  for (int k = 0; k < 4; ++k) mask |= int(corner[k] > 0) << k;
+  for (int k = 0; k < 4; ++k) {
+    if (corner[k] > 0) mask |= 1 << k;  // not (corner[k] > 0) << k: g++ 12 with -fsanitize=undefined miscompiles it
+  }
   if (mask == 0 || mask == 15) return;
   const auto name = [&](int ex, int ey, bool down) { return 2 * (std::uint32_t(ey) * width_ + ex) + down; };
   const std::uint32_t edge[4] = {name(x, y, false), name(x + 1, y, true), name(x, y + 1, false), name(x, y, true)};

@@ -59,9 +59,9 @@ std::vector<cl::Device> devices_of_kind(const std::vector<cl::Device>& all, cons
 
 std::vector<cl::Device> devices_by_index(const std::vector<cl::Device>& all, const std::string& use) {
   const auto refuse = [&](const std::string& found) {
-    return InputError("devices.use = \"" + use + "\": " + found +
-                      "; allowed: \"all\", \"cpu\", \"gpu\" or distinct indices of this machine's OpenCL devices: " +
-                      listed(all));
+    return InputError(
+        "devices.use = \"" + use + "\": " + found +
+        "; allowed: \"all\", \"cpu\", \"gpu\" or distinct indices of this machine's OpenCL devices: " + listed(all));
   };
   std::vector<std::size_t> indices;
   std::istringstream list(use);

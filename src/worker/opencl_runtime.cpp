@@ -1,5 +1,6 @@
 #include "worker/opencl_runtime.h"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -33,7 +34,8 @@ EnvironmentError opencl_error(const cl::Error& error, const std::string& device)
 }
 
 DeviceSession::DeviceSession(const cl::Device& device, const std::string& source, const std::string& build_options)
-    : device_(device), name_(device.getInfo<CL_DEVICE_NAME>()) {
+    : device_(device),
+      name_(device.getInfo<CL_DEVICE_NAME>()) {
   checked(name_, [&] {
     context_ = cl::Context(device_);
     queue_ = cl::CommandQueue(context_, device_);
@@ -53,10 +55,6 @@ cl::Kernel DeviceSession::kernel(const char* name) const {
 
 void DeviceSession::flush() const {
   checked(name_, [&] { queue_.flush(); });
-}
-
-void DeviceSession::finish() const {
-  checked(name_, [&] { queue_.finish(); });
 }
 
 void set_argument(cl::Kernel& kernel, cl_uint index, std::uint32_t value) { kernel.setArg(index, value); }

@@ -4,7 +4,6 @@
 
 #include <CL/opencl.hpp>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -37,7 +36,6 @@ class DeviceSession {
   cl::Kernel kernel(const char* name) const;
   /// Hands what was posted to the device, without waiting.
   void flush() const;
-  void finish() const;
 
  private:
   cl::Device device_;
@@ -77,18 +75,16 @@ class DeviceBuffer {
   void clear(std::size_t count) {
     reserve(count);
     if (count == 0) return;
-    checked(session_->name(), [&] {
-      session_->queue().enqueueFillBuffer(buffer_, std::uint32_t(0), 0, count * sizeof(T));
-    });
+    checked(session_->name(),
+            [&] { session_->queue().enqueueFillBuffer(buffer_, std::uint32_t(0), 0, count * sizeof(T)); });
   }
 
   /// The first `count` elements, once all that was posted before is done.
   std::vector<T> read(std::size_t count) const {
     std::vector<T> content(count);
     if (count == 0) return content;
-    checked(session_->name(), [&] {
-      session_->queue().enqueueReadBuffer(buffer_, CL_TRUE, 0, count * sizeof(T), content.data());
-    });
+    checked(session_->name(),
+            [&] { session_->queue().enqueueReadBuffer(buffer_, CL_TRUE, 0, count * sizeof(T), content.data()); });
     return content;
   }
 

@@ -41,7 +41,8 @@ MatchRecord make_match_record(const MatchingContext& c, std::uint32_t first_shap
 void check_levels(const MatchRecord& match, const ShapeModel& model) {
   bool fits = model.levels.size() == match.level_count && model.interior.size() <= kMaxInteriorPoints;
   for (std::size_t k = 0; fits && k < model.levels.size(); ++k) {
-    fits = model.levels[k].samples.size() == match.level[k].count && model.levels[k].pads.size() == match.level[k].count;
+    fits =
+        model.levels[k].samples.size() == match.level[k].count && model.levels[k].pads.size() == match.level[k].count;
   }
   if (!fits) throw std::logic_error("a shape model does not have the levels and samples of its matching context");
 }

@@ -67,27 +67,28 @@ TEST(Communicator, ReceiveAnyFollowsTheOrderOfSending) {
   });
 }
 
+constexpr std::size_t kLargeSize = 100'000'000;
+constexpr std::size_t kTwoMayBeUnderWay = Communicator::kMostUnderWay / 2 + 1;
+
 TEST(Communicator, LargeMessagesBothWaysDoNotLockUp) {
-  static constexpr std::size_t kSize = 100'000'000;
   on_all_ranks([](Communicator& ranks) {
     if (ranks.rank() > 1) return;  // two ranks say it all
     const int other = ranks.size() == 1 ? 0 : 1 - ranks.rank();
-    Bytes sent(kSize, char(ranks.rank()));
+    Bytes sent(kLargeSize, char(ranks.rank()));
     ranks.send(other, Tag::update_field, std::move(sent));
     ranks.send(other, Tag::dock_reply, pattern(3'000'000, ranks.rank()));
     EXPECT_EQ(ranks.receive(other, Tag::dock_reply), pattern(3'000'000, other));  // not in the order sent
     const Bytes received = ranks.receive(other, Tag::update_field);
-    ASSERT_EQ(received.size(), kSize);
-    EXPECT_EQ(received[kSize / 2], char(other));
+    ASSERT_EQ(received.size(), kLargeSize);
+    EXPECT_EQ(received[kLargeSize / 2], char(other));
   });
 }
 
 TEST(Communicator, MoreThanMayBeUnderWayBothWaysDoesNotLockUp) {
-  constexpr std::size_t kSize = Communicator::kMostUnderWay / 2 + 1;
   on_all_ranks([](Communicator& ranks) {
     if (ranks.rank() > 1) return;
     const int other = ranks.size() == 1 ? 0 : 1 - ranks.rank();
-    for (int i = 0; i < 3; ++i) ranks.send(other, Tag::update_field, Bytes(kSize, char(i)));
+    for (int i = 0; i < 3; ++i) ranks.send(other, Tag::update_field, Bytes(kTwoMayBeUnderWay, char(i)));
     for (int i = 0; i < 3; ++i) EXPECT_EQ(ranks.receive(other, Tag::update_field).back(), char(i));
   });
 }

@@ -14,8 +14,8 @@ MatcherKind composite_of(int parts) {
     const std::vector<std::uint64_t> weights(models.size(), 1);
     std::vector<std::unique_ptr<Matcher>> made;
     for (const ShapeRange& range : balanced_ranges(weights, parts)) {
-      made.push_back(make_reference(context, first + range.begin,
-                                    {models.begin() + range.begin, models.begin() + range.end}));
+      made.push_back(
+          make_reference(context, first + range.begin, {models.begin() + range.begin, models.begin() + range.end}));
     }
     return std::unique_ptr<Matcher>(std::make_unique<CompositeMatcher>(std::move(made)));
   };

@@ -61,8 +61,7 @@ inline void expect_same_dockings(const std::vector<Docking>& found, const std::v
                            << pose;
 }
 
-inline void expect_same_refined(const std::vector<RefinedDocking>& found,
-                                const std::vector<RefinedDocking>& expected) {
+inline void expect_same_refined(const std::vector<RefinedDocking>& found, const std::vector<RefinedDocking>& expected) {
   ASSERT_EQ(found.size(), expected.size());
   std::size_t differing = 0;
   std::size_t feasibility = 0;

@@ -1,5 +1,5 @@
-// The kernels against core, bit for bit: their building blocks by small probe kernels, the rest on random numbers, which
-// meet more of the arithmetic's corners than shapes do.
+// The kernels against core, bit for bit: their building blocks by small probe kernels, the rest on random numbers,
+// which meet more of the arithmetic's corners than shapes do.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -126,7 +126,8 @@ std::vector<Vec2> points_on(const CanvasField& field, Random& random, std::size_
   const float width = float(field.value.width());
   const float height = float(field.value.height());
   std::vector<Vec2> points = {field.origin,
-                              field.origin + Vec2{width - 1, height - 1},
+                              field.origin + Vec2{width - 1, 3},
+                              field.origin + Vec2{3, height - 1},
                               field.origin + Vec2{width - 1.00001f, 3},
                               field.origin + Vec2{-1e-6f, 2},
                               {1e9f, 0},
@@ -206,6 +207,9 @@ ShapeModel random_model(Random& random, const MatchingContext& context) {
       made.samples.push_back(random_pyramid(random, 1));
       made.pads.push_back(make_pad(made.samples.back(), context.pad.levels));
     }
+    // Alike to the bit, as on a regular polygon: equal distances and equal keys.
+    for (int j = 0; j < 12; ++j) made.samples[20 + j] = made.samples[random.below(3)];
+    for (int j = 0; j < 12; ++j) made.pads[20 + j] = make_pad(made.samples[20 + j], context.pad.levels);
     model.levels.push_back(made);
   }
   return model;
@@ -233,6 +237,7 @@ test::MatchingScene random_scene(std::uint32_t seed) {
   scene.settings.pieces.max_rotation_rad = seed % 2 ? 1.f : 3.1415927f;
   scene.context = make_matching_context(scene.settings, 7);
   for (int i = 0; i < 7; ++i) scene.models.push_back(random_model(random, scene.context));
+  scene.models[5] = scene.models[2];  // twins
   scene.field = wavy_field(random, 220);
   for (int t = 0; t < 9; ++t) {
     TargetSample sample;
