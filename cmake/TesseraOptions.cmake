@@ -20,7 +20,8 @@ target_compile_options(tessera_options INTERFACE -Wall -Wextra -Wpedantic -Werro
   # g++ 12 warns falsely of std::string's operator+ (GCC bug 105651).
   -Wno-restrict)
 if(TESSERA_SANITIZE)
-  target_compile_options(tessera_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all)
+  target_compile_options(tessera_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+    -Wno-maybe-uninitialized)  # of boost::optional, falsely
   target_link_options(tessera_options INTERFACE -fsanitize=address,undefined)
 endif()
 

@@ -27,7 +27,8 @@ class IdleWait {
  private:
   // About the time of a round trip between idle ranks of one node: shorter waits end without a sleep.
   static constexpr std::chrono::microseconds kSpin{20};
-  // Linux adds about 55 us to each; a waiting rank then takes below 2 % of a core.
+  // Linux adds about 55 us to each. Measured: a waiting rank takes 4 % of a core; a round trip between two ranks costs
+  // 0.14 ms more than the work it waits for.
   static constexpr std::chrono::microseconds kLongestSleep{100};
 
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -25,6 +25,12 @@ std::vector<int> ranks_of_this_node(const mpi::communicator& world) {
 // A message without content still counts, so that "nothing under way" means that all have left.
 std::size_t weight(const Bytes& bytes) { return bytes.size() + 1; }
 
+/// Boost.MPI dereferences the pointer even where there is nothing to send.
+char* content(Bytes& bytes) {
+  static char nothing = 0;
+  return bytes.empty() ? &nothing : bytes.data();
+}
+
 }  // namespace
 
 MpiCommunicator::MpiCommunicator()
@@ -44,7 +50,7 @@ void MpiCommunicator::start_send(int to, Message message) {
     throw std::length_error("a message of more than 2 GiB");
   }
   Leaving leaving{std::move(message.bytes), {}};
-  leaving.request = world_.isend(to, int(message.tag), leaving.bytes.data(), int(leaving.bytes.size()));
+  leaving.request = world_.isend(to, int(message.tag), content(leaving.bytes), int(leaving.bytes.size()));
   under_way_ += weight(leaving.bytes);
   leaving_.push_back(std::move(leaving));
 }
@@ -62,7 +68,7 @@ std::optional<Message> MpiCommunicator::poll() {
   const boost::optional<mpi::status> arrived = world_.iprobe(mpi::any_source, mpi::any_tag);
   if (!arrived) return std::nullopt;
   Message message{arrived->source(), Tag(arrived->tag()), Bytes(std::size_t(*arrived->count<char>()))};
-  world_.recv(message.from, arrived->tag(), message.bytes.data(), int(message.bytes.size()));
+  world_.recv(message.from, arrived->tag(), content(message.bytes), int(message.bytes.size()));
   return message;
 }
 

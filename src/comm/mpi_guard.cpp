@@ -1,7 +1,6 @@
 #include "comm/mpi_guard.h"
 
-#include <mpi.h>
-
+#include <boost/mpi/config.hpp>  // mpi.h without its old C++ interface
 #include <boost/mpi/exception.hpp>
 #include <cstdio>
 #include <cstdlib>

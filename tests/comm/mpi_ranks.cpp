@@ -1,7 +1,6 @@
 // on_all_ranks over MPI, and the main function of tests that mpirun starts. An expectation that fails on any rank is
 // printed by that rank and ends the job: the others may be waiting for it.
 #include <gtest/gtest.h>
-#include <mpi.h>
 
 #include <cstdio>
 

@@ -4,25 +4,22 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "comm/matcher_server.h"
 #include "comm/worker_team.h"
 #include "core/error.h"
-#include "core/free_field.h"
 #include "core/reference_matcher.h"
 #include "job_fixture.h"
 #include "on_all_ranks.h"
-#include "support/synthetic_library.h"
+#include "support/matcher_round.h"
 
 namespace tessera::comm {
 namespace {
 
 using test::on_all_ranks;
 using test::run_job;
-using tessera::test::models_of;
-using tessera::test::synthetic_library;
+using tessera::test::MatchingScene;
+using tessera::test::Round;
+using tessera::test::set_field;
 
 /// Answers with what it was told, in a form that shows it.
 class EchoMatcher : public Matcher {
@@ -248,73 +245,24 @@ TEST(RemoteMatcher, AWorkerThatCannotStartEndsTheJob) {
   });
 }
 
-/// A half-filled canvas with samples along its target curve.
-struct Scene {
-  CollageSettings settings;
-  std::vector<Shape> shapes = synthetic_library(5);
-  MatchingContext context;
-  CanvasField field;
-  std::vector<TargetSample> samples;
-
-  Scene() {
-    settings.pieces.min_scale_px = 15;
-    settings.pieces.max_scale_px = 90;
-    settings.match.beta = 0.4f;
-    context = make_matching_context(settings, std::uint32_t(shapes.size()));
-    FreeField free(make_rectangle_canvas(160, 140), settings.pieces);
-    free.stamp(shapes[0], {50, 20, 60, 55});
-    free.stamp(shapes[1], {30, -10, 120, 90});
-    field = free.field();
-    OpenedField opened(free, settings.pieces);
-    TargetCurve curve(settings.pieces, settings.match.pad);
-    curve.retrace(opened, field.origin, field.value.bounds());
-    const std::vector<std::uint32_t> edges = curve.sample_edges();
-    for (std::size_t i = 0; i < edges.size(); i += 1 + edges.size() / 12) samples.push_back(curve.sample(edges[i]));
-  }
-
-  ReferenceMatcher matcher(ShapeRange range) const {
-    return ReferenceMatcher(context, range.begin, models_of(shapes, context, range.begin, range.end));
-  }
-};
-
-struct Answers {
-  std::vector<DistanceHistogram> counts;
-  std::vector<Docking> dockings;
-  std::uint64_t evaluated = 0;
-  std::vector<RefinedDocking> refined;
-};
-
-Answers ask(Matcher& matcher, const Scene& scene) {
-  matcher.start_field(scene.field.value.width(), scene.field.value.height(), scene.field.origin);
-  matcher.update_field(read_patch(scene.field.value, scene.field.value.bounds()));
-  Answers answers;
-  matcher.post_count(scene.samples);
-  answers.counts = matcher.take_count();
-  DockRequest request{scene.samples, {}, 100};
-  for (const DistanceHistogram& histogram : answers.counts) request.bin_limit.push_back(bin_limit_for(histogram, 20));
-  matcher.post_dock(request);
-  const DockReply docked = matcher.take_dock();
-  answers.dockings = docked.dockings;
-  answers.evaluated = docked.evaluated;
-  matcher.post_refine(docked.dockings);
-  answers.refined = matcher.take_refine();
-  return answers;
+/// Shapes `range` of the scene.
+ReferenceMatcher reference_matcher(const MatchingScene& scene, ShapeRange range) {
+  return {scene.context, range.begin, {scene.models.begin() + range.begin, scene.models.begin() + range.end}};
 }
 
 TEST(RemoteMatcher, PartsOfTheLibraryOnAnyNumberOfRanksAnswerAsTheWhole) {
-  static const Scene scene;
-  ReferenceMatcher whole = scene.matcher({0, std::uint32_t(scene.shapes.size())});
-  const Answers expected = ask(whole, scene);
-  ASSERT_GT(expected.dockings.size(), 20u);
+  const MatchingScene scene = tessera::test::make_scene();
+  const std::uint32_t shapes = std::uint32_t(scene.models.size());
+  ReferenceMatcher whole = reference_matcher(scene, {0, shapes});
+  set_field(whole, scene.field);
+  const Round expected = run_round(whole, scene);
+  ASSERT_GT(expected.docked.dockings.size(), 20u);
   with_team(
       [&](Matcher& team) {
-        const Answers answers = ask(team, scene);
-        EXPECT_EQ(answers.counts, expected.counts);
-        EXPECT_EQ(answers.dockings, expected.dockings);
-        EXPECT_EQ(answers.evaluated, expected.evaluated);
-        EXPECT_EQ(answers.refined, expected.refined);
+        set_field(team, scene.field);
+        expect_same_round(run_round(team, scene), expected);
       },
-      [](Communicator& c) { return scene.matcher(part_of(std::uint32_t(scene.shapes.size()), c)); });
+      [&](Communicator& c) { return reference_matcher(scene, part_of(shapes, c)); });
 }
 
 }  // namespace

@@ -30,11 +30,7 @@ struct Symbol {
   double artwork_px_per_unit = 1;
 };
 
-std::string symbol_id(std::size_t slot) {
-  std::string id = "a";
-  id += std::to_string(slot);
-  return id;
-}
+std::string symbol_id(std::size_t slot) { return "a" + std::to_string(slot); }
 
 int longest_side(const Artwork& artwork) { return std::max(artwork.width_px, artwork.height_px); }
 
@@ -158,9 +154,7 @@ std::string matrix_text(const Placement& placement, const Artwork& artwork, doub
 void write_pieces(const CollageReport& report, const std::vector<Symbol>& symbols, XmlWriter& svg) {
   for (const Placement& placement : report.placements) {
     const std::size_t slot = report.slot_of(placement.shape);
-    std::string reference = "#";
-    reference += symbol_id(slot);
-    svg.raw("\n").start("use").attribute("xlink:href", reference);
+    svg.raw("\n").start("use").attribute("xlink:href", "#" + symbol_id(slot));
     svg.attribute("transform",
                   matrix_text(placement, report.shapes[slot].artwork, symbols[slot].artwork_px_per_unit));
     svg.end();
@@ -171,15 +165,14 @@ void write_pieces(const CollageReport& report, const std::vector<Symbol>& symbol
 
 std::string collage_svg(const CollageReport& report, bool quick) {
   const std::vector<Symbol> symbols = make_symbols(report, quick);
-  std::string view_box = "0 0 ";
-  view_box += std::to_string(report.canvas->width_px) + " " + std::to_string(report.canvas->height_px);
+  const std::string size = std::to_string(report.canvas->width_px) + " " + std::to_string(report.canvas->height_px);
   const double picture_px = double(report.job->output.width_px) / report.canvas->width_px;
   XmlWriter svg;
   svg.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n").start("svg").attribute("xmlns", "http://www.w3.org/2000/svg");
   svg.attribute("xmlns:xlink", "http://www.w3.org/1999/xlink").attribute("version", "1.1");
   svg.attribute("width", std::to_string(report.job->output.width_px));
   svg.attribute("height", std::to_string(std::lround(report.canvas->height_px * picture_px)));
-  svg.attribute("viewBox", view_box);
+  svg.attribute("viewBox", "0 0 " + size);
   svg.raw("\n").start("defs");
   for (const Symbol& symbol : symbols) svg.raw("\n").raw(symbol.xml);
   svg.end().raw("\n");

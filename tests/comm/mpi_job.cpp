@@ -1,0 +1,58 @@
+// A job for mpi_job_test.sh: mpi_job HOW FILE; rank 0 writes FILE at its end.
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "comm/mpi_guard.h"
+#include "core/error.h"
+
+namespace {
+
+using tessera::comm::Communicator;
+using tessera::comm::Tag;
+
+volatile std::sig_atomic_t stopped = 0;
+
+int lead(Communicator& ranks, const std::string& how, const std::string& file) {
+  if (how == "rank_0_input_error") throw tessera::InputError("job.toml:3: bad key");
+  if (how == "rank_0_environment_error") throw tessera::EnvironmentError("disk full");
+  if (how == "interrupted") {
+    std::signal(SIGTERM, [](int) { stopped = 1; });
+    ranks.interrupt_waits_when([] { return stopped != 0; });
+    std::printf("running\n");
+    std::fflush(stdout);
+  }
+  try {
+    if (how != "done") ranks.receive(1, Tag::turn);
+  } catch (const tessera::comm::WaitInterrupted&) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));  // pictures take their time
+  }
+  std::ofstream(file) << "written\n";
+  return 0;
+}
+
+int work(Communicator& ranks, const std::string& how) {
+  if (ranks.rank() == 1) {
+    if (how == "worker_input_error") throw tessera::InputError("library.h5 is damaged");
+    if (how == "worker_bug") throw std::logic_error("oops");
+    if (how == "worker_dies") std::raise(SIGKILL);
+  }
+  // Too busy to see that the job is over.
+  if (ranks.rank() == 2 && how == "interrupted") std::this_thread::sleep_for(std::chrono::seconds(20));
+  ranks.receive(0, Tag::turn);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string how = argv[1];
+  const std::string file = argv[2];
+  return tessera::comm::run_mpi_job(
+      argc, argv,
+      {.run = [&](Communicator& ranks) { return ranks.rank() == 0 ? lead(ranks, how, file) : work(ranks, how); },
+       .report_error = [](const std::string& line) { std::fprintf(stderr, "error: %s\n", line.c_str()); }});
+}

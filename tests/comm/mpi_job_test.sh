@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# mpi_job_test.sh MPIRUN MPI_JOB: how a job of three ranks ends under mpirun: exit code, one line of error from one
+# rank, and what is written when mpirun is told to stop.
+set -uo pipefail
+mpirun=$1
+job=$2
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+fail() {
+  echo "FAILED $*"
+  cat "$folder/errors"
+  exit 1
+}
+
+# -q: nothing of mpirun's own about exit codes
+start() { timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 3 "$job" "$1" "$folder/$1" 2>"$folder/errors"; }
+
+# expect HOW CODE LINE: the job ends with that exit code; its errors are one line that matches LINE, or none
+expect() {
+  start "$1"
+  local code=$?
+  [[ $code == "$2" ]] || fail "$1: exit code $code, not $2"
+  if [[ -z $3 ]]; then
+    [[ ! -s $folder/errors ]] || fail "$1: errors"
+  else
+    [[ $(wc -l <"$folder/errors") == 1 ]] || fail "$1: not one line"
+    grep -qE "^error: $3\$" "$folder/errors" || fail "$1: another line"
+  fi
+  echo "ok $1"
+}
+
+expect 'done' 0 ''
+expect rank_0_input_error 2 'job.toml:3: bad key'
+expect rank_0_environment_error 1 'disk full'
+expect worker_input_error 2 'rank 1 on .*: library.h5 is damaged'
+expect worker_bug 1 'rank 1 on .*: internal error: oops'
+
+start worker_dies
+[[ $? == 137 ]] || fail "worker_dies: exit code"
+echo "ok worker_dies"
+
+"$mpirun" -q --oversubscribe --bind-to none -n 3 "$job" interrupted "$folder/interrupted" \
+  >"$folder/output" 2>"$folder/errors" &
+started=$!
+for ((i = 0; i < 200; ++i)); do
+  grep -qs running "$folder/output" && break
+  sleep 0.05
+done
+kill -TERM $started # what mpirun does on Ctrl-C too, which a background process does not get
+SECONDS=0
+wait $started
+[[ -s $folder/interrupted ]] || fail "interrupted: rank 0 could not write"
+((SECONDS <= 3)) || fail "interrupted: took $SECONDS s"
+echo "ok interrupted"

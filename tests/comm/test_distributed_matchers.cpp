@@ -1,0 +1,67 @@
+// The suite of all matchers, on workers that are threads of this process.
+#include <thread>
+
+#include "comm/in_process_communicator.h"
+#include "comm/matcher_server.h"
+#include "comm/rank_program.h"
+#include "comm/worker_team.h"
+#include "core/partition.h"
+#include "core/matcher_suite.h"
+
+namespace tessera::comm {
+namespace {
+
+using tessera::test::MatcherKind;
+using tessera::test::MatcherSuite;
+
+/// A master's communicator and its workers, each a thread with a reference matcher for its part.
+class ThreadedJob {
+ public:
+  ThreadedJob(const MatchingContext& context, std::uint32_t first, const std::vector<ShapeModel>& models, int workers)
+      : network_(workers + 1), master_(network_.connect(0)) {
+    const std::vector<ShapeRange> parts = balanced_ranges(std::vector<std::uint64_t>(models.size(), 1), workers);
+    for (int w = 0; w < workers; ++w) {
+      ReferenceMatcher part(context, first + parts[w].begin,
+                            {models.begin() + parts[w].begin, models.begin() + parts[w].end});
+      threads_.emplace_back([this, w, part = std::move(part)]() mutable { work(w + 1, part); });
+    }
+  }
+
+  ~ThreadedJob() { master_->tell_end(Ending::orderly); }
+
+ protected:
+  std::vector<std::unique_ptr<Matcher>> gathered() {
+    std::vector<std::unique_ptr<Matcher>> all;
+    all.push_back(gather_workers(*master_));
+    return all;
+  }
+
+ private:
+  void work(int rank, Matcher& part) {
+    const std::unique_ptr<Communicator> ranks = network_.connect(rank);
+    run_rank(*ranks, {.run = [&](Communicator& c) -> int { serve(c, part); }, .report_error = {}});
+  }
+
+  InProcessNetwork network_;
+  std::unique_ptr<Communicator> master_;
+  std::vector<std::jthread> threads_;
+};
+
+class ThreadedTeam : ThreadedJob, public CompositeMatcher {
+ public:
+  ThreadedTeam(const MatchingContext& context, std::uint32_t first, const std::vector<ShapeModel>& models, int workers)
+      : ThreadedJob(context, first, models, workers), CompositeMatcher(gathered()) {}
+};
+
+MatcherKind team_of(int workers) {
+  return {"TeamOf" + std::to_string(workers),
+          [workers](const MatchingContext& context, std::uint32_t first, std::vector<ShapeModel> models) {
+            return std::make_unique<ThreadedTeam>(context, first, models, workers);
+          }};
+}
+
+INSTANTIATE_TEST_SUITE_P(Distributed, MatcherSuite, testing::Values(team_of(1), team_of(2), team_of(3)),
+                         [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace tessera::comm
