@@ -49,11 +49,15 @@ Alignment align_pyramids(global const float* shape_x, global const float* shape_
 
 // How a pose ranks by 32 boundary points and a third of the interior points; where that is below kLeastDockingKey
 // anything below it.
-float docking_key(global const float* contour, uint interior_points, PoseRecord s, const Field* field,
+float docking_key(global const float* contour, global const ShapeRecord* shape, PoseRecord s, const Field* field,
                   float max_scale_px) {
   const float scale = scale_of(s);
   const float hopeless_px = max(5.f, 0.12f * scale);
   const float near_px = max(4.f, 0.06f * scale);
+  // One look-up settles most: where the disc does not fit, the piece does not.
+  const float disc_x = s.tx + (s.a * shape->disc_x - s.b * shape->disc_y);
+  const float disc_y = s.ty + (s.b * shape->disc_x + s.a * shape->disc_y);
+  if (field_value(field, disc_x, disc_y) < shape->disc_radius * scale - hopeless_px) return NO_DOCKING;
   const int most_bad = 4;
   int hits = 0;
   int bad = 0;
@@ -71,13 +75,13 @@ float docking_key(global const float* contour, uint interior_points, PoseRecord 
   const float size = sqrt(sqrt(scale / max_scale_px));
   if (contact * size < kLeastDockingKey) return NO_DOCKING;  // interior points can only make it less
   int covered = 0;
-  const int coarse_points = ((int)interior_points + kInteriorStride - 1) / kInteriorStride;
+  const int coarse_points = ((int)shape->interior_points + kInteriorStride - 1) / kInteriorStride;
   for (int block = 0; block * kLanes < coarse_points; ++block) {
     const Points p = placed_points(s, contour + kCoarseInteriorAt, kCoarseInteriorPoints, block);
     const int16 used = lane_index() + block * kLanes < coarse_points;
     covered += count_lanes(used & (field_values(field, p.x, p.y) < 0));
   }
-  const float interior = interior_points == 0 ? 0.f : 9.f * (float)covered / (float)interior_points;
+  const float interior = shape->interior_points == 0 ? 0.f : 9.f * (float)covered / (float)shape->interior_points;
   return (contact - interior) * size;
 }
 
@@ -132,7 +136,7 @@ kernel void dock_pairs(constant MatchRecord* match, global const float* field_va
                                              level->scale_high_px);
     if (!aligned.valid || !rotation_allowed(match, aligned.canvas_from_shape)) continue;
     ++looked_at;
-    const float key = docking_key(contour, shapes[shape].interior_points, aligned.canvas_from_shape, &field,
+    const float key = docking_key(contour, shapes + shape, aligned.canvas_from_shape, &field,
                                   match->max_scale_px);
     if (key < kLeastDockingKey) continue;
     const DockingRecord docking = {t, match->first_shape + shape, pair.source, key, aligned.canvas_from_shape};
@@ -184,7 +188,7 @@ kernel void dock_tangents(constant MatchRecord* match, global const float* field
   const PoseRecord pose = tangent_docking(contour, point, match->min_scale_px * growth, target);
   if (!rotation_allowed(match, pose)) return;
   const Field field = free_field(match, field_value);
-  const float key = docking_key(contour, shapes[shape].interior_points, pose, &field, match->max_scale_px);
+  const float key = docking_key(contour, shapes + shape, pose, &field, match->max_scale_px);
   keys[place] = key < kLeastDockingKey ? NO_DOCKING : key;
   if (key < kLeastDockingKey) return;
   const DockingRecord docking = {t, library_shape, kTangentSource + draw, key, pose};

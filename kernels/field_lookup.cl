@@ -60,6 +60,19 @@ float16 value_in(const Cells* c) {
   return c->on_grid ? value : (float16)kOffGridDistance;
 }
 
+// One point.
+float field_value(const Field* f, float x, float y) {
+  const float u = x - f->origin_x;
+  const float v = y - f->origin_y;
+  if (!(u >= 0 && v >= 0 && u < (float)(f->width - 1) && v < (float)(f->height - 1))) return kOffGridDistance;
+  const int i = (int)u;
+  const int j = (int)v;
+  const float s = u - (float)i;
+  const float t = v - (float)j;
+  global const float* q = f->value + ((size_t)j * f->width + i);
+  return (q[0] * (1 - s) + q[1] * s) * (1 - t) + (q[f->width] * (1 - s) + q[f->width + 1] * s) * t;
+}
+
 // `x`, `y` in canvas px.
 float16 field_values(const Field* f, float16 x, float16 y) {
   const Cells c = cells_at(f, x, y);

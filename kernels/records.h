@@ -74,6 +74,9 @@ typedef struct MatchRecord {
 typedef struct ShapeRecord {
   float perimeter;
   float radius;
+  float disc_x;  // centre of the largest disc inside
+  float disc_y;
+  float disc_radius;
   u32 interior_points;
 } ShapeRecord;
 

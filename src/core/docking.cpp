@@ -82,6 +82,10 @@ float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, 
   const float scale = canvas_from_shape.scale();
   const float hopeless_px = std::max(5.f, 0.12f * scale);
   const float near_px = std::max(4.f, 0.06f * scale);
+  // One look-up settles most: where the disc does not fit, the piece does not.
+  if (field_value(field, canvas_from_shape.apply(shape.disc_centre)) < shape.disc_radius * scale - hopeless_px) {
+    return kRejected;
+  }
   constexpr int kPoints = kBoundaryPoints / kCoarseStride;
   constexpr int kMaxBad = 4;
   int hits = 0;

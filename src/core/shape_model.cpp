@@ -53,6 +53,18 @@ std::vector<Vec2> interior_points(const Shape& shape) {
   return points;
 }
 
+void set_disc(ShapeModel& model, const ShapeField& field) {
+  const Grid<float>& distance = field.distance;
+  const float step = 2 * field.extent / float(distance.width() - 1);
+  for (int j = 0; j < distance.height(); ++j) {
+    for (int i = 0; i < distance.width(); ++i) {
+      if (-distance(i, j) <= model.disc_radius) continue;
+      model.disc_radius = -distance(i, j);
+      model.disc_centre = {float(i) * step - field.extent, float(j) * step - field.extent};
+    }
+  }
+}
+
 ModelLevel make_level(const Shape& shape, int level, const PadParameters& library_pad, const PadParameters& pad) {
   const SmoothingLevel& kind = kSmoothingLevels[level];
   const LevelCurve& curve = shape.levels[level];
@@ -92,6 +104,7 @@ ShapeModel make_shape_model(const Shape& shape, const PadParameters& library_pad
     at += share.points;
   }
   model.interior = interior_points(shape);
+  set_disc(model, shape.field);
   for (const int level : levels) model.levels.push_back(make_level(shape, level, library_pad, pad));
   return model;
 }

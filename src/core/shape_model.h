@@ -24,6 +24,8 @@ struct ShapeModel {
   std::array<Vec2, kBoundaryPoints> boundary{};  // evenly over all curves, along each
   std::array<Vec2, kBoundaryPoints> tangent{};   // unit, interior on the left
   std::vector<Vec2> interior;                    // a coarse grid well inside, at most kMaxInteriorPoints
+  Vec2 disc_centre;                              // of the largest disc inside, to a node of the shape's field
+  float disc_radius = 0;
   float perimeter = 0;
   float radius = 0;
   std::vector<ModelLevel> levels;                // those the job uses, coarse to fine

@@ -101,7 +101,8 @@ Shard make_shard(const MatchingContext& context, std::uint32_t first_shape, cons
       for (const ArclengthPyramid& sample : level.samples) append_keypoints(shard.keypoints, sample, pad_levels);
     }
     append_contour(shard.contours, model);
-    shard.shapes.push_back({model.perimeter, model.radius, u32(model.interior.size())});
+    shard.shapes.push_back({model.perimeter, model.radius, model.disc_centre.x, model.disc_centre.y, model.disc_radius,
+                            u32(model.interior.size())});
   }
   return shard;
 }
