@@ -1,5 +1,6 @@
 #include "core/free_field.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/distance_transform.h"
@@ -30,13 +31,32 @@ Window piece_window(const Outline& outline, const Similarity& canvas_from_shape,
 FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
     : field_(canvas.distance), padding_px_(pieces.padding_px), band_px_(stamp_band_px(pieces)) {
   for (float& d : field_.value.data()) d -= padding_px_;
+  empty_ = field_.value;
+}
+
+Window FreeField::stamp_window(const Shape& shape, const Similarity& canvas_from_shape) const {
+  return piece_window(shape.outline, canvas_from_shape, field_.origin, band_px_).intersected(field_.value.bounds());
+}
+
+void FreeField::clear(const Window& window) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    std::copy(empty_.row(y) + window.x0, empty_.row(y) + window.x1, field_.value.row(y) + window.x0);
+  }
+}
+
+double FreeField::free_px2() const {
+  double area = 0;
+  for (const float d : field_.value.data()) area += std::clamp(d + padding_px_ + 0.5f, 0.f, 1.f);
+  return area;
 }
 
 Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape) {
+  return stamp(shape, canvas_from_shape, stamp_window(shape, canvas_from_shape));
+}
+
+Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window) {
   const Similarity shape_from_canvas = canvas_from_shape.inverse();
   const float scale = canvas_from_shape.scale();
-  const Window window =
-      piece_window(shape.outline, canvas_from_shape, field_.origin, band_px_).intersected(field_.value.bounds());
   Window changed;
   for (int y = window.y0; y < window.y1; ++y) {
     float* row = field_.value.row(y);

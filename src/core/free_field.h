@@ -24,7 +24,18 @@ class FreeField {
   /// Takes the piece out of the region: d = min(d, distance to the piece - padding). Returns the nodes that changed.
   Window stamp(const Shape& shape, const Similarity& canvas_from_shape);
 
+  /// Nodes that stamp() may change.
+  Window stamp_window(const Shape& shape, const Similarity& canvas_from_shape) const;
+  /// As stamp(), of the nodes in `window` alone. With clear(), for taking pieces back out: clear their windows, then
+  /// stamp what remains there.
+  Window stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window);
+  void clear(const Window& window);
+
+  /// Area of the free region, padding included.
+  double free_px2() const;
+
  private:
+  Grid<float> empty_;  // of the canvas without pieces
   CanvasField field_;
   float padding_px_;
   float band_px_;

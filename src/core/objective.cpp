@@ -1,6 +1,5 @@
 #include "core/objective.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tessera {
@@ -8,6 +7,9 @@ namespace {
 
 /// Keeps the paper's Z finite for a perfect fit, px² per px² of the piece.
 constexpr float kLeastDefect = 0.0025f;
+
+/// A piece that spoils a fifth of its area counts half. Never nothing: a poor piece is better than a hole.
+constexpr float kDefectCost = 5;
 
 float paper_score(const DockingTerms& t, const PieceSize& piece, const ObjectiveSettings& w) {
   const float area = piece.scale_px * piece.scale_px;
@@ -18,8 +20,8 @@ float paper_score(const DockingTerms& t, const PieceSize& piece, const Objective
 
 float scale_aware_score(const DockingTerms& t, const PieceSize& piece, const ObjectiveSettings& w) {
   const float area = piece.scale_px * piece.scale_px;
-  const float tightness = 1 - (w.overlap_weight * t.overlap_px2 + w.gap_weight * t.gap_px2) / area;
-  return std::pow(t.matched_px / piece.perimeter_px, w.length_exponent) * std::max(0.f, tightness);
+  const float defect = (w.overlap_weight * t.overlap_px2 + w.gap_weight * t.gap_px2) / area;
+  return std::pow(t.matched_px / piece.perimeter_px, w.length_exponent) / (1 + kDefectCost * defect);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ struct PieceSize {
 };
 
 /// Objective::paper: Z = L / sqrt(w2 sum O_i² + w3 sum G_i²), times (s / s_max)^scale_exponent (w1 cancels in a
-/// ranking). Objective::scale_aware: (L / perimeter)^length_exponent · (1 - (w2 O + w3 G) / area) · (s / s_max)^...
+/// ranking). Objective::scale_aware: (L / perimeter)^length_exponent / (1 + 5 (w2 O + w3 G) / area) · (s / s_max)^...
 float objective(const DockingTerms& terms, const PieceSize& piece, const ObjectiveSettings& settings);
 
 }  // namespace tessera

@@ -33,7 +33,7 @@ struct ObjectiveSettings {
   float gap_weight = 1;
   float length_exponent = 0.5f;
   float scale_exponent = 0.7f;
-  float repetition_exponent = 0.4f;   // score times (1 + uses)^-exponent
+  float repetition_exponent = 0.2f;   // score times (1 + uses)^-exponent
   float near_twin_factor = 0.7f;      // score times this for each near copy
 };
 
@@ -43,11 +43,18 @@ struct StopSettings {
   double seconds = 0;   // 0 = no limit
 };
 
+/// Ruin and recreate, after nothing fits any more; ends with whichever limit comes first. Both 0: none.
+struct ImproveSettings {
+  int trials = 0;      // 0 = no limit
+  double seconds = 0;  // 0 = no limit
+};
+
 struct CollageSettings {
   std::uint64_t seed = 1;
   PieceSettings pieces;
   MatchSettings match;
   ObjectiveSettings objective;
+  ImproveSettings improve;
   StopSettings stop;
 };
 

@@ -43,16 +43,15 @@ inline constexpr float kAlignmentTolerance = 0.64f;
 inline constexpr float kLeastDockingKey = 0.1f;
 
 // Refinement.
-inline constexpr float kHardDepth_px = 0.8f;   // no boundary point of a placed piece lies deeper in another
+inline constexpr float kHardDepth_px = 1.4f;   // no boundary point of a placed piece lies deeper in another
 inline constexpr float kHopelessDepth_px = 3.f;  // deeper than this, pushing is not worth the time
 inline constexpr int kPushSteps = 5;
 inline constexpr float kPushShrink = 0.994f;   // a piece that is still stuck gives way a little
 
 // Candidates.
 inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, estimated along the contour
-inline constexpr float kLeastMatched = 0.15f;  // of the piece's boundary
+inline constexpr float kLeastMatched = 0.03f;  // of the piece's boundary: it must touch something
 inline constexpr int kFinalists = 24;          // candidates checked exactly in a round
-inline constexpr float kLeastScore = 0.02f;
 inline constexpr float kGrowStep = 1.015f;
 inline constexpr int kGrowSteps = 12;
 inline constexpr int kRefillBelow = 2;         // a target sample with fewer candidates left is matched again

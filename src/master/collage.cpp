@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 
 #include "core/exact_terms.h"
 #include "core/objective.h"
@@ -14,6 +16,27 @@ namespace {
 constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists that would look the same
 constexpr int kSettleSteps = 20;         // to come clear of neighbours that were placed since the refinement
 constexpr float kSettleShrink = 0.99f;
+
+double area_px2(const Placement& p) {
+  const float scale = p.canvas_from_shape.scale();
+  return double(scale) * scale;
+}
+
+/// Those that are in one of the two lists alone.
+std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placement> b) {
+  const auto before = [](const Placement& p, const Placement& q) {
+    const auto key = [](const Placement& x) {
+      const Similarity& s = x.canvas_from_shape;
+      return std::tuple(x.shape, s.tx, s.ty, s.a, s.b);
+    };
+    return key(p) < key(q);
+  };
+  std::sort(a.begin(), a.end(), before);
+  std::sort(b.begin(), b.end(), before);
+  std::vector<Placement> result;
+  std::set_symmetric_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result), before);
+  return result;
+}
 
 }  // namespace
 
@@ -52,14 +75,17 @@ std::vector<TargetSample> Collage::take_stale_samples() {
   std::vector<TargetSample> samples;
   for (const std::uint32_t edge : stale_) {
     samples.push_back(curve_.sample(edge));
-    samples.back().pass = passes_[edge]++;
+    samples.back().pass = first_pass_ + passes_[edge]++;
   }
   stale_.clear();
   return samples;
 }
 
-void Collage::mark_all_stale() {
-  for (const std::uint32_t edge : curve_.sample_edges()) stale_.insert(edge);
+void Collage::mark_stale(const Window& window) {
+  for (const std::uint32_t edge : curve_.sample_edges()) {
+    const Vec2 node = curve_.sample(edge).position - free_.field().origin;
+    if (window.contains(int(node.x), int(node.y))) stale_.insert(edge);
+  }
 }
 
 void Collage::add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round) {
@@ -119,7 +145,7 @@ std::vector<Collage::Ranked> Collage::finalists() {
   const std::size_t examined = std::min<std::size_t>(ranked.size(), 8 * kFinalists);
   std::partial_sort(ranked.begin(), ranked.begin() + examined, ranked.end());
   std::vector<Ranked> chosen;
-  for (std::size_t i = 0; i < examined && chosen.size() < kFinalists; ++i) {
+  for (std::size_t i = 0; i < examined && chosen.size() < std::size_t(kFinalists); ++i) {
     const Candidate& c = pool_.entries().at(ranked[i].edge).candidates[ranked[i].index];
     const bool repeated = std::any_of(chosen.begin(), chosen.end(), [&](const Ranked& r) {
       const Candidate& other = pool_.entries().at(r.edge).candidates[r.index];
@@ -173,7 +199,6 @@ bool Collage::choose(Candidate& best) {
     if (first == ranked.end()) return false;
     std::vector<Candidate>& candidates = pool_.entries().at(first->edge).candidates;
     best = candidates[first->index];
-    if (best.score < kLeastScore) return false;
     if (settle(best)) return true;
     candidates.erase(candidates.begin() + std::ptrdiff_t(first->index));
   }
@@ -184,13 +209,53 @@ void Collage::place(const Candidate& candidate) {
   placements_.push_back(
       {candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
   ++uses_[candidate.shape];
-  const float scale = candidate.canvas_from_shape.scale();
-  covered_px2_ += double(scale) * scale;
+  covered_px2_ += area_px2(placements_.back());
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
   changed_nodes_ = changed_nodes_.united(changed);
   retrace(changed);
   rescore(piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin, 2 + settings_.pieces.padding_px));
 }
+
+Window Collage::replace_placements(std::vector<Placement> placements) {
+  const std::vector<Placement> changed = difference(placements_, placements);
+  placements_ = std::move(placements);
+  std::fill(uses_.begin(), uses_.end(), 0);
+  covered_px2_ = 0;
+  for (const Placement& p : placements_) {
+    ++uses_[p.shape];
+    covered_px2_ += area_px2(p);
+  }
+  pool_.entries().clear();
+  stale_.clear();
+  passes_.clear();
+  const Window restamped = restamp(changed);
+  changed_nodes_ = changed_nodes_.united(restamped);
+  retrace(restamped);
+  Window window;
+  for (const Placement& p : changed) {
+    window = window.united(piece_window(shapes_.shape(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
+  }
+  return window;
+}
+
+/// The free field anew in the windows of the pieces that come and go.
+Window Collage::restamp(const std::vector<Placement>& changed) {
+  Window window;
+  for (const Placement& p : changed) window = window.united(stamp_window(p));
+  free_.clear(window);
+  for (const Placement& p : placements_) {
+    const Window common = stamp_window(p).intersected(window);
+    if (!common.empty()) free_.stamp(shapes_.shape(p.shape), p.canvas_from_shape, common);
+  }
+  return window;
+}
+
+float Collage::distance_px(const Placement& p, Vec2 point_px) {
+  const Similarity& pose = p.canvas_from_shape;
+  return pose.scale() * shapes_.shape(p.shape).field.at(pose.inverse().apply(point_px));
+}
+
+Window Collage::stamp_window(const Placement& p) { return free_.stamp_window(shapes_.shape(p.shape), p.canvas_from_shape); }
 
 void Collage::retrace(const Window& changed) {
   const Window window = opened_.update(free_, changed);
@@ -221,7 +286,7 @@ void Collage::rescore(const Window& changed) {
     }
     const bool lost = kept < entry.candidates.size();
     entry.candidates.resize(kept);
-    if (lost && kept < kRefillBelow && entry.truncated) stale_.insert(edge);
+    if (lost && kept < std::size_t(kRefillBelow) && entry.truncated) stale_.insert(edge);
   }
 }
 

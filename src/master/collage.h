@@ -26,7 +26,10 @@ class Collage {
 
   /// Target samples to be matched (again); they count as matched from now on.
   std::vector<TargetSample> take_stale_samples();
-  void mark_all_stale();
+  /// Those in the window.
+  void mark_stale(const Window& window);
+  /// The random dockings of a sample that has not been matched yet are those of this pass.
+  void set_first_pass(std::uint32_t pass) { first_pass_ = pass; }
   void add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round);
 
   /// The best candidate of the pool after the finalists were checked exactly, made clear of its neighbours and grown;
@@ -35,6 +38,13 @@ class Collage {
 
   /// Merge: takes the piece out of the free region and brings target curve and pool up to date.
   void place(const Candidate& candidate);
+
+  /// Makes the collage one of `placements`: of the present ones some may be missing, others be new. Pool and stale
+  /// samples are forgotten but for what the change renewed. Returns where pieces came or went.
+  Window replace_placements(std::vector<Placement> placements);
+
+  /// From the piece to the point, negative inside, px.
+  float distance_px(const Placement& placement, Vec2 point_px);
 
   const FreeField& free() const { return free_; }
   const std::vector<Placement>& placements() const { return placements_; }
@@ -51,6 +61,8 @@ class Collage {
   std::vector<Ranked> finalists();
   void check_exactly(Candidate& candidate);
   bool settle(Candidate& candidate);
+  Window stamp_window(const Placement& placement);
+  Window restamp(const std::vector<Placement>& changed);
   void rescore(const Window& changed);
   void retrace(const Window& changed);
 
@@ -63,6 +75,7 @@ class Collage {
   Pool pool_;
   std::set<std::uint32_t> stale_;           // edges of samples to be matched
   std::map<std::uint32_t, std::uint32_t> passes_;  // how often a sample was matched
+  std::uint32_t first_pass_ = 0;
   std::vector<Placement> placements_;
   std::vector<std::uint32_t> uses_;         // per shape
   double covered_px2_ = 0;

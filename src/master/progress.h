@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace tessera::master {
 
@@ -10,6 +11,7 @@ struct Progress {
   double coverage = 0;   // fraction of the canvas, from the pieces' areas
   double seconds = 0;    // since the loop started
   std::size_t open_samples = 0;  // target samples left on the free region's boundary
+  std::uint64_t trials = 0;      // of ruin and recreate
 };
 
 class Observer {

@@ -144,6 +144,18 @@ void add_objective_keys(std::vector<JobKey>& keys) {
                              FIELD(settings.objective.near_twin_factor)));
 }
 
+/// By default the collage is left as the greedy choice made it, as in the paper.
+void add_improve_keys(std::vector<JobKey>& keys) {
+  using enum JobKind;
+  keys.push_back(with_number({"improve", "trials", integer, "", 0, 1e7, {},
+                              "when nothing fits any more: so often take a piece out and fill the hole anew, kept where "
+                              "it covers more; 0 = no limit if `seconds` is given, else none"},
+                             FIELD(settings.improve.trials)));
+  keys.push_back(with_number({"improve", "seconds", number, "s", 0, 1e7, {},
+                              "end improving after this time, which makes the result depend on the machine; 0 = no limit"},
+                             FIELD(settings.improve.seconds)));
+}
+
 /// By default a collage is finished when nothing fits any more.
 void add_stop_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
@@ -181,6 +193,7 @@ const std::vector<JobKey>& job_keys() {
     add_piece_keys(all);
     add_match_keys(all);
     add_objective_keys(all);
+    add_improve_keys(all);
     add_stop_keys(all);
     add_machine_and_output_keys(all);
     return all;

@@ -59,6 +59,9 @@ Json run_json(const RunStatistics& run) {
           {"dockings_refined", run.refined},
           {"pruned_percent", percent(run.pruned_fraction())},
           {"total_s", seconds(run.total_s)},
+          {"improve_s", seconds(run.improve_s)},
+          {"trials", run.trials},
+          {"trials_kept", run.trials_kept},
           {"prune_s", seconds(run.prune_s)},
           {"dock_s", seconds(run.dock_s)},
           {"objective_s", seconds(run.objective_s)},
@@ -104,6 +107,12 @@ std::string quality_text(const Quality& q) {
          line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)");
 }
 
+std::string improvement_text(const RunStatistics& run) {
+  if (run.trials == 0) return "";
+  return line("  of it improving", fixed(run.improve_s, 1) + " s, " + grouped(run.trials_kept) + " of " +
+                                       grouped(run.trials) + " trials kept");
+}
+
 std::string run_text(const RunStatistics& run) {
   const StageShares share = stage_shares(run);
   return std::string("Run (the paper's Table 2)\n") + line("candidates", grouped(run.shapes)) +
@@ -111,7 +120,7 @@ std::string run_text(const RunStatistics& run) {
          line("iterations", grouped(run.rounds)) +
          line("docking choices", grouped(run.docking_choices)) +
          line("pruned", percent_text(run.pruned_fraction())) +
-         line("total time", fixed(run.total_s, 1) + " s") +
+         line("total time", fixed(run.total_s, 1) + " s") + improvement_text(run) +
          line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
          line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1)) +
          line("stopped by", run.stopped_by);

@@ -1,0 +1,78 @@
+#include "master/filling.h"
+
+#include "core/stopwatch.h"
+#include "core/tuning.h"
+
+namespace tessera::master {
+namespace {
+
+constexpr int kEmptyPasses = 2;  // over all samples, with new random dockings each time, before the region counts as full
+
+}  // namespace
+
+Filling::Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
+                 RunStatistics& statistics)
+    : collage_(collage), matcher_(matcher), statistics_(statistics) {
+  std::uint64_t pads_per_shape = 0;
+  for (const int level : context.levels) pads_per_shape += std::uint64_t(kSmoothingLevels[level].samples);
+  statistics_.shapes = context.library_shapes;
+  statistics_.pads_per_shape = double(pads_per_shape);
+  library_pads_ = pads_per_shape * context.library_shapes;
+  const double share = settings.match.top_percent / 100.0;
+  usual_plan_ = {std::uint64_t(share * double(library_pads_)), std::uint32_t(settings.match.tangent_dockings)};
+  const CanvasField& field = collage.free().field();
+  matcher.start_field(field.value.width(), field.value.height(), field.origin);
+  start(field.value.bounds());
+}
+
+void Filling::start(const Window& region) {
+  region_ = region;
+  empty_passes_ = 0;
+}
+
+bool Filling::place_one() {
+  for (;;) {
+    match_stale();
+    Candidate best;
+    if (choose(best)) {
+      place(best);
+      empty_passes_ = 0;
+      return true;
+    }
+    if (empty_passes_ == kEmptyPasses) return false;
+    ++empty_passes_;
+    collage_.mark_stale(region_);
+  }
+}
+
+MatchPlan Filling::plan() const {
+  return empty_passes_ > 0 ? MatchPlan{0, std::uint32_t(kRematchTangentDockings)} : usual_plan_;
+}
+
+void Filling::match_stale() {
+  Stopwatch watch;
+  const Window changed = collage_.take_changed_nodes();
+  if (!changed.empty()) matcher_.update_field(read_patch(collage_.free().field().value, changed));
+  const std::vector<TargetSample> samples = collage_.take_stale_samples();
+  statistics_.merge_s += watch.lap();
+  const MatchRound found = match(matcher_, samples, plan(), library_pads_, statistics_);
+  watch.lap();
+  collage_.add_candidates(samples, found);
+  statistics_.objective_s += watch.lap();
+}
+
+bool Filling::choose(Candidate& best) {
+  Stopwatch watch;
+  const bool found = collage_.choose(best);
+  statistics_.objective_s += watch.lap();
+  return found;
+}
+
+void Filling::place(const Candidate& best) {
+  Stopwatch watch;
+  collage_.place(best);
+  statistics_.merge_s += watch.lap();
+  ++statistics_.rounds;
+}
+
+}  // namespace tessera::master

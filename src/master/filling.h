@@ -1,0 +1,37 @@
+// Filling the free region greedily: match what is stale, place the best candidate, again (paper section 4, Fig. 15).
+#pragma once
+
+#include "core/matcher.h"
+#include "master/collage.h"
+
+namespace tessera::master {
+
+class Filling {
+ public:
+  /// Adds to the counters and times of `statistics`.
+  Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
+          RunStatistics& statistics);
+
+  /// The nodes where pieces are wanted from now on; at first the whole canvas.
+  void start(const Window& region);
+
+  /// Places the best piece. Where the pool is dry, the region's samples are matched again with other random dockings
+  /// (design, method 9); false when that finds nothing either.
+  bool place_one();
+
+ private:
+  MatchPlan plan() const;
+  void match_stale();
+  bool choose(Candidate& best);
+  void place(const Candidate& best);
+
+  Collage& collage_;
+  Matcher& matcher_;
+  RunStatistics& statistics_;
+  std::uint64_t library_pads_ = 0;
+  MatchPlan usual_plan_;
+  Window region_;
+  int empty_passes_ = 0;
+};
+
+}  // namespace tessera::master

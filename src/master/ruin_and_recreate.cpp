@@ -1,0 +1,79 @@
+#include "master/ruin_and_recreate.h"
+
+#include <algorithm>
+
+#include "core/portable_math.h"
+
+namespace tessera::master {
+namespace {
+
+constexpr std::uint64_t kRuin = 0x7275696e;  // keeps these random numbers apart from those of the dockings
+constexpr std::uint32_t kPassesPerTrial = 4;
+/// Small pieces alone, 1 to 4 of them: the hole of a large one takes ten rounds to fill and hardly ever ends better.
+/// Measured: 6.5 px² gained a matching, against 1.3 with pieces of any size, and 4.7 with one at a time.
+constexpr float kMostScale = 2.5f;  // of the smallest
+constexpr std::uint64_t kMostPieces = 4;
+constexpr int kGapDraws = 4096;      // to hit a gap
+constexpr float kGapDepth_px = 1.f;  // what is shallower lies between coupled pieces
+
+/// A point in a gap; every free px is as likely. False where there is hardly any.
+bool find_gap(const CanvasField& field, std::uint64_t random, Vec2& gap) {
+  for (int draw = 0; draw < kGapDraws; ++draw) {
+    random = mix_bits(random);
+    const int x = int(((random >> 32) * std::uint64_t(field.value.width())) >> 32);
+    const int y = int(((random & 0xffffffffull) * std::uint64_t(field.value.height())) >> 32);
+    if (field.value(x, y) < kGapDepth_px) continue;
+    gap = field.origin + Vec2{float(x), float(y)};
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+RuinAndRecreate::RuinAndRecreate(Collage& collage, Filling& filling, const CollageSettings& settings)
+    :
+      collage_(collage),
+      filling_(filling),
+      seed_(settings.seed),
+      most_scale_px_(kMostScale * settings.pieces.min_scale_px),
+      free_px2_(collage.free().free_px2()) {}
+
+std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
+  std::vector<Placement> left = collage_.placements();
+  Vec2 gap_px;
+  if (!find_gap(collage_.free().field(), random, gap_px)) return left;
+  std::vector<std::pair<float, std::size_t>> nearest;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (left[i].canvas_from_shape.scale() > most_scale_px_) continue;
+    nearest.emplace_back(collage_.distance_px(left[i], gap_px), i);
+  }
+  const std::size_t count = std::min<std::size_t>(nearest.size(), 1 + mix_bits(random) % kMostPieces);
+  std::partial_sort(nearest.begin(), nearest.begin() + std::ptrdiff_t(count), nearest.end());
+  std::vector<bool> out(left.size(), false);
+  for (std::size_t k = 0; k < count; ++k) out[nearest[k].second] = true;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (!out[i]) left[kept++] = left[i];
+  }
+  left.resize(kept);
+  return left;
+}
+
+bool RuinAndRecreate::try_once(std::uint32_t trial) {
+  const std::vector<Placement> before = collage_.placements();
+  const std::uint64_t random = mix_bits(seed_ ^ mix_bits(kRuin ^ (std::uint64_t(trial) << 32)));
+  filling_.start(collage_.replace_placements(ruined(random)));
+  collage_.set_first_pass(kPassesPerTrial * trial);
+  while (filling_.place_one()) {
+  }
+  const double free_px2 = collage_.free().free_px2();
+  if (free_px2 >= free_px2_) {
+    collage_.replace_placements(before);
+    return false;
+  }
+  free_px2_ = free_px2;
+  return true;
+}
+
+}  // namespace tessera::master
