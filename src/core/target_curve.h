@@ -7,12 +7,13 @@
 
 #include <cstdint>
 #include <map>
-#include <unordered_map>
 #include <vector>
 
+#include "core/edge_table.h"
 #include "core/free_field.h"
 #include "core/pad.h"
 #include "core/settings.h"
+#include "core/tile_index.h"
 
 namespace tessera {
 
@@ -47,13 +48,16 @@ class TargetCurve {
     int next = -1;
     int previous = -1;
     Vec2 raw;
-    Vec2 smooth;
     bool smoothed = false;
+    bool measured = false;
+    Vec2 smooth;
+    float edge_after = 0;   // length of the smoothed curve to the next vertex
+    float turning_rad = 0;  // of the smoothed curve here, absolute
   };
   struct Held {
     TargetSample sample;
     ArclengthPyramid matched;  // as it was when last reported as renewed
-    Window support;            // nodes that its PAD depends on
+    std::vector<TileIndex::Tile> support;  // of the nodes that it depends on
   };
   class Walk;
 
@@ -63,12 +67,16 @@ class TargetCurve {
   void trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y);
   void link(const Grid<float>& contour, Vec2 origin, std::uint32_t from, std::uint32_t to);
   Vec2 crossing(const Grid<float>& contour, Vec2 origin, std::uint32_t edge) const;
-  void forget_smoothing(const Window& window, Vec2 origin);
+  void forget_smoothing(const Window& window);
+  std::vector<std::uint32_t> reached_by(const Window& window) const;
   Vec2 smooth_position(int v);
   Vec2 smoothed_at(int v) const;
-  bool wants_sample(const Vertex& v, const OpenedField& opened) const;
+  const Vertex& measured(int v);
+  bool on_raster(const GridEdge& e) const { return (e.down ? e.x : e.y) % spacing_px_ == 0; }
   bool on_short_loop(int v) const;
-  Held make_sample(int v, Vec2 origin);
+  Held make_sample(int v);
+  void hold(std::uint32_t edge, Held held);
+  void drop(std::uint32_t edge);
 
   int width_ = 0;  // of the node grid
   float sigma_px_;
@@ -77,8 +85,9 @@ class TargetCurve {
   PadParameters pad_;
   std::vector<Vertex> vertices_;
   std::vector<int> unused_;
-  std::unordered_map<std::uint32_t, int> vertex_of_edge_;
+  EdgeTable vertex_of_edge_;
   std::map<std::uint32_t, Held> samples_;
+  TileIndex supports_;  // the samples' edges, by the nodes that they depend on
 };
 
 }  // namespace tessera
