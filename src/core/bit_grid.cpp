@@ -35,6 +35,15 @@ void add_moved(BitGrid& sum, const BitGrid& set, int down) {
   }
 }
 
+/// One bit for each of `count` values, 64 at most. In two steps, of which the compiler does the first for many at once.
+std::uint64_t bits_above(const float* value, int count, float threshold) {
+  std::uint8_t above[64];
+  for (int i = 0; i < count; ++i) above[i] = value[i] > threshold;
+  std::uint64_t bits = 0;
+  for (int i = 0; i < count; ++i) bits |= std::uint64_t(above[i]) << i;
+  return bits;
+}
+
 }  // namespace
 
 BitGrid::BitGrid(int width, int height)
@@ -53,12 +62,8 @@ BitGrid nodes_above(const Grid<float>& field, const Window& window, float thresh
   BitGrid above(window.width(), window.height());
   for (int y = 0; y < above.height(); ++y) {
     const float* value = field.row(window.y0 + y) + window.x0;
-    std::uint64_t* words = above.row(y);
     for (int x = 0; x < above.width(); x += 64) {
-      const int count = std::min(64, above.width() - x);
-      std::uint64_t word = 0;
-      for (int i = 0; i < count; ++i) word |= std::uint64_t(value[x + i] > threshold) << i;
-      words[x >> 6] = word;
+      above.row(y)[x >> 6] = bits_above(value + x, std::min(64, above.width() - x), threshold);
     }
   }
   return above;

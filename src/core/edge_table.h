@@ -17,10 +17,10 @@ class EdgeTable {
   EdgeTable(int width, int height);
 
   /// The edge's number, or kNone.
-  int find(std::uint32_t edge) const;
+  int find(const GridEdge& edge) const;
   /// `value` is not kNone, and the edge has no number yet.
-  void insert(std::uint32_t edge, int value);
-  void erase(std::uint32_t edge);
+  void insert(const GridEdge& edge, int value);
+  void erase(const GridEdge& edge);
 
   /// Calls f(edge, value) for all edges that touch the window; f may not change the table.
   template <class F>
@@ -53,7 +53,7 @@ void EdgeTable::each(const Window& window, F f) const {
       for (int i = 0; i < int(tile.value.size()); ++i) {
         if (tile.value[i] == kNone) continue;
         const GridEdge e{tx * kTile_nodes + i / 2 % kTile_nodes, ty * kTile_nodes + i / 2 / kTile_nodes, i % 2 != 0};
-        if (e.touches(window)) f(e.number(width_), tile.value[i]);
+        if (e.touches(window)) f(e, tile.value[i]);
       }
     }
   }

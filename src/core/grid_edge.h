@@ -8,9 +8,9 @@
 namespace tessera {
 
 struct GridEdge {
-  int x;
-  int y;
-  bool down;  // from (x, y) to (x, y + 1), else to (x + 1, y)
+  int x = 0;
+  int y = 0;
+  bool down = false;  // from (x, y) to (x, y + 1), else to (x + 1, y)
 
   /// Edges are numbered row by row: 2 (y · width + x), +1 for down.
   static GridEdge of(std::uint32_t number, int width) {

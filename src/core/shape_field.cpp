@@ -117,7 +117,8 @@ float ShapeField::at(Vec2 p) const {
   const float s = u - float(i), t = v - float(j);
   const float upper = distance(i, j) * (1 - s) + distance(i + 1, j) * s;
   const float lower = distance(i, j + 1) * (1 - s) + distance(i + 1, j + 1) * s;
-  return upper * (1 - t) + lower * t + norm(p - nearest);
+  const float inside = upper * (1 - t) + lower * t;
+  return nearest == p ? inside : inside + norm(p - nearest);
 }
 
 }  // namespace tessera

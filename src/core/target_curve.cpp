@@ -9,6 +9,14 @@
 namespace tessera {
 namespace {
 
+/// Where the contour crosses the edge, canvas px.
+Vec2 crossing(const Grid<float>& contour, Vec2 origin, const GridEdge& e) {
+  const float here = contour(e.x, e.y);
+  const float there = e.down ? contour(e.x, e.y + 1) : contour(e.x + 1, e.y);
+  const float t = here / (here - there);
+  return origin + (e.down ? Vec2{float(e.x), float(e.y) + t} : Vec2{float(e.x) + t, float(e.y)});
+}
+
 /// Whether a PAD moved so much that what was matched with the old one no longer holds. Coarse levels may move more:
 /// they see far and weigh little.
 bool changed_much(const ArclengthPyramid& a, const ArclengthPyramid& b, int levels) {
@@ -46,7 +54,7 @@ class TargetCurve::Walk {
  private:
   /// A smoothed position depends on what lies up to three sigma along the curve.
   void visit() {
-    const GridEdge e = GridEdge::of(curve_->vertices_[at_].edge, curve_->width_);
+    const GridEdge& e = curve_->vertices_[at_].edge;
     support_->add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(int(3 * curve_->sigma_px_) + 3));
   }
 
@@ -84,9 +92,9 @@ TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin,
 
   Change change;
   for (const std::uint32_t edge : reached_by(window)) {
-    const int v = vertex_of_edge_.find(edge);
-    const auto old = samples_.find(edge);
     const GridEdge e = GridEdge::of(edge, width_);
+    const int v = vertex_of_edge_.find(e);
+    const auto old = samples_.find(edge);
     const bool reachable = opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
     if (v == EdgeTable::kNone || !reachable || on_short_loop(v)) {
       if (old == samples_.end()) continue;
@@ -108,8 +116,8 @@ TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin,
 std::vector<std::uint32_t> TargetCurve::reached_by(const Window& window) const {
   std::vector<std::uint32_t> edges;
   supports_.each(window, [&](std::uint32_t edge) { edges.push_back(edge); });
-  vertex_of_edge_.each(window, [&](std::uint32_t edge, int) {
-    if (on_raster(GridEdge::of(edge, width_))) edges.push_back(edge);
+  vertex_of_edge_.each(window, [&](const GridEdge& e, int) {
+    if (on_raster(e)) edges.push_back(e.number(width_));
   });
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
@@ -128,7 +136,7 @@ void TargetCurve::drop(std::uint32_t edge) {
   samples_.erase(found);
 }
 
-int TargetCurve::vertex_at(std::uint32_t edge) {
+int TargetCurve::vertex_at(const GridEdge& edge) {
   const int found = vertex_of_edge_.find(edge);
   if (found != EdgeTable::kNone) return found;
   if (unused_.empty()) {
@@ -154,7 +162,7 @@ void TargetCurve::remove_vertex(int v) {
 
 void TargetCurve::cut_window(const Window& window) {
   std::vector<int> inside;
-  vertex_of_edge_.each(window, [&](std::uint32_t, int v) { inside.push_back(v); });
+  vertex_of_edge_.each(window, [&](const GridEdge&, int v) { inside.push_back(v); });
   for (const int v : inside) remove_vertex(v);
 }
 
@@ -166,8 +174,7 @@ void TargetCurve::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int
     if (corner[k] > 0) mask |= 1 << k;  // not (corner[k] > 0) << k: g++ 12 with -fsanitize=undefined miscompiles it
   }
   if (mask == 0 || mask == 15) return;
-  const auto name = [&](int ex, int ey, bool down) { return GridEdge{ex, ey, down}.number(width_); };
-  const std::uint32_t edge[4] = {name(x, y, false), name(x + 1, y, true), name(x, y + 1, false), name(x, y, true)};
+  const GridEdge edge[4] = {{x, y, false}, {x + 1, y, true}, {x, y + 1, false}, {x, y, true}};
   const auto inside = [&](int k) { return (mask >> (k & 3) & 1) != 0; };
   int leaving[2] = {};
   int entering[2] = {};
@@ -186,7 +193,7 @@ void TargetCurve::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int
   for (int k = 0; k < 2; ++k) link(contour, origin, edge[leaving[k]], edge[(leaving[k] + (joined ? 1 : 3)) & 3]);
 }
 
-void TargetCurve::link(const Grid<float>& contour, Vec2 origin, std::uint32_t from, std::uint32_t to) {
+void TargetCurve::link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to) {
   const int a = vertex_at(from);
   const int b = vertex_at(to);
   vertices_[a].next = b;
@@ -195,17 +202,9 @@ void TargetCurve::link(const Grid<float>& contour, Vec2 origin, std::uint32_t fr
   vertices_[b].raw = crossing(contour, origin, to);
 }
 
-Vec2 TargetCurve::crossing(const Grid<float>& contour, Vec2 origin, std::uint32_t edge) const {
-  const GridEdge e = GridEdge::of(edge, width_);
-  const float here = contour(e.x, e.y);
-  const float there = e.down ? contour(e.x, e.y + 1) : contour(e.x + 1, e.y);
-  const float t = here / (here - there);
-  return origin + (e.down ? Vec2{float(e.x), float(e.y) + t} : Vec2{float(e.x) + t, float(e.y)});
-}
-
 /// Two more than the smoothing reaches: what is measured at a vertex depends on its neighbours' positions.
 void TargetCurve::forget_smoothing(const Window& window) {
-  vertex_of_edge_.each(window.grown(int(3 * sigma_px_) + 5), [&](std::uint32_t, int v) {
+  vertex_of_edge_.each(window.grown(int(3 * sigma_px_) + 5), [&](const GridEdge&, int v) {
     vertices_[v].smoothed = false;
     vertices_[v].measured = false;
   });
@@ -275,14 +274,14 @@ bool TargetCurve::on_short_loop(int v) const {
 TargetCurve::Held TargetCurve::make_sample(int v) {
   Held held;
   TileIndex::Region support;
-  held.sample.edge = vertices_[v].edge;
+  const GridEdge& e = vertices_[v].edge;
+  held.sample.edge = e.number(width_);
   held.sample.position = vertices_[v].raw;
   held.sample.pyramid = make_pyramid(Walk(*this, v, support), pad_, curvature_dead_zone(sigma_px_));
   const auto& key = held.sample.pyramid.keypoint;
   const Vec2 chord = key[pad_.levels + 1] - key[pad_.levels - 1];
   held.sample.tangent = chord * (1 / std::max(norm(chord), 1e-6f));
   held.matched = held.sample.pyramid;
-  const GridEdge e = GridEdge::of(held.sample.edge, width_);
   support.add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(int(shortest_loop_px_) + 2));  // what on_short_loop walks
   held.support = std::move(support).tiles();
   return held;

@@ -44,12 +44,12 @@ class TargetCurve {
 
  private:
   struct Vertex {
-    std::uint32_t edge = 0;
+    GridEdge edge;
+    bool smoothed = false;
+    bool measured = false;
     int next = -1;
     int previous = -1;
     Vec2 raw;
-    bool smoothed = false;
-    bool measured = false;
     Vec2 smooth;
     float edge_after = 0;   // length of the smoothed curve to the next vertex
     float turning_rad = 0;  // of the smoothed curve here, absolute
@@ -61,12 +61,11 @@ class TargetCurve {
   };
   class Walk;
 
-  int vertex_at(std::uint32_t edge);
+  int vertex_at(const GridEdge& edge);
   void remove_vertex(int v);
   void cut_window(const Window& window);
   void trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y);
-  void link(const Grid<float>& contour, Vec2 origin, std::uint32_t from, std::uint32_t to);
-  Vec2 crossing(const Grid<float>& contour, Vec2 origin, std::uint32_t edge) const;
+  void link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to);
   void forget_smoothing(const Window& window);
   std::vector<std::uint32_t> reached_by(const Window& window) const;
   Vec2 smooth_position(int v);
