@@ -22,9 +22,8 @@ struct PieceNodes {
     for (int y = 0; y < window.height(); ++y) {
       for (int x = 0; x < window.width();) {
         const float d = piece.at({origin.x + float(window.x0 + x), origin.y + float(window.y0 + y)});
-        // The nodes up to `end` lie on the same side of both limits.
-        const float to_limit = std::min(std::abs(d), std::abs(d - clear_px));
-        const int end = std::min(window.width(), x + 1 + int(std::max(0.f, PieceDistance::sure_reach_px(to_limit))));
+        const float to_limit_px = std::min(std::abs(d), std::abs(d - clear_px));
+        const int end = std::min(window.width(), x + PieceDistance::nodes_on_same_side(to_limit_px));
         if (d < 0) inside.set_run(y, x, end);
         if (d > clear_px) clear.set_run(y, x, end);
         x = end;

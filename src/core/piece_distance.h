@@ -21,8 +21,12 @@ class PieceDistance {
   /// The most by which positions `apart_px` apart differ: bilinear look-up in exact distances is at most sqrt(2) steep,
   /// the rest is for the rounding of the stored field and of the positions.
   static float most_change_px(float apart_px) { return 1.5f * apart_px + kRounding_px; }
-  /// Positions nearer than this differ by less than `change_px`; negative where none is sure to.
-  static float sure_reach_px(float change_px) { return (change_px - kRounding_px) * (1 / 1.5f); }
+  /// How many positions of a row of nodes, from one that is `to_limit_px` from a limit on, are on the same side of it.
+  static int nodes_on_same_side(float to_limit_px) {
+    constexpr float kTwoNodes_px = 2 * 1.5f + kRounding_px;
+    if (to_limit_px < kTwoNodes_px) return 1;  // a branch: where it holds, the next look-up need not wait for this one
+    return 1 + int((to_limit_px - kRounding_px) * (1 / 1.5f));
+  }
 
  private:
   static constexpr float kRounding_px = 0.05f;

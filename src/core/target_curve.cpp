@@ -37,10 +37,10 @@ class TargetCurve::Walk {
  public:
   Walk(TargetCurve& curve, int at, TileIndex::Region& support) : curve_(&curve), at_(at), support_(&support) { visit(); }
 
-  Vec2 position() const { return curve_->smooth_position(at_); }
-  float turning_rad() const { return curve_->measured(at_).turning_rad; }
-  float edge_forward() const { return curve_->measured(at_).edge_after; }
-  float edge_backward() const { return curve_->measured(curve_->vertices_[at_].previous).edge_after; }
+  Vec2 position() const { return measured(at_).smooth; }
+  float turning_rad() const { return measured(at_).turning_rad; }
+  float edge_forward() const { return measured(at_).edge_after; }
+  float edge_backward() const { return measured(curve_->vertices_[at_].previous).edge_after; }
   void forward() {
     at_ = curve_->vertices_[at_].next;
     visit();
@@ -52,6 +52,12 @@ class TargetCurve::Walk {
   bool operator==(const Walk& o) const { return at_ == o.at_; }
 
  private:
+  const Vertex& measured(int v) const {
+    const Vertex& vertex = curve_->vertices_[v];
+    if (!vertex.measured) curve_->measure(v);
+    return vertex;
+  }
+
   /// A smoothed position depends on what lies up to three sigma along the curve.
   void visit() {
     const GridEdge& e = curve_->vertices_[at_].edge;
@@ -220,16 +226,13 @@ Vec2 TargetCurve::smooth_position(int v) {
 }
 
 /// Every walk that passes a vertex asks the same of it.
-const TargetCurve::Vertex& TargetCurve::measured(int v) {
-  Vertex& vertex = vertices_[v];
-  if (!vertex.measured) {
-    const Vec2 here = smooth_position(v);
-    const Vec2 next = smooth_position(vertex.next);
-    vertex.edge_after = norm(next - here);
-    vertex.turning_rad = std::abs(turning_rad(smooth_position(vertex.previous), here, next));
-    vertex.measured = true;
-  }
-  return vertex;
+void TargetCurve::measure(int v) {
+  const Vec2 before = smooth_position(vertices_[v].previous);
+  const Vec2 here = smooth_position(v);
+  const Vec2 after = smooth_position(vertices_[v].next);
+  vertices_[v].edge_after = norm(after - here);
+  vertices_[v].turning_rad = std::abs(turning_rad(before, here, after));
+  vertices_[v].measured = true;
 }
 
 /// Gaussian along the arclength; every vertex weighs as much as half of its two edges is long. Summed outwards from v,

@@ -70,7 +70,7 @@ class TargetCurve {
   std::vector<std::uint32_t> reached_by(const Window& window) const;
   Vec2 smooth_position(int v);
   Vec2 smoothed_at(int v) const;
-  const Vertex& measured(int v);
+  void measure(int v);
   bool on_raster(const GridEdge& e) const { return (e.down ? e.x : e.y) % spacing_px_ == 0; }
   bool on_short_loop(int v) const;
   Held make_sample(int v);

@@ -2,12 +2,9 @@
 
 namespace tessera {
 
-void TileIndex::Region::add(const Window& window) {
-  const Window tiles = in_tiles(window);
-  if (tiles == last_) return;
-  last_ = tiles;
-  for (int y = tiles.y0; y < tiles.y1; ++y) {
-    for (int x = tiles.x0; x < tiles.x1; ++x) tiles_.push_back(tile(x, y));
+void TileIndex::Region::add_tiles() {
+  for (int y = last_.y0; y < last_.y1; ++y) {
+    for (int x = last_.x0; x < last_.x1; ++x) tiles_.push_back(tile(x, y));
   }
 }
 
@@ -38,11 +35,6 @@ void TileIndex::move(std::uint32_t thing, const std::vector<Tile>& before, const
       ++fresh;
     }
   }
-}
-
-Window TileIndex::in_tiles(const Window& w) {
-  if (w.empty()) return {};
-  return {tile_coordinate(w.x0), tile_coordinate(w.y0), tile_coordinate(w.x1 - 1) + 1, tile_coordinate(w.y1 - 1) + 1};
 }
 
 }  // namespace tessera

@@ -16,11 +16,18 @@ class TileIndex {
   /// The tiles of a region that grows window by window.
   class Region {
    public:
-    void add(const Window& window);
+    void add(const Window& window) {
+      const Window tiles = in_tiles(window);
+      if (tiles == last_) return;
+      last_ = tiles;
+      add_tiles();
+    }
     /// Ascending, each once.
     std::vector<Tile> tiles() &&;
 
    private:
+    void add_tiles();
+
     Window last_;  // in tiles: windows that follow each other often lie in the same ones
     std::vector<Tile> tiles_;
   };
@@ -50,7 +57,10 @@ class TileIndex {
 
   static int tile_coordinate(int node) { return node >> kTileBits; }
   static Tile tile(int x, int y) { return Tile(std::uint32_t(y)) << 32 | std::uint32_t(x); }
-  static Window in_tiles(const Window& w);
+  static Window in_tiles(const Window& w) {
+    if (w.empty()) return {};
+    return {tile_coordinate(w.x0), tile_coordinate(w.y0), tile_coordinate(w.x1 - 1) + 1, tile_coordinate(w.y1 - 1) + 1};
+  }
 
   std::unordered_map<Tile, std::vector<std::uint32_t>> things_;
 };
