@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -42,16 +43,17 @@ class Collage {
   std::size_t open_samples() const { return curve_.sample_count(); }
 
  private:
-  struct Ranked;
-
   bool may_use(std::uint32_t shape) const;
   float preference(const Candidate& candidate) const;
   float score_of(const Candidate& candidate) const;
   bool acceptable(const Candidate& candidate) const;
-  std::vector<Ranked> finalists();
+  std::vector<Pool::Ranked> finalists();
   void check_exactly(Candidate& candidate);
   bool settle(Candidate& candidate);
+  void drop_shape(std::uint32_t shape);
   void rescore(const Window& changed);
+  template <class Keep>
+  void review(std::uint32_t edge, Keep keep);
   void retrace(const Window& changed);
 
   CollageSettings settings_;
@@ -64,7 +66,7 @@ class Collage {
   std::set<std::uint32_t> stale_;           // edges of samples to be matched
   std::map<std::uint32_t, std::uint32_t> passes_;  // how often a sample was matched
   std::vector<Placement> placements_;
-  std::vector<std::uint32_t> uses_;         // per shape
+  std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
   double covered_px2_ = 0;
   Window changed_nodes_;
 };
