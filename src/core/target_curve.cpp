@@ -58,11 +58,7 @@ class TargetCurve::Walk {
     return vertex;
   }
 
-  /// A smoothed position depends on what lies up to three sigma along the curve.
-  void visit() {
-    const GridEdge& e = curve_->vertices_[at_].edge;
-    support_->add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(int(3 * curve_->sigma_px_) + 3));
-  }
+  void visit() { curve_->visit(at_, *support_); }
 
   TargetCurve* curve_;
   int at_;
@@ -102,13 +98,14 @@ TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin,
     const int v = vertex_of_edge_.find(e);
     const auto old = samples_.find(edge);
     const bool reachable = opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
-    if (v == EdgeTable::kNone || !reachable || on_short_loop(v)) {
+    TileIndex::Region support;
+    if (v == EdgeTable::kNone || !reachable || on_short_loop(v, support)) {
       if (old == samples_.end()) continue;
       drop(edge);
       change.removed.push_back(edge);
       continue;
     }
-    Held held = make_sample(v);
+    Held held = make_sample(v, std::move(support));
     const bool fresh = old == samples_.end();
     const bool renewed = fresh || changed_much(old->second.matched, held.sample.pyramid, pad_.levels);
     if (!renewed) held.matched = old->second.matched;
@@ -263,10 +260,11 @@ Vec2 TargetCurve::smoothed_at(int v) const {
   return total > 0 ? centre.raw + sum * (1 / total) : centre.raw;
 }
 
-bool TargetCurve::on_short_loop(int v) const {
+bool TargetCurve::on_short_loop(int v, TileIndex::Region& support) const {
   float length = 0;
   int at = v;
   do {
+    visit(at, support);
     const int next = vertices_[at].next;
     length += norm(vertices_[next].raw - vertices_[at].raw);
     at = next;
@@ -274,9 +272,14 @@ bool TargetCurve::on_short_loop(int v) const {
   return length < shortest_loop_px_;
 }
 
-TargetCurve::Held TargetCurve::make_sample(int v) {
+/// A smoothed position depends on what lies up to three sigma along the curve.
+void TargetCurve::visit(int v, TileIndex::Region& support) const {
+  const GridEdge& e = vertices_[v].edge;
+  support.add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(int(3 * sigma_px_) + 3));
+}
+
+TargetCurve::Held TargetCurve::make_sample(int v, TileIndex::Region support) {
   Held held;
-  TileIndex::Region support;
   const GridEdge& e = vertices_[v].edge;
   held.sample.edge = e.number(width_);
   held.sample.position = vertices_[v].raw;
@@ -285,7 +288,6 @@ TargetCurve::Held TargetCurve::make_sample(int v) {
   const Vec2 chord = key[pad_.levels + 1] - key[pad_.levels - 1];
   held.sample.tangent = chord * (1 / std::max(norm(chord), 1e-6f));
   held.matched = held.sample.pyramid;
-  support.add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(int(shortest_loop_px_) + 2));  // what on_short_loop walks
   held.support = std::move(support).tiles();
   return held;
 }

@@ -72,8 +72,9 @@ class TargetCurve {
   Vec2 smoothed_at(int v) const;
   void measure(int v);
   bool on_raster(const GridEdge& e) const { return (e.down ? e.x : e.y) % spacing_px_ == 0; }
-  bool on_short_loop(int v) const;
-  Held make_sample(int v);
+  void visit(int v, TileIndex::Region& support) const;
+  bool on_short_loop(int v, TileIndex::Region& support) const;
+  Held make_sample(int v, TileIndex::Region support);
   void hold(std::uint32_t edge, Held held);
   void drop(std::uint32_t edge);
 
