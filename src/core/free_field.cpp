@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/distance_transform.h"
+#include "core/bit_grid.h"
+#include "core/piece_distance.h"
 #include "core/tuning.h"
 
 namespace tessera {
@@ -55,19 +56,24 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape)
 }
 
 Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window) {
-  const Similarity shape_from_canvas = canvas_from_shape.inverse();
-  const float scale = canvas_from_shape.scale();
+  const PieceDistance piece(shape, canvas_from_shape, padding_px_);
   Window changed;
   for (int y = window.y0; y < window.y1; ++y) {
     float* row = field_.value.row(y);
-    for (int x = window.x0; x < window.x1; ++x) {
-      const Vec2 p{field_.origin.x + float(x), field_.origin.y + float(y)};
-      const float d = scale * shape.field.at(shape_from_canvas.apply(p)) - padding_px_;
+    int first = window.x1;
+    int end = window.x0;
+    for (int x = window.x0; x < window.x1;) {
+      const float d = piece.at({field_.origin.x + float(x), field_.origin.y + float(y)});
       if (d < row[x]) {
         row[x] = d;
-        changed = changed.united({x, y, x + 1, y + 1});
+        first = std::min(first, x);
+        end = x + 1;
       }
+      // On to the next node that the piece may be nearer to than what is there.
+      const int here = x++;
+      while (x < window.x1 && d - PieceDistance::most_change_px(float(x - here)) >= row[x]) ++x;
     }
+    if (first < end) changed = changed.united({first, y, end, y + 1});
   }
   return changed;
 }
@@ -118,15 +124,11 @@ void OpenedField::open(const Grid<float>& distance, const Window& window) {
 void OpenedField::mark_reachable(const Grid<float>& distance, const Window& window) {
   const int reach = int(reachable_px_) + 3;
   const Window around = window.grown(reach).intersected(distance.bounds());
-  Grid<std::uint8_t> centre(around.width(), around.height());
-  for (int y = around.y0; y < around.y1; ++y) {
-    for (int x = around.x0; x < around.x1; ++x) centre(x - around.x0, y - around.y0) = distance(x, y) > reachable_px_;
-  }
-  const Grid<float> squared = squared_distance_to(centre);
   const float limit = (reachable_px_ + 1) * (reachable_px_ + 1);
+  const BitGrid near = dilated_by_disc(nodes_above(distance, around, reachable_px_), limit);
   for (int y = window.y0; y < window.y1; ++y) {
     for (int x = window.x0; x < window.x1; ++x) {
-      reachable_(x, y) = squared(x - around.x0, y - around.y0) <= limit && distance(x, y) > -1;
+      reachable_(x, y) = near.test(x - around.x0, y - around.y0) && distance(x, y) > -1;
     }
   }
 }

@@ -10,11 +10,19 @@ class IndexWalk {
  public:
   IndexWalk(const std::vector<Vec2>& curve, std::size_t at) : curve_(&curve), at_(at) {}
   Vec2 position() const { return (*curve_)[at_]; }
-  void forward() { at_ = at_ + 1 == curve_->size() ? 0 : at_ + 1; }
-  void backward() { at_ = at_ == 0 ? curve_->size() - 1 : at_ - 1; }
+  void forward() { at_ = after(); }
+  void backward() { at_ = before(); }
+  float turning_rad() const { return std::abs(tessera::turning_rad(previous(), position(), next())); }
+  float edge_forward() const { return norm(next() - position()); }
+  float edge_backward() const { return norm(position() - previous()); }
   bool operator==(const IndexWalk& o) const { return at_ == o.at_; }
 
  private:
+  std::size_t after() const { return at_ + 1 == curve_->size() ? 0 : at_ + 1; }
+  std::size_t before() const { return at_ == 0 ? curve_->size() - 1 : at_ - 1; }
+  Vec2 next() const { return (*curve_)[after()]; }
+  Vec2 previous() const { return (*curve_)[before()]; }
+
   const std::vector<Vec2>* curve_;
   std::size_t at_;
 };

@@ -33,36 +33,38 @@ struct SideOfPyramid {
   std::array<Vec2, kMaxPadLevels> end{};
 };
 
-/// Walks one side. `before`, `point`: the neighbour on the other side and the centre. `next()` gives the following
-/// vertex; `at_start()` says that the last one given is the centre again, i.e. the loop is closed: the walk ends there
-/// and the levels not reached get the loop's whole length.
+/// Walks one side. `step(walk)` goes to the next vertex on it, `ahead(walk)` is the length of that edge; `edge_before` is
+/// the edge on the centre's other side. Where the loop closes the walk ends, and the levels not reached get the loop's
+/// whole length.
 ///
 /// The turning at a vertex is spread over the halves of its two edges, so that levels end between vertices and move
 /// smoothly; the centre's is split between both sides.
-template <class Next, class AtStart>
-SideOfPyramid walk_side(Vec2 before, Vec2 point, Next next, AtStart at_start, const PadParameters& pad,
-                        float dead_zone) {
+template <class Walk, class Step, class Ahead>
+SideOfPyramid walk_side(const Walk& start, Vec2 before, float edge_before, Step step, Ahead ahead,
+                        const PadParameters& pad, float dead_zone) {
   SideOfPyramid side;
+  Walk at = start;
   int level = 0;
   float goal = pad.delta_tau;
   float turned = 0;
   float walked = 0;  // to the middle of the edge (a, b)
   Vec2 a = before;
-  Vec2 b = point;
+  Vec2 b = at.position();
   float edge_in = 0;  // half the centre's own interval: it starts at the centre
+  float whole_in = edge_before;
   bool closed = false;
   while (level < pad.levels && !closed) {
-    const Vec2 c = next();
-    closed = at_start();
     const float half_in = 0.5f * edge_in;
-    const float edge_out = norm(c - b);
+    const float edge_out = ahead(at);
     const float half_out = 0.5f * edge_out;
     const bool centre = edge_in == 0;
-    const float whole_in = centre ? norm(b - a) : edge_in;
     const float support = 0.5f * (whole_in + edge_out);
-    float turn = std::max(0.f, std::abs(turning_rad(a, b, c)) - dead_zone * support);
+    float turn = std::max(0.f, at.turning_rad() - dead_zone * support);
     if (centre) turn *= half_out / support;
     const float interval = half_in + half_out;
+    step(at);
+    const Vec2 c = at.position();
+    closed = at == start;
     while (level < pad.levels && turned + turn >= goal) {
       const float fraction = turn > 0 ? (goal - turned) / turn : 1.f;
       const float along = fraction * interval;  // from the middle of (a, b)
@@ -76,6 +78,7 @@ SideOfPyramid walk_side(Vec2 before, Vec2 point, Next next, AtStart at_start, co
     a = b;
     b = c;
     edge_in = edge_out;
+    whole_in = edge_out;
   }
   const float whole = walked + 0.5f * edge_in;
   for (; level < pad.levels; ++level) {
@@ -87,21 +90,20 @@ SideOfPyramid walk_side(Vec2 before, Vec2 point, Next next, AtStart at_start, co
 
 }  // namespace detail
 
-/// `Walk` has position(), forward(), backward() and operator==, and stands on a vertex of a closed polyline.
+/// `Walk` stands on a vertex of a closed polyline. It has forward(), backward() and operator==; position(), the
+/// absolute turning_rad() there, and edge_forward() and edge_backward(), the lengths of the edges on both sides.
 template <class Walk>
 ArclengthPyramid make_pyramid(const Walk& centre, const PadParameters& pad, float dead_zone) {
-  Walk right = centre;
-  Walk left = centre;
   Walk after = centre;
   Walk before = centre;
   after.forward();
   before.backward();
   const auto r = detail::walk_side(
-      before.position(), centre.position(), [&] { right.forward(); return right.position(); },
-      [&] { return right == centre; }, pad, dead_zone);
+      centre, before.position(), centre.edge_backward(), [](Walk& w) { w.forward(); },
+      [](const Walk& w) { return w.edge_forward(); }, pad, dead_zone);
   const auto l = detail::walk_side(
-      after.position(), centre.position(), [&] { left.backward(); return left.position(); },
-      [&] { return left == centre; }, pad, dead_zone);
+      centre, after.position(), centre.edge_forward(), [](Walk& w) { w.backward(); },
+      [](const Walk& w) { return w.edge_backward(); }, pad, dead_zone);
 
   ArclengthPyramid pyramid;
   const int n = pad.levels;

@@ -3,6 +3,7 @@
 // ("square root of the piece's area").
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -31,6 +32,21 @@ struct ShapeField {
   /// Bilinear; outside the grid the distance to the grid is added, which stays a lower bound of nothing nearer.
   float at(Vec2 p) const;
 };
+
+inline float ShapeField::at(Vec2 p) const {
+  const Vec2 nearest{std::clamp(p.x, -extent, extent), std::clamp(p.y, -extent, extent)};
+  const int last = distance.width() - 1;
+  const float nodes_per_unit = float(last) / (2 * extent);
+  const float u = (nearest.x + extent) * nodes_per_unit;
+  const float v = (nearest.y + extent) * nodes_per_unit;
+  const int i = std::min(int(u), last - 1);
+  const int j = std::min(int(v), last - 1);
+  const float s = u - float(i), t = v - float(j);
+  const float upper = distance(i, j) * (1 - s) + distance(i + 1, j) * s;
+  const float lower = distance(i, j + 1) * (1 - s) + distance(i + 1, j + 1) * s;
+  const float inside = upper * (1 - t) + lower * t;
+  return nearest == p ? inside : inside + norm(p - nearest);
+}
 
 /// Matching needs both curves smoothed by the same fraction of size (design, method 1), hence a few fixed levels.
 struct SmoothingLevel {

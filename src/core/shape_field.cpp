@@ -106,18 +106,4 @@ ShapeField make_shape_field(const Outline& outline) {
   return field;
 }
 
-float ShapeField::at(Vec2 p) const {
-  const Vec2 nearest{std::clamp(p.x, -extent, extent), std::clamp(p.y, -extent, extent)};
-  const int last = distance.width() - 1;
-  const float nodes_per_unit = float(last) / (2 * extent);
-  const float u = (nearest.x + extent) * nodes_per_unit;
-  const float v = (nearest.y + extent) * nodes_per_unit;
-  const int i = std::min(int(u), last - 1);
-  const int j = std::min(int(v), last - 1);
-  const float s = u - float(i), t = v - float(j);
-  const float upper = distance(i, j) * (1 - s) + distance(i + 1, j) * s;
-  const float lower = distance(i, j + 1) * (1 - s) + distance(i + 1, j + 1) * s;
-  return upper * (1 - t) + lower * t + norm(p - nearest);
-}
-
 }  // namespace tessera

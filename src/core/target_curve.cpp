@@ -9,18 +9,12 @@
 namespace tessera {
 namespace {
 
-struct EdgePosition {
-  int x;
-  int y;
-  bool down;  // from (x, y) to (x, y + 1), else to (x + 1, y)
-};
-
-EdgePosition edge_position(std::uint32_t edge, int width) {
-  return {int((edge >> 1) % std::uint32_t(width)), int((edge >> 1) / std::uint32_t(width)), (edge & 1) != 0};
-}
-
-bool touches(const Window& w, const EdgePosition& e) {
-  return w.contains(e.x, e.y) || (e.down ? w.contains(e.x, e.y + 1) : w.contains(e.x + 1, e.y));
+/// Where the contour crosses the edge, canvas px.
+Vec2 crossing(const Grid<float>& contour, Vec2 origin, const GridEdge& e) {
+  const float here = contour(e.x, e.y);
+  const float there = e.down ? contour(e.x, e.y + 1) : contour(e.x + 1, e.y);
+  const float t = here / (here - there);
+  return origin + (e.down ? Vec2{float(e.x), float(e.y) + t} : Vec2{float(e.x) + t, float(e.y)});
 }
 
 /// Whether a PAD moved so much that what was matched with the old one no longer holds. Coarse levels may move more:
@@ -38,28 +32,37 @@ bool changed_much(const ArclengthPyramid& a, const ArclengthPyramid& b, int leve
 
 }  // namespace
 
-/// A vertex of the curve, seen smoothed; widens `support` by whatever it visits.
+/// A vertex of the curve, seen smoothed; adds to `support` whatever it visits.
 class TargetCurve::Walk {
  public:
-  Walk(TargetCurve& curve, int at, Window& support, Vec2 origin)
-      : curve_(&curve), at_(at), support_(&support), origin_(origin) {}
+  Walk(TargetCurve& curve, int at, TileIndex::Region& support) : curve_(&curve), at_(at), support_(&support) { visit(); }
 
-  Vec2 position() const {
-    const Vec2 node = curve_->vertices_[at_].raw - origin_;
-    const int x = int(node.x);
-    const int y = int(node.y);
-    *support_ = support_->united({x, y, x + 2, y + 2});
-    return curve_->smooth_position(at_);
+  Vec2 position() const { return measured(at_).smooth; }
+  float turning_rad() const { return measured(at_).turning_rad; }
+  float edge_forward() const { return measured(at_).edge_after; }
+  float edge_backward() const { return measured(curve_->vertices_[at_].previous).edge_after; }
+  void forward() {
+    at_ = curve_->vertices_[at_].next;
+    visit();
   }
-  void forward() { at_ = curve_->vertices_[at_].next; }
-  void backward() { at_ = curve_->vertices_[at_].previous; }
+  void backward() {
+    at_ = curve_->vertices_[at_].previous;
+    visit();
+  }
   bool operator==(const Walk& o) const { return at_ == o.at_; }
 
  private:
+  const Vertex& measured(int v) const {
+    const Vertex& vertex = curve_->vertices_[v];
+    if (!vertex.measured) curve_->measure(v);
+    return vertex;
+  }
+
+  void visit() { curve_->visit(at_, *support_); }
+
   TargetCurve* curve_;
   int at_;
-  Window* support_;
-  Vec2 origin_;
+  TileIndex::Region* support_;
 };
 
 TargetCurve::TargetCurve(const PieceSettings& pieces, const PadParameters& pad)
@@ -77,51 +80,68 @@ std::vector<std::uint32_t> TargetCurve::sample_edges() const {
 
 TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin, const Window& window) {
   const Grid<float>& contour = opened.contour();
-  width_ = contour.width();
+  if (width_ == 0) {
+    width_ = contour.width();
+    vertex_of_edge_ = EdgeTable(width_, contour.height());
+  }
   cut_window(window);
   const Window cells =
       Window{window.x0 - 1, window.y0 - 1, window.x1, window.y1}.intersected({0, 0, width_ - 1, contour.height() - 1});
   for (int y = cells.y0; y < cells.y1; ++y) {
     for (int x = cells.x0; x < cells.x1; ++x) trace_cell(contour, origin, x, y);
   }
-  forget_smoothing(window, origin);
+  forget_smoothing(window);
 
   Change change;
-  std::map<std::uint32_t, int> wanted;  // to be computed (again), by edge
-  for (const auto& [edge, held] : samples_) {
-    const auto found = vertex_of_edge_.find(edge);
-    if (found == vertex_of_edge_.end()) {
-      change.removed.push_back(edge);
-    } else if (held.support.overlaps(window)) {
-      wanted.emplace(edge, found->second);
-    }
-  }
-  for (int v = 0; v < int(vertices_.size()); ++v) {
-    const Vertex& vertex = vertices_[v];
-    if (vertex.next < 0) continue;
-    if (touches(window, edge_position(vertex.edge, width_))) wanted.emplace(vertex.edge, v);
-  }
-  for (const auto& [edge, v] : wanted) {
+  for (const std::uint32_t edge : reached_by(window)) {
+    const GridEdge e = GridEdge::of(edge, width_);
+    const int v = vertex_of_edge_.find(e);
     const auto old = samples_.find(edge);
-    if (!wants_sample(vertices_[v], opened) || on_short_loop(v)) {
-      if (old != samples_.end()) change.removed.push_back(edge);
+    const bool reachable = opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
+    TileIndex::Region support;
+    if (v == EdgeTable::kNone || !reachable || on_short_loop(v, support)) {
+      if (old == samples_.end()) continue;
+      drop(edge);
+      change.removed.push_back(edge);
       continue;
     }
-    Held held = make_sample(v, origin);
+    Held held = make_sample(v, std::move(support));
     const bool fresh = old == samples_.end();
     const bool renewed = fresh || changed_much(old->second.matched, held.sample.pyramid, pad_.levels);
     if (!renewed) held.matched = old->second.matched;
-    samples_.insert_or_assign(edge, held);
+    hold(edge, std::move(held));
     if (renewed) change.renewed.push_back(edge);
   }
-  for (const std::uint32_t edge : change.removed) samples_.erase(edge);
-  std::sort(change.removed.begin(), change.removed.end());
   return change;
 }
 
-int TargetCurve::vertex_at(std::uint32_t edge) {
-  const auto [found, fresh] = vertex_of_edge_.try_emplace(edge, -1);
-  if (!fresh) return found->second;
+/// Where a sample may have to be made (again), or to be dropped: ascending edges.
+std::vector<std::uint32_t> TargetCurve::reached_by(const Window& window) const {
+  std::vector<std::uint32_t> edges;
+  supports_.each(window, [&](std::uint32_t edge) { edges.push_back(edge); });
+  vertex_of_edge_.each(window, [&](const GridEdge& e, int) {
+    if (on_raster(e)) edges.push_back(e.number(width_));
+  });
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+void TargetCurve::hold(std::uint32_t edge, Held held) {
+  Held& kept = samples_[edge];
+  supports_.move(edge, kept.support, held.support);
+  kept = std::move(held);
+}
+
+void TargetCurve::drop(std::uint32_t edge) {
+  const auto found = samples_.find(edge);
+  supports_.move(edge, found->second.support, {});
+  samples_.erase(found);
+}
+
+int TargetCurve::vertex_at(const GridEdge& edge) {
+  const int found = vertex_of_edge_.find(edge);
+  if (found != EdgeTable::kNone) return found;
   if (unused_.empty()) {
     unused_.push_back(int(vertices_.size()));
     vertices_.emplace_back();
@@ -130,7 +150,7 @@ int TargetCurve::vertex_at(std::uint32_t edge) {
   unused_.pop_back();
   vertices_[v] = Vertex{};
   vertices_[v].edge = edge;
-  found->second = v;
+  vertex_of_edge_.insert(edge, v);
   return v;
 }
 
@@ -145,9 +165,7 @@ void TargetCurve::remove_vertex(int v) {
 
 void TargetCurve::cut_window(const Window& window) {
   std::vector<int> inside;
-  for (const auto& [edge, v] : vertex_of_edge_) {
-    if (touches(window, edge_position(edge, width_))) inside.push_back(v);
-  }
+  vertex_of_edge_.each(window, [&](const GridEdge&, int v) { inside.push_back(v); });
   for (const int v : inside) remove_vertex(v);
 }
 
@@ -159,8 +177,7 @@ void TargetCurve::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int
     if (corner[k] > 0) mask |= 1 << k;  // not (corner[k] > 0) << k: g++ 12 with -fsanitize=undefined miscompiles it
   }
   if (mask == 0 || mask == 15) return;
-  const auto name = [&](int ex, int ey, bool down) { return 2 * (std::uint32_t(ey) * width_ + ex) + down; };
-  const std::uint32_t edge[4] = {name(x, y, false), name(x + 1, y, true), name(x, y + 1, false), name(x, y, true)};
+  const GridEdge edge[4] = {{x, y, false}, {x + 1, y, true}, {x, y + 1, false}, {x, y, true}};
   const auto inside = [&](int k) { return (mask >> (k & 3) & 1) != 0; };
   int leaving[2] = {};
   int entering[2] = {};
@@ -179,7 +196,7 @@ void TargetCurve::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int
   for (int k = 0; k < 2; ++k) link(contour, origin, edge[leaving[k]], edge[(leaving[k] + (joined ? 1 : 3)) & 3]);
 }
 
-void TargetCurve::link(const Grid<float>& contour, Vec2 origin, std::uint32_t from, std::uint32_t to) {
+void TargetCurve::link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to) {
   const int a = vertex_at(from);
   const int b = vertex_at(to);
   vertices_[a].next = b;
@@ -188,19 +205,12 @@ void TargetCurve::link(const Grid<float>& contour, Vec2 origin, std::uint32_t fr
   vertices_[b].raw = crossing(contour, origin, to);
 }
 
-Vec2 TargetCurve::crossing(const Grid<float>& contour, Vec2 origin, std::uint32_t edge) const {
-  const EdgePosition e = edge_position(edge, width_);
-  const float here = contour(e.x, e.y);
-  const float there = e.down ? contour(e.x, e.y + 1) : contour(e.x + 1, e.y);
-  const float t = here / (here - there);
-  return origin + (e.down ? Vec2{float(e.x), float(e.y) + t} : Vec2{float(e.x) + t, float(e.y)});
-}
-
-void TargetCurve::forget_smoothing(const Window& window, Vec2 origin) {
-  const Window near = window.grown(int(3 * sigma_px_) + 3);
-  for (Vertex& v : vertices_) {
-    if (near.contains(int(v.raw.x - origin.x), int(v.raw.y - origin.y))) v.smoothed = false;
-  }
+/// Two more than the smoothing reaches: what is measured at a vertex depends on its neighbours' positions.
+void TargetCurve::forget_smoothing(const Window& window) {
+  vertex_of_edge_.each(window.grown(int(3 * sigma_px_) + 5), [&](const GridEdge&, int v) {
+    vertices_[v].smoothed = false;
+    vertices_[v].measured = false;
+  });
 }
 
 Vec2 TargetCurve::smooth_position(int v) {
@@ -210,6 +220,16 @@ Vec2 TargetCurve::smooth_position(int v) {
     vertex.smoothed = true;
   }
   return vertex.smooth;
+}
+
+/// Every walk that passes a vertex asks the same of it.
+void TargetCurve::measure(int v) {
+  const Vec2 before = smooth_position(vertices_[v].previous);
+  const Vec2 here = smooth_position(v);
+  const Vec2 after = smooth_position(vertices_[v].next);
+  vertices_[v].edge_after = norm(after - here);
+  vertices_[v].turning_rad = std::abs(turning_rad(before, here, after));
+  vertices_[v].measured = true;
 }
 
 /// Gaussian along the arclength; every vertex weighs as much as half of its two edges is long. Summed outwards from v,
@@ -240,16 +260,11 @@ Vec2 TargetCurve::smoothed_at(int v) const {
   return total > 0 ? centre.raw + sum * (1 / total) : centre.raw;
 }
 
-bool TargetCurve::wants_sample(const Vertex& v, const OpenedField& opened) const {
-  const EdgePosition e = edge_position(v.edge, width_);
-  if ((e.down ? e.x : e.y) % spacing_px_ != 0) return false;
-  return opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
-}
-
-bool TargetCurve::on_short_loop(int v) const {
+bool TargetCurve::on_short_loop(int v, TileIndex::Region& support) const {
   float length = 0;
   int at = v;
   do {
+    visit(at, support);
     const int next = vertices_[at].next;
     length += norm(vertices_[next].raw - vertices_[at].raw);
     at = next;
@@ -257,21 +272,23 @@ bool TargetCurve::on_short_loop(int v) const {
   return length < shortest_loop_px_;
 }
 
-TargetCurve::Held TargetCurve::make_sample(int v, Vec2 origin) {
+/// A smoothed position depends on what lies up to three sigma along the curve.
+void TargetCurve::visit(int v, TileIndex::Region& support) const {
+  const GridEdge& e = vertices_[v].edge;
+  support.add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(int(3 * sigma_px_) + 3));
+}
+
+TargetCurve::Held TargetCurve::make_sample(int v, TileIndex::Region support) {
   Held held;
-  Window visited;
-  held.sample.edge = vertices_[v].edge;
+  const GridEdge& e = vertices_[v].edge;
+  held.sample.edge = e.number(width_);
   held.sample.position = vertices_[v].raw;
-  held.sample.pyramid = make_pyramid(Walk(*this, v, visited, origin), pad_, curvature_dead_zone(sigma_px_));
+  held.sample.pyramid = make_pyramid(Walk(*this, v, support), pad_, curvature_dead_zone(sigma_px_));
   const auto& key = held.sample.pyramid.keypoint;
   const Vec2 chord = key[pad_.levels + 1] - key[pad_.levels - 1];
   held.sample.tangent = chord * (1 / std::max(norm(chord), 1e-6f));
   held.matched = held.sample.pyramid;
-  // The loop test walks shortest_loop_px from here, the smoothing three sigma beyond what was visited.
-  const Vec2 node = held.sample.position - origin;
-  const int loop = int(shortest_loop_px_) + 2;
-  held.support = visited.grown(int(3 * sigma_px_) + 3)
-                     .united(Window{int(node.x), int(node.y), int(node.x) + 2, int(node.y) + 2}.grown(loop));
+  held.support = std::move(support).tiles();
   return held;
 }
 

@@ -7,12 +7,13 @@
 
 #include <cstdint>
 #include <map>
-#include <unordered_map>
 #include <vector>
 
+#include "core/edge_table.h"
 #include "core/free_field.h"
 #include "core/pad.h"
 #include "core/settings.h"
+#include "core/tile_index.h"
 
 namespace tessera {
 
@@ -43,32 +44,39 @@ class TargetCurve {
 
  private:
   struct Vertex {
-    std::uint32_t edge = 0;
+    GridEdge edge;
+    bool smoothed = false;
+    bool measured = false;
     int next = -1;
     int previous = -1;
     Vec2 raw;
     Vec2 smooth;
-    bool smoothed = false;
+    float edge_after = 0;   // length of the smoothed curve to the next vertex
+    float turning_rad = 0;  // of the smoothed curve here, absolute
   };
   struct Held {
     TargetSample sample;
     ArclengthPyramid matched;  // as it was when last reported as renewed
-    Window support;            // nodes that its PAD depends on
+    std::vector<TileIndex::Tile> support;  // of the nodes that it depends on
   };
   class Walk;
 
-  int vertex_at(std::uint32_t edge);
+  int vertex_at(const GridEdge& edge);
   void remove_vertex(int v);
   void cut_window(const Window& window);
   void trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y);
-  void link(const Grid<float>& contour, Vec2 origin, std::uint32_t from, std::uint32_t to);
-  Vec2 crossing(const Grid<float>& contour, Vec2 origin, std::uint32_t edge) const;
-  void forget_smoothing(const Window& window, Vec2 origin);
+  void link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to);
+  void forget_smoothing(const Window& window);
+  std::vector<std::uint32_t> reached_by(const Window& window) const;
   Vec2 smooth_position(int v);
   Vec2 smoothed_at(int v) const;
-  bool wants_sample(const Vertex& v, const OpenedField& opened) const;
-  bool on_short_loop(int v) const;
-  Held make_sample(int v, Vec2 origin);
+  void measure(int v);
+  bool on_raster(const GridEdge& e) const { return (e.down ? e.x : e.y) % spacing_px_ == 0; }
+  void visit(int v, TileIndex::Region& support) const;
+  bool on_short_loop(int v, TileIndex::Region& support) const;
+  Held make_sample(int v, TileIndex::Region support);
+  void hold(std::uint32_t edge, Held held);
+  void drop(std::uint32_t edge);
 
   int width_ = 0;  // of the node grid
   float sigma_px_;
@@ -77,8 +85,9 @@ class TargetCurve {
   PadParameters pad_;
   std::vector<Vertex> vertices_;
   std::vector<int> unused_;
-  std::unordered_map<std::uint32_t, int> vertex_of_edge_;
+  EdgeTable vertex_of_edge_;
   std::map<std::uint32_t, Held> samples_;
+  TileIndex supports_;  // the samples' edges, by the nodes that they depend on
 };
 
 }  // namespace tessera

@@ -40,18 +40,6 @@ std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placemen
 
 }  // namespace
 
-struct Collage::Ranked {
-  float value;  // score times preference
-  std::uint32_t edge;
-  std::size_t index;
-
-  /// A total order: the same finalists in the same order on any machine.
-  bool operator<(const Ranked& o) const {
-    if (value != o.value) return value > o.value;
-    return edge != o.edge ? edge < o.edge : index < o.index;
-  }
-};
-
 Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context,
                  ShapeSource& shapes)
     : settings_(settings),
@@ -60,7 +48,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       free_(canvas, settings.pieces),
       opened_(free_, settings.pieces),
       curve_(settings.pieces, settings.match.pad),
-      uses_(context.library_shapes, 0),
+      poses_(context.library_shapes),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
 }
@@ -105,19 +93,18 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
 }
 
 bool Collage::may_use(std::uint32_t shape) const {
-  return settings_.pieces.uses == 0 || uses_[shape] < std::uint32_t(settings_.pieces.uses);
+  return settings_.pieces.uses == 0 || poses_[shape].size() < std::size_t(settings_.pieces.uses);
 }
 
 /// Repetition costs something, or one shape that fits everywhere fills the canvas (design, method 8).
 float Collage::preference(const Candidate& candidate) const {
-  const std::uint32_t uses = uses_[candidate.shape];
-  if (uses == 0) return 1;
-  float factor = std::pow(1.f + float(uses), -settings_.objective.repetition_exponent);
+  const std::vector<Similarity>& placed = poses_[candidate.shape];
+  if (placed.empty()) return 1;
+  float factor = std::pow(1.f + float(placed.size()), -settings_.objective.repetition_exponent);
   const float radius = shapes_.model(candidate.shape).radius + 0.5f;
-  for (const Placement& placed : placements_) {
-    if (placed.shape != candidate.shape) continue;
-    const float near = radius * (placed.canvas_from_shape.scale() + candidate.canvas_from_shape.scale());
-    const Vec2 apart = placed.canvas_from_shape.translation() - candidate.canvas_from_shape.translation();
+  for (const Similarity& pose : placed) {
+    const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
+    const Vec2 apart = pose.translation() - candidate.canvas_from_shape.translation();
     if (dot(apart, apart) < near * near) factor *= settings_.objective.near_twin_factor;
   }
   return factor;
@@ -135,24 +122,21 @@ bool Collage::acceptable(const Candidate& candidate) const {
          candidate.terms.matched_px >= kLeastMatched * shapes_.model(candidate.shape).perimeter * scale;
 }
 
-std::vector<Collage::Ranked> Collage::finalists() {
-  std::vector<Ranked> ranked;
-  for (auto& [edge, entry] : pool_.entries()) {
-    for (std::size_t i = 0; i < entry.candidates.size(); ++i) {
-      ranked.push_back({entry.candidates[i].score * preference(entry.candidates[i]), edge, i});
-    }
-  }
-  const std::size_t examined = std::min<std::size_t>(ranked.size(), 8 * kFinalists);
-  std::partial_sort(ranked.begin(), ranked.begin() + examined, ranked.end());
-  std::vector<Ranked> chosen;
-  for (std::size_t i = 0; i < examined && chosen.size() < std::size_t(kFinalists); ++i) {
-    const Candidate& c = pool_.entries().at(ranked[i].edge).candidates[ranked[i].index];
-    const bool repeated = std::any_of(chosen.begin(), chosen.end(), [&](const Ranked& r) {
-      const Candidate& other = pool_.entries().at(r.edge).candidates[r.index];
-      return other.shape == c.shape && near_copy(other.canvas_from_shape, c.canvas_from_shape, kSameCandidate);
+std::vector<Pool::Ranked> Collage::finalists() {
+  std::vector<Pool::Ranked> chosen;
+  std::vector<const Candidate*> looks;
+  int examined = 0;
+  const auto worth = [&](const Candidate& c) { return c.score * preference(c); };
+  pool_.best_first(worth, [&](const Pool::Ranked& ranked, const Candidate& c) {
+    const bool repeated = std::any_of(looks.begin(), looks.end(), [&](const Candidate* other) {
+      return other->shape == c.shape && near_copy(other->canvas_from_shape, c.canvas_from_shape, kSameCandidate);
     });
-    if (!repeated) chosen.push_back(ranked[i]);
-  }
+    if (!repeated) {
+      chosen.push_back(ranked);
+      looks.push_back(&c);
+    }
+    return ++examined < 8 * kFinalists && chosen.size() < kFinalists;
+  });
   return chosen;
 }
 
@@ -189,18 +173,20 @@ bool Collage::settle(Candidate& candidate) {
 
 bool Collage::choose(Candidate& best) {
   for (;;) {
-    std::vector<Ranked> ranked = finalists();
-    for (Ranked& r : ranked) {
-      Candidate& c = pool_.entries().at(r.edge).candidates[r.index];
-      if (!c.exact) check_exactly(c);
+    std::vector<Pool::Ranked> ranked = finalists();
+    for (Pool::Ranked& r : ranked) {
+      Candidate& c = pool_.at(r);
+      if (!c.exact) {
+        check_exactly(c);
+        pool_.rank_again(r);
+      }
       r.value = c.score * preference(c);
     }
     const auto first = std::min_element(ranked.begin(), ranked.end());
     if (first == ranked.end()) return false;
-    std::vector<Candidate>& candidates = pool_.entries().at(first->edge).candidates;
-    best = candidates[first->index];
+    best = pool_.at(*first);
     if (settle(best)) return true;
-    candidates.erase(candidates.begin() + std::ptrdiff_t(first->index));
+    pool_.erase(*first);
   }
 }
 
@@ -208,29 +194,32 @@ void Collage::place(const Candidate& candidate) {
   const Shape& shape = shapes_.shape(candidate.shape);
   placements_.push_back(
       {candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
-  ++uses_[candidate.shape];
+  poses_[candidate.shape].push_back(candidate.canvas_from_shape);
   covered_px2_ += area_px2(placements_.back());
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
   changed_nodes_ = changed_nodes_.united(changed);
   retrace(changed);
+  if (!may_use(candidate.shape)) drop_shape(candidate.shape);
   rescore(piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin, 2 + settings_.pieces.padding_px));
 }
 
 Window Collage::replace_placements(std::vector<Placement> placements) {
   const std::vector<Placement> changed = difference(placements_, placements);
   placements_ = std::move(placements);
-  std::fill(uses_.begin(), uses_.end(), 0);
+  for (std::vector<Similarity>& poses : poses_) poses.clear();
   covered_px2_ = 0;
   for (const Placement& p : placements_) {
-    ++uses_[p.shape];
+    poses_[p.shape].push_back(p.canvas_from_shape);
     covered_px2_ += area_px2(p);
   }
-  pool_.entries().clear();
+  pool_ = {};
   stale_.clear();
   passes_.clear();
   const Window restamped = restamp(changed);
   changed_nodes_ = changed_nodes_.united(restamped);
-  retrace(restamped);
+  // Loops that grew back may deserve samples beyond what was restamped.
+  const int shortest_loop = int(kShortestLoop * settings_.pieces.min_scale_px) + 1;
+  retrace(restamped.grown(shortest_loop).intersected(free_.field().value.bounds()));
   Window window;
   for (const Placement& p : changed) {
     window = window.united(piece_window(shapes_.shape(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
@@ -270,24 +259,31 @@ void Collage::retrace(const Window& changed) {
   }
 }
 
+void Collage::drop_shape(std::uint32_t shape) {
+  std::vector<std::uint32_t> edges;
+  for (const auto& [edge, entry] : pool_.entries()) edges.push_back(edge);
+  for (const std::uint32_t edge : edges) review(edge, [&](Candidate& c) { return c.shape != shape; });
+}
+
 void Collage::rescore(const Window& changed) {
-  for (auto& [edge, entry] : pool_.entries()) {
-    std::size_t kept = 0;
-    for (Candidate& c : entry.candidates) {
-      if (!may_use(c.shape)) continue;
-      if (c.window.overlaps(changed)) {
-        c.terms = docking_terms(c.canvas_from_shape, shapes_.model(c.shape), free_.view(), context_);
-        if (!acceptable(c)) continue;
-        c.score = score_of(c);
-        c.exact = false;
-      }
-      if (&entry.candidates[kept] != &c) entry.candidates[kept] = c;
-      ++kept;
-    }
-    const bool lost = kept < entry.candidates.size();
-    entry.candidates.resize(kept);
-    if (lost && kept < std::size_t(kRefillBelow) && entry.truncated) stale_.insert(edge);
+  for (const std::uint32_t edge : pool_.reached_by(changed)) {
+    review(edge, [&](Candidate& c) {
+      if (!c.window.overlaps(changed)) return true;
+      c.terms = docking_terms(c.canvas_from_shape, shapes_.model(c.shape), free_.view(), context_);
+      if (!acceptable(c)) return false;
+      c.score = score_of(c);
+      c.exact = false;
+      return true;
+    });
   }
+}
+
+/// A target sample that loses most of its candidates is matched again where there were more.
+template <class Keep>
+void Collage::review(std::uint32_t edge, Keep keep) {
+  const bool lost = pool_.review(edge, keep);
+  const Pool::Entry& entry = pool_.entries().at(edge);
+  if (lost && entry.candidates.size() < kRefillBelow && entry.truncated) stale_.insert(edge);
 }
 
 }  // namespace tessera::master

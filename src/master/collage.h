@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -52,18 +53,19 @@ class Collage {
   std::size_t open_samples() const { return curve_.sample_count(); }
 
  private:
-  struct Ranked;
-
   bool may_use(std::uint32_t shape) const;
   float preference(const Candidate& candidate) const;
   float score_of(const Candidate& candidate) const;
   bool acceptable(const Candidate& candidate) const;
-  std::vector<Ranked> finalists();
+  std::vector<Pool::Ranked> finalists();
   void check_exactly(Candidate& candidate);
   bool settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
+  void drop_shape(std::uint32_t shape);
   void rescore(const Window& changed);
+  template <class Keep>
+  void review(std::uint32_t edge, Keep keep);
   void retrace(const Window& changed);
 
   CollageSettings settings_;
@@ -77,7 +79,7 @@ class Collage {
   std::map<std::uint32_t, std::uint32_t> passes_;  // how often a sample was matched
   std::uint32_t first_pass_ = 0;
   std::vector<Placement> placements_;
-  std::vector<std::uint32_t> uses_;         // per shape
+  std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
   double covered_px2_ = 0;
   Window changed_nodes_;
 };

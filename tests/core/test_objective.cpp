@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/exact_terms.h"
-#include "core/pool.h"
 #include "core/tuning.h"
 #include "support/synthetic_shapes.h"
 
@@ -44,7 +43,7 @@ TEST(Objective, OfThePaperPunishesOneLargeGapMoreThanManySmall) {
 TEST(Objective, ScaleAwareHasItsFormula) {
   ObjectiveSettings settings;
   const DockingTerms terms{128, 50, 150, 0, 0};
-  const float expected = std::pow(128.f / 200, 0.5f) * (1 - (3 * 50.f + 150.f) / 2500) * std::pow(0.5f, 0.7f);
+  const float expected = std::pow(128.f / 200, 0.5f) / (1 + 5 * (3 * 50.f + 150.f) / 2500) * std::pow(0.5f, 0.7f);
   EXPECT_NEAR(objective(terms, kPiece, settings), expected, 1e-6f);
 }
 
@@ -71,25 +70,6 @@ TEST(ExactAreas, SeeTheGapThatNothingCanEnter) {
   const ExactAreas apart = exact_areas(disc, {60, 0, 100, radius + 45}, free, opened, pieces);
   EXPECT_GT(touching.gap_px2, 50);  // the two wedges between the disc and the edge
   EXPECT_EQ(apart.gap_px2, 0);
-}
-
-TEST(Pool, KeepsTheBestInATotalOrder) {
-  Pool pool;
-  std::vector<Candidate> candidates;
-  for (std::uint32_t i = 0; i < 7; ++i) {
-    Candidate c;
-    c.shape = 10 - i;
-    c.score = i < 5 ? 0.5f : 0.1f * float(i);
-    candidates.push_back(c);
-  }
-  pool.put(1, candidates, false);
-  const Pool::Entry& entry = pool.entries().at(1);
-  ASSERT_EQ(entry.candidates.size(), std::size_t(kPoolPerSample));
-  EXPECT_TRUE(entry.truncated);
-  EXPECT_EQ(entry.candidates[0].shape, 4u);
-  EXPECT_EQ(entry.candidates[1].shape, 5u);
-  EXPECT_EQ(entry.candidates[2].shape, 6u);  // equal scores: the lower shape first
-  EXPECT_EQ(entry.candidates[3].shape, 7u);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "core/composite_matcher.h"
 #include "core/quality.h"
 #include "core/reference_matcher.h"
+#include "master/collage.h"
 #include "master/collage_loop.h"
 #include "support/synthetic_library.h"
 
@@ -144,6 +145,67 @@ TEST(Collage, StopsWhenAsked) {
 TEST(Collage, OfACanvasWithoutAreaIsEmpty) {
   const CollageResult result = run(make_mask_canvas(Grid<float>(100, 80, 0.f)), settings());
   EXPECT_TRUE(result.placements.empty());
+}
+
+CollageSettings improved(int trials) {
+  CollageSettings s = settings();
+  s.improve.trials = trials;
+  return s;
+}
+
+TEST(Collage, ImprovingCoversMoreAndKeepsTheRules) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const Quality before = quality(canvas, run(canvas, settings()));
+  const CollageResult result = run(canvas, improved(40));
+  const Quality after = quality(canvas, result);
+  EXPECT_EQ(result.statistics.trials, 40u);
+  EXPECT_GT(result.statistics.trials_kept, 2u);
+  EXPECT_GT(after.coverage, before.coverage + 0.003);
+  EXPECT_LT(after.overlap, 0.01);
+  EXPECT_LT(after.outside, 0.001);
+}
+
+TEST(Collage, ImprovingDoesNotDependOnHowTheLibraryIsDivided) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  const auto whole = run(canvas, improved(15)).placements;
+  EXPECT_EQ(run(canvas, improved(15), {1, 2, 9}).placements, whole);
+}
+
+TEST(Collage, ImprovingKeepsToTheNumberOfUses) {
+  CollageSettings s = improved(20);
+  s.pieces.uses = 2;
+  std::map<std::uint32_t, int> uses;
+  for (const Placement& p : run(make_rectangle_canvas(300, 220), s).placements) EXPECT_LE(++uses[p.shape], 2);
+}
+
+/// A collage that went there and back is as if it had never gone: the same field, the same samples.
+TEST(Collage, PiecesTakenOutAndPutBackLeaveNoTrace) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const CollageSettings s = settings();
+  const std::vector<Placement> placements = run(canvas, s).placements;
+  test::VectorShapes shapes(library());
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+  Collage fresh(canvas, s, context, shapes);
+  fresh.replace_placements(placements);
+  Collage worn(canvas, s, context, shapes);
+  worn.replace_placements(placements);
+  for (std::size_t i = 0; i < placements.size(); i += 3) {
+    std::vector<Placement> fewer = placements;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+    worn.replace_placements(fewer);
+    worn.replace_placements(placements);
+  }
+  EXPECT_EQ(worn.free().field().value.data(), fresh.free().field().value.data());
+  const Window all = canvas.distance.value.bounds();
+  fresh.mark_stale(all);
+  worn.mark_stale(all);
+  const std::vector<TargetSample> expected = fresh.take_stale_samples();
+  const std::vector<TargetSample> found = worn.take_stale_samples();
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_EQ(found[k].edge, expected[k].edge);
+    EXPECT_EQ(found[k].position, expected[k].position);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,125 @@
+// What a piece does to the free field, against one node after the other: shortcuts may leave nothing out.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "core/distance_transform.h"
+#include "core/exact_terms.h"
+#include "core/piece_distance.h"
+#include "core/tuning.h"
+#include "support/synthetic_shapes.h"
+
+namespace tessera {
+namespace {
+
+const std::vector<Shape>& shapes() {
+  static const std::vector<Shape> all = {
+      test::make_test_shape("bean", test::bean_outline()), test::make_test_shape("star", test::star_outline(5)),
+      test::make_test_shape("ring", test::ring_outline()), test::make_test_shape("blob", test::blob_outline(7))};
+  return all;
+}
+
+const Shape& any_shape() { return shapes()[*rc::gen::inRange<std::size_t>(0, shapes().size())]; }
+
+Similarity any_pose() {
+  const float scale = float(*rc::gen::inRange(15, 90));
+  const float angle = 0.01f * float(*rc::gen::inRange(0, 628));
+  return {scale * std::cos(angle), scale * std::sin(angle), 0.5f * float(*rc::gen::inRange(0, 400)),
+          0.5f * float(*rc::gen::inRange(0, 340))};
+}
+
+PieceSettings any_pieces() {
+  PieceSettings pieces;
+  pieces.min_scale_px = float(*rc::gen::element(14, 20, 45));
+  pieces.max_scale_px = 90;
+  pieces.padding_px = float(*rc::gen::element(0, 3));
+  return pieces;
+}
+
+Grid<float> stamped_node_by_node(const FreeField& free, const Shape& shape, const Similarity& pose,
+                                 const PieceSettings& pieces) {
+  Grid<float> value = free.field().value;
+  const Vec2 origin = free.field().origin;
+  const Window window = piece_window(shape.outline, pose, origin, stamp_band_px(pieces)).intersected(value.bounds());
+  const PieceDistance piece(shape, pose, pieces.padding_px);
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      value(x, y) = std::min(value(x, y), piece.at(origin + Vec2{float(x), float(y)}));
+    }
+  }
+  return value;
+}
+
+/// The nodes at which two fields differ.
+Window difference(const Grid<float>& a, const Grid<float>& b) {
+  Window window;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      if (a(x, y) != b(x, y)) window = window.united({x, y, x + 1, y + 1});
+    }
+  }
+  return window;
+}
+
+TEST(PieceOnField, StampTakesTheNearerEverywhere) {
+  EXPECT_TRUE(rc::check([] {
+    const PieceSettings pieces = any_pieces();
+    FreeField free(make_rectangle_canvas(200, 170), pieces);
+    for (int i = 0; i < 4; ++i) {
+      const Shape& shape = any_shape();
+      const Similarity pose = any_pose();
+      const Grid<float> before = free.field().value;
+      const Grid<float> expected = stamped_node_by_node(free, shape, pose, pieces);
+      const Window changed = free.stamp(shape, pose);
+      RC_ASSERT(free.field().value.data() == expected.data());
+      RC_ASSERT(changed == difference(before, expected));
+    }
+  }));
+}
+
+ExactAreas areas_node_by_node(const Shape& shape, const Similarity& pose, const FreeField& free,
+                              const OpenedField& opened, const PieceSettings& pieces) {
+  const CanvasField& field = free.field();
+  const float reach_px = reachable_radius_px(pieces);
+  const Window window = piece_window(shape.outline, pose, field.origin, 2 * reach_px + 3).intersected(field.value.bounds());
+  ExactAreas areas;
+  if (window.width() <= 4 || window.height() <= 4) return areas;
+  const PieceDistance piece(shape, pose, pieces.padding_px);
+  const auto to_piece = [&](int x, int y) { return piece.at(field.origin + Vec2{float(x), float(y)}); };
+  Grid<std::uint8_t> centres_after(window.width(), window.height());
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      const float d = field.value(x, y);
+      centres_after(x - window.x0, y - window.y0) = std::min(d, to_piece(x, y)) > reach_px;
+      if (to_piece(x, y) < 0 && d < -0.25f) ++areas.overlap_px2;
+    }
+  }
+  const Grid<float> squared = squared_distance_to(centres_after);
+  const Window inner = window.grown(-2);
+  for (int y = inner.y0; y < inner.y1; ++y) {
+    for (int x = inner.x0; x < inner.x1; ++x) {
+      if (to_piece(x, y) >= 0 && squared(x - window.x0, y - window.y0) > (reach_px + 1.2f) * (reach_px + 1.2f) &&
+          field.value(x, y) > 0 && opened.reachable(x, y)) {
+        ++areas.gap_px2;
+      }
+    }
+  }
+  return areas;
+}
+
+TEST(PieceOnField, ExactAreasCountEveryNode) {
+  EXPECT_TRUE(rc::check([] {
+    const PieceSettings pieces = any_pieces();
+    FreeField free(make_rectangle_canvas(200, 170), pieces);
+    OpenedField opened(free, pieces);
+    for (int i = 0; i < 3; ++i) opened.update(free, free.stamp(any_shape(), any_pose()));
+    const Shape& shape = any_shape();
+    const Similarity pose = any_pose();
+    const ExactAreas areas = exact_areas(shape, pose, free, opened, pieces);
+    const ExactAreas expected = areas_node_by_node(shape, pose, free, opened, pieces);
+    RC_ASSERT(areas.overlap_px2 == expected.overlap_px2);
+    RC_ASSERT(areas.gap_px2 == expected.gap_px2);
+  }));
+}
+
+}  // namespace
+}  // namespace tessera

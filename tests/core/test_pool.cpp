@@ -1,0 +1,138 @@
+// The pool's order and its spatial index, against looking at every candidate.
+#include "core/pool.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <map>
+#include <optional>
+
+#include "core/tuning.h"
+
+namespace tessera {
+namespace {
+
+TEST(Pool, KeepsTheBestInATotalOrder) {
+  Pool pool;
+  std::vector<Candidate> candidates;
+  for (std::uint32_t i = 0; i < 7; ++i) {
+    Candidate c;
+    c.shape = 10 - i;
+    c.score = i < 5 ? 0.5f : 0.1f * float(i);
+    candidates.push_back(c);
+  }
+  pool.put(1, candidates, false);
+  const Pool::Entry& entry = pool.entries().at(1);
+  ASSERT_EQ(entry.candidates.size(), std::size_t(kPoolPerSample));
+  EXPECT_TRUE(entry.truncated);
+  EXPECT_EQ(entry.candidates[0].shape, 4u);
+  EXPECT_EQ(entry.candidates[1].shape, 5u);
+  EXPECT_EQ(entry.candidates[2].shape, 6u);  // equal scores: the lower shape first
+  EXPECT_EQ(entry.candidates[3].shape, 7u);
+}
+
+/// Few different scores, so that ties occur.
+Candidate any_candidate() {
+  Candidate c;
+  c.shape = *rc::gen::inRange(0u, 5u);
+  c.source = *rc::gen::inRange(0u, 100u);
+  c.score = 0.1f * float(*rc::gen::inRange(1, 8));
+  c.window.x0 = *rc::gen::inRange(-20, 300);
+  c.window.y0 = *rc::gen::inRange(-20, 300);
+  c.window.x1 = c.window.x0 + *rc::gen::inRange(1, 120);
+  c.window.y1 = c.window.y0 + *rc::gen::inRange(1, 120);
+  return c;
+}
+
+void put_any(Pool& pool, std::uint32_t edges) {
+  std::vector<Candidate> candidates(*rc::gen::inRange<std::size_t>(0, 6));
+  for (Candidate& c : candidates) c = any_candidate();
+  pool.put(*rc::gen::inRange(0u, edges), candidates, false);
+}
+
+/// Of each shape a factor that falls, as preferences do.
+using Factors = std::vector<float>;
+
+std::vector<Pool::Ranked> sorted(const Pool& pool, const Factors& factor) {
+  std::vector<Pool::Ranked> all;
+  for (const auto& [edge, entry] : pool.entries()) {
+    for (const Candidate& c : entry.candidates) all.push_back({c.score * factor[c.shape], edge, c.ordinal, c.stamp});
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+TEST(Pool, BestFirstIsTheSortedOrderWhateverHappenedBefore) {
+  EXPECT_TRUE(rc::check([] {
+    Pool pool;
+    Factors factor(5, 1.f);
+    for (int round = 0; round < 12; ++round) {
+      for (int i = 0; i < 10; ++i) put_any(pool, 40);
+      pool.erase(*rc::gen::inRange(0u, 40u));
+      factor[*rc::gen::inRange<std::size_t>(0, 5)] *= 0.7f;
+      for (const auto& [edge, entry] : pool.entries()) {
+        if (edge % 3 != 0) continue;
+        pool.review(edge, [&](Candidate& c) {
+          c.score = 0.1f * float(*rc::gen::inRange(1, 8));
+          return c.source % 4 != 0;
+        });
+      }
+      const std::vector<Pool::Ranked> expected = sorted(pool, factor);
+      const std::size_t wanted = *rc::gen::inRange<std::size_t>(1, 60);
+      std::vector<Pool::Ranked> found;
+      pool.best_first([&](const Candidate& c) { return c.score * factor[c.shape]; },
+                      [&](const Pool::Ranked& ranked, const Candidate&) {
+                        found.push_back(ranked);
+                        return found.size() < wanted;
+                      });
+      RC_ASSERT(found.size() == std::min(wanted, expected.size()));
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        RC_ASSERT(found[i].value == expected[i].value);
+        RC_ASSERT(found[i].stamp == expected[i].stamp);
+      }
+      if (found.empty()) continue;
+      Pool::Ranked first = found.front();
+      pool.at(first).score = 0.9f;
+      pool.rank_again(first);
+      if (found.size() > 1) pool.erase(found[1]);
+    }
+  }));
+}
+
+TEST(Pool, ForgetsOutdatedRankings) {
+  Pool pool;
+  Candidate c;
+  c.window = {0, 0, 5, 5};
+  const auto best = [&] {
+    std::vector<std::uint32_t> edges;
+    pool.best_first([](const Candidate& k) { return k.score; },
+                    [&](const Pool::Ranked& r, const Candidate&) { return edges.push_back(r.edge), true; });
+    return edges;
+  };
+  for (int i = 0; i < 5000; ++i) {
+    c.score = 1 + float(i);
+    pool.put(std::uint32_t(i % 3), {c}, false);
+    if (i % 500 == 0) best();
+  }
+  EXPECT_EQ(best(), (std::vector<std::uint32_t>{1, 0, 2}));
+}
+
+TEST(Pool, FindsWhatAChangeReaches) {
+  EXPECT_TRUE(rc::check([] {
+    Pool pool;
+    for (int i = 0; i < 60; ++i) put_any(pool, 80);
+    for (int i = 0; i < 10; ++i) pool.erase(*rc::gen::inRange(0u, 80u));
+    const Window changed = any_candidate().window;
+    std::vector<std::uint32_t> found = pool.reached_by(changed);
+    std::sort(found.begin(), found.end());
+    RC_ASSERT(std::adjacent_find(found.begin(), found.end()) == found.end());
+    for (const auto& [edge, entry] : pool.entries()) {
+      const bool reached = std::any_of(entry.candidates.begin(), entry.candidates.end(),
+                                       [&](const Candidate& c) { return c.window.overlaps(changed); });
+      if (reached) RC_ASSERT(std::binary_search(found.begin(), found.end(), edge));
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace tessera
