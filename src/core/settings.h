@@ -49,6 +49,7 @@ struct CollageSettings {
   MatchSettings match;
   ObjectiveSettings objective;
   StopSettings stop;
+  bool settle = true;  // chosen pieces are pushed clear and grown; off for comparisons (src/bench), no job key
 };
 
 }  // namespace tessera

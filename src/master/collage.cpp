@@ -174,7 +174,7 @@ bool Collage::choose(Candidate& best) {
     std::vector<Candidate>& candidates = pool_.entries().at(first->edge).candidates;
     best = candidates[first->index];
     if (best.score < kLeastScore) return false;
-    if (settle(best)) return true;
+    if (!settings_.settle || settle(best)) return true;
     candidates.erase(candidates.begin() + std::ptrdiff_t(first->index));
   }
 }

@@ -79,9 +79,10 @@ class Run {
                           collage_.open_samples()});
   }
 
-  /// The pool is dry: all samples again, with other random dockings (design, method 9).
+  /// The pool is dry: all samples again, with other random dockings (design, method 9). PADs alone would give what they
+  /// gave before.
   bool rematch() {
-    if (empty_passes_ == kEmptyPasses) {
+    if (empty_passes_ == kEmptyPasses || settings_.match.tangent_dockings == 0) {
       statistics_.stopped_by = "full";
       return false;
     }
