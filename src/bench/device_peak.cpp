@@ -18,35 +18,41 @@ constexpr std::size_t kGroup = 64;
 const char* const kSource = R"(
 typedef uchar uchar64 __attribute__((ext_vector_type(64)));
 
+#define CHAINS(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
+
 kernel void float_steps(uint rounds, global float* out) {
   float16 a = (float16)(get_global_id(0));
-  float16 d[8], b[8];
-  for (int k = 0; k < 8; ++k) { d[k] = 0; b[k] = (float16)(k * rounds); }
+#define START(k) float16 b##k = (float16)(k * rounds), d##k = 0;
+  CHAINS(START)
   for (uint i = 0; i < rounds; ++i) {
     a += 1;
-    #pragma unroll
-    for (int k = 0; k < 8; ++k) d[k] = fmax(d[k], fabs(a - b[k]));
+#define STEP(k) { const float16 difference = fabs(a - b##k); d##k = d##k > difference ? d##k : difference; }
+    CHAINS(STEP)
   }
+#define ADD(k) sum += d##k;
   float16 sum = 0;
-  for (int k = 0; k < 8; ++k) sum += d[k];
-  if (sum.s0 < 0) out[0] = sum.s0;
+  CHAINS(ADD)
+  if (any(sum < 0)) out[0] = 1;
 }
 
 kernel void byte_steps(uint rounds, global float* out) {
   uchar64 a = (uchar64)((uchar)get_global_id(0));
-  uchar64 d[8], b[8];
-  for (int k = 0; k < 8; ++k) { d[k] = 0; b[k] = (uchar64)((uchar)(k * rounds)); }
+#define START_BYTES(k) uchar64 b##k = (uchar64)((uchar)(k * rounds)), d##k = (uchar64)((uchar)0);
+  CHAINS(START_BYTES)
   for (uint i = 0; i < rounds; ++i) {
     a += (uchar64)((uchar)1);
-    #pragma unroll
-    for (int k = 0; k < 8; ++k) {
-      const uchar64 difference = a > b[k] ? a - b[k] : b[k] - a;
-      d[k] = d[k] > difference ? d[k] : difference;
+#define STEP_BYTES(k) { \
+      const uchar64 difference = a > b##k ? a - b##k : b##k - a; \
+      d##k = d##k > difference ? d##k : difference; \
     }
+    CHAINS(STEP_BYTES)
   }
+#define JOIN(k) joined |= d##k;
+  uchar64 joined = (uchar64)((uchar)0);
+  CHAINS(JOIN)
   uint sum = rounds;
-  for (int k = 0; k < 8; ++k) sum += d[k][0];
-  if (sum == 0) out[0] = sum;
+  for (int lane = 0; lane < 64; ++lane) sum += joined[lane];
+  if (sum == 0) out[0] = 1;
 }
 
 kernel void read_floats(global const float* values, global float* out) {
@@ -66,10 +72,12 @@ class Probe {
   /// Rounds are doubled until a launch takes `least_s`, so that starting it does not count.
   double steps_per_s(const char* name, double lanes, double least_s) {
     cl::Kernel kernel = session_.kernel(name);
+    const auto seconds_for = [&](std::uint32_t rounds) {
+      return seconds_of([&] { worker::launch(session_, kernel, {.x = kItems, .group = kGroup}, rounds, out_); });
+    };
+    seconds_for(1);  // some devices compile at the first launch
     for (std::uint32_t rounds = 64;; rounds *= 2) {
-      const double seconds = seconds_of([&] {
-        worker::launch(session_, kernel, {.x = kItems, .group = kGroup}, rounds, out_);
-      });
+      const double seconds = seconds_for(rounds);
       if (seconds >= least_s) return double(kItems) * rounds * kChains * lanes / seconds;
     }
   }

@@ -4,8 +4,10 @@
 #include "bench/device_peak.h"
 #include "bench/devices.h"
 #include "bench/formula_shapes.h"
+#include "bench/library_matcher.h"
 #include "bench/timing.h"
 #include "core/free_field.h"
+#include "core/matcher.h"
 #include "core/target_curve.h"
 #include "worker/device_group.h"
 
@@ -39,8 +41,7 @@ PairScene make_scene(std::size_t shapes, std::size_t samples, int size_px) {
   const std::vector<Shape> library = blob_shapes(shapes);
   scene.context = make_matching_context(scene.settings, std::uint32_t(shapes));
   scene.models = models_of(library, scene.context);
-  for (const ModelLevel& level : scene.models.front().levels) scene.pads += double(level.pads.size());
-  scene.pads *= double(shapes);
+  scene.pads = double(pads_per_shape(scene.context) * shapes);
   FreeField free(make_rectangle_canvas(size_px, size_px), scene.settings.pieces);
   lay_grid(free, library, size_px);
   scene.field = free.field();
@@ -89,7 +90,7 @@ Report bench_pairs(const Setting& setting) {
   const int runs = setting.quick ? 2 : 5;
   const int elements = 2 * (scene.context.pad.levels - 1);
   const int units = compute_units(setting.devices);
-  std::uint64_t below_beta = 0;
+  std::uint64_t below_beta = 0;  // of the pairs, whatever their scale
   const double device = scene.pairs() / device_s(scene, setting, runs);
   const double plain = scene.pairs() / plain_s(scene, 1, below_beta);
   const DevicePeak peak = measure_device_peak(setting.devices, setting.quick);
@@ -110,8 +111,9 @@ Report bench_pairs(const Setting& setting) {
   Report report;
   report.text =
       table.text() + "\n" + std::to_string(scene.samples.size()) + " target samples, " +
-      std::to_string(scene.models.size()) + " shapes, " + short_number(scene.pairs()) + " pairs, " +
-      std::to_string(units) + " cores.\nCounted: " + std::to_string(elements) +
+      std::to_string(scene.models.size()) + " blobs, " + short_number(scene.pairs()) + " pairs (" +
+      short_number(100 * double(below_beta) / scene.pairs()) + " % nearer than beta), " + std::to_string(units) +
+      " cores.\nCounted: " + std::to_string(elements) +
       " elements a pair, each a subtraction, a magnitude and a maximum (" + std::to_string(3 * elements) +
       " operations);\nthe limits are such steps a second, measured in registers, over " + std::to_string(elements) +
       ". From memory: 1 byte an element, " + std::to_string(elements) +
