@@ -50,7 +50,7 @@ class Comparison {
     const CollageSettings settings = paper_settings(settings_);
     const std::uint32_t count = std::uint32_t(library_.size());
     const MatchingContext context = make_matching_context(settings, count);
-    PaperMatcher matcher(context, io::read_models(library_, {0, count}, context));
+    PaperMatcher matcher(settings, context, io::read_models(library_, {0, count}, context));
     return engine("the paper's rule", settings, matcher);
   }
 
@@ -153,8 +153,8 @@ Report bench_alternatives(const Setting& setting, const AlternativesOptions& opt
       std::to_string(size_px) + " px, pieces of " + short_number(options.scale_px[0]) + " to " +
       short_number(options.scale_px[1]) + " px, seed " + std::to_string(options.seed) +
       ";\nthe first shape lies in the middle from the start, for straight sides have no PADs.\nPAD only, tangent only: without the other kind of docking, everything else the same.\n"
-      "The paper's rule: K = 1 %, beta = 0.4, delta = 4 px, ends of the first level aligned, longest matched boundary,\n"
-      "objective Z; nothing refined, settled or grown; candidates within our limits of overlap (5 %) and contact (15 %).\n"
+      "The paper's rule: K = 1 %, beta = 0.4, delta = 4 px, ends of the first level aligned, objective Z of\n"
+      "every candidate; nothing refined, settled or grown; candidates within our limits of overlap (5 %) and contact (15 %).\n"
       "In plain C++ on one thread: its time does not compare.\n"
       "All samples each round: no cut and paste. Random filling: as much time as the first row.\n";
   return report;

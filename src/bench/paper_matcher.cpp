@@ -1,6 +1,8 @@
 #include "bench/paper_matcher.h"
 
-#include <cmath>
+#include <algorithm>
+
+#include "core/objective.h"
 
 namespace tessera::bench {
 namespace {
@@ -39,8 +41,9 @@ Similarity align_ends(const ArclengthPyramid& shape, const ArclengthPyramid& tar
 
 }  // namespace
 
-PaperMatcher::PaperMatcher(const MatchingContext& context, std::vector<ShapeModel> models)
-    : context_(context), models_(std::move(models)) {}
+PaperMatcher::PaperMatcher(const CollageSettings& settings, const MatchingContext& context,
+                           std::vector<ShapeModel> models)
+    : objective_(settings.objective), context_(context), models_(std::move(models)) {}
 
 void PaperMatcher::start_field(int width, int height, Vec2 origin) {
   field_.value = Grid<float>(width, height);
@@ -59,13 +62,10 @@ void PaperMatcher::post_count(const std::vector<TargetSample>& samples) {
   }
 }
 
-float PaperMatcher::matched_px(const ShapeModel& model, const Similarity& canvas_from_shape) const {
-  const FieldView field(field_);
-  int matched = 0;
-  for (int i = 0; i < kBoundaryPoints; i += kMediumStride) {
-    matched += std::abs(field_value(field, canvas_from_shape.apply(model.boundary[i]))) < context_.delta_px;
-  }
-  return float(matched * kMediumStride) / kBoundaryPoints * model.perimeter * canvas_from_shape.scale();
+float PaperMatcher::score(const ShapeModel& model, const Similarity& canvas_from_shape) const {
+  const float scale = canvas_from_shape.scale();
+  const DockingTerms terms = docking_terms(canvas_from_shape, model, FieldView(field_), context_);
+  return objective(terms, {scale, model.perimeter * scale, context_.max_scale_px}, objective_);
 }
 
 void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
@@ -80,7 +80,7 @@ void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
                    const float scale = pose.scale();
                    if (scale < range.low || scale > range.high || !context_.rotation_allowed(pose)) return;
                    ++docked_.evaluated;
-                   dockings.push_back({t, m, source, matched_px(models_[m], pose), pose});
+                   dockings.push_back({t, m, source, score(models_[m], pose), pose});
                  });
   keep_shortlist(dockings);
   docked_.dockings.insert(docked_.dockings.end(), dockings.begin(), dockings.end());

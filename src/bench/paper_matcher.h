@@ -1,9 +1,8 @@
-// The paper's rule to the letter (sections 3.3 and 5), to compare with: all pairs nearer than beta, the best K %, each
-// docked by the ends of its first level, ranked by the length of boundary that it matches. No refinement. Plain C++,
-// one thread.
+// The paper's rule to the letter (sections 3.3, 4 and 5), to compare with: of the pairs nearer than beta the best K %,
+// each docked by the ends of its first level and given to the objective Z. No refinement. Plain C++, one thread.
 //
 // Where the paper says nothing, it has what our engine has: smoothing levels, each docked only at scales that it
-// serves.
+// serves, and the terms of the objective along the contour.
 #pragma once
 
 #include "core/matcher.h"
@@ -13,7 +12,7 @@ namespace tessera::bench {
 class PaperMatcher : public Matcher {
  public:
   /// `models[i]` is library shape i.
-  PaperMatcher(const MatchingContext& context, std::vector<ShapeModel> models);
+  PaperMatcher(const CollageSettings& settings, const MatchingContext& context, std::vector<ShapeModel> models);
 
   ShapeRange shapes() const override { return {0, std::uint32_t(models_.size())}; }
   void start_field(int width, int height, Vec2 origin) override;
@@ -27,8 +26,9 @@ class PaperMatcher : public Matcher {
 
  private:
   void dock_sample(const DockRequest& request, std::uint32_t t);
-  float matched_px(const ShapeModel& model, const Similarity& canvas_from_shape) const;
+  float score(const ShapeModel& model, const Similarity& canvas_from_shape) const;
 
+  ObjectiveSettings objective_;
   MatchingContext context_;
   std::vector<ShapeModel> models_;
   CanvasField field_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/objective.h"
 #include "support/matcher_round.h"
 
 namespace tessera::bench {
@@ -12,7 +13,7 @@ test::MatchingScene paper_scene() { return test::make_scene(paper_settings(test:
 
 TEST(PaperMatcher, DocksPairsBelowTheLimitAndLeavesThemAsTheyAre) {
   const test::MatchingScene scene = paper_scene();
-  PaperMatcher matcher(scene.context, scene.models);
+  PaperMatcher matcher(scene.settings, scene.context, scene.models);
   test::set_field(matcher, scene.field);
   const test::Round round = test::run_round(matcher, scene);
   EXPECT_GT(round.docked.evaluated, 0u);
@@ -29,7 +30,7 @@ TEST(PaperMatcher, DocksPairsBelowTheLimitAndLeavesThemAsTheyAre) {
 
 TEST(PaperMatcher, CountsEveryPairBelowBeta) {
   const test::MatchingScene scene = paper_scene();
-  PaperMatcher matcher(scene.context, scene.models);
+  PaperMatcher matcher(scene.settings, scene.context, scene.models);
   matcher.post_count(scene.samples);
   const std::vector<DistanceHistogram> histograms = matcher.take_count();
   ASSERT_EQ(histograms.size(), scene.samples.size());
@@ -47,16 +48,15 @@ TEST(PaperMatcher, CountsEveryPairBelowBeta) {
   EXPECT_EQ(found, expected);
 }
 
-TEST(PaperMatcher, RanksByMatchedBoundary) {
+TEST(PaperMatcher, RanksByTheObjective) {
   const test::MatchingScene scene = paper_scene();
-  PaperMatcher matcher(scene.context, scene.models);
+  PaperMatcher matcher(scene.settings, scene.context, scene.models);
   test::set_field(matcher, scene.field);
-  const test::Round round = test::run_round(matcher, scene);
-  for (std::size_t i = 0; i < round.refined.size(); ++i) {
-    const float fine_px = round.refined[i].terms.matched_px;  // of twice as many points
-    const float perimeter_px = scene.models[round.refined[i].docking.shape].perimeter *
-                               round.refined[i].docking.canvas_from_shape.scale();
-    EXPECT_NEAR(round.refined[i].docking.key, fine_px, 0.03f * perimeter_px);
+  for (const RefinedDocking& found : test::run_round(matcher, scene).refined) {
+    const float scale = found.docking.canvas_from_shape.scale();
+    const float perimeter_px = scene.models[found.docking.shape].perimeter * scale;
+    EXPECT_EQ(found.docking.key, objective(found.terms, {scale, perimeter_px, scene.context.max_scale_px},
+                                           scene.settings.objective));
   }
 }
 
