@@ -25,9 +25,13 @@ struct Outcome {
 /// One job and the engines that it is given to.
 class Comparison {
  public:
-  Comparison(const io::LibraryFile& library, ShapeSource& shapes, const Canvas& canvas,
-             const CollageSettings& settings, const std::string& devices_use)
-      : library_(library), shapes_(shapes), canvas_(canvas), settings_(settings), devices_use_(devices_use) {}
+  Comparison(const io::LibraryFile& library, ShapeSource& shapes, const Canvas& canvas, const CollageSettings& settings,
+             const std::string& devices_use)
+      : library_(library),
+        shapes_(shapes),
+        canvas_(canvas),
+        settings_(settings),
+        devices_use_(devices_use) {}
 
   Outcome tessera(const std::string& name, const CollageSettings& settings) {
     return engine(name, settings, *library_matcher(library_, library_.size(), settings, devices_use_));
@@ -96,6 +100,18 @@ Canvas seeded_canvas(int size_px, const PieceSettings& pieces, ShapeSource& shap
   return canvas;
 }
 
+void add_engine(Table& table, Json& engines, const Outcome& outcome, const Quality& q) {
+  table.add({outcome.engine, io::fixed(100 * q.coverage, 2), io::fixed(100 * q.overlap, 3),
+             io::fixed(100 * q.shared_boundary, 1), std::to_string(q.pieces), io::fixed(outcome.total_s, 1)});
+  engines.push_back({{"engine", outcome.engine},
+                     {"coverage_percent", rounded(100 * q.coverage)},
+                     {"overlap_percent", rounded(100 * q.overlap)},
+                     {"outside_percent", rounded(100 * q.outside)},
+                     {"shared_boundary_percent", rounded(100 * q.shared_boundary)},
+                     {"pieces", q.pieces},
+                     {"total_s", rounded(outcome.total_s)}});
+}
+
 void check(const AlternativesOptions& options) {
   const auto [low, high] = options.scale_px;
   if (!(low >= 2 && low < high && high <= 5000)) {
@@ -105,6 +121,19 @@ void check(const AlternativesOptions& options) {
   if (options.size_px < 16 || options.size_px > 10000) {
     throw InputError("--size: found " + std::to_string(options.size_px) + "; allowed: 16 to 10000 px");
   }
+}
+
+std::string explanation(std::size_t shapes, int size_px, const AlternativesOptions& options) {
+  return std::to_string(shapes) + " shapes, " + std::to_string(size_px) + " x " + std::to_string(size_px) +
+         " px, pieces of " + short_number(options.scale_px[0]) + " to " + short_number(options.scale_px[1]) +
+         " px, seed " + std::to_string(options.seed) +
+         ";\nthe first shape lies in the middle from the start, for straight sides have no PADs.\nPAD only, tangent "
+         "only: without the other kind of docking, everything else the same.\n"
+         "The paper's rule: K = 1 %, beta = 0.4, delta = 4 px, ends of the first level aligned, objective Z of\n"
+         "every candidate; nothing refined, settled or grown; candidates within our limits of overlap (5 %) and "
+         "contact (15 %).\n"
+         "In plain C++ on one thread: its time does not compare.\n"
+         "All samples each round: no cut and paste. Random filling: as much time as the first row.\n";
 }
 
 }  // namespace
@@ -127,36 +156,16 @@ Report bench_alternatives(const Setting& setting, const AlternativesOptions& opt
 
   Table table({"", "coverage %", "overlap %", "shared boundary %", "pieces", "time s"});
   Report report;
-  report.json = {{"benchmark", "alternatives"},
-                 {"quick", setting.quick},
-                 {"devices", device_names(setting.devices)},
-                 {"library", options.library},
-                 {"shapes", library.size()},
-                 {"canvas_px", size_px},
-                 {"scale_px", options.scale_px},
-                 {"seed", options.seed},
-                 {"engines", Json::array()}};
-  for (const Outcome& outcome : outcomes) {
-    const Quality q = comparison.quality(outcome);
-    table.add({outcome.engine, io::fixed(100 * q.coverage, 2), io::fixed(100 * q.overlap, 3),
-               io::fixed(100 * q.shared_boundary, 1), std::to_string(q.pieces), io::fixed(outcome.total_s, 1)});
-    report.json["engines"].push_back({{"engine", outcome.engine},
-                                      {"coverage_percent", rounded(100 * q.coverage)},
-                                      {"overlap_percent", rounded(100 * q.overlap)},
-                                      {"outside_percent", rounded(100 * q.outside)},
-                                      {"shared_boundary_percent", rounded(100 * q.shared_boundary)},
-                                      {"pieces", q.pieces},
-                                      {"total_s", rounded(outcome.total_s)}});
-  }
-  report.text =
-      table.text() + "\n" + std::to_string(library.size()) + " shapes, " + std::to_string(size_px) + " x " +
-      std::to_string(size_px) + " px, pieces of " + short_number(options.scale_px[0]) + " to " +
-      short_number(options.scale_px[1]) + " px, seed " + std::to_string(options.seed) +
-      ";\nthe first shape lies in the middle from the start, for straight sides have no PADs.\nPAD only, tangent only: without the other kind of docking, everything else the same.\n"
-      "The paper's rule: K = 1 %, beta = 0.4, delta = 4 px, ends of the first level aligned, objective Z of\n"
-      "every candidate; nothing refined, settled or grown; candidates within our limits of overlap (5 %) and contact (15 %).\n"
-      "In plain C++ on one thread: its time does not compare.\n"
-      "All samples each round: no cut and paste. Random filling: as much time as the first row.\n";
+  report.json = report_head("alternatives", setting);
+  report.json.update({{"library", options.library},
+                      {"shapes", library.size()},
+                      {"canvas_px", size_px},
+                      {"scale_px", options.scale_px},
+                      {"seed", options.seed},
+                      {"engines", Json::array()}});
+  for (const Outcome& outcome : outcomes)
+    add_engine(table, report.json["engines"], outcome, comparison.quality(outcome));
+  report.text = table.text() + "\n" + explanation(library.size(), size_px, options);
   return report;
 }
 

@@ -10,7 +10,7 @@
 namespace tessera::bench {
 namespace {
 
-constexpr int kChains = 8;        // independent, so that no step waits for the one before it
+constexpr int kChains = 8;  // independent, so that no step waits for the one before it
 constexpr std::size_t kItems = 1 << 14;
 constexpr std::size_t kGroup = 64;
 
@@ -89,8 +89,8 @@ class Probe {
     double best_s = 1e9;
     for (int run = 0; run < 5; ++run) {
       best_s = std::min(best_s, seconds_of([&] {
-        worker::launch(session_, kernel, {.x = bytes / 64, .group = kGroup}, values, out_);
-      }));
+                          worker::launch(session_, kernel, {.x = bytes / 64, .group = kGroup}, values, out_);
+                        }));
     }
     return double(bytes) / best_s;
   }

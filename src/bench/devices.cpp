@@ -4,12 +4,12 @@
 
 namespace tessera::bench {
 
-Json device_names(const std::string& devices_use) {
+Json report_head(const std::string& benchmark, const Setting& setting) {
   Json names = Json::array();
-  for (const cl::Device& device : worker::chosen_devices(devices_use)) {
+  for (const cl::Device& device : worker::chosen_devices(setting.devices)) {
     names.push_back(device.getInfo<CL_DEVICE_NAME>());
   }
-  return names;
+  return {{"benchmark", benchmark}, {"quick", setting.quick}, {"devices", names}};
 }
 
 int compute_units(const std::string& devices_use) {

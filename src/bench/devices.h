@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "bench/report.h"
+#include "bench/benchmarks.h"
 
 namespace tessera::bench {
 
-/// Their names.
-Json device_names(const std::string& devices_use);
+/// What every report begins with: which benchmark, how, where.
+Json report_head(const std::string& benchmark, const Setting& setting);
 
 /// Cores of a CPU, multiprocessors of a GPU, of all devices together.
 int compute_units(const std::string& devices_use);

@@ -3,10 +3,12 @@
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
 #include "bench/formula_shapes.h"
+#include "bench/library_matcher.h"
 #include "bench/timing.h"
 #include "core/free_field.h"
 #include "core/level_curve.h"
 #include "core/match_round.h"
+#include "core/matcher.h"
 #include "core/objective.h"
 #include "core/shape_builder.h"
 #include "core/tuning.h"
@@ -16,7 +18,8 @@ namespace tessera::bench {
 namespace {
 
 constexpr double kPaper_s = 0.064;
-constexpr double kPaperTopPercent = 1;  // K of the paper
+constexpr std::uint64_t kPaperPositions = 25'000'000;
+constexpr double kPaperTopPercent = 1;                       // K of the paper
 constexpr int kFinestSamples = kSmoothingLevels[2].samples;  // a model has as many at every level finer than this one
 
 /// A shape sampled `slices` times as densely as a library's, laid out as that many models: slice i of n holds every
@@ -55,9 +58,41 @@ std::vector<TargetSample> samples_around(const TracedOutline& outline, const Sha
   std::vector<TargetSample> samples;
   for (int i = 0; i < count; ++i) {
     const Vec2 along = curve[std::size_t((i + 1) % count)] - curve[std::size_t((i + count - 1) % count)];
-    samples.push_back({std::uint32_t(i), 0, curve[std::size_t(i)], along * (1 / norm(along)), pyramids[std::size_t(i)]});
+    samples.push_back(
+        {std::uint32_t(i), 0, curve[std::size_t(i)], along * (1 / norm(along)), pyramids[std::size_t(i)]});
   }
   return samples;
+}
+
+/// Two blobs: one lies on the canvas, the other is docked to it.
+struct HeadlineScene {
+  CollageSettings settings;
+  MatchingContext context;
+  std::vector<TargetSample> samples;
+  std::vector<ShapeModel> models;
+  CanvasField field;
+  std::uint64_t points = 0;  // of the docked shape's boundary, each sampled at the finest level
+  std::uint64_t pads = 0;    // over all levels
+
+  std::uint64_t positions() const { return samples.size() * points; }
+  std::uint64_t pair_tests() const { return samples.size() * pads; }
+};
+
+HeadlineScene make_scene(int slices, int sample_count) {
+  HeadlineScene scene;
+  scene.context = make_matching_context(scene.settings, std::uint32_t(slices));
+  const TracedOutline lying_outline = blob_outline(1);
+  const TracedOutline docked_outline = blob_outline(2);
+  const Shape lying = make_shape(lying_outline, {});
+  const Similarity pose{0, 250, 500, 500};
+  FreeField free(make_rectangle_canvas(1000, 1000), scene.settings.pieces);
+  free.stamp(lying, pose);
+  scene.field = free.field();
+  scene.samples = samples_around(lying_outline, lying, pose, scene.settings, sample_count);
+  scene.models = dense_models(make_shape(docked_outline, {}), docked_outline, scene.context, slices);
+  scene.points = std::uint64_t(slices) * kFinestSamples;
+  scene.pads = std::uint64_t(slices) * pads_per_shape(scene.context);
+  return scene;
 }
 
 struct Docked {
@@ -66,14 +101,16 @@ struct Docked {
   float best_matched_px = 0;
 };
 
-Docked dock_best(Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan,
-                 const CollageSettings& settings, const MatchingContext& context, float perimeter) {
+/// From PADs to the best docking.
+Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector<TargetSample>& samples) {
+  const MatchPlan plan{std::uint64_t(double(scene.points) * kPaperTopPercent / 100), 0};
+  const float perimeter = scene.models.front().perimeter;
   Docked docked;
-  const MatchRound round = match(matcher, samples, plan, 0, docked.statistics);
+  const MatchRound round = match(matcher, samples, plan, scene.pads, docked.statistics);
   for (const RefinedDocking& found : round.refined) {
     const float scale = found.docking.canvas_from_shape.scale();
-    const float score =
-        objective(found.terms, {scale, perimeter * scale, context.max_scale_px}, settings.objective);
+    const PieceSize size{scale, perimeter * scale, scene.context.max_scale_px};
+    const float score = objective(found.terms, size, scene.settings.objective);
     if (score <= docked.best_score) continue;
     docked.best_score = score;
     docked.best_matched_px = found.terms.matched_px;
@@ -81,76 +118,75 @@ Docked dock_best(Matcher& matcher, const std::vector<TargetSample>& samples, con
   return docked;
 }
 
+struct Measured {
+  int runs = 0;
+  double median_s = 0;
+  Docked last;
+};
+
+Measured measure(const HeadlineScene& scene, const std::string& devices_use, int runs) {
+  const auto matcher = worker::make_device_matcher(devices_use, scene.context, 0, scene.models);
+  const Grid<float>& field = scene.field.value;
+  matcher->start_field(field.width(), field.height(), scene.field.origin);
+  matcher->update_field(read_patch(field, field.bounds()));
+  Measured measured{runs, 0, {}};
+  std::vector<TargetSample> samples = scene.samples;
+  measured.median_s = median_s(runs, [&] {
+    std::rotate(samples.begin(), samples.begin() + 1, samples.end());  // or the device would not count again
+    measured.last = dock_best(*matcher, scene, samples);
+  });
+  return measured;
+}
+
+std::string table_text(const HeadlineScene& scene, const Measured& measured) {
+  const RunStatistics& run = measured.last.statistics;
+  const auto ms = [](double seconds) { return short_number(1000 * seconds); };
+  Table table({"two shapes, PADs to best docking", "this machine", "paper"});
+  table.add({"docking positions", std::to_string(scene.positions()), std::to_string(kPaperPositions)});
+  table.add({"PAD pair tests", std::to_string(scene.pair_tests()), std::to_string(kPaperPositions)});
+  table.add({"time, ms", ms(measured.median_s), ms(kPaper_s)});
+  table.add({"of it counting, ms", ms(run.prune_s), ""});
+  table.add({"docking and refining, ms", ms(run.dock_s), ""});
+  table.add({"dockings evaluated", std::to_string(run.dockings_evaluated), ""});
+  table.add({"dockings refined", std::to_string(run.refined), ""});
+  table.add({"best: matched boundary, px", short_number(measured.last.best_matched_px), ""});
+  return table.text();
+}
+
+std::string explanation(const HeadlineScene& scene, const Measured& measured) {
+  return "Counted as positions: " + std::to_string(scene.samples.size()) + " points of one boundary times " +
+         std::to_string(scene.points) + " of the other, each point once. Every position\nis tested at " +
+         std::to_string(scene.context.levels.size()) +
+         " smoothing levels (the coarser ones at fewer points), which together serve scales from 20 to 160 px.\n"
+         "The denser sampling lies on the device as " +
+         std::to_string(scene.models.size()) + " entries, each of which keeps its own best pairs. Median of " +
+         std::to_string(measured.runs) + " runs;\nthe parts are of the last run. Paper: section 5, Tesla K20m.\n";
+}
+
+Json to_json(const HeadlineScene& scene, const Measured& measured) {
+  const RunStatistics& run = measured.last.statistics;
+  return {{"positions", scene.positions()},
+          {"pair_tests", scene.pair_tests()},
+          {"target_samples", scene.samples.size()},
+          {"shape_points", scene.points},
+          {"runs", measured.runs},
+          {"median_s", measured.median_s},
+          {"prune_s", run.prune_s},
+          {"dock_s", run.dock_s},
+          {"dockings_evaluated", run.dockings_evaluated},
+          {"dockings_refined", run.refined},
+          {"best_matched_px", measured.last.best_matched_px},
+          {"paper_positions", kPaperPositions},
+          {"paper_s", kPaper_s}};
+}
+
 }  // namespace
 
 Report bench_headline(const Setting& setting) {
-  const int slices = setting.quick ? 2 : 40;
-  const int sample_count = setting.quick ? 100 : 5000;
-  const int runs = setting.quick ? 2 : 7;
-  const CollageSettings settings;
-  const TracedOutline fixed_outline = blob_outline(1);
-  const TracedOutline docked_outline = blob_outline(2);
-  const Shape fixed = make_shape(fixed_outline, {});
-  const Shape docked = make_shape(docked_outline, {});
-  const Similarity fixed_pose{0, 250, 500, 500};
-  FreeField free(make_rectangle_canvas(1000, 1000), settings.pieces);
-  free.stamp(fixed, fixed_pose);
-  std::vector<TargetSample> samples = samples_around(fixed_outline, fixed, fixed_pose, settings, sample_count);
-
-  const MatchingContext context = make_matching_context(settings, std::uint32_t(slices));
-  const auto matcher = worker::make_device_matcher(setting.devices, context, 0,
-                                                   dense_models(docked, docked_outline, context, slices));
-  const Grid<float>& field = free.field().value;
-  matcher->start_field(field.width(), field.height(), free.field().origin);
-  matcher->update_field(read_patch(field, field.bounds()));
-
-  const std::uint64_t points = std::uint64_t(slices) * kFinestSamples;
-  std::uint64_t pads = 0;
-  for (const int level : context.levels) pads += std::uint64_t(slices) * std::uint64_t(kSmoothingLevels[level].samples);
-  const MatchPlan plan{std::uint64_t(double(points) * kPaperTopPercent / 100), 0};
-  Docked last;
-  const double seconds = median_s(runs, [&] {
-    std::rotate(samples.begin(), samples.begin() + 1, samples.end());  // or the device would not count again
-    last = dock_best(*matcher, samples, plan, settings, context, docked.perimeter);
-  });
-  const std::uint64_t positions = samples.size() * points;
-  const std::uint64_t tests = samples.size() * pads;
-
-  Table table({"two shapes, PADs to best docking", "this machine", "paper"});
-  table.add({"docking positions", std::to_string(positions), "25000000"});
-  table.add({"PAD pair tests", std::to_string(tests), "25000000"});
-  table.add({"time, ms", short_number(seconds * 1000), short_number(kPaper_s * 1000)});
-  table.add({"of it counting, ms", short_number(last.statistics.prune_s * 1000), ""});
-  table.add({"docking and refining, ms", short_number(last.statistics.dock_s * 1000), ""});
-  table.add({"dockings evaluated", std::to_string(last.statistics.dockings_evaluated), ""});
-  table.add({"dockings refined", std::to_string(last.statistics.refined), ""});
-  table.add({"best: matched boundary, px", short_number(last.best_matched_px), ""});
-  Report report;
-  report.text = table.text() +
-                "\nCounted as positions: " + std::to_string(samples.size()) + " points of one boundary times " +
-                std::to_string(points) +
-                " of the other, each point once. Every position is tested\nat " +
-                std::to_string(context.levels.size()) +
-                " smoothing levels (the coarser ones at fewer points), which together serve scales from 20 to 160 px.\n"
-                "The denser sampling lies on the device as " + std::to_string(slices) +
-                " entries, each of which keeps its own best pairs. Median of " + std::to_string(runs) +
-                " runs;\nthe parts are of the last run. Paper: section 5, Tesla K20m.\n";
-  report.json = {{"benchmark", "headline"},
-                 {"quick", setting.quick},
-                 {"devices", device_names(setting.devices)},
-                 {"positions", positions},
-                 {"pair_tests", tests},
-                 {"target_samples", samples.size()},
-                 {"shape_points", points},
-                 {"runs", runs},
-                 {"median_s", seconds},
-                 {"prune_s", last.statistics.prune_s},
-                 {"dock_s", last.statistics.dock_s},
-                 {"dockings_evaluated", last.statistics.dockings_evaluated},
-                 {"dockings_refined", last.statistics.refined},
-                 {"best_matched_px", last.best_matched_px},
-                 {"paper_positions", 25000000},
-                 {"paper_s", kPaper_s}};
+  const HeadlineScene scene = setting.quick ? make_scene(2, 100) : make_scene(40, 5000);
+  const Measured measured = measure(scene, setting.devices, setting.quick ? 2 : 7);
+  Report report{table_text(scene, measured) + "\n" + explanation(scene, measured), report_head("headline", setting)};
+  report.json.update(to_json(scene, measured));
   return report;
 }
 

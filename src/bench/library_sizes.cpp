@@ -20,7 +20,7 @@ constexpr std::uint32_t kShapesInAPart = 16384;  // their models, 1 GB, are drop
 
 struct Grown {
   RunStatistics statistics;
-  double making_s = 0;     // of the loop, spent on making shapes that a real library would have
+  double making_s = 0;  // of the loop, spent on making shapes that a real library would have
   std::uint64_t peak_bytes = 0;
   std::uint64_t device_bytes = 0;
 };
@@ -64,7 +64,34 @@ std::vector<std::uint32_t> checked_sizes(std::vector<std::uint32_t> sizes) {
   return sizes;
 }
 
-std::string megabytes(std::uint64_t bytes) { return io::fixed(double(bytes) / 1e6, 0); }
+void add_size(Table& table, Json& sizes, std::uint32_t size, const Grown& grown) {
+  const RunStatistics& s = grown.statistics;
+  const double pieces = double(std::max<std::uint64_t>(1, s.rounds));
+  const double master_s = s.objective_s + s.merge_s - grown.making_s;
+  const auto ms = [&](double seconds) { return io::fixed(1000 * seconds / pieces, 1); };
+  const auto megabytes = [](std::uint64_t bytes) { return io::fixed(double(bytes) / 1e6, 0); };
+  table.add({std::to_string(size), ms(s.total_s - grown.making_s), ms(s.prune_s), ms(s.dock_s), ms(master_s),
+             ms(grown.making_s), megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
+  sizes.push_back({{"shapes", size},
+                   {"pieces", s.rounds},
+                   {"target_samples", s.target_samples},
+                   {"s_per_piece", (s.total_s - grown.making_s) / pieces},
+                   {"prune_s", rounded(s.prune_s)},
+                   {"dock_s", rounded(s.dock_s)},
+                   {"master_s", rounded(master_s)},
+                   {"making_s", rounded(grown.making_s)},
+                   {"peak_memory_bytes", grown.peak_bytes},
+                   {"device_bytes", grown.device_bytes}});
+}
+
+std::string explanation(int pieces, int size_px, std::size_t originals) {
+  return "The first " + std::to_string(pieces) + " pieces on " + std::to_string(size_px) + " x " +
+         std::to_string(size_px) + " px, with the first matching of the whole canvas. Shapes beyond the file's " +
+         std::to_string(originals) +
+         "\nare mirrored and stretched ones; making those that the master asks for is left out of the time. Device: "
+         "the "
+         "shard's\nbuffers; on a CPU device they count in the peak memory too.\n";
+}
 
 }  // namespace
 
@@ -77,37 +104,19 @@ Report bench_library(const Setting& setting, const LibraryOptions& options) {
   CollageSettings settings;
   settings.stop.pieces = setting.quick ? 3 : 20;
 
-  Table table({"shapes", "ms a piece", "prune", "dock", "objective, merge", "(making shapes)", "peak memory MB",
-               "device MB"});
+  Table table(
+      {"shapes", "ms a piece", "prune", "dock", "objective, merge", "(making shapes)", "peak memory MB", "device MB"});
   Report report;
-  report.json = {{"benchmark", "library"},      {"quick", setting.quick}, {"devices", device_names(setting.devices)},
-                 {"library", options.library}, {"originals", library.size()}, {"canvas_px", size_px},
-                 {"pieces", settings.stop.pieces}, {"sizes", Json::array()}};
+  report.json = report_head("library", setting);
+  report.json.update({{"library", options.library},
+                      {"originals", library.size()},
+                      {"canvas_px", size_px},
+                      {"pieces", settings.stop.pieces},
+                      {"sizes", Json::array()}});
   for (const std::uint32_t size : sizes) {
-    const Grown grown = run_size(library, size, canvas, settings, setting.devices);
-    const RunStatistics& s = grown.statistics;
-    const double pieces = double(std::max<std::uint64_t>(1, s.rounds));
-    const auto ms = [&](double seconds) { return io::fixed(1000 * seconds / pieces, 1); };
-    const double master_s = s.objective_s + s.merge_s - grown.making_s;
-    table.add({std::to_string(size), ms(s.total_s - grown.making_s), ms(s.prune_s), ms(s.dock_s), ms(master_s),
-               ms(grown.making_s), megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
-    report.json["sizes"].push_back({{"shapes", size},
-                                    {"pieces", s.rounds},
-                                    {"target_samples", s.target_samples},
-                                    {"s_per_piece", rounded((s.total_s - grown.making_s) / pieces)},
-                                    {"prune_s", rounded(s.prune_s)},
-                                    {"dock_s", rounded(s.dock_s)},
-                                    {"master_s", rounded(master_s)},
-                                    {"making_s", rounded(grown.making_s)},
-                                    {"peak_memory_bytes", grown.peak_bytes},
-                                    {"device_bytes", grown.device_bytes}});
+    add_size(table, report.json["sizes"], size, run_size(library, size, canvas, settings, setting.devices));
   }
-  report.text = table.text() + "\nThe first " + std::to_string(settings.stop.pieces) + " pieces on " +
-                std::to_string(size_px) + " x " + std::to_string(size_px) +
-                " px, with the first matching of the whole canvas. Shapes beyond the file's " +
-                std::to_string(library.size()) +
-                "\nare mirrored and stretched ones; making those that the master asks for is left out of the time. "
-                "Device: the shard's\nbuffers; on a CPU device they count in the peak memory too.\n";
+  report.text = table.text() + "\n" + explanation(settings.stop.pieces, size_px, library.size());
   return report;
 }
 

@@ -55,8 +55,8 @@ PairScene make_scene(std::size_t shapes, std::size_t samples, int size_px) {
 }
 
 /// In another order each time: a device does not count twice for the same samples.
-double device_s(const PairScene& scene, const Setting& setting, int runs) {
-  const auto matcher = worker::make_device_matcher(setting.devices, scene.context, 0, scene.models);
+double device_s(const PairScene& scene, const std::string& devices_use, int runs) {
+  const auto matcher = worker::make_device_matcher(devices_use, scene.context, 0, scene.models);
   matcher->start_field(scene.field.value.width(), scene.field.value.height(), scene.field.origin);
   matcher->update_field(read_patch(scene.field.value, scene.field.value.bounds()));
   std::vector<TargetSample> samples = scene.samples;
@@ -68,9 +68,9 @@ double device_s(const PairScene& scene, const Setting& setting, int runs) {
 }
 
 /// Equation 1 for every pair, nothing else.
-double plain_s(const PairScene& scene, int runs, std::uint64_t& below_beta) {
+double plain_s(const PairScene& scene, std::uint64_t& below_beta) {
   const int levels = scene.context.pad.levels;
-  return median_s(runs, [&] {
+  return median_s(1, [&] {
     below_beta = 0;
     for (const TargetSample& sample : scene.samples) {
       const Pad target = make_pad(sample.pyramid, levels);
@@ -83,61 +83,82 @@ double plain_s(const PairScene& scene, int runs, std::uint64_t& below_beta) {
   });
 }
 
+/// Pairs a second.
+struct PairRates {
+  int cores = 0;
+  int elements = 0;  // of a PAD
+  double device = 0;
+  double plain = 0;
+  double float_limit = 0;
+  double byte_limit = 0;
+  double memory_limit = 0;
+  double below_beta = 0;  // part of the pairs, whatever their scale
+};
+
+PairRates measure(const PairScene& scene, const Setting& setting) {
+  PairRates rates;
+  rates.cores = compute_units(setting.devices);
+  rates.elements = 2 * (scene.context.pad.levels - 1);
+  rates.device = scene.pairs() / device_s(scene, setting.devices, setting.quick ? 2 : 5);
+  std::uint64_t below_beta = 0;
+  rates.plain = scene.pairs() / plain_s(scene, below_beta);
+  rates.below_beta = double(below_beta) / scene.pairs();
+  const DevicePeak peak = measure_device_peak(setting.devices, setting.quick);
+  rates.float_limit = peak.float_steps_per_s / rates.elements;
+  rates.byte_limit = peak.byte_steps_per_s / rates.elements;
+  rates.memory_limit = peak.read_bytes_per_s / rates.elements;
+  return rates;
+}
+
+std::string table_text(const PairRates& rates) {
+  Table table({"PAD pair tests", "pairs/s", "a core and s", "device / this"});
+  const auto row = [&](const std::string& name, double rate, int cores) {
+    table.add({name, short_number(rate), short_number(rate / cores), short_number(rates.device / rate)});
+  };
+  row("device, selection included", rates.device, rates.cores);
+  row("plain C++ loop, one thread", rates.plain, 1);
+  row("limit: 4-byte elements", rates.float_limit, rates.cores);
+  row("limit: 1-byte elements", rates.byte_limit, rates.cores);
+  row("limit: every pair from memory", rates.memory_limit, rates.cores);
+  return table.text();
+}
+
+std::string explanation(const PairScene& scene, const PairRates& rates) {
+  const std::string elements = std::to_string(rates.elements);
+  return std::to_string(scene.samples.size()) + " target samples, " + std::to_string(scene.models.size()) + " blobs, " +
+         short_number(scene.pairs()) + " pairs (" + short_number(100 * rates.below_beta) + " % nearer than beta), " +
+         std::to_string(rates.cores) + " cores.\nCounted: " + elements +
+         " elements a pair, each a subtraction, a magnitude and a maximum (" + std::to_string(3 * rates.elements) +
+         " operations);\nthe limits are such steps a second, measured in registers, over " + elements +
+         ". From memory: 1 byte an element, " + elements +
+         " bytes a pair,\nas if no target sample shared what another had read. Selection (scale, sign, local minima, "
+         "histogram)\nis in the device's time and in no limit; pairs that it skips count as tested.\n";
+}
+
+Json to_json(const PairScene& scene, const PairRates& rates) {
+  return {{"cores", rates.cores},
+          {"target_samples", scene.samples.size()},
+          {"shapes", scene.models.size()},
+          {"pairs", scene.pairs()},
+          {"below_beta_percent", rounded(100 * rates.below_beta)},
+          {"device_pairs_per_s", rates.device},
+          {"device_pairs_per_core_s", rates.device / rates.cores},
+          {"plain_pairs_per_s", rates.plain},
+          {"elements_per_pair", rates.elements},
+          {"operations_per_pair", 3 * rates.elements},
+          {"bytes_per_pair", rates.elements},
+          {"limit_float_pairs_per_s", rates.float_limit},
+          {"limit_byte_pairs_per_s", rates.byte_limit},
+          {"limit_memory_pairs_per_s", rates.memory_limit}};
+}
+
 }  // namespace
 
 Report bench_pairs(const Setting& setting) {
   const PairScene scene = setting.quick ? make_scene(20, 100, 300) : make_scene(1000, 1000, 1000);
-  const int runs = setting.quick ? 2 : 5;
-  const int elements = 2 * (scene.context.pad.levels - 1);
-  const int units = compute_units(setting.devices);
-  std::uint64_t below_beta = 0;  // of the pairs, whatever their scale
-  const double device = scene.pairs() / device_s(scene, setting, runs);
-  const double plain = scene.pairs() / plain_s(scene, 1, below_beta);
-  const DevicePeak peak = measure_device_peak(setting.devices, setting.quick);
-  const double float_limit = peak.float_steps_per_s / elements;
-  const double byte_limit = peak.byte_steps_per_s / elements;
-  const double memory_limit = peak.read_bytes_per_s / elements;
-
-  Table table({"PAD pair tests", "pairs/s", "a core and s", "device / this"});
-  const auto row = [&](const std::string& name, double rate, int cores) {
-    table.add({name, short_number(rate), short_number(rate / cores), short_number(device / rate)});
-  };
-  row("device, selection included", device, units);
-  row("plain C++ loop, one thread", plain, 1);
-  row("limit: 4-byte elements", float_limit, units);
-  row("limit: 1-byte elements", byte_limit, units);
-  row("limit: every pair from memory", memory_limit, units);
-
-  Report report;
-  report.text =
-      table.text() + "\n" + std::to_string(scene.samples.size()) + " target samples, " +
-      std::to_string(scene.models.size()) + " blobs, " + short_number(scene.pairs()) + " pairs (" +
-      short_number(100 * double(below_beta) / scene.pairs()) + " % nearer than beta), " + std::to_string(units) +
-      " cores.\nCounted: " + std::to_string(elements) +
-      " elements a pair, each a subtraction, a magnitude and a maximum (" + std::to_string(3 * elements) +
-      " operations);\nthe limits are such steps a second, measured in registers, over " + std::to_string(elements) +
-      ". From memory: 1 byte an element, " + std::to_string(elements) +
-      " bytes a pair,\nas if no target sample shared what another had read. Selection (scale, sign, local minima, "
-      "histogram)\nis in the device's time and in no limit; pairs that it skips count as tested.\n";
-  report.json = {{"benchmark", "pairs"},
-                 {"quick", setting.quick},
-                 {"devices", device_names(setting.devices)},
-                 {"cores", units},
-                 {"target_samples", scene.samples.size()},
-                 {"shapes", scene.models.size()},
-                 {"pairs", scene.pairs()},
-                 {"runs", runs},
-                 {"device_pairs_per_s", device},
-                 {"device_pairs_per_core_s", device / units},
-                 {"plain_pairs_per_s", plain},
-                 {"plain_pairs_below_beta", below_beta},
-                 {"elements_per_pair", elements},
-                 {"operations_per_pair", 3 * elements},
-                 {"bytes_per_pair", elements},
-                 {"limit_float_pairs_per_s", float_limit},
-                 {"limit_byte_pairs_per_s", byte_limit},
-                 {"limit_memory_pairs_per_s", memory_limit},
-                 {"read_bytes_per_s", peak.read_bytes_per_s}};
+  const PairRates rates = measure(scene, setting);
+  Report report{table_text(rates) + "\n" + explanation(scene, rates), report_head("pairs", setting)};
+  report.json.update(to_json(scene, rates));
   return report;
 }
 

@@ -43,7 +43,9 @@ Similarity align_ends(const ArclengthPyramid& shape, const ArclengthPyramid& tar
 
 PaperMatcher::PaperMatcher(const CollageSettings& settings, const MatchingContext& context,
                            std::vector<ShapeModel> models)
-    : objective_(settings.objective), context_(context), models_(std::move(models)) {}
+    : objective_(settings.objective),
+      context_(context),
+      models_(std::move(models)) {}
 
 void PaperMatcher::start_field(int width, int height, Vec2 origin) {
   field_.value = Grid<float>(width, height);
@@ -94,9 +96,8 @@ void PaperMatcher::post_dock(const DockRequest& request) {
 void PaperMatcher::post_refine(const std::vector<Docking>& dockings) {
   refined_.clear();
   for (const Docking& docking : dockings) {
-    refined_.push_back({docking, docking_terms(docking.canvas_from_shape, models_[docking.shape], FieldView(field_),
-                                               context_),
-                        true});
+    refined_.push_back(
+        {docking, docking_terms(docking.canvas_from_shape, models_[docking.shape], FieldView(field_), context_), true});
   }
 }
 

@@ -156,8 +156,8 @@ Report bench_table2(const Setting& setting, const Table2Options& options) {
   Table table({"", "candidates", "PADs a shape", "iterations", "docking choices", "pruned %", "total s", "prune %",
                "dock %", "objective %", "merge %"});
   Report report;
-  report.json = {{"benchmark", "table2"},       {"quick", setting.quick}, {"devices", device_names(setting.devices)},
-                 {"library", options.library}, {"canvas_px", size_px},   {"rows", Json::array()}};
+  report.json = report_head("table2", setting);
+  report.json.update({{"library", options.library}, {"canvas_px", size_px}, {"rows", Json::array()}});
   std::string notes;
   for (const Table2Row& row : rows) {
     const SizedRun run = run_row(row, library, canvas, setting.devices);

@@ -8,14 +8,14 @@ namespace tessera::bench {
 
 struct Table2Row {
   std::string_view figure;
-  int candidates;      // shapes of the library
+  int candidates;  // shapes of the library
   int pads_per_shape;
-  int iterations;      // pieces
+  int iterations;                    // pieces
   std::string_view docking_choices;  // as text: two of them have exponents that the other columns do not bear out
   double pruned_percent;
   double total_min;
-  int prune_percent;   // of the total time: pruning of docking choices,
-  int dock_percent;    // distance field evaluation,
+  int prune_percent;  // of the total time: pruning of docking choices,
+  int dock_percent;   // distance field evaluation,
   int objective_percent;
   int merge_percent;
 };

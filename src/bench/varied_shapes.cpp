@@ -29,7 +29,8 @@ ShapeVariation variation_number(std::uint32_t number) {
 }
 
 VariedShapes::VariedShapes(const io::LibraryFile& library)
-    : outlines_(library.read(0, library.size(), kOutlines)), pad_(library.pad_parameters()) {}
+    : outlines_(library.read(0, library.size(), kOutlines)),
+      pad_(library.pad_parameters()) {}
 
 Shape VariedShapes::make(std::uint32_t index) const {
   const std::uint32_t originals = std::uint32_t(outlines_.size());

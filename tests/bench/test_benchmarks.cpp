@@ -54,9 +54,9 @@ TEST(Benchmarks, Table2) {
   ASSERT_EQ(rows.size(), 2u);
   for (const Json& row : rows) {
     for (const char* whose : {"ours", "paper"}) {
-      expect_keys(row.at(whose), {"candidates", "pads_per_shape", "iterations", "docking_choices", "pruned_percent",
-                                  "total_s", "prune_share_percent", "dock_share_percent", "objective_share_percent",
-                                  "merge_share_percent"});
+      expect_keys(row.at(whose),
+                  {"candidates", "pads_per_shape", "iterations", "docking_choices", "pruned_percent", "total_s",
+                   "prune_share_percent", "dock_share_percent", "objective_share_percent", "merge_share_percent"});
     }
     EXPECT_EQ(row.at("ours").at("stopped_by"), "pieces");
     EXPECT_EQ(row.at("ours").at("iterations"), row.at("paper").at("iterations"));
@@ -113,9 +113,7 @@ TEST(Benchmarks, LibraryChecksItsSizes) {
   EXPECT_THROW(bench_library({}, {.library = library(), .sizes = {100, 0}}), InputError);
 }
 
-TEST(Benchmarks, NameTheLibraryThatIsMissing) {
-  EXPECT_THROW(bench_table2(kQuick, {"none.h5", {}}), InputError);
-}
+TEST(Benchmarks, NameTheLibraryThatIsMissing) { EXPECT_THROW(bench_table2(kQuick, {"none.h5", {}}), InputError); }
 
 }  // namespace
 }  // namespace tessera::bench

@@ -55,8 +55,8 @@ TEST(PaperMatcher, RanksByTheObjective) {
   for (const RefinedDocking& found : test::run_round(matcher, scene).refined) {
     const float scale = found.docking.canvas_from_shape.scale();
     const float perimeter_px = scene.models[found.docking.shape].perimeter * scale;
-    EXPECT_EQ(found.docking.key, objective(found.terms, {scale, perimeter_px, scene.context.max_scale_px},
-                                           scene.settings.objective));
+    EXPECT_EQ(found.docking.key,
+              objective(found.terms, {scale, perimeter_px, scene.context.max_scale_px}, scene.settings.objective));
   }
 }
 

@@ -22,8 +22,7 @@ TEST(RandomFilling, OverlapsNothing) {
     EXPECT_GE(p.canvas_from_shape.scale(), 11.99f);
     EXPECT_LE(p.canvas_from_shape.scale(), 70.01f);
   }
-  const Quality q =
-      measure_quality(canvas, placements, [&](std::uint32_t i) -> const Shape& { return library[i]; });
+  const Quality q = measure_quality(canvas, placements, [&](std::uint32_t i) -> const Shape& { return library[i]; });
   EXPECT_LT(q.overlap, 0.006);
   EXPECT_LT(q.outside, 0.003);
   EXPECT_GT(q.coverage, 0.3);

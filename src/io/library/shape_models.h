@@ -9,6 +9,7 @@
 namespace tessera::io {
 
 /// The levels of the context. A few shapes at a time are read whole: the models need a twentieth of their memory.
-std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange& range, const MatchingContext& context);
+std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange& range,
+                                    const MatchingContext& context);
 
 }  // namespace tessera::io
