@@ -19,6 +19,8 @@ namespace {
 
 constexpr double kPaper_s = 0.064;
 constexpr std::uint64_t kPaperPositions = 25'000'000;
+/// In the middle of the docked shape's scales, so that most pairs fit in scale: a larger one would have hardly any work.
+constexpr float kLyingScale_px = 80;
 constexpr double kPaperTopPercent = 1;                       // K of the paper
 constexpr int kFinestSamples = kSmoothingLevels[2].samples;  // a model has as many at every level finer than this one
 
@@ -84,7 +86,7 @@ HeadlineScene make_scene(int slices, int sample_count) {
   const TracedOutline lying_outline = blob_outline(1);
   const TracedOutline docked_outline = blob_outline(2);
   const Shape lying = make_shape(lying_outline, {});
-  const Similarity pose{0, 250, 500, 500};
+  const Similarity pose{0, kLyingScale_px, 500, 500};
   FreeField free(make_rectangle_canvas(1000, 1000), scene.settings.pieces);
   free.stamp(lying, pose);
   scene.field = free.field();
