@@ -16,6 +16,7 @@
 #include "io/result/collage_files.h"
 #include "io/job/job_file.h"
 #include "io/library/library_file.h"
+#include "io/library/shape_models.h"
 #include "master/collage_loop.h"
 #include "master/library_shapes.h"
 #include "worker/device_group.h"

@@ -1,38 +1,15 @@
 #include "cli/library_part.h"
 
-#include <algorithm>
+#include <cstdint>
+#include <vector>
 
-#include "core/matching_context.h"
 #include "core/partition.h"
 
 namespace tessera::cli {
-namespace {
-
-constexpr std::size_t kShapesAtATime = 128;  // about 20 MB
-
-io::LibraryParts parts_for(const std::vector<int>& levels) {
-  io::LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = false, .original = false};
-  for (const int level : levels) parts.levels |= 1u << level;
-  return parts;
-}
-
-}  // namespace
 
 ShapeRange library_part(std::size_t shapes, int part, int parts) {
   const std::vector<std::uint64_t> weights(shapes, 1);
   return balanced_ranges(weights, parts)[std::size_t(part)];
-}
-
-std::vector<ShapeModel> read_models(const io::LibraryFile& library, const ShapeRange& range,
-                                    const MatchingContext& context) {
-  std::vector<ShapeModel> models;
-  for (std::size_t begin = range.begin; begin < range.end; begin += kShapesAtATime) {
-    const std::size_t end = std::min<std::size_t>(range.end, begin + kShapesAtATime);
-    for (const Shape& shape : library.read(begin, end, parts_for(context.levels))) {
-      models.push_back(make_shape_model(shape, library.pad_parameters(), context.pad, context.levels));
-    }
-  }
-  return models;
 }
 
 }  // namespace tessera::cli

@@ -56,6 +56,7 @@ struct CollageSettings {
   ObjectiveSettings objective;
   ImproveSettings improve;
   StopSettings stop;
+  bool settle = true;  // chosen pieces are pushed clear and grown; off for comparisons (src/bench), no job key
 };
 
 }  // namespace tessera

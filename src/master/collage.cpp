@@ -185,7 +185,7 @@ bool Collage::choose(Candidate& best) {
     const auto first = std::min_element(ranked.begin(), ranked.end());
     if (first == ranked.end()) return false;
     best = pool_.at(*first);
-    if (settle(best)) return true;
+    if (!settings_.settle || settle(best)) return true;
     pool_.erase(*first);
   }
 }

@@ -12,7 +12,10 @@ constexpr int kEmptyPasses = 2;  // over all samples, with new random dockings e
 
 Filling::Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
                  RunStatistics& statistics)
-    : collage_(collage), matcher_(matcher), statistics_(statistics) {
+    : collage_(collage),
+      matcher_(matcher),
+      statistics_(statistics),
+      most_empty_passes_(settings.match.tangent_dockings > 0 ? kEmptyPasses : 0) {
   std::uint64_t pads_per_shape = 0;
   for (const int level : context.levels) pads_per_shape += std::uint64_t(kSmoothingLevels[level].samples);
   statistics_.shapes = context.library_shapes;
@@ -39,7 +42,7 @@ bool Filling::place_one() {
       empty_passes_ = 0;
       return true;
     }
-    if (empty_passes_ == kEmptyPasses) return false;
+    if (empty_passes_ == most_empty_passes_) return false;
     ++empty_passes_;
     collage_.mark_stale(region_);
   }

@@ -1,6 +1,7 @@
 // A part of the library as the kernels read it: structure of arrays, in vectors of 16 (kernels/records.h).
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/matching_context.h"
@@ -19,6 +20,11 @@ struct Shard {
   /// By shape: the sets of points of RecordSizes. Shape units.
   std::vector<float> contours;
   std::vector<ShapeRecord> shapes;
+
+  /// On the device.
+  std::size_t bytes() const {
+    return (pads.size() + keypoints.size() + contours.size()) * sizeof(float) + shapes.size() * sizeof(ShapeRecord);
+  }
 };
 
 /// `models[i]` is library shape first_shape + i; they have the context's levels, each with as many samples as

@@ -4,6 +4,7 @@
 
 #include "cli/library_part.h"
 #include "core/matching_context.h"
+#include "io/library/shape_models.h"
 #include "io/scratch_folder.h"
 #include "support/matching_scene.h"
 
@@ -39,7 +40,7 @@ TEST(LibraryPart, models_are_read_in_order_from_any_range) {
 
   const io::LibraryFile library(path);
   const MatchingContext context = make_matching_context(CollageSettings(), kShapes);
-  const std::vector<ShapeModel> models = read_models(library, {10, 190}, context);
+  const std::vector<ShapeModel> models = io::read_models(library, {10, 190}, context);
   ASSERT_EQ(models.size(), 180u);
   for (std::size_t i = 0; i < models.size(); ++i) EXPECT_EQ(models[i].perimeter, 11 + float(i));
   EXPECT_EQ(models.front().levels.size(), context.levels.size());

@@ -129,6 +129,34 @@ TEST(Collage, KeepsThePadding) {
   EXPECT_LT(q.shared_boundary, 0.1);
 }
 
+TEST(Collage, WithoutTangentDockingsHasNone) {
+  CollageSettings s = settings();
+  s.match.tangent_dockings = 0;
+  Canvas canvas = make_rectangle_canvas(300, 220);
+  FreeField seeded(canvas, s.pieces);  // a rectangle alone has no PADs
+  seeded.stamp(library()[4], {90, 0, 150, 110});
+  canvas.distance = seeded.field();
+  const CollageResult result = run(canvas, s);
+  const RunStatistics& statistics = result.statistics;
+  EXPECT_GT(result.placements.size(), 2u);
+  EXPECT_EQ(statistics.stopped_by, "full");
+  EXPECT_EQ(statistics.docking_choices,
+            statistics.target_samples * statistics.shapes * std::uint64_t(statistics.pads_per_shape));
+}
+
+TEST(Collage, WithoutSettlingPlacesWhatMatchingFound) {
+  CollageSettings s = settings();
+  s.stop.pieces = 1;
+  s.settle = false;
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  const std::vector<Placement> as_found = run(canvas, s).placements;
+  s.settle = true;
+  const std::vector<Placement> settled = run(canvas, s).placements;
+  ASSERT_EQ(as_found.size(), 1u);
+  EXPECT_EQ(as_found[0].shape, settled[0].shape);
+  EXPECT_LE(as_found[0].canvas_from_shape.scale(), settled[0].canvas_from_shape.scale()) << "only settling grows";
+}
+
 TEST(Collage, StopsWhenAsked) {
   class StopAfter : public SilentObserver {
    public:

@@ -1,0 +1,172 @@
+#include <algorithm>
+
+#include "bench/benchmarks.h"
+#include "bench/devices.h"
+#include "bench/full_rematch.h"
+#include "bench/library_matcher.h"
+#include "bench/paper_matcher.h"
+#include "bench/random_filling.h"
+#include "core/error.h"
+#include "core/free_field.h"
+#include "core/quality.h"
+#include "io/library/shape_models.h"
+#include "io/number_text.h"
+#include "master/library_shapes.h"
+
+namespace tessera::bench {
+namespace {
+
+struct Outcome {
+  std::string engine;
+  std::vector<Placement> placements;
+  double total_s = 0;
+};
+
+/// One job and the engines that it is given to.
+class Comparison {
+ public:
+  Comparison(const io::LibraryFile& library, ShapeSource& shapes, const Canvas& canvas, const CollageSettings& settings,
+             const std::string& devices_use)
+      : library_(library),
+        shapes_(shapes),
+        canvas_(canvas),
+        settings_(settings),
+        devices_use_(devices_use) {}
+
+  Outcome tessera(const std::string& name, const CollageSettings& settings) {
+    return engine(name, settings, *library_matcher(library_, library_.size(), settings, devices_use_));
+  }
+  Outcome tessera() { return tessera("tessera", settings_); }
+
+  Outcome pad_only() {
+    CollageSettings settings = settings_;
+    settings.match.tangent_dockings = 0;
+    return tessera("PAD only", settings);
+  }
+
+  Outcome tangent_only() {
+    CollageSettings settings = settings_;
+    settings.match.top_percent = 0;
+    return tessera("tangent only", settings);
+  }
+
+  Outcome paper_rule() {
+    const CollageSettings settings = paper_settings(settings_);
+    const std::uint32_t count = std::uint32_t(library_.size());
+    const MatchingContext context = make_matching_context(settings, count);
+    PaperMatcher matcher(settings, context, io::read_models(library_, {0, count}, context));
+    return engine("the paper's rule", settings, matcher);
+  }
+
+  Outcome full_recomputation() {
+    const auto matcher = library_matcher(library_, library_.size(), settings_, devices_use_);
+    master::CollageResult result = make_collage_afresh(canvas_, settings_, *matcher, shapes_);
+    return {"all samples each round", std::move(result.placements), result.statistics.total_s};
+  }
+
+  Outcome random_filling(double seconds) {
+    return {"random filling", fill_at_random(canvas_, settings_, shapes_, std::uint32_t(library_.size()), seconds),
+            seconds};
+  }
+
+  Quality quality(const Outcome& outcome) {
+    return measure_quality(canvas_, outcome.placements,
+                           [this](std::uint32_t index) -> const Shape& { return shapes_.shape(index); });
+  }
+
+ private:
+  Outcome engine(const std::string& name, const CollageSettings& settings, Matcher& matcher) {
+    master::SilentObserver silent;
+    master::CollageResult result = master::make_collage(canvas_, settings, matcher, shapes_, silent);
+    return {name, std::move(result.placements), result.statistics.total_s};
+  }
+
+  const io::LibraryFile& library_;
+  ShapeSource& shapes_;
+  const Canvas& canvas_;
+  CollageSettings settings_;
+  std::string devices_use_;
+};
+
+/// A square with the first shape in its middle, taken out of the region: the seed. Straight sides have no PADs (the
+/// paper's first limitation), so that without it PAD alone would have nothing to begin with.
+Canvas seeded_canvas(int size_px, const PieceSettings& pieces, ShapeSource& shapes) {
+  Canvas canvas = make_rectangle_canvas(size_px, size_px);
+  FreeField free(canvas, pieces);
+  const float scale_px = std::min(pieces.max_scale_px, 0.3f * float(size_px));
+  free.stamp(shapes.shape(0), {scale_px, 0, 0.5f * float(size_px), 0.5f * float(size_px)});
+  canvas.distance = free.field();
+  canvas.area_px2 -= double(scale_px) * scale_px;
+  return canvas;
+}
+
+void add_engine(Table& table, Json& engines, const Outcome& outcome, const Quality& q) {
+  table.add({outcome.engine, io::fixed(100 * q.coverage, 2), io::fixed(100 * q.overlap, 3),
+             io::fixed(100 * q.shared_boundary, 1), std::to_string(q.pieces), io::fixed(outcome.total_s, 1)});
+  engines.push_back({{"engine", outcome.engine},
+                     {"coverage_percent", rounded(100 * q.coverage)},
+                     {"overlap_percent", rounded(100 * q.overlap)},
+                     {"outside_percent", rounded(100 * q.outside)},
+                     {"shared_boundary_percent", rounded(100 * q.shared_boundary)},
+                     {"pieces", q.pieces},
+                     {"total_s", rounded(outcome.total_s)}});
+}
+
+void check(const AlternativesOptions& options) {
+  const auto [low, high] = options.scale_px;
+  if (!(low >= 2 && low < high && high <= 5000)) {
+    throw InputError("--scale-px: found " + io::fixed(low, 3) + "," + io::fixed(high, 3) +
+                     "; allowed: MIN,MAX with 2 <= MIN < MAX <= 5000 px");
+  }
+  if (options.size_px < 16 || options.size_px > 10000) {
+    throw InputError("--size: found " + std::to_string(options.size_px) + "; allowed: 16 to 10000 px");
+  }
+}
+
+std::string explanation(std::size_t shapes, int size_px, const AlternativesOptions& options) {
+  return std::to_string(shapes) + " shapes, " + std::to_string(size_px) + " x " + std::to_string(size_px) +
+         " px, pieces of " + short_number(options.scale_px[0]) + " to " + short_number(options.scale_px[1]) +
+         " px, seed " + std::to_string(options.seed) +
+         ";\nthe first shape lies in the middle from the start, for straight sides have no PADs.\nPAD only, tangent "
+         "only: without the other kind of docking, everything else the same.\n"
+         "The paper's rule: K = 1 %, beta = 0.4, delta = 4 px, ends of the first level aligned, objective Z of\n"
+         "every candidate; nothing refined, settled or grown; candidates within our limits of overlap (5 %) and "
+         "contact (15 %).\n"
+         "In plain C++ on one thread: its time does not compare.\n"
+         "All samples each round: no cut and paste. Random filling: as much time as the first row.\n";
+}
+
+}  // namespace
+
+Report bench_alternatives(const Setting& setting, const AlternativesOptions& options) {
+  check(options);
+  const io::LibraryFile library(options.library);
+  const int size_px = setting.quick ? std::min(options.size_px, 160) : options.size_px;
+  CollageSettings settings;
+  settings.seed = options.seed;
+  settings.pieces.min_scale_px = options.scale_px[0];
+  settings.pieces.max_scale_px = options.scale_px[1];
+  master::LibraryShapes shapes(library);
+  const Canvas canvas = seeded_canvas(size_px, settings.pieces, shapes);
+
+  Comparison comparison(library, shapes, canvas, settings, setting.devices);
+  std::vector<Outcome> outcomes = {comparison.tessera(), comparison.pad_only(), comparison.tangent_only(),
+                                   comparison.paper_rule(), comparison.full_recomputation()};
+  outcomes.push_back(comparison.random_filling(outcomes.front().total_s));
+
+  Table table({"", "coverage %", "overlap %", "shared boundary %", "pieces", "time s"});
+  Report report;
+  report.json = report_head("alternatives", setting);
+  report.json.update({{"library", options.library},
+                      {"shapes", library.size()},
+                      {"canvas_px", size_px},
+                      {"scale_px", options.scale_px},
+                      {"seed", options.seed},
+                      {"engines", Json::array()}});
+  for (const Outcome& outcome : outcomes)
+    add_engine(table, report.json["engines"], outcome, comparison.quality(outcome));
+  report.text = table.text() + "\n" + explanation(library.size(), size_px, options);
+  return report;
+}
+
+}  // namespace tessera::bench

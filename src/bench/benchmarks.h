@@ -1,0 +1,49 @@
+// tessera bench NAME: each benchmark measures one claim and gives a table for people with the same figures as JSON.
+// One file for each. All throw InputError and EnvironmentError.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bench/report.h"
+
+namespace tessera::bench {
+
+/// What all benchmarks take.
+struct Setting {
+  bool quick = false;           // a small version, which only shows that it runs
+  std::string devices = "all";  // as the job key devices.use
+};
+
+/// PAD pair tests a second and core: the devices, a plain loop, and what the machine can do at most.
+Report bench_pairs(const Setting& setting);
+
+/// From PADs to the best docking of two shapes with 25,000,000 docking positions (paper, section 5).
+Report bench_headline(const Setting& setting);
+
+struct Table2Options {
+  std::string library;
+  std::vector<std::string> rows;  // names of table2_rows(); empty = all
+};
+/// Jobs of the sizes of the paper's Table 2.
+Report bench_table2(const Setting& setting, const Table2Options& options);
+
+struct AlternativesOptions {
+  std::string library;
+  std::array<float, 2> scale_px = {20, 160};
+  int size_px = 1000;  // of the square canvas
+  std::uint64_t seed = 1;
+};
+/// This engine beside what could be done instead, on one job.
+Report bench_alternatives(const Setting& setting, const AlternativesOptions& options);
+
+struct LibraryOptions {
+  std::string library;
+  std::vector<std::uint32_t> sizes = {100, 1000, 10000, 100000};
+};
+/// Time and memory as the library grows.
+Report bench_library(const Setting& setting, const LibraryOptions& options);
+
+}  // namespace tessera::bench

@@ -1,0 +1,20 @@
+// Shapes made from formulas, for benchmarks that need no library.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/matching_context.h"
+#include "core/outline.h"
+
+namespace tessera::bench {
+
+/// A smooth blob with a few lobes, curves everywhere; the same number, the same blob.
+TracedOutline blob_outline(std::uint32_t number);
+
+/// Blobs 0 .. count - 1, built on all cores.
+std::vector<Shape> blob_shapes(std::size_t count);
+
+std::vector<ShapeModel> models_of(const std::vector<Shape>& shapes, const MatchingContext& context);
+
+}  // namespace tessera::bench

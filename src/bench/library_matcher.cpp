@@ -1,0 +1,22 @@
+#include "bench/library_matcher.h"
+
+#include "core/matcher.h"
+#include "io/library/shape_models.h"
+#include "worker/device_group.h"
+
+namespace tessera::bench {
+
+std::unique_ptr<Matcher> library_matcher(const io::LibraryFile& library, std::size_t shapes,
+                                         const CollageSettings& settings, const std::string& devices_use) {
+  const MatchingContext context = make_matching_context(settings, std::uint32_t(shapes));
+  return worker::make_device_matcher(devices_use, context, 0,
+                                     io::read_models(library, {0, std::uint32_t(shapes)}, context));
+}
+
+std::uint64_t pads_per_shape(const MatchingContext& context) {
+  std::uint64_t pads = 0;
+  for (const int level : context.levels) pads += std::uint64_t(kSmoothingLevels[level].samples);
+  return pads;
+}
+
+}  // namespace tessera::bench

@@ -1,0 +1,25 @@
+// A library, or the first shapes of one, on the devices.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/matching_context.h"
+#include "core/settings.h"
+#include "io/library/library_file.h"
+
+namespace tessera {
+class Matcher;
+}
+
+namespace tessera::bench {
+
+/// The first `shapes` shapes, for a job with these settings.
+std::unique_ptr<Matcher> library_matcher(const io::LibraryFile& library, std::size_t shapes,
+                                         const CollageSettings& settings, const std::string& devices_use);
+
+/// Of one shape, over all levels in use.
+std::uint64_t pads_per_shape(const MatchingContext& context);
+
+}  // namespace tessera::bench

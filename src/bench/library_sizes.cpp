@@ -1,0 +1,123 @@
+#include <algorithm>
+
+#include "bench/benchmarks.h"
+#include "bench/devices.h"
+#include "bench/library_matcher.h"
+#include "bench/process_memory.h"
+#include "bench/varied_shapes.h"
+#include "core/composite_matcher.h"
+#include "core/error.h"
+#include "io/number_text.h"
+#include "master/collage_loop.h"
+#include "worker/device_group.h"
+#include "worker/shard.h"
+
+namespace tessera::bench {
+namespace {
+
+constexpr std::uint32_t kMostShapes = 1'000'000;
+constexpr std::uint32_t kShapesInAPart = 16384;  // their models, 1 GB, are dropped once the device has them
+
+struct Grown {
+  RunStatistics statistics;
+  double making_s = 0;  // of the loop, spent on making shapes that a real library would have
+  std::uint64_t peak_bytes = 0;
+  std::uint64_t device_bytes = 0;
+};
+
+std::unique_ptr<Matcher> part_by_part(const VariedShapes& shapes, std::uint32_t count, const MatchingContext& context,
+                                      const std::string& devices_use) {
+  std::vector<std::unique_ptr<Matcher>> parts;
+  for (std::uint32_t begin = 0; begin < count; begin += kShapesInAPart) {
+    const ShapeRange range{begin, std::min(count, begin + kShapesInAPart)};
+    parts.push_back(worker::make_device_matcher(devices_use, context, begin, shapes.models(range, context)));
+  }
+  return std::make_unique<CompositeMatcher>(std::move(parts));
+}
+
+std::uint64_t shard_bytes(const VariedShapes& shapes, std::uint32_t count, const MatchingContext& context) {
+  return worker::make_shard(context, 0, shapes.models({0, 1}, context)).bytes() * count;
+}
+
+Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas& canvas,
+               const CollageSettings& settings, const std::string& devices_use) {
+  reset_peak_memory();
+  VariedShapes shapes(library);
+  const MatchingContext context = make_matching_context(settings, count);
+  const auto matcher = part_by_part(shapes, count, context, devices_use);
+  master::SilentObserver silent;
+  Grown grown;
+  grown.statistics = master::make_collage(canvas, settings, *matcher, shapes, silent).statistics;
+  grown.making_s = shapes.making_s();
+  grown.peak_bytes = peak_memory_bytes();
+  grown.device_bytes = shard_bytes(shapes, count, context);
+  return grown;
+}
+
+std::vector<std::uint32_t> checked_sizes(std::vector<std::uint32_t> sizes) {
+  for (const std::uint32_t size : sizes) {
+    if (size < 1 || size > kMostShapes) {
+      throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " + std::to_string(kMostShapes));
+    }
+  }
+  std::sort(sizes.begin(), sizes.end());
+  return sizes;
+}
+
+void add_size(Table& table, Json& sizes, std::uint32_t size, const Grown& grown) {
+  const RunStatistics& s = grown.statistics;
+  const double pieces = double(std::max<std::uint64_t>(1, s.rounds));
+  const double master_s = s.objective_s + s.merge_s - grown.making_s;
+  const auto ms = [&](double seconds) { return io::fixed(1000 * seconds / pieces, 1); };
+  const auto megabytes = [](std::uint64_t bytes) { return io::fixed(double(bytes) / 1e6, 0); };
+  table.add({std::to_string(size), ms(s.total_s - grown.making_s), ms(s.prune_s), ms(s.dock_s), ms(master_s),
+             ms(grown.making_s), megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
+  sizes.push_back({{"shapes", size},
+                   {"pieces", s.rounds},
+                   {"target_samples", s.target_samples},
+                   {"s_per_piece", (s.total_s - grown.making_s) / pieces},
+                   {"prune_s", rounded(s.prune_s)},
+                   {"dock_s", rounded(s.dock_s)},
+                   {"master_s", rounded(master_s)},
+                   {"making_s", rounded(grown.making_s)},
+                   {"peak_memory_bytes", grown.peak_bytes},
+                   {"device_bytes", grown.device_bytes}});
+}
+
+std::string explanation(int pieces, int size_px, std::size_t originals) {
+  return "The first " + std::to_string(pieces) + " pieces on " + std::to_string(size_px) + " x " +
+         std::to_string(size_px) + " px, with the first matching of the whole canvas. Shapes beyond the file's " +
+         std::to_string(originals) +
+         "\nare mirrored and stretched ones; making those that the master asks for is left out of the time. Device: "
+         "the "
+         "shard's\nbuffers; on a CPU device they count in the peak memory too.\n";
+}
+
+}  // namespace
+
+Report bench_library(const Setting& setting, const LibraryOptions& options) {
+  const std::vector<std::uint32_t> sizes =
+      setting.quick ? std::vector<std::uint32_t>{10, 30} : checked_sizes(options.sizes);
+  const io::LibraryFile library(options.library);
+  const int size_px = setting.quick ? 200 : 1000;
+  const Canvas canvas = make_rectangle_canvas(size_px, size_px);
+  CollageSettings settings;
+  settings.stop.pieces = setting.quick ? 3 : 20;
+
+  Table table(
+      {"shapes", "ms a piece", "prune", "dock", "objective, merge", "(making shapes)", "peak memory MB", "device MB"});
+  Report report;
+  report.json = report_head("library", setting);
+  report.json.update({{"library", options.library},
+                      {"originals", library.size()},
+                      {"canvas_px", size_px},
+                      {"pieces", settings.stop.pieces},
+                      {"sizes", Json::array()}});
+  for (const std::uint32_t size : sizes) {
+    add_size(table, report.json["sizes"], size, run_size(library, size, canvas, settings, setting.devices));
+  }
+  report.text = table.text() + "\n" + explanation(settings.stop.pieces, size_px, library.size());
+  return report;
+}
+
+}  // namespace tessera::bench

@@ -1,0 +1,117 @@
+#include "bench/paper_matcher.h"
+
+#include <algorithm>
+
+#include "core/objective.h"
+
+namespace tessera::bench {
+namespace {
+
+/// Calls visit(model, level slot, index in the level, source, distance) for the pairs of a sample below beta.
+template <class Visit>
+void for_near_pairs(const std::vector<ShapeModel>& models, const TargetSample& sample, const MatchingContext& context,
+                    Visit&& visit) {
+  const Pad target = make_pad(sample.pyramid, context.pad.levels);
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    std::uint32_t source = 0;
+    for (std::size_t slot = 0; slot < models[m].levels.size(); ++slot) {
+      const std::vector<Pad>& pads = models[m].levels[slot].pads;
+      for (std::size_t j = 0; j < pads.size(); ++j, ++source) {
+        const float distance = pad_distance(target, pads[j], context.pad.levels);
+        if (distance < context.beta) visit(std::uint32_t(m), slot, j, source, distance);
+      }
+    }
+  }
+}
+
+/// "its two endpoints coincide with the corresponding endpoints": of the first level.
+Similarity align_ends(const ArclengthPyramid& shape, const ArclengthPyramid& target, int levels) {
+  const Vec2 from = shape.keypoint[levels - 1];
+  const Vec2 to = target.keypoint[levels - 1];
+  const Vec2 chord = shape.keypoint[levels + 1] - from;
+  const Vec2 target_chord = target.keypoint[levels + 1] - to;
+  const float squared = std::max(dot(chord, chord), 1e-12f);
+  Similarity s;
+  s.a = dot(chord, target_chord) / squared;
+  s.b = cross(chord, target_chord) / squared;
+  s.tx = to.x - (s.a * from.x - s.b * from.y);
+  s.ty = to.y - (s.b * from.x + s.a * from.y);
+  return s;
+}
+
+}  // namespace
+
+PaperMatcher::PaperMatcher(const CollageSettings& settings, const MatchingContext& context,
+                           std::vector<ShapeModel> models)
+    : objective_(settings.objective),
+      context_(context),
+      models_(std::move(models)) {}
+
+void PaperMatcher::start_field(int width, int height, Vec2 origin) {
+  field_.value = Grid<float>(width, height);
+  field_.origin = origin;
+}
+
+void PaperMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
+
+void PaperMatcher::post_count(const std::vector<TargetSample>& samples) {
+  histograms_.assign(samples.size(), {});
+  for (std::size_t t = 0; t < samples.size(); ++t) {
+    for_near_pairs(models_, samples[t], context_,
+                   [&](std::uint32_t, std::size_t, std::size_t, std::uint32_t, float distance) {
+                     ++histograms_[t][distance_bin(distance, context_.beta)];
+                   });
+  }
+}
+
+float PaperMatcher::score(const ShapeModel& model, const Similarity& canvas_from_shape) const {
+  const float scale = canvas_from_shape.scale();
+  const DockingTerms terms = docking_terms(canvas_from_shape, model, FieldView(field_), context_);
+  return objective(terms, {scale, model.perimeter * scale, context_.max_scale_px}, objective_);
+}
+
+void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
+  const TargetSample& target = request.samples[t];
+  std::vector<Docking> dockings;
+  for_near_pairs(models_, target, context_,
+                 [&](std::uint32_t m, std::size_t slot, std::size_t j, std::uint32_t source, float distance) {
+                   if (distance_bin(distance, context_.beta) >= request.bin_limit[t]) return;
+                   const Similarity pose =
+                       align_ends(models_[m].levels[slot].samples[j], target.pyramid, context_.pad.levels);
+                   const ScaleRange& range = context_.level_range[slot];
+                   const float scale = pose.scale();
+                   if (scale < range.low || scale > range.high || !context_.rotation_allowed(pose)) return;
+                   ++docked_.evaluated;
+                   dockings.push_back({t, m, source, score(models_[m], pose), pose});
+                 });
+  keep_shortlist(dockings);
+  docked_.dockings.insert(docked_.dockings.end(), dockings.begin(), dockings.end());
+}
+
+void PaperMatcher::post_dock(const DockRequest& request) {
+  docked_ = {};
+  for (std::uint32_t t = 0; t < request.samples.size(); ++t) dock_sample(request, t);
+}
+
+void PaperMatcher::post_refine(const std::vector<Docking>& dockings) {
+  refined_.clear();
+  for (const Docking& docking : dockings) {
+    refined_.push_back(
+        {docking, docking_terms(docking.canvas_from_shape, models_[docking.shape], FieldView(field_), context_), true});
+  }
+}
+
+CollageSettings paper_settings(CollageSettings settings) {
+  settings.match.top_percent = 1;
+  settings.match.beta = 0.4f;
+  settings.match.delta_px = 4;
+  settings.match.tangent_dockings = 0;
+  settings.objective.kind = Objective::paper;
+  settings.objective.scale_exponent = 0;
+  settings.objective.repetition_exponent = 0;
+  settings.objective.near_twin_factor = 1;
+  settings.settle = false;
+  return settings;
+}
+
+}  // namespace tessera::bench

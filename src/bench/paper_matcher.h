@@ -1,0 +1,43 @@
+// The paper's rule to the letter (sections 3.3, 4 and 5), to compare with: of the pairs nearer than beta the best K %,
+// each docked by the ends of its first level and given to the objective Z. No refinement. Plain C++, one thread.
+//
+// Where the paper says nothing, it has what our engine has: smoothing levels, each docked only at scales that it
+// serves, and the terms of the objective along the contour.
+#pragma once
+
+#include "core/matcher.h"
+
+namespace tessera::bench {
+
+class PaperMatcher : public Matcher {
+ public:
+  /// `models[i]` is library shape i.
+  PaperMatcher(const CollageSettings& settings, const MatchingContext& context, std::vector<ShapeModel> models);
+
+  ShapeRange shapes() const override { return {0, std::uint32_t(models_.size())}; }
+  void start_field(int width, int height, Vec2 origin) override;
+  void update_field(const FieldPatch& patch) override;
+  void post_count(const std::vector<TargetSample>& samples) override;
+  std::vector<DistanceHistogram> take_count() override { return std::move(histograms_); }
+  void post_dock(const DockRequest& request) override;
+  DockReply take_dock() override { return std::move(docked_); }
+  void post_refine(const std::vector<Docking>& dockings) override;
+  std::vector<RefinedDocking> take_refine() override { return std::move(refined_); }
+
+ private:
+  void dock_sample(const DockRequest& request, std::uint32_t t);
+  float score(const ShapeModel& model, const Similarity& canvas_from_shape) const;
+
+  ObjectiveSettings objective_;
+  MatchingContext context_;
+  std::vector<ShapeModel> models_;
+  CanvasField field_;
+  std::vector<DistanceHistogram> histograms_;
+  DockReply docked_;
+  std::vector<RefinedDocking> refined_;
+};
+
+/// The settings that go with it: K, beta and delta of the paper, its objective, nothing settled or grown.
+CollageSettings paper_settings(CollageSettings settings);
+
+}  // namespace tessera::bench

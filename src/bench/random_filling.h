@@ -1,0 +1,18 @@
+// Random space filling: what a collage comes to without any matching.
+#pragma once
+
+#include <vector>
+
+#include "core/canvas.h"
+#include "core/placement.h"
+#include "core/settings.h"
+#include "core/shape_source.h"
+
+namespace tessera::bench {
+
+/// Over and over for `seconds`: one of the first `shapes` shapes at random, at a random place of the free region, turned
+/// at random, as large as it fits without overlap.
+std::vector<Placement> fill_at_random(const Canvas& canvas, const CollageSettings& settings, ShapeSource& shapes,
+                                      std::uint32_t shape_count, double seconds);
+
+}  // namespace tessera::bench

@@ -1,0 +1,38 @@
+// What a benchmark hands back: a text for people, and the same figures as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace tessera::bench {
+
+using Json = nlohmann::ordered_json;
+
+struct Report {
+  std::string text;
+  Json json;
+};
+
+/// Columns as wide as their widest cell, the first to the left, the others to the right.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> header) : rows_{std::move(header)} {}
+  /// As many cells as the header has.
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  std::string text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// Three significant digits: "2.16e+09", "0.0642".
+std::string short_number(double value);
+
+/// Three decimals, as the files of a collage have them.
+double rounded(double value);
+
+/// The folder must be there. Throws EnvironmentError.
+void write_report(const Report& report, const std::string& path);
+
+}  // namespace tessera::bench

@@ -1,0 +1,55 @@
+#include "bench/varied_shapes.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/stopwatch.h"
+#include "io/parallel_for.h"
+
+namespace tessera::bench {
+namespace {
+
+constexpr float kMostStretch = 1.5f;
+
+constexpr io::LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false, .original = false};
+
+float fraction(double x) { return float(x - std::floor(x)); }
+
+}  // namespace
+
+ShapeVariation variation_number(std::uint32_t number) {
+  const std::uint32_t stretch = number / 2;
+  ShapeVariation variation;
+  variation.mirrored = number % 2 == 1;
+  if (stretch == 0) return variation;
+  // Multiples of the plastic number's powers fill the plane evenly (R2 sequence): no two stretches are alike.
+  variation.angle_rad = std::numbers::pi_v<float> * fraction(stretch * 0.7548776662466927);
+  variation.factor = std::pow(kMostStretch, 0.2f + 0.8f * fraction(stretch * 0.5698402909980532));
+  return variation;
+}
+
+VariedShapes::VariedShapes(const io::LibraryFile& library)
+    : outlines_(library.read(0, library.size(), kOutlines)),
+      pad_(library.pad_parameters()) {}
+
+Shape VariedShapes::make(std::uint32_t index) const {
+  const std::uint32_t originals = std::uint32_t(outlines_.size());
+  return varied_shape(outlines_[index % originals], variation_number(index / originals), pad_);
+}
+
+Shape VariedShapes::load(std::uint32_t index) {
+  const Stopwatch watch;
+  Shape shape = make(index);
+  making_s_ += watch.seconds();
+  return shape;
+}
+
+std::vector<ShapeModel> VariedShapes::models(const ShapeRange& range, const MatchingContext& context) const {
+  std::vector<ShapeModel> models(range.end - range.begin);
+  io::parallel_for(models.size(), [&](std::size_t i) {
+    models[i] = make_shape_model(make(range.begin + std::uint32_t(i)), pad_, context.pad, context.levels);
+  });
+  return models;
+}
+
+}  // namespace tessera::bench

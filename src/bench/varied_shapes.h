@@ -1,0 +1,36 @@
+// A library larger than its file: its shapes, then the same mirrored, then stretched and mirrored in other ways.
+#pragma once
+
+#include "core/matcher.h"
+#include "core/shape_variation.h"
+#include "io/library/library_file.h"
+#include "master/cached_shapes.h"
+
+namespace tessera::bench {
+
+/// Variation 0 changes nothing, 1 mirrors; the further ones stretch by up to 1.5 both ways, every second one mirrored.
+ShapeVariation variation_number(std::uint32_t number);
+
+/// Shape i is variation i / n of shape i % n of the file's n. Made when asked for: only outlines are kept of the file.
+class VariedShapes : public master::CachedShapes {
+ public:
+  explicit VariedShapes(const io::LibraryFile& library);
+
+  /// All cores make them.
+  std::vector<ShapeModel> models(const ShapeRange& range, const MatchingContext& context) const;
+
+  /// Spent on making whole shapes for those who asked one at a time.
+  double making_s() const { return making_s_; }
+
+ protected:
+  Shape load(std::uint32_t index) override;
+
+ private:
+  Shape make(std::uint32_t index) const;
+
+  std::vector<Shape> outlines_;
+  PadParameters pad_;
+  double making_s_ = 0;
+};
+
+}  // namespace tessera::bench

@@ -1,0 +1,107 @@
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "bench/benchmarks.h"
+#include "cli/commands.h"
+#include "io/result/collage_files.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  tessera bench pairs\n"
+    "  tessera bench headline --out headline.json\n"
+    "  tessera bench table2 --library out/animals.h5 --rows 13a,13b,13c\n"
+    "  tessera bench alternatives --library out/animals.h5 --scale-px 20,160 --size 1000 --seed 7\n"
+    "  tessera bench library --library out/animals.h5 --sizes 100,1000,10000\n"
+    "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
+
+struct Common {
+  bench::Setting setting;
+  std::string out;
+};
+
+using Benchmark = std::function<bench::Report(const bench::Setting&)>;
+
+int run(const std::string& out, const bench::Setting& setting, const Benchmark& benchmark) {
+  const std::filesystem::path folder = std::filesystem::path(out).parent_path();
+  io::prepare_output_directory(folder.empty() ? "." : folder.string());
+  const bench::Report report = benchmark(setting);
+  bench::write_report(report, out);
+  std::printf("%s\nwritten to %s\n", report.text.c_str(), out.c_str());
+  return 0;
+}
+
+CLI::App* add_benchmark(CLI::App& bench, Command& selected, const std::string& name, const std::string& meaning,
+                        Benchmark benchmark) {
+  CLI::App* sub = bench.add_subcommand(name, meaning);
+  const auto common = std::make_shared<Common>();
+  common->out = "out/bench_" + name + ".json";
+  sub->add_option("--out", common->out, "The JSON file")->type_name("FILE.json")->capture_default_str();
+  sub->add_flag("--quick", common->setting.quick, "A small version, which only shows that it runs");
+  sub->add_option("--devices", common->setting.devices, "OpenCL devices, as the job key devices.use")
+      ->type_name("USE")
+      ->capture_default_str();
+  sub->callback([common, benchmark = std::move(benchmark), &selected] {
+    selected.run = [common, benchmark] { return run(common->out, common->setting, benchmark); };
+  });
+  return sub;
+}
+
+void add_library_option(CLI::App& sub, std::string& library) {
+  sub.add_option("--library", library, "The library file")->required()->type_name("LIB.h5");
+}
+
+void add_table2(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<bench::Table2Options>();
+  CLI::App* sub = add_benchmark(bench, selected, "table2", "Jobs of the sizes of the paper's Table 2",
+                                [options](const bench::Setting& s) { return bench::bench_table2(s, *options); });
+  add_library_option(*sub, options->library);
+  sub->add_option("--rows", options->rows, "Figures of the paper: 1,13a,13b,13c,16,17,18,19,21,22; default: all")
+      ->type_name("ROW,..")
+      ->delimiter(',');
+}
+
+void add_alternatives(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<bench::AlternativesOptions>();
+  CLI::App* sub =
+      add_benchmark(bench, selected, "alternatives", "This engine beside what could be done instead, on one job",
+                    [options](const bench::Setting& s) { return bench::bench_alternatives(s, *options); });
+  add_library_option(*sub, options->library);
+  sub->add_option("--scale-px", options->scale_px, "Sizes of the smallest and the largest piece, px")
+      ->type_name("MIN,MAX")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--size", options->size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
+  sub->add_option("--seed", options->seed, "Start of the random numbers")->type_name("N")->capture_default_str();
+}
+
+void add_library(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<bench::LibraryOptions>();
+  CLI::App* sub = add_benchmark(bench, selected, "library", "Time and memory as the library grows",
+                                [options](const bench::Setting& s) { return bench::bench_library(s, *options); });
+  add_library_option(*sub, options->library);
+  sub->add_option("--sizes", options->sizes, "Numbers of shapes; beyond the library's, mirrored and stretched ones")
+      ->type_name("N,..")
+      ->delimiter(',')
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, Command& selected) {
+  CLI::App* bench = app.add_subcommand("bench", "Measure this machine against the paper and the alternatives");
+  bench->footer(kExamples);
+  bench->require_subcommand(1);
+  add_benchmark(*bench, selected, "pairs", "PAD pair tests a second, beside what the machine can do at most",
+                bench::bench_pairs);
+  add_benchmark(*bench, selected, "headline", "Two shapes with 25,000,000 docking positions", bench::bench_headline);
+  add_table2(*bench, selected);
+  add_alternatives(*bench, selected);
+  add_library(*bench, selected);
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,32 @@
+#include "io/library/shape_models.h"
+
+#include <algorithm>
+
+#include "core/matching_context.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr std::size_t kShapesAtATime = 128;  // about 20 MB
+
+LibraryParts parts_for(const std::vector<int>& levels) {
+  LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = false, .original = false};
+  for (const int level : levels) parts.levels |= 1u << level;
+  return parts;
+}
+
+}  // namespace
+
+std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange& range,
+                                    const MatchingContext& context) {
+  std::vector<ShapeModel> models;
+  for (std::size_t begin = range.begin; begin < range.end; begin += kShapesAtATime) {
+    const std::size_t end = std::min<std::size_t>(range.end, begin + kShapesAtATime);
+    for (const Shape& shape : library.read(begin, end, parts_for(context.levels))) {
+      models.push_back(make_shape_model(shape, library.pad_parameters(), context.pad, context.levels));
+    }
+  }
+  return models;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,15 @@
+// From the library file to what matching needs of it.
+#pragma once
+
+#include <vector>
+
+#include "core/matcher.h"
+#include "io/library/library_file.h"
+
+namespace tessera::io {
+
+/// The levels of the context. A few shapes at a time are read whole: the models need a twentieth of their memory.
+std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange& range,
+                                    const MatchingContext& context);
+
+}  // namespace tessera::io

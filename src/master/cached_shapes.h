@@ -1,0 +1,33 @@
+// A source of shapes that are costly to get: read from a file, or computed.
+#pragma once
+
+#include <list>
+#include <unordered_map>
+
+#include "core/shape_source.h"
+
+namespace tessera::master {
+
+/// Keeps the models of all shapes asked for (4 KB each) and the latest few whole shapes (80 KB each): a library of any
+/// size fits. What is kept never changes what is answered.
+class CachedShapes : public ShapeSource {
+ public:
+  const Shape& shape(std::uint32_t index) override;
+  const ShapeModel& model(std::uint32_t index) override;
+
+ protected:
+  /// With outline and field.
+  virtual Shape load(std::uint32_t index) = 0;
+
+ private:
+  struct Kept {
+    std::uint32_t index;
+    Shape shape;
+  };
+
+  std::list<Kept> recent_;  // latest first
+  std::unordered_map<std::uint32_t, std::list<Kept>::iterator> position_;
+  std::unordered_map<std::uint32_t, ShapeModel> models_;
+};
+
+}  // namespace tessera::master

@@ -1,0 +1,119 @@
+// Every benchmark runs, in its small version, and its JSON has what is promised.
+#include "bench/benchmarks.h"
+
+#include <gtest/gtest.h>
+
+#include "bench/formula_library.h"
+#include "core/error.h"
+
+namespace tessera::bench {
+namespace {
+
+const Setting kQuick{.quick = true, .devices = "all"};
+
+const std::string& library() {
+  static const test::FormulaLibrary made(12);
+  return made.path();
+}
+
+void expect_keys(const Json& json, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) EXPECT_TRUE(json.contains(key)) << key << " in\n" << json.dump(2);
+}
+
+void expect_head(const Report& report, const std::string& name) {
+  EXPECT_EQ(report.json.at("benchmark"), name);
+  EXPECT_EQ(report.json.at("quick"), true);
+  EXPECT_FALSE(report.json.at("devices").empty());
+  EXPECT_FALSE(report.text.empty());
+}
+
+TEST(Benchmarks, Pairs) {
+  const Report report = bench_pairs(kQuick);
+  expect_head(report, "pairs");
+  expect_keys(report.json, {"cores", "pairs", "elements_per_pair", "operations_per_pair", "bytes_per_pair"});
+  for (const char* rate : {"device_pairs_per_s", "device_pairs_per_core_s", "plain_pairs_per_s",
+                           "limit_float_pairs_per_s", "limit_byte_pairs_per_s", "limit_memory_pairs_per_s"}) {
+    EXPECT_GT(report.json.at(rate).get<double>(), 0) << rate;
+  }
+}
+
+TEST(Benchmarks, Headline) {
+  const Report report = bench_headline(kQuick);
+  expect_head(report, "headline");
+  expect_keys(report.json, {"pair_tests", "runs", "prune_s", "dock_s", "dockings_evaluated", "dockings_refined"});
+  EXPECT_GT(report.json.at("median_s").get<double>(), 0);
+  EXPECT_EQ(report.json.at("positions").get<int>(),
+            report.json.at("target_samples").get<int>() * report.json.at("shape_points").get<int>());
+  EXPECT_EQ(report.json.at("paper_s"), 0.064);
+}
+
+TEST(Benchmarks, Table2) {
+  const Report report = bench_table2(kQuick, {library(), {"19", "18"}});
+  expect_head(report, "table2");
+  const Json& rows = report.json.at("rows");
+  ASSERT_EQ(rows.size(), 2u);
+  for (const Json& row : rows) {
+    for (const char* whose : {"ours", "paper"}) {
+      expect_keys(row.at(whose),
+                  {"candidates", "pads_per_shape", "iterations", "docking_choices", "pruned_percent", "total_s",
+                   "prune_share_percent", "dock_share_percent", "objective_share_percent", "merge_share_percent"});
+    }
+    EXPECT_EQ(row.at("ours").at("stopped_by"), "pieces");
+    EXPECT_EQ(row.at("ours").at("iterations"), row.at("paper").at("iterations"));
+  }
+  EXPECT_EQ(rows[0].at("figure"), "18") << "in the paper's order";
+  EXPECT_NE(report.text.find("Fig. 18: the library has 12 shapes of 18."), std::string::npos) << report.text;
+  EXPECT_EQ(report.text.find("Fig. 19: the library"), std::string::npos);
+}
+
+TEST(Benchmarks, Table2RefusesUnknownRows) {
+  try {
+    bench_table2(kQuick, {library(), {"19", "20"}});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "--rows: found \"20\"; allowed: 1, 13a, 13b, 13c, 21, 16, 17, 18, 19, 22");
+  }
+}
+
+TEST(Benchmarks, Alternatives) {
+  const Report report = bench_alternatives(kQuick, {.library = library(), .scale_px = {20, 80}});
+  expect_head(report, "alternatives");
+  const Json& engines = report.json.at("engines");
+  ASSERT_EQ(engines.size(), 6u);
+  for (const Json& engine : engines) {
+    expect_keys(engine, {"engine", "coverage_percent", "overlap_percent", "outside_percent", "shared_boundary_percent",
+                         "pieces", "total_s"});
+    EXPECT_GT(engine.at("pieces").get<int>(), 0) << engine.dump(2);
+  }
+  EXPECT_GT(engines[0].at("coverage_percent").get<double>(), engines[5].at("coverage_percent").get<double>())
+      << "random filling is no match";
+}
+
+TEST(Benchmarks, AlternativesChecksItsArguments) {
+  EXPECT_THROW(bench_alternatives(kQuick, {.library = library(), .scale_px = {80, 20}}), InputError);
+  EXPECT_THROW(bench_alternatives(kQuick, {.library = library(), .size_px = 3}), InputError);
+}
+
+TEST(Benchmarks, Library) {
+  const Report report = bench_library(kQuick, {.library = library()});
+  expect_head(report, "library");
+  const Json& sizes = report.json.at("sizes");
+  ASSERT_EQ(sizes.size(), 2u);
+  EXPECT_EQ(sizes[1].at("shapes"), 30) << "more than the file has";
+  for (const Json& size : sizes) {
+    expect_keys(size, {"prune_s", "dock_s", "master_s", "making_s", "target_samples"});
+    EXPECT_EQ(size.at("pieces"), 3);
+    EXPECT_GT(size.at("s_per_piece").get<double>(), 0);
+    EXPECT_GT(size.at("peak_memory_bytes").get<double>(), 1e6);
+  }
+  EXPECT_EQ(sizes[0].at("device_bytes").get<double>() * 3, sizes[1].at("device_bytes").get<double>());
+}
+
+TEST(Benchmarks, LibraryChecksItsSizes) {
+  EXPECT_THROW(bench_library({}, {.library = library(), .sizes = {100, 0}}), InputError);
+}
+
+TEST(Benchmarks, NameTheLibraryThatIsMissing) { EXPECT_THROW(bench_table2(kQuick, {"none.h5", {}}), InputError); }
+
+}  // namespace
+}  // namespace tessera::bench

@@ -1,0 +1,64 @@
+// The paper's rule, as a matcher.
+#include "bench/paper_matcher.h"
+
+#include <gtest/gtest.h>
+
+#include "core/objective.h"
+#include "support/matcher_round.h"
+
+namespace tessera::bench {
+namespace {
+
+test::MatchingScene paper_scene() { return test::make_scene(paper_settings(test::scene_settings())); }
+
+TEST(PaperMatcher, DocksPairsBelowTheLimitAndLeavesThemAsTheyAre) {
+  const test::MatchingScene scene = paper_scene();
+  PaperMatcher matcher(scene.settings, scene.context, scene.models);
+  test::set_field(matcher, scene.field);
+  const test::Round round = test::run_round(matcher, scene);
+  EXPECT_GT(round.docked.evaluated, 0u);
+  ASSERT_EQ(round.refined.size(), round.docked.dockings.size());
+  ASSERT_FALSE(round.refined.empty());
+  for (std::size_t i = 0; i < round.refined.size(); ++i) {
+    EXPECT_EQ(round.refined[i].docking, round.docked.dockings[i]);
+    EXPECT_TRUE(round.refined[i].feasible);
+    const float scale = round.refined[i].docking.canvas_from_shape.scale();
+    EXPECT_GE(scale, scene.context.min_scale_px);
+    EXPECT_LE(scale, scene.context.max_scale_px);
+  }
+}
+
+TEST(PaperMatcher, CountsEveryPairBelowBeta) {
+  const test::MatchingScene scene = paper_scene();
+  PaperMatcher matcher(scene.settings, scene.context, scene.models);
+  matcher.post_count(scene.samples);
+  const std::vector<DistanceHistogram> histograms = matcher.take_count();
+  ASSERT_EQ(histograms.size(), scene.samples.size());
+  std::uint64_t expected = 0;
+  const Pad target = make_pad(scene.samples[0].pyramid, scene.context.pad.levels);
+  for (const ShapeModel& model : scene.models) {
+    for (const ModelLevel& level : model.levels) {
+      for (const Pad& pad : level.pads) {
+        expected += pad_distance(target, pad, scene.context.pad.levels) < scene.context.beta;
+      }
+    }
+  }
+  std::uint64_t found = 0;
+  for (const std::uint32_t pairs : histograms[0]) found += pairs;
+  EXPECT_EQ(found, expected);
+}
+
+TEST(PaperMatcher, RanksByTheObjective) {
+  const test::MatchingScene scene = paper_scene();
+  PaperMatcher matcher(scene.settings, scene.context, scene.models);
+  test::set_field(matcher, scene.field);
+  for (const RefinedDocking& found : test::run_round(matcher, scene).refined) {
+    const float scale = found.docking.canvas_from_shape.scale();
+    const float perimeter_px = scene.models[found.docking.shape].perimeter * scale;
+    EXPECT_EQ(found.docking.key,
+              objective(found.terms, {scale, perimeter_px, scene.context.max_scale_px}, scene.settings.objective));
+  }
+}
+
+}  // namespace
+}  // namespace tessera::bench
