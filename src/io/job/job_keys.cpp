@@ -4,6 +4,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/objective.h"
+
 namespace tessera::io {
 namespace {
 
@@ -43,7 +45,7 @@ JobKey with_text(JobKey key, Field field) {
 }
 
 JobKey with_objective_kind(JobKey key) {
-  key.words = {"scale_aware", "paper"};  // in the order of enum class Objective
+  for (const ObjectiveKind& kind : objective_kinds()) key.words.push_back(kind.name);
   key.get = [words = key.words](const Job& job) {
     return JobValue{{}, words[std::size_t(job.settings.objective.kind)]};
   };
