@@ -86,7 +86,7 @@ TEST(SvgOutput, IdsAreUnique) {
     const std::string id = svg.substr(begin, svg.find('"', begin) - begin);
     EXPECT_TRUE(ids.insert(id).second) << id;
   }
-  EXPECT_EQ(ids.size(), 4u);
+  EXPECT_EQ(ids.size(), 6u);  // two artworks, an id of each, two clips
 }
 
 TEST(SvgOutput, ReadsTheOriginalFromItsPlace) {
@@ -97,6 +97,22 @@ TEST(SvgOutput, ReadsTheOriginalFromItsPlace) {
   const std::string embedded = collage_svg(sample.report, false);
   artwork.original.clear();
   EXPECT_EQ(collage_svg(sample.report, false), embedded);
+}
+
+TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
+  SampleCollage sample;
+  cv::Mat page(200, 300, CV_8UC4, cv::Scalar::all(0));
+  page(cv::Rect(2, 2, 296, 196)) = cv::Scalar(0, 0, 255, 255);  // the disc with all that is around it
+  const test::Bytes png = test::encoded(page, ".png");
+  test::embed_artwork(sample.report.shapes[0], std::string(png.begin(), png.end()), 300, 200, 106);
+  sample.report.placements = {sample.report.placements[1]};
+  sample.report.placements[0].shape = sample.report.shape_index[0];
+  for (const cv::Mat& picture : {draw_collage(sample.report, false), drawn(collage_svg(sample.report, false), 400)}) {
+    EXPECT_GT(picture.at<cv::Vec3b>(100, 280)[2], 200) << "inside";
+    EXPECT_LT(picture.at<cv::Vec3b>(100, 280)[0], 50) << "inside";
+    const int outside = 280 + int(2 * 60 * (0.5642 + 0.06));  // a disc of area 1 has this radius
+    EXPECT_GT(picture.at<cv::Vec3b>(100, outside)[0], 150) << "outside: the background";
+  }
 }
 
 TEST(SvgOutput, BitmapsAndLostOriginalsAreEmbeddedAsPictures) {

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/rasterise.h"
 #include "io/artwork/alpha.h"
+#include "io/result/artwork_clip.h"
 #include "io/result/artwork_original.h"
 #include "io/artwork/artwork_render.h"
 
@@ -15,9 +16,18 @@ namespace {
 
 int longest_side(const Artwork& artwork) { return std::max(1, std::max(artwork.width_px, artwork.height_px)); }
 
-Sprite sprite_of(const cv::Mat& straight_bgra, const Artwork& artwork) {
+/// Nothing of it beyond the shape's clip.
+Sprite clipped_sprite(const cv::Mat& straight_bgra, const Shape& shape) {
   const int side = std::max(straight_bgra.cols, straight_bgra.rows);
-  return {premultiplied(straight_bgra), double(side) / longest_side(artwork)};
+  const double scale = double(side) / longest_side(shape.artwork);
+  const Similarity sprite_from_shape = scaled(artwork_from_shape(shape.artwork), float(scale));
+  const cv::Mat whole = premultiplied(straight_bgra);
+  cv::Mat bgra(whole.size(), CV_8UC4, cv::Scalar());
+  for (const Span& span : fill_spans(artwork_clip(shape), sprite_from_shape, {0, 0, bgra.cols, bgra.rows})) {
+    const cv::Vec4b* row = whole.ptr<cv::Vec4b>(span.y);
+    std::copy(row + span.x0, row + span.x1, bgra.ptr<cv::Vec4b>(span.y) + span.x0);
+  }
+  return {bgra, scale};
 }
 
 cv::Mat rendered_original(const Artwork& artwork, int longest_side_px) {
@@ -55,7 +65,7 @@ Sprite make_sprite(const Shape& shape, int longest_side_px, SpriteSource source)
   cv::Mat image;
   if (source == SpriteSource::original) image = rendered_original(shape.artwork, longest_side_px);
   if (image.empty()) image = decoded_thumbnail(shape.artwork);
-  return image.empty() ? filled_outline(shape, longest_side_px) : sprite_of(image, shape.artwork);
+  return image.empty() ? filled_outline(shape, longest_side_px) : clipped_sprite(image, shape);
 }
 
 Sprite shrunk(const Sprite& sprite, double px_per_artwork_px) {

@@ -16,7 +16,7 @@ struct Sprite {
 enum class SpriteSource { original, thumbnail };
 
 /// The artwork with its longest side `longest_side_px` long or less. The original where it can be had and drawn; else the
-/// thumbnail; else the outline filled with the shape's mean colour.
+/// thumbnail; else the outline filled with the shape's mean colour. Clipped (artwork_clip.h).
 Sprite make_sprite(const Shape& shape, int longest_side_px, SpriteSource source);
 
 /// Smaller by area averaging; never larger.

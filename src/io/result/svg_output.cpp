@@ -9,6 +9,7 @@
 #include "core/contour.h"
 #include "core/error.h"
 #include "core/rasterise.h"
+#include "io/result/artwork_clip.h"
 #include "io/result/artwork_original.h"
 #include "io/artwork/artwork_page.h"
 #include "io/artwork/artwork_render.h"
@@ -31,6 +32,7 @@ struct Symbol {
 };
 
 std::string symbol_id(std::size_t slot) { return "a" + std::to_string(slot); }
+std::string clip_id(std::size_t slot) { return "c" + std::to_string(slot); }
 
 int longest_side(const Artwork& artwork) { return std::max(artwork.width_px, artwork.height_px); }
 
@@ -151,10 +153,20 @@ std::string matrix_text(const Placement& placement, const Artwork& artwork, doub
   return text;
 }
 
+/// In the units of the shape's symbol.
+void write_clip(const Shape& shape, const Symbol& symbol, std::size_t slot, XmlWriter& svg) {
+  const Similarity symbol_from_shape = scaled(artwork_from_shape(shape.artwork), float(1 / symbol.artwork_px_per_unit));
+  svg.raw("\n").start("clipPath").attribute("id", clip_id(slot));
+  svg.start("path").attribute("clip-rule", "evenodd");
+  svg.attribute("d", path_data(artwork_clip(shape).curves, symbol_from_shape)).end();
+  svg.end();
+}
+
 void write_pieces(const CollageReport& report, const std::vector<Symbol>& symbols, XmlWriter& svg) {
   for (const Placement& placement : report.placements) {
     const std::size_t slot = report.slot_of(placement.shape);
     svg.raw("\n").start("use").attribute("xlink:href", "#" + symbol_id(slot));
+    svg.attribute("clip-path", "url(#" + clip_id(slot) + ")");
     svg.attribute("transform",
                   matrix_text(placement, report.shapes[slot].artwork, symbols[slot].artwork_px_per_unit));
     svg.end();
@@ -175,6 +187,7 @@ std::string collage_svg(const CollageReport& report, bool quick) {
   svg.attribute("viewBox", "0 0 " + size);
   svg.raw("\n").start("defs");
   for (const Symbol& symbol : symbols) svg.raw("\n").raw(symbol.xml);
+  for (std::size_t slot = 0; slot < symbols.size(); ++slot) write_clip(report.shapes[slot], symbols[slot], slot, svg);
   svg.end().raw("\n");
   write_canvas(report, svg);
   write_pieces(report, symbols, svg);

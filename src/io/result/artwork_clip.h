@@ -1,0 +1,12 @@
+// What of an artwork is drawn: its silhouette and a narrow rim. A soft shadow or a speck beside it would paint over the
+// neighbours, or outside the canvas.
+#pragma once
+
+#include "core/shape.h"
+
+namespace tessera::io {
+
+/// The shape's outline, wider by a fiftieth of its size; shape frame, for even-odd filling.
+Outline artwork_clip(const Shape& shape);
+
+}  // namespace tessera::io
