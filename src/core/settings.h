@@ -33,7 +33,7 @@ struct ObjectiveSettings {
   float gap_weight = 1;
   float length_exponent = 0.5f;
   float scale_exponent = 0.7f;
-  float repetition_exponent = 0.2f;   // score times (1 + uses)^-exponent
+  float repetition_exponent = 0.3f;   // score times (1 + uses)^-exponent
   float near_twin_factor = 0.7f;      // score times this for each near copy
 };
 
