@@ -69,12 +69,9 @@ void keep_local_minima(BestPairs* best, float* distance, uint count, uint first_
     const float16 d = vload16(0, distance + j);
     const int16 near = d < farthest_kept(best, beta);
     const int16 minimum = near & (d <= vload16(0, distance + j - 1)) & (d < vload16(0, distance + j + 1));
-    if (!any_lane(minimum)) continue;
-    int is_minimum[kLanes];
-    vstore16(minimum, 0, is_minimum);
-    for (uint k = 0; k < kLanes; ++k) {
-      if (!is_minimum[k] || distance[j + k] >= farthest_kept(best, beta)) continue;
-      keep_pair(best, distance[j + k], first_source + j + k);
+    for (uint left = lane_bits(minimum); left != 0; left &= left - 1) {
+      const uint k = 31 - clz(left & -left);
+      if (distance[j + k] < farthest_kept(best, beta)) keep_pair(best, distance[j + k], first_source + j + k);
     }
   }
 }
