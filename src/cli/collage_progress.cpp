@@ -45,6 +45,11 @@ double expected_time_share(const master::Progress& progress, const StopSettings&
 
 std::string progress_note(const master::Progress& progress) {
   char text[100];
+  if (progress.trials > 0) {
+    std::snprintf(text, sizeof text, "%zu pieces, %.1f %% covered, improving: trial %llu", progress.pieces,
+                  100 * progress.coverage, static_cast<unsigned long long>(progress.trials));
+    return text;
+  }
   const double rate = progress.seconds > 0 ? double(progress.pieces) / progress.seconds : 0;
   std::snprintf(text, sizeof text, "%zu pieces, %.1f %% covered, %.1f pieces/s", progress.pieces,
                 100 * progress.coverage, rate);

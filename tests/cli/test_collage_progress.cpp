@@ -11,6 +11,8 @@ namespace tessera::cli {
 namespace {
 
 TEST(CollageProgress, note_has_pieces_coverage_and_rate) {
+  EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.93, .seconds = 10, .open_samples = 0, .trials = 7}),
+            "120 pieces, 93.0 % covered, improving: trial 7");
   EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.4567, .seconds = 10, .open_samples = 0}),
             "120 pieces, 45.7 % covered, 12.0 pieces/s");
   EXPECT_EQ(progress_note({}), "0 pieces, 0.0 % covered, 0.0 pieces/s");
