@@ -36,7 +36,7 @@ struct Scene {
   std::unique_ptr<Matcher> matcher(bool devices) const {
     std::unique_ptr<Matcher> made;
     if (devices) {
-      made = worker::make_device_matcher("all", context, 0, models);
+      made = worker::make_device_matcher("all", context, all_of(models), given(models));
     } else {
       made = std::make_unique<ReferenceMatcher>(context, 0, models);
     }

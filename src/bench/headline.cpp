@@ -128,7 +128,7 @@ struct Measured {
 };
 
 Measured measure(const HeadlineScene& scene, const std::string& devices_use, int runs) {
-  const auto matcher = worker::make_device_matcher(devices_use, scene.context, 0, scene.models);
+  const auto matcher = worker::make_device_matcher(devices_use, scene.context, all_of(scene.models), given(scene.models));
   const Grid<float>& field = scene.field.value;
   matcher->start_field(field.width(), field.height(), scene.field.origin);
   matcher->update_field(read_patch(field, field.bounds()));

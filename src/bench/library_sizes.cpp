@@ -5,7 +5,6 @@
 #include "bench/library_matcher.h"
 #include "bench/process_memory.h"
 #include "bench/varied_shapes.h"
-#include "core/composite_matcher.h"
 #include "core/error.h"
 #include "io/number_text.h"
 #include "master/collage_loop.h"
@@ -16,7 +15,6 @@ namespace tessera::bench {
 namespace {
 
 constexpr std::uint32_t kMostShapes = 1'000'000;
-constexpr std::uint32_t kShapesInAPart = 16384;  // their models, 1 GB, are dropped once the device has them
 
 struct Grown {
   RunStatistics statistics;
@@ -25,18 +23,11 @@ struct Grown {
   std::uint64_t device_bytes = 0;
 };
 
-std::unique_ptr<Matcher> part_by_part(const VariedShapes& shapes, std::uint32_t count, const MatchingContext& context,
-                                      const std::string& devices_use) {
-  std::vector<std::unique_ptr<Matcher>> parts;
-  for (std::uint32_t begin = 0; begin < count; begin += kShapesInAPart) {
-    const ShapeRange range{begin, std::min(count, begin + kShapesInAPart)};
-    parts.push_back(worker::make_device_matcher(devices_use, context, begin, shapes.models(range, context)));
-  }
-  return std::make_unique<CompositeMatcher>(std::move(parts));
-}
-
-std::uint64_t shard_bytes(const VariedShapes& shapes, std::uint32_t count, const MatchingContext& context) {
-  return worker::make_shard(context, 0, shapes.models({0, 1}, context)).bytes() * count;
+/// On the device; every shape needs as much.
+std::uint64_t shape_bytes(const VariedShapes& shapes, const MatchingContext& context) {
+  const ShapeRange one{0, 1};
+  return worker::make_shard(worker::make_match_record(context, one), context.pad.levels, shapes.models(one, context))
+      .bytes();
 }
 
 Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas& canvas,
@@ -44,13 +35,14 @@ Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas
   reset_peak_memory();
   VariedShapes shapes(library);
   const MatchingContext context = make_matching_context(settings, count);
-  const auto matcher = part_by_part(shapes, count, context, devices_use);
+  const auto matcher = worker::make_device_matcher(
+      devices_use, context, {0, count}, [&](const ShapeRange& range) { return shapes.models(range, context); });
   master::SilentObserver silent;
   Grown grown;
   grown.statistics = master::make_collage(canvas, settings, *matcher, shapes, silent).statistics;
   grown.making_s = shapes.making_s();
   grown.peak_bytes = peak_memory_bytes();
-  grown.device_bytes = shard_bytes(shapes, count, context);
+  grown.device_bytes = shape_bytes(shapes, context) * count;
   return grown;
 }
 

@@ -56,7 +56,7 @@ PairScene make_scene(std::size_t shapes, std::size_t samples, int size_px) {
 
 /// In another order each time: a device does not count twice for the same samples.
 double device_s(const PairScene& scene, const std::string& devices_use, int runs) {
-  const auto matcher = worker::make_device_matcher(devices_use, scene.context, 0, scene.models);
+  const auto matcher = worker::make_device_matcher(devices_use, scene.context, all_of(scene.models), given(scene.models));
   matcher->start_field(scene.field.value.width(), scene.field.value.height(), scene.field.origin);
   matcher->update_field(read_patch(scene.field.value, scene.field.value.bounds()));
   CountRequest request{scene.samples, std::vector<std::uint32_t>(scene.samples.size(), PairReach().bins)};

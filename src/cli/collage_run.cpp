@@ -47,20 +47,16 @@ void share_cores(const comm::Communicator& ranks) {
   const io::LibraryFile library(job.library);
   const ShapeRange part = library_part(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
-  std::vector<ShapeModel> models = read_models(library, part, context);
   share_cores(ranks);
-  std::unique_ptr<Matcher> matcher;
-  comm::first_worker_of_node_first(ranks, [&] {
-    matcher = worker::make_device_matcher(job.devices, context, part.begin, std::move(models));
-  });
-  comm::serve(ranks, *matcher);
+  comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
+  comm::serve(ranks, *worker::make_device_matcher(job.devices, context, part, io::models_of(library, context)));
 }
 
 /// The whole library on this rank's devices.
 std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library) {
   const MatchingContext context = context_of(job, library);
   const ShapeRange all = library_part(library.size(), 0, 1);
-  return worker::make_device_matcher(job.devices, context, 0, read_models(library, all, context));
+  return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context));
 }
 
 /// Of the shapes that were placed, all that the files need.

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/matcher.h"
+#include "core/matching_context.h"
+#include "core/model_source.h"
 
 namespace tessera::worker {
 
@@ -14,10 +15,13 @@ namespace tessera::worker {
 /// (POCL_MAX_PTHREAD_COUNT). Only before the first call of OpenCL.
 void limit_cpu_threads(int threads);
 
-/// `models[i]` is library shape first_shape + i. They are divided among the devices by their samples; with fewer shapes
-/// than devices the first devices are used. `devices_use`: job key devices.use. Throws InputError or EnvironmentError
+/// Every shape has as many samples, so that the devices get as many shapes, give or take one; with fewer shapes than
+/// devices the first devices are used. `devices_use`: job key devices.use. Throws InputError or EnvironmentError
 /// where the devices are not there (opencl_devices.h) or fail.
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
-                                             std::uint32_t first_shape, std::vector<ShapeModel> models);
+                                             const ShapeRange& shapes, const ModelSource& models);
+
+/// Compiles the kernels for the job's devices where they are not in the cache on disk.
+void compile_kernels(const std::string& devices_use, const MatchingContext& context);
 
 }  // namespace tessera::worker

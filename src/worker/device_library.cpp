@@ -1,23 +1,68 @@
 #include "worker/device_library.h"
 
+#include <algorithm>
 #include <array>
 
 #include "worker/kernel_options.h"
 
 namespace tessera::worker {
 
-DeviceLibrary::DeviceLibrary(const cl::Device& device, int pad_levels, const Shard& shard)
-    : pad_levels_(pad_levels),
-      session_(device, kernel_source, kernel_options(device, pad_levels)),
-      match_(shard.match),
-      match_buffer_(session_, {shard.match}),
-      pad_bytes_(session_, shard.pad_bytes),
-      pads_(session_, shard.pads),
-      pad_records_(session_, shard.pad_records),
-      keypoints_(session_, shard.keypoints),
-      contours_(session_, shard.contours),
-      shapes_(session_, shard.shapes),
-      field_(session_) {}
+namespace {
+
+constexpr std::uint32_t kShapesAtATime = 512;  // on their way to the device: 40 MB
+
+/// `shapes` of them have as much each.
+template <class T>
+void upload(DeviceBuffer<T>& buffer, const std::vector<T>& part, std::size_t part_shapes, std::size_t first,
+            std::size_t shapes) {
+  const std::size_t of_a_shape = part.size() / part_shapes;
+  if (first == 0) buffer.reserve(shapes * of_a_shape);
+  buffer.write_at(first * of_a_shape, part);
+}
+
+}  // namespace
+
+DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
+                             const ModelSource& models)
+    : pad_levels_(context.pad.levels),
+      session_(device, kernel_source, kernel_options(device, context.pad.levels)),
+      match_(make_match_record(context, shapes)),
+      match_buffer_(session_, {match_}),
+      pad_bytes_(session_),
+      pads_(session_),
+      pad_records_(session_),
+      keypoints_(session_),
+      contours_(session_),
+      shapes_(session_),
+      field_(session_) {
+  if (match_.shapes == 0) reserve_nothing();
+  for (std::uint32_t first = shapes.begin; first < shapes.end; first += kShapesAtATime) {
+    const ShapeRange part{first, std::min(shapes.end, first + kShapesAtATime)};
+    upload(make_shard(match_, pad_levels_, models(part)), first - shapes.begin);
+  }
+}
+
+/// Kernels want buffers for arguments even where there is nothing for them to do.
+void DeviceLibrary::reserve_nothing() {
+  pad_bytes_.reserve(0);
+  pads_.reserve(0);
+  pad_records_.reserve(0);
+  keypoints_.reserve(0);
+  contours_.reserve(0);
+  shapes_.reserve(0);
+}
+
+void DeviceLibrary::upload(const Shard& part, std::uint32_t first) {
+  const auto all_of = [&](auto& buffer, const auto& content) {
+    worker::upload(buffer, content, part.shapes.size(), first, match_.shapes);
+  };
+  all_of(pad_bytes_, part.pad_bytes);
+  all_of(pads_, part.pads);
+  all_of(pad_records_, part.pad_records);
+  all_of(keypoints_, part.keypoints);
+  all_of(contours_, part.contours);
+  all_of(shapes_, part.shapes);
+}
 
 void DeviceLibrary::start_field(int width, int height, Vec2 origin) {
   match_.field_width = width;

@@ -1,7 +1,8 @@
 // What stays on a device from request to request: the shard and the free field.
 #pragma once
 
-#include "core/matcher.h"
+#include "core/matching_context.h"
+#include "core/model_source.h"
 #include "worker/opencl_runtime.h"
 #include "worker/shard.h"
 
@@ -9,7 +10,8 @@ namespace tessera::worker {
 
 class DeviceLibrary {
  public:
-  DeviceLibrary(const cl::Device& device, int pad_levels, const Shard& shard);
+  DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
+                const ModelSource& models);
 
   void start_field(int width, int height, Vec2 origin);
   void update_field(const FieldPatch& patch);
@@ -27,6 +29,9 @@ class DeviceLibrary {
   const DeviceBuffer<float>& field() const { return field_; }
 
  private:
+  void reserve_nothing();
+  void upload(const Shard& part, std::uint32_t first);
+
   int pad_levels_;
   DeviceSession session_;
   MatchRecord match_;

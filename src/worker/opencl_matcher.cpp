@@ -2,9 +2,9 @@
 
 namespace tessera::worker {
 
-OpenCLMatcher::OpenCLMatcher(const cl::Device& device, const MatchingContext& context, std::uint32_t first_shape,
-                             const std::vector<ShapeModel>& models, std::size_t stage_bytes)
-    : library_(device, context.pad.levels, make_shard(context, first_shape, models)),
+OpenCLMatcher::OpenCLMatcher(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
+                             const ModelSource& models, std::size_t stage_bytes)
+    : library_(device, context, shapes, models),
       pairs_(library_, stage_bytes),
       docking_(library_, pairs_),
       refinement_(library_) {}

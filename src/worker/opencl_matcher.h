@@ -12,9 +12,9 @@ inline constexpr std::size_t kStageBytes = std::size_t(64) << 20;
 
 class OpenCLMatcher : public Matcher {
  public:
-  /// `models[i]` is library shape first_shape + i; none is needed. Throws EnvironmentError where the device fails.
-  OpenCLMatcher(const cl::Device& device, const MatchingContext& context, std::uint32_t first_shape,
-                const std::vector<ShapeModel>& models, std::size_t stage_bytes = kStageBytes);
+  /// `shapes` may be empty. Throws EnvironmentError where the device fails.
+  OpenCLMatcher(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
+                const ModelSource& models, std::size_t stage_bytes = kStageBytes);
   OpenCLMatcher(const OpenCLMatcher&) = delete;  // the stages point to the library
   OpenCLMatcher& operator=(const OpenCLMatcher&) = delete;
 

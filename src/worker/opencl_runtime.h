@@ -65,9 +65,15 @@ class DeviceBuffer {
   /// The first content.size() elements. Returns when `content` may change again.
   void write(const std::vector<T>& content) {
     reserve(content.size());
+    write_at(0, content);
+  }
+
+  /// Elements from `first` on, which there must be room for. Returns when `content` may change again.
+  void write_at(std::size_t first, const std::vector<T>& content) {
     if (content.empty()) return;
     checked(session_->name(), [&] {
-      session_->queue().enqueueWriteBuffer(buffer_, CL_TRUE, 0, content.size() * sizeof(T), content.data());
+      session_->queue().enqueueWriteBuffer(buffer_, CL_TRUE, first * sizeof(T), content.size() * sizeof(T),
+                                           content.data());
     });
   }
 

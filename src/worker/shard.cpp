@@ -17,31 +17,6 @@ static_assert(std::all_of(kSmoothingLevels.begin(), kSmoothingLevels.end(),
 static_assert(std::tuple_size_v<decltype(Pad::element)> == kMaxPadElements);
 static_assert(std::tuple_size_v<Keypoints> == kMaxKeypoints);
 
-MatchRecord make_match_record(const MatchingContext& c, std::uint32_t first_shape, std::size_t shapes) {
-  MatchRecord m{};
-  m.seed = c.seed;
-  m.beta_steps = c.beta_steps;
-  m.delta_px = c.delta_px;
-  m.hard_depth_px = c.hard_depth_px;
-  m.min_scale_px = c.min_scale_px;
-  m.max_scale_px = c.max_scale_px;
-  m.gap_px = c.gap_px;
-  m.log2_scale_ratio = c.log2_scale_ratio;
-  m.rotation_middle_x = c.rotation_middle.x;
-  m.rotation_middle_y = c.rotation_middle.y;
-  m.rotation_min_cosine = c.rotation_min_cosine;
-  m.library_shapes = c.library_shapes;
-  m.first_shape = first_shape;
-  m.shapes = u32(shapes);
-  m.level_count = u32(c.levels.size());
-  for (std::size_t k = 0; k < c.levels.size(); ++k) {
-    const u32 count = u32(kSmoothingLevels[c.levels[k]].samples);
-    m.level[k] = {m.sources, count, c.level_range[k].low, c.level_range[k].high};
-    m.sources += count;
-  }
-  return m;
-}
-
 void check_levels(const MatchRecord& match, const ShapeModel& model) {
   bool fits = model.levels.size() == match.level_count && model.interior.size() <= kMaxInteriorPoints;
   for (std::size_t k = 0; fits && k < model.levels.size(); ++k) {
@@ -99,18 +74,41 @@ void append_contour(std::vector<float>& contours, const ShapeModel& model) {
 
 }  // namespace
 
-Shard make_shard(const MatchingContext& context, std::uint32_t first_shape, const std::vector<ShapeModel>& models) {
+MatchRecord make_match_record(const MatchingContext& c, const ShapeRange& shapes) {
+  MatchRecord m{};
+  m.seed = c.seed;
+  m.beta_steps = c.beta_steps;
+  m.delta_px = c.delta_px;
+  m.hard_depth_px = c.hard_depth_px;
+  m.min_scale_px = c.min_scale_px;
+  m.max_scale_px = c.max_scale_px;
+  m.gap_px = c.gap_px;
+  m.log2_scale_ratio = c.log2_scale_ratio;
+  m.rotation_middle_x = c.rotation_middle.x;
+  m.rotation_middle_y = c.rotation_middle.y;
+  m.rotation_min_cosine = c.rotation_min_cosine;
+  m.library_shapes = c.library_shapes;
+  m.first_shape = shapes.begin;
+  m.shapes = shapes.end - shapes.begin;
+  m.level_count = u32(c.levels.size());
+  for (std::size_t k = 0; k < c.levels.size(); ++k) {
+    const u32 count = u32(kSmoothingLevels[c.levels[k]].samples);
+    m.level[k] = {m.sources, count, c.level_range[k].low, c.level_range[k].high};
+    m.sources += count;
+  }
+  return m;
+}
+
+Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<ShapeModel>& models) {
   Shard shard;
-  shard.match = make_match_record(context, first_shape, models.size());
-  const int pad_levels = context.pad.levels;
-  const std::size_t sources = models.size() * shard.match.sources;
+  const std::size_t sources = models.size() * match.sources;
   shard.pad_bytes.reserve(sources * 2 * pad_levels);
   shard.pads.reserve(sources * pad_row(pad_levels));
   shard.pad_records.reserve(sources);
   shard.keypoints.reserve(sources * 2 * (2 * pad_levels + 1));
   shard.contours.reserve(models.size() * kContourFloats);
   for (const ShapeModel& model : models) {
-    check_levels(shard.match, model);
+    check_levels(match, model);
     for (const ModelLevel& level : model.levels) {
       append_level(shard, level, pad_levels);
     }

@@ -1,10 +1,10 @@
-// A part of the library as the kernels read it: structure of arrays, in vectors of 16 (kernels/records.h).
+// Some shapes of the library as the kernels read them: structure of arrays, in vectors of 16 (kernels/records.h).
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "core/matcher.h"
 #include "core/matching_context.h"
 #include "core/shape_model.h"
 #include "records.h"
@@ -12,8 +12,6 @@
 namespace tessera::worker {
 
 struct Shard {
-  /// All but the field's place.
-  MatchRecord match;
   /// The filter (core/pad_filter.h), by shape and block of kFilterLanes sources: a row for each element of the PADs, then
   /// one for the lengths that estimate the scale, one for the signs.
   std::vector<std::uint8_t> pad_bytes;
@@ -37,8 +35,11 @@ struct Shard {
 /// Elements of a PAD on the device: a vector of 8 or of 16.
 constexpr int pad_row(int pad_levels) { return 2 * (pad_levels - 1) <= 8 ? 8 : 16; }
 
-/// `models[i]` is library shape first_shape + i; they have the context's levels, each with as many samples as
-/// kSmoothingLevels says (else std::logic_error).
-Shard make_shard(const MatchingContext& context, std::uint32_t first_shape, const std::vector<ShapeModel>& models);
+/// All but the field's place.
+MatchRecord make_match_record(const MatchingContext& context, const ShapeRange& shapes);
+
+/// Of models that have the levels of `match`, each with as many samples as kSmoothingLevels says (else
+/// std::logic_error).
+Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<ShapeModel>& models);
 
 }  // namespace tessera::worker

@@ -256,7 +256,7 @@ class RandomScenes : public testing::TestWithParam<std::uint32_t> {
  protected:
   RandomScenes()
       : scene(random_scene(GetParam())),
-        kernels(opencl_devices().front(), scene.context, 0, scene.models),
+        kernels(opencl_devices().front(), scene.context, all_of(scene.models), given(scene.models)),
         reference(scene.context, 0, scene.models) {
     test::set_field(kernels, scene.field);
     test::set_field(reference, scene.field);

@@ -12,20 +12,22 @@ namespace {
 
 std::unique_ptr<Matcher> make_on_all_devices(const MatchingContext& context, std::uint32_t first,
                                              std::vector<ShapeModel> models) {
-  return worker::make_device_matcher("all", context, first, std::move(models));
+  return worker::make_device_matcher("all", context, all_of(models, first), given(models, first));
 }
 
 /// One target sample after the other.
 std::unique_ptr<Matcher> make_in_small_parts(const MatchingContext& context, std::uint32_t first,
                                              std::vector<ShapeModel> models) {
-  return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, first, models, 1);
+  return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, all_of(models, first),
+                                                 given(models, first), 1);
 }
 
 /// Pairs of three samples, and dockings of one or two, at a time.
 std::unique_ptr<Matcher> make_in_uneven_parts(const MatchingContext& context, std::uint32_t first,
                                               std::vector<ShapeModel> models) {
   const std::size_t bytes = 3 * models.size() * (kPairsPerShape * sizeof(worker::PairRecord) + sizeof(std::uint32_t));
-  return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, first, models, bytes);
+  return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, all_of(models, first),
+                                                 given(models, first), bytes);
 }
 
 INSTANTIATE_TEST_SUITE_P(OpenCL, MatcherSuite,
@@ -50,9 +52,26 @@ TEST(DeviceGroup, ManagesWithFewerShapesThanDevices) {
   EXPECT_EQ(matcher->shapes().end, 6u);
 }
 
+/// More shapes than go to the device at a time.
+TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
+  MatchingScene scene = make_scene(scene_settings(), {10, 200, 3, 3});
+  const std::vector<ShapeModel> ten = scene.models;
+  for (int i = 10; i < 1100; ++i) {
+    scene.models.push_back(ten[std::size_t(i * 7 % 10)]);
+    scene.models.back().disc_radius *= 0.5f + 0.0004f * float(i);  // tells them apart
+  }
+  scene.context = make_matching_context(scene.settings, std::uint32_t(scene.models.size()));
+  const auto matcher = make_on_all_devices(scene.context, 0, scene.models);
+  ReferenceMatcher reference(scene.context, 0, scene.models);
+  set_field(*matcher, scene.field);
+  set_field(reference, scene.field);
+  expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
+}
+
 TEST(OpenCLMatcher, RefusesToRefineAnotherPartsShape) {
   const MatchingScene scene = make_scene(scene_settings(), {2, 150, 0, 2});
-  worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, 5, scene.models);
+  worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, all_of(scene.models, 5),
+                                given(scene.models, 5));
   Docking docking;
   for (const std::uint32_t shape : {4u, 7u}) {
     docking.shape = shape;
@@ -63,7 +82,8 @@ TEST(OpenCLMatcher, RefusesToRefineAnotherPartsShape) {
 TEST(OpenCLMatcher, RefusesModelsOfOtherLevels) {
   MatchingScene scene = make_scene(scene_settings(), {1, 150, 0, 2});
   scene.models.front().levels.pop_back();
-  EXPECT_THROW(worker::OpenCLMatcher(worker::opencl_devices().front(), scene.context, 0, scene.models),
+  EXPECT_THROW(worker::OpenCLMatcher(worker::opencl_devices().front(), scene.context, all_of(scene.models),
+                                     given(scene.models)),
                std::logic_error);
 }
 

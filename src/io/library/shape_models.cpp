@@ -29,4 +29,8 @@ std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange
   return models;
 }
 
+ModelSource models_of(const LibraryFile& library, const MatchingContext& context) {
+  return [&](const ShapeRange& range) { return read_models(library, range, context); };
+}
+
 }  // namespace tessera::io

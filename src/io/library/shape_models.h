@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/matcher.h"
+#include "core/model_source.h"
 #include "io/library/library_file.h"
 
 namespace tessera::io {
@@ -11,5 +11,8 @@ namespace tessera::io {
 /// The levels of the context. A few shapes at a time are read whole: the models need a twentieth of their memory.
 std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange& range,
                                     const MatchingContext& context);
+
+/// Reads when asked; library and context outlive it.
+ModelSource models_of(const LibraryFile& library, const MatchingContext& context);
 
 }  // namespace tessera::io
