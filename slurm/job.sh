@@ -1,0 +1,57 @@
+# shellcheck shell=bash
+# What the templates share; they source it. Nothing here is particular to a site.
+#
+#   TESSERA_ROOT          the repository, where the job is not submitted from it
+#   TESSERA               the program
+#   TESSERA_MAX_RESTARTS  how often a job may come back, node failures included (20)
+
+tessera_root=${TESSERA_ROOT:-$SLURM_SUBMIT_DIR}
+tessera=${TESSERA:-$tessera_root/build/release/src/cli/tessera}
+restarts=${SLURM_RESTART_COUNT:-0}
+most_restarts=${TESSERA_MAX_RESTARTS:-20}
+
+readonly checkpointed=75  # exit code of `tessera collage` that wrote a checkpoint and wants to go on
+
+# Runs a command and hands it the signals that Slurm sends to the batch shell. Its exit code goes to `status`.
+# USR2 comes before the time limit (--signal), TERM when the job is cancelled, preempted or requeued. mpirun takes TERM
+# and USR1 for itself and passes USR2 on to the ranks, so both become USR2; the program does not mind that it comes twice.
+run_forwarding() {
+  local again
+  terminated=no
+  "$@" &
+  program=$!
+  trap 'again=yes; kill -s USR2 "$program" 2>/dev/null || true' USR2
+  trap 'again=yes; terminated=yes; kill -s USR2 "$program" 2>/dev/null || true' TERM
+  again=yes
+  while [[ $again == yes ]]; do  # a trapped signal ends `wait` before the program ends
+    again=no
+    status=0
+    wait "$program" || status=$?
+  done
+  trap - USR2 TERM
+}
+
+# One collage over all ranks of the job, from its checkpoint where there is one. Returns only when it is done.
+mpirun_options=()  # a template may add to them
+run_collage() {  # JOB OUT_DIR [options of tessera collage...]
+  local job=$1 out=$2
+  shift 2
+  local resume=()
+  [[ ! -e $out/checkpoint.h5 ]] || resume=(--resume)
+  # --bind-to none: a rank's OpenCL device uses all the cores that the job was given.
+  run_forwarding mpirun --bind-to none "${mpirun_options[@]}" "$tessera_root/slurm/gpu_share.sh" \
+    "$tessera" collage "$job" --out "$out" "${resume[@]}" "$@"
+  [[ $status -eq 0 ]] || come_back_or_fail
+}
+
+# After a checkpoint the same job is queued again, with a bound. Whatever else ended the program is not worth repeating.
+come_back_or_fail() {
+  [[ $status -eq $checkpointed && $terminated == no ]] || exit "$status"
+  if ((restarts >= most_restarts)); then
+    echo "given up after $restarts restarts (TESSERA_MAX_RESTARTS); the checkpoint stays" >&2
+    exit 1
+  fi
+  echo "checkpoint written; queued again (restart $((restarts + 1)) of $most_restarts)"
+  scontrol requeue "$SLURM_JOB_ID"
+  exit 0
+}
