@@ -10,6 +10,12 @@ tessera=${TESSERA:-$tessera_root/build/release/src/cli/tessera}
 restarts=${SLURM_RESTART_COUNT:-0}
 most_restarts=${TESSERA_MAX_RESTARTS:-20}
 
+# Node failures restart a job too, without asking this script.
+if ((restarts > most_restarts)); then
+  echo "given up after $most_restarts restarts (TESSERA_MAX_RESTARTS)" >&2
+  exit 1
+fi
+
 readonly checkpointed=75  # exit code of `tessera collage` that wrote a checkpoint and wants to go on
 
 # Runs a command and hands it the signals that Slurm sends to the batch shell. Its exit code goes to `status`.
@@ -32,14 +38,13 @@ run_forwarding() {
 }
 
 # One collage over all ranks of the job, from its checkpoint where there is one. Returns only when it is done.
-mpirun_options=()  # a template may add to them
-run_collage() {  # JOB OUT_DIR [options of tessera collage...]
-  local job=$1 out=$2
-  shift 2
+run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
+  local ranks=$1 job=$2 out=$3
+  shift 3
   local resume=()
   [[ ! -e $out/checkpoint.h5 ]] || resume=(--resume)
   # --bind-to none: a rank's OpenCL device uses all the cores that the job was given.
-  run_forwarding mpirun --bind-to none "${mpirun_options[@]}" "$tessera_root/slurm/gpu_share.sh" \
+  run_forwarding mpirun -n "$ranks" --bind-to none "$tessera_root/slurm/gpu_share.sh" \
     "$tessera" collage "$job" --out "$out" "${resume[@]}" "$@"
   [[ $status -eq 0 ]] || come_back_or_fail
 }

@@ -48,6 +48,8 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   Command selected;
   add_library_command(app, selected);
   add_collage_command(app, selected);
+  add_campaign_command(app, selected);
+  add_rank_command(app, selected);
   add_bench_command(app, selected);
   try {
     app.parse(argc, argv);

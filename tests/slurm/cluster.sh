@@ -27,7 +27,8 @@ start_cluster() {  # SLURM_CONF; returns when all nodes are idle
   export TMPDIR=$lab/tmp  # Open MPI's sessions
   # It takes the loopback only when told to.
   export OMPI_MCA_oob_tcp_if_include=lo OMPI_MCA_btl_tcp_if_include=lo
-  touch "$lab/gpu0" "$lab/gpu1"
+  mknod "$lab/gpu0" c 1 3  # /dev/null under other names
+  mknod "$lab/gpu1" c 1 3
   start_munge
   slurmctld -f "$SLURM_CONF" -i
   local node

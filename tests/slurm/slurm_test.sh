@@ -68,13 +68,94 @@ expect_same_pieces() {  # FOLDER FOLDER
   cmp "$1/pieces.geojson" "$2/pieces.geojson" || fail "$2/pieces.geojson differs from $1's"
 }
 
-check_collage() {
-  "$program" collage small.toml --out alone --quiet
+check_prepare() {
   local job
+  job=$(submit prepare.sbatch --cpus-per-task=2 drawings own.h5)
+  expect_completed 30 "$job"
+  "$program" library info own.h5 | grep -q '^shapes *5$' || fail "the library has not 5 shapes"
+  ok "prepare: a library from a folder"
+}
+
+check_collage() {
+  local job
+  "$program" collage small.toml --out alone --quiet
   job=$(submit collage.sbatch --nodes=4 --ntasks=5 --ntasks-per-node=2 small.toml own.h5 four_nodes)
   expect_completed 60 "$job"
   expect_same_pieces alone four_nodes
   ok "collage on four nodes: the bytes of one process"
+}
+
+# Each node's GPUs are divided among its workers; the program sees them through the variable that drivers obey.
+check_gpu_shares() {
+  cat >show_gpus.sh <<'END'
+#!/bin/bash
+echo "$(hostname) rank $OMPI_COMM_WORLD_RANK gpus $CUDA_VISIBLE_DEVICES" >>gpus.txt
+END
+  chmod +x show_gpus.sh
+  local job
+  job=$(TESSERA=$PWD/show_gpus.sh submit collage.sbatch --nodes=2 --ntasks=5 --ntasks-per-node=3 --gres=gpu:2 \
+        small.toml own.h5 gpus)
+  expect_completed 30 "$job"
+  # Three ranks of the first node: the master and two workers with a GPU each; two workers of the second.
+  sort gpus.txt | sed 's/^n[1-4] //' >gpus.found
+  printf 'rank %s\n' '0 gpus 0,1' '1 gpus 0' '2 gpus 1' '3 gpus 0' '4 gpus 1' | diff - <(sort gpus.found) ||
+    fail "GPU shares"
+  [[ $(cut -d ' ' -f 1 gpus.txt | sort -u | wc -l) == 2 ]] || fail "GPU shares: not on two nodes"
+  ok "GPUs: a share for each worker of a node"
+}
+
+check_campaign() {
+  local printed
+  printed=$("$TESSERA_ROOT/slurm/campaign.sh" small.toml own.h5 campaign --seeds 1-3 --weight variety=0.2 -- --ntasks=2)
+  [[ $printed =~ array\ ([0-9]+),\ 3\ tasks.*job\ ([0-9]+) ]] || fail "campaign.sh printed: $printed"
+  local ranking=${BASH_REMATCH[2]}
+  expect_completed 60 "$ranking"
+  [[ $(wc -l <campaign/ranking.csv) == 4 ]] || fail "campaign: not three results in ranking.csv"
+  [[ -s campaign/ranking.png ]] || fail "campaign: no ranking.png"
+  expect_same_pieces alone campaign/seed_1
+  cp campaign/ranking.csv array.csv
+  # On one process: nothing is left to do, and the ranking is the same.
+  "$program" campaign small.toml --set 'library.file=own.h5' --seeds 1-3 --weight variety=0.2 --out campaign >campaign.log
+  [[ $(grep -c 'finished before' campaign.log) == 3 ]] || fail "campaign: results of the array were made again"
+  cmp array.csv campaign/ranking.csv || fail "campaign: another ranking"
+  ok "campaign: an array, then the ranking"
+}
+
+check_scaling() {
+  local job
+  job=$(submit scaling.sbatch --array=2,3 --ntasks=3 small.toml own.h5 scaling)
+  wait_until 60 "the end of job $job" array_over "$job"
+  [[ $(wc -l <scaling/scaling.csv) == 3 ]] || fail "scaling: not two lines: $(cat scaling/scaling.csv)"
+  grep -qE '^2,([0-9.]+,){6}[0-9a-f]{32}$' scaling/scaling.csv || fail "scaling: $(cat scaling/scaling.csv)"
+  expect_same_pieces alone scaling/ranks_2
+  expect_same_pieces alone scaling/ranks_3
+  ok "scaling: an array over numbers of ranks"
+}
+array_over() { [[ -z $(squeue -h -j "$1" 2>/dev/null) ]]; }
+
+# What the templates promise of checkpoints, with a program that writes them at once.
+start_requeue_bound() {
+  cat >always_checkpoints.sh <<'END'
+#!/bin/bash
+[[ $OMPI_COMM_WORLD_RANK == 0 ]] || exit 0
+while [[ $1 != --out ]]; do shift; done
+mkdir -p "$2"
+touch "$2/checkpoint.h5"
+echo "run $*" >>"$2/runs.txt"
+exit 75
+END
+  chmod +x always_checkpoints.sh
+  bounded_job=$(TESSERA=$PWD/always_checkpoints.sh TESSERA_MAX_RESTARTS=2 \
+                submit collage.sbatch --ntasks=2 small.toml own.h5 bounded)
+}
+
+check_requeue_bound() {
+  wait_until 60 "the end of job $bounded_job" job_over "$bounded_job"
+  [[ $(job_state "$bounded_job") == FAILED ]] || fail "bounded: $(job_state "$bounded_job")"
+  [[ $(wc -l <bounded/runs.txt) == 3 ]] || fail "bounded: $(cat bounded/runs.txt)"
+  [[ $(grep -c -- --resume bounded/runs.txt) == 2 ]] || fail "bounded: $(cat bounded/runs.txt)"
+  grep -q 'given up after 2 restarts' "tessera-$bounded_job.log" || fail "bounded: no word of it in the log"
+  ok "requeue: two restarts allowed, two made, with --resume"
 }
 
 rm -rf "$folder"
@@ -83,5 +164,10 @@ cd "$folder"
 start_cluster "$here/slurm.conf"
 ok "cluster"
 make_inputs
-"$program" library build drawings -o own.h5 >library.log 2>&1
+check_prepare
+start_requeue_bound
 check_collage
+check_gpu_shares
+check_campaign
+check_scaling
+check_requeue_bound
