@@ -16,6 +16,11 @@ if ((restarts > most_restarts)); then
   exit 1
 fi
 
+# When the time limit ends the job, for the program; not every Slurm sets it (22.05 does not).
+if [[ -z ${SLURM_JOB_END_TIME-} ]] && end=$(date -d "$(squeue -h -j "$SLURM_JOB_ID" -o %e)" +%s 2>/dev/null); then
+  export SLURM_JOB_END_TIME=$end
+fi
+
 readonly checkpointed=75  # exit code of `tessera collage` that wrote a checkpoint and wants to go on
 
 # Runs a command and hands it the signals that Slurm sends to the batch shell. Its exit code goes to `status`.
@@ -49,14 +54,24 @@ run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
   [[ $status -eq 0 ]] || come_back_or_fail
 }
 
-# After a checkpoint the same job is queued again, with a bound. Whatever else ended the program is not worth repeating.
+# The same job is queued again, with a bound, after a checkpoint and where a node is gone. Whatever else ended the program
+# is not worth repeating.
 come_back_or_fail() {
-  [[ $status -eq $checkpointed && $terminated == no ]] || exit "$status"
+  [[ $terminated == no ]] || exit "$status"  # cancelled, or Slurm queues it again by itself
+  if [[ $status -ne $checkpointed ]]; then
+    if every_node_answers; then exit "$status"; fi
+    echo "a node of the job does not answer" >&2
+  fi
   if ((restarts >= most_restarts)); then
-    echo "given up after $restarts restarts (TESSERA_MAX_RESTARTS); the checkpoint stays" >&2
+    echo "given up after $restarts restarts (TESSERA_MAX_RESTARTS)" >&2
     exit 1
   fi
-  echo "checkpoint written; queued again (restart $((restarts + 1)) of $most_restarts)"
+  echo "queued again (restart $((restarts + 1)) of $most_restarts)"
   scontrol requeue "$SLURM_JOB_ID"
   exit 0
+}
+
+# mpirun ends the job as soon as a node is lost; Slurm notices minutes later, and would then call the job failed.
+every_node_answers() {
+  timeout 60 srun --overlap --quiet --ntasks="$SLURM_JOB_NUM_NODES" --ntasks-per-node=1 true 2>/dev/null
 }

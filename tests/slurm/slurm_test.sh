@@ -24,9 +24,11 @@ export TESSERA_ROOT
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 fail() {
-  echo "FAILED $*"
-  squeue -o '%.6i %.9T %.10M %R' || true
-  tail -n 20 "$lab"/log/slurmctld ./*.log || true
+  {
+    echo "FAILED $*"
+    squeue -o '%.6i %.9T %.10M %R' || true
+    tail -n 20 "$lab"/log/slurmctld ./*.log || true
+  } >&2
   exit 1
 }
 
@@ -37,7 +39,7 @@ submit() {
   local template=$TESSERA_ROOT/slurm/$1 options=()
   shift
   while [[ $1 == -* ]]; do options+=("$1"); shift; done
-  sbatch --parsable "${options[@]}" "$template" "$@"
+  sbatch --parsable "${options[@]}" "$template" "$@" || fail "sbatch of $template"
 }
 
 draw() {  # NAME PATH
@@ -62,6 +64,7 @@ scale_px = [14, 60]
 [output]
 width_px = 160
 END
+  sed 's/^\[output\]/[improve]\ntrials = 800\n&/' small.toml >long.toml  # 10 s or so
 }
 
 expect_same_pieces() {  # FOLDER FOLDER
@@ -133,29 +136,96 @@ check_scaling() {
 }
 array_over() { [[ -z $(squeue -h -j "$1" 2>/dev/null) ]]; }
 
-# What the templates promise of checkpoints, with a program that writes them at once.
-start_requeue_bound() {
-  cat >always_checkpoints.sh <<'END'
+# What the templates promise of restarts, with programs that stand in for tessera: ranks other than 0 do nothing.
+stand_in() {  # NAME, what rank 0 does on standard input; $out is its folder, $resume is "yes" or "no"
+  {
+    cat <<'END'
 #!/bin/bash
 [[ $OMPI_COMM_WORLD_RANK == 0 ]] || exit 0
+resume=no
+[[ " $* " != *" --resume "* ]] || resume=yes
 while [[ $1 != --out ]]; do shift; done
-mkdir -p "$2"
-touch "$2/checkpoint.h5"
-echo "run $*" >>"$2/runs.txt"
-exit 75
+out=$2
+mkdir -p "$out"
+echo "resume=$resume" >>"$out/runs.txt"
 END
-  chmod +x always_checkpoints.sh
-  bounded_job=$(TESSERA=$PWD/always_checkpoints.sh TESSERA_MAX_RESTARTS=2 \
-                submit collage.sbatch --ntasks=2 small.toml own.h5 bounded)
+    cat
+  } >"$1"
+  chmod +x "$1"
 }
 
-check_requeue_bound() {
-  wait_until 60 "the end of job $bounded_job" job_over "$bounded_job"
-  [[ $(job_state "$bounded_job") == FAILED ]] || fail "bounded: $(job_state "$bounded_job")"
-  [[ $(wc -l <bounded/runs.txt) == 3 ]] || fail "bounded: $(cat bounded/runs.txt)"
-  [[ $(grep -c -- --resume bounded/runs.txt) == 2 ]] || fail "bounded: $(cat bounded/runs.txt)"
-  grep -q 'given up after 2 restarts' "tessera-$bounded_job.log" || fail "bounded: no word of it in the log"
-  ok "requeue: two restarts allowed, two made, with --resume"
+# It never gets further than a checkpoint.
+start_endless_job() {
+  stand_in endless.sh <<'END'
+touch "$out/checkpoint.h5"
+exit 75
+END
+  endless_job=$(TESSERA=$PWD/endless.sh TESSERA_MAX_RESTARTS=2 \
+                submit collage.sbatch --ntasks=2 small.toml own.h5 endless)
+}
+
+check_endless_job() {
+  wait_until 60 "the end of job $endless_job" job_over "$endless_job"
+  [[ $(job_state "$endless_job") == FAILED ]] || fail "endless job: $(job_state "$endless_job")"
+  printf 'resume=%s\n' no yes yes | diff - endless/runs.txt || fail "endless job: other runs than allowed"
+  grep -q 'given up after 2 restarts' "tessera-$endless_job.log" || fail "endless job: no word of it in the log"
+  ok "restarts: two allowed, two made"
+}
+
+# It ends on the signal before the time limit, which Slurm sends up to a minute early, and finishes when it is started again.
+start_job_beyond_its_limit() {
+  stand_in beyond.sh <<'END'
+if [[ $resume == yes ]]; then
+  rm "$out/checkpoint.h5"
+  exit 0
+fi
+((SLURM_JOB_END_TIME > $(date +%s))) || exit 3
+trap 'touch "$out/checkpoint.h5"; exit 75' USR2
+while :; do sleep 0.1; done
+END
+  beyond_job=$(TESSERA=$PWD/beyond.sh submit collage.sbatch --nodes=2 --nodelist=n3,n4 --ntasks=3 --ntasks-per-node=2 \
+               --time=1 --signal=B:USR2@50 small.toml own.h5 beyond)
+}
+
+check_job_beyond_its_limit() {
+  expect_completed 100 "$beyond_job"
+  printf 'resume=%s\n' no yes | diff - beyond/runs.txt || fail "job beyond its limit: other runs than expected"
+  ok "time limit: signal, checkpoint, restart, done"
+}
+
+# A node is lost with all that runs on it; the job comes back on others. Where there is a checkpoint it goes on there.
+start_job_that_loses_a_node() {
+  widow_job=$(submit collage.sbatch --nodes=2 --ntasks=3 --ntasks-per-node=2 long.toml own.h5 widow)
+  wait_until 30 "the start of job $widow_job" [ -d widow ]
+  sleep 2
+  [[ $(job_field "$widow_job" NodeList) == "n[1-2]" ]] || fail "lost node: not on the nodes that were free"
+  kill_node n2
+}
+
+check_job_that_lost_a_node() {
+  expect_completed 100 "$widow_job"
+  [[ $(job_field "$widow_job" Restarts) == 1 ]] || fail "lost node: not one restart"
+  expect_same_pieces long_alone widow
+  ok "a node is lost: restart on others, the same bytes"
+}
+
+# The program itself, when it knows checkpoints; the signal is the one that comes before the time limit.
+check_interrupted_collage() {
+  if [[ $("$program" collage --help) != *--resume* ]]; then
+    echo "not run: interrupted collage (this tessera has no --resume)"
+    return
+  fi
+  local job
+  job=$(submit collage.sbatch --nodes=2 --ntasks=3 --ntasks-per-node=2 long.toml own.h5 interrupted)
+  wait_until 30 "the start of job $job" [ -d interrupted ]
+  sleep 2
+  scancel --batch --signal=USR2 "$job"
+  wait_until 30 "a checkpoint" [ -s interrupted/checkpoint.h5 ]
+  expect_completed 100 "$job"
+  [[ $(job_field "$job" Restarts) == 1 ]] || fail "interrupted: not one restart"
+  [[ ! -e interrupted/checkpoint.h5 ]] || fail "interrupted: the checkpoint is still there"
+  expect_same_pieces long_alone interrupted
+  ok "interrupted collage: checkpoint, restart, the same bytes"
 }
 
 rm -rf "$folder"
@@ -165,9 +235,15 @@ start_cluster "$here/slurm.conf"
 ok "cluster"
 make_inputs
 check_prepare
-start_requeue_bound
+start_endless_job
+start_job_beyond_its_limit
 check_collage
 check_gpu_shares
 check_campaign
 check_scaling
-check_requeue_bound
+check_endless_job
+start_job_that_loses_a_node
+"$program" collage long.toml --out long_alone --quiet  # Slurm needs 20 s to see that a node is gone
+check_interrupted_collage
+check_job_beyond_its_limit
+check_job_that_lost_a_node
