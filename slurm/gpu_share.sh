@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
 # gpu_share.sh COMMAND...: runs the command as a rank that sees only its share of the node's GPUs.
-# Slurm says which GPUs of the node the job has; mpirun shows them all to every rank. Here the workers of the node divide
-# them by their local ranks; where there are more workers than GPUs, several use one. Rank 0, the master, needs none.
-# Without such a variable (CPU devices), with one GPU or with one rank, nothing changes.
+# Slurm says which GPUs of the node the job has; mpirun shows them all to every rank. Here the workers of the node
+# divide them by their local ranks; where there are more workers than GPUs, several use one. Rank 0, the master, needs
+# none. Without such a variable (CPU devices), with one GPU or with one rank, nothing changes.
 set -euo pipefail
 
-rank=${OMPI_COMM_WORLD_RANK:-${PMIX_RANK:-0}}
 worker=${OMPI_COMM_WORLD_LOCAL_RANK:-${SLURM_LOCALID:-0}}
 workers=${OMPI_COMM_WORLD_LOCAL_SIZE:-${SLURM_TASKS_PER_NODE:-1}}
 workers=${workers%%(*}  # Slurm's "2(x4)"
-if [[ $rank == "$worker" ]]; then  # only on the first node, where local rank 0 is the master
+if [[ $(hostname) == "${TESSERA_MASTER_NODE-}" ]]; then  # its local rank 0 is the master
   worker=$((worker - 1))
   workers=$((workers - 1))
 fi

@@ -25,7 +25,8 @@ readonly checkpointed=75  # exit code of `tessera collage` that wrote a checkpoi
 
 # Runs a command and hands it the signals that Slurm sends to the batch shell. Its exit code goes to `status`.
 # USR2 comes before the time limit (--signal), TERM when the job is cancelled, preempted or requeued. mpirun takes TERM
-# and USR1 for itself and passes USR2 on to the ranks, so both become USR2; the program does not mind that it comes twice.
+# and USR1 for itself and passes USR2 on to the ranks, so both become USR2; the program does not mind that it comes
+# twice.
 run_forwarding() {
   local again
   terminated=no
@@ -48,14 +49,17 @@ run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
   shift 3
   local resume=()
   [[ ! -e $out/checkpoint.h5 ]] || resume=(--resume)
-  # --bind-to none: a rank's OpenCL device uses all the cores that the job was given.
-  run_forwarding mpirun -n "$ranks" --bind-to none "$tessera_root/slurm/gpu_share.sh" \
-    "$tessera" collage "$job" --out "$out" "${resume[@]}" "$@"
+  TESSERA_MASTER_NODE=$(hostname)  # rank 0 is beside this script
+  export TESSERA_MASTER_NODE
+  # --map-by node: as many workers on every node, as far as its tasks allow. --bind-to none: a rank's OpenCL device uses
+  # all the cores that the job was given.
+  run_forwarding mpirun -n "$ranks" --map-by node --bind-to none -x TESSERA_MASTER_NODE \
+    "$tessera_root/slurm/gpu_share.sh" "$tessera" collage "$job" --out "$out" "${resume[@]}" "$@"
   [[ $status -eq 0 ]] || come_back_or_fail
 }
 
-# The same job is queued again, with a bound, after a checkpoint and where a node is gone. Whatever else ended the program
-# is not worth repeating.
+# The same job is queued again, with a bound, after a checkpoint and where a node is gone. Whatever else ended the
+# program is not worth repeating.
 come_back_or_fail() {
   [[ $terminated == no ]] || exit "$status"  # cancelled, or Slurm queues it again by itself
   if [[ $status -ne $checkpointed ]]; then

@@ -20,7 +20,8 @@ constexpr const char* kExamples =
 
 void add_campaign_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<CampaignArguments>();
-  CLI::App* campaign = app.add_subcommand("campaign", "Make a job's collage with several seeds and values, and rank them");
+  CLI::App* campaign =
+      app.add_subcommand("campaign", "Make a job's collage with several seeds and values, and rank them");
   campaign->footer(kExamples);
   campaign->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
   campaign->add_option("--seeds", arguments->seeds, "Seeds and ranges of them")->type_name("1-8,12");
@@ -29,7 +30,8 @@ void add_campaign_command(CLI::App& app, Command& selected) {
       ->allow_extra_args(false)
       ->take_all();
   campaign
-      ->add_option("--out", arguments->out, "Folder for the results' folders; default: out/<name of the job file>-campaign")
+      ->add_option("--out", arguments->out,
+                   "Folder for the results' folders; default: out/<name of the job file>-campaign")
       ->type_name("DIR");
   campaign->add_option("--weight", arguments->weights, "Of the ranking, as in tessera rank; may be repeated")
       ->type_name("NAME=WEIGHT")

@@ -49,6 +49,7 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   add_library_command(app, selected);
   add_collage_command(app, selected);
   add_campaign_command(app, selected);
+  add_plan_command(app, selected);
   add_rank_command(app, selected);
   add_bench_command(app, selected);
   try {

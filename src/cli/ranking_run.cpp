@@ -24,8 +24,8 @@ std::vector<io::ResultCard> cards_of(const std::vector<std::string>& arguments) 
 }
 
 std::string table_text(const std::vector<io::RankedResult>& results) {
-  bench::Table table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces",
-                      "shapes", "gap px", "time s"});
+  bench::Table table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces", "shapes",
+                      "gap px", "time s"});
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Quality& q = results[i].card.quality;
     const auto percent = [](double fraction, int decimals) { return io::fixed(100 * fraction, decimals); };

@@ -31,6 +31,9 @@ struct Shard {
 /// kSmoothingLevels says (else std::logic_error).
 Shard make_shard(const MatchingContext& context, std::uint32_t first_shape, const std::vector<ShapeModel>& models);
 
+/// What Shard::bytes() of so many shapes will be.
+std::size_t shard_bytes(const MatchingContext& context, std::size_t shapes);
+
 /// The level whose interval estimates the scale before any alignment, as in core/pair_selection.cpp.
 int scale_level(int pad_levels);
 

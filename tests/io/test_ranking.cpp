@@ -43,8 +43,8 @@ std::vector<std::string> order_of(const std::vector<RankedResult>& results) {
 }
 
 TEST(Ranking, best_first_and_equal_ones_by_folder) {
-  const auto results = ranked({card("b", 0.9), card("worse", 0.8), card("a", 0.9), card("laps", 0.91, 0.1)},
-                              ranking_weights({}));
+  const auto results =
+      ranked({card("b", 0.9), card("worse", 0.8), card("a", 0.9), card("laps", 0.91, 0.1)}, ranking_weights({}));
   EXPECT_EQ(order_of(results), (std::vector<std::string>{"a", "b", "worse", "laps"}));
   EXPECT_NEAR(results.front().score, 90 + 0.05 * 25, 1e-9);
 }
@@ -57,8 +57,9 @@ TEST(Ranking, weights_change_the_order) {
 }
 
 TEST(Ranking, a_wrong_weight_is_named_with_what_is_allowed) {
-  EXPECT_EQ(message_of([] { ranking_weights({"cover=2"}); }),
-            "--weight cover=2: allowed: NAME=NUMBER with a name of coverage, overlap, outside, shared_boundary, variety");
+  EXPECT_EQ(
+      message_of([] { ranking_weights({"cover=2"}); }),
+      "--weight cover=2: allowed: NAME=NUMBER with a name of coverage, overlap, outside, shared_boundary, variety");
   EXPECT_EQ(message_of([] { ranking_weights({"overlap=much"}); }),
             "--weight overlap=much: found \"much\", allowed: a number from -1000 to 1000");
   EXPECT_NE(message_of([] { ranking_weights({"overlap"}); }), "");
@@ -120,8 +121,7 @@ TEST_F(ResultFolders, what_is_wrong_with_a_card_is_said) {
   EXPECT_EQ(message("[1]"), path + ": quality.coverage_fraction is missing; allowed: a card.json of tessera collage");
   EXPECT_EQ(message(R"({"quality": {"coverage_fraction": "high"}})"),
             path + ": quality.coverage_fraction: found \"high\", allowed: a number from 0");
-  EXPECT_NE(message_of([&] { read_card(scratch_.path("none")); }).find("none/card.json: not found"),
-            std::string::npos);
+  EXPECT_NE(message_of([&] { read_card(scratch_.path("none")); }).find("none/card.json: not found"), std::string::npos);
 }
 
 TEST_F(ResultFolders, are_the_folder_or_its_folders) {

@@ -30,8 +30,8 @@ std::string message_of(const std::function<void()>& action) {
 
 TEST(Variations, every_seed_with_every_value) {
   const auto variations = make_variations("1-2", {"objective.gap_weight=0.5,2"});
-  EXPECT_EQ(names(variations), (Texts{"seed_1-gap_weight_0.5", "seed_1-gap_weight_2", "seed_2-gap_weight_0.5",
-                                      "seed_2-gap_weight_2"}));
+  EXPECT_EQ(names(variations),
+            (Texts{"seed_1-gap_weight_0.5", "seed_1-gap_weight_2", "seed_2-gap_weight_0.5", "seed_2-gap_weight_2"}));
   EXPECT_EQ(variations[2].overrides, (Texts{"seed=2", "objective.gap_weight=0.5"}));
 }
 
@@ -58,14 +58,22 @@ TEST(Variations, mistakes_name_the_argument) {
   for (const char* seeds : {"x", "1-", "-1", "1,,2", "1.5", "1-99999999999999999999", "0-10000"}) {
     EXPECT_NE(message_of([&] { make_variations(seeds, {}); }), "") << seeds;
   }
-  EXPECT_NE(message_of([] { make_variations("1-2", {"no value"}); }).find("--set no value: allowed"), std::string::npos);
+  EXPECT_NE(message_of([] { make_variations("1-2", {"no value"}); }).find("--set no value: allowed"),
+            std::string::npos);
   EXPECT_NE(message_of([] { make_variations("1-2", {"a.b=1,,2"}); }).find("empty value"), std::string::npos);
   EXPECT_NE(message_of([] { make_variations("1-2", {"seed=3,4"}); }).find("seed is given twice"), std::string::npos);
   EXPECT_NE(message_of([] { make_variations("1,2,1", {}); }).find("1 twice"), std::string::npos);
   EXPECT_NE(message_of([] { make_variations("1", {"a.b=1"}); }).find("nothing varies"), std::string::npos);
-  EXPECT_NE(message_of([] { make_variations("1-200", {"a.b=" + std::string("1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,"
-                            "18,19,20,21,22,23,24,25,26,27,28,29,30,31,32,33,34,35,36,37,38,39,40,41,42,43,44,45,46,47,"
-                            "48,49,50,51")}); }).find("more than 10000"), std::string::npos);
+  EXPECT_NE(
+      message_of([] {
+        make_variations(
+            "1-200",
+            {"a.b=" +
+             std::string("1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,"
+                         "18,19,20,21,22,23,24,25,26,27,28,29,30,31,32,33,34,35,36,37,38,39,40,41,42,43,44,45,46,47,"
+                         "48,49,50,51")});
+      }).find("more than 10000"),
+      std::string::npos);
 }
 
 RC_GTEST_PROP(Variations, names_are_unique_and_fit_for_folders, ()) {

@@ -80,11 +80,18 @@ check_prepare() {
 }
 
 check_collage() {
+  cat >where.sh <<END
+#!/bin/bash
+hostname >>where.txt
+exec "$program" "\$@"
+END
+  chmod +x where.sh
   local job
   "$program" collage small.toml --out alone --quiet
-  job=$(submit collage.sbatch --nodes=4 --ntasks=5 --ntasks-per-node=2 small.toml own.h5 four_nodes)
+  job=$(TESSERA=$PWD/where.sh submit collage.sbatch --nodes=4 --ntasks=5 --ntasks-per-node=2 small.toml own.h5 four_nodes)
   expect_completed 60 "$job"
   expect_same_pieces alone four_nodes
+  [[ $(sort where.txt | uniq -c | xargs) == "2 n1 1 n2 1 n3 1 n4" ]] || fail "ranks on nodes: $(sort where.txt | xargs)"
   ok "collage on four nodes: the bytes of one process"
 }
 
@@ -100,10 +107,8 @@ END
         small.toml own.h5 gpus)
   expect_completed 30 "$job"
   # Three ranks of the first node: the master and two workers with a GPU each; two workers of the second.
-  sort gpus.txt | sed 's/^n[1-4] //' >gpus.found
-  printf 'rank %s\n' '0 gpus 0,1' '1 gpus 0' '2 gpus 1' '3 gpus 0' '4 gpus 1' | diff - <(sort gpus.found) ||
-    fail "GPU shares"
-  [[ $(cut -d ' ' -f 1 gpus.txt | sort -u | wc -l) == 2 ]] || fail "GPU shares: not on two nodes"
+  printf '%s\n' 'n1 rank 0 gpus 0,1' 'n1 rank 2 gpus 0' 'n1 rank 4 gpus 1' 'n2 rank 1 gpus 0' 'n2 rank 3 gpus 1' |
+    diff - <(sort gpus.txt) || fail "GPU shares"
   ok "GPUs: a share for each worker of a node"
 }
 

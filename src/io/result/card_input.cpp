@@ -40,8 +40,7 @@ double number(const json& card, const std::string& path, const char* section, co
 std::string text(const json& card, const std::string& path, const char* section, const char* key) {
   const json& value = value_at(card, path, section, key);
   if (!value.is_string()) {
-    throw InputError(path + ": " + section + "." + key + ": found " + value.dump().substr(0, 60) +
-                     ", allowed: a text");
+    throw InputError(path + ": " + section + "." + key + ": found " + value.dump().substr(0, 60) + ", allowed: a text");
   }
   return value.get<std::string>();
 }

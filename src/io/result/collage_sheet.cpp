@@ -56,8 +56,8 @@ void draw_picture(const Sheet& sheet, std::size_t cell, const cv::Mat& bgrx) {
   const int x_px = layout.x_px(cell) + (layout.cell_width_px - bgrx.cols) / 2;
   const int y_px = layout.y_px(cell) + (layout.cell_height_px - bgrx.rows) / 2;
   cv::Mat pixels = bgrx;  // shared; cairo only reads them
-  const CairoSurface surface(cairo_image_surface_create_for_data(pixels.data, CAIRO_FORMAT_RGB24, pixels.cols,
-                                                                 pixels.rows, int(pixels.step)));
+  const CairoSurface surface(
+      cairo_image_surface_create_for_data(pixels.data, CAIRO_FORMAT_RGB24, pixels.cols, pixels.rows, int(pixels.step)));
   cairo_set_source_surface(sheet.cairo(), surface.get(), x_px, y_px);
   cairo_paint(sheet.cairo());
   cairo_set_source_rgb(sheet.cairo(), 0, 0, 0);  // lets go of the surface
@@ -89,8 +89,9 @@ void write_collage_sheet(const std::vector<RankedResult>& results, const std::st
   for (std::size_t k = 0; k < shown; ++k) {
     const RankedResult& result = results[k];
     if (!pictures[k].empty()) draw_picture(sheet, k, pictures[k]);
-    sheet.caption(k, 0, std::to_string(k + 1) + ". " + printable_utf8(last_name(result.card.folder)) + ": " +
-                            fixed(result.score, 2));
+    sheet.caption(
+        k, 0,
+        std::to_string(k + 1) + ". " + printable_utf8(last_name(result.card.folder)) + ": " + fixed(result.score, 2));
     sheet.caption(k, 1, measures(result.card.quality));
   }
   write_file_atomically(path, sheet.png(path));
