@@ -88,7 +88,7 @@ std::size_t pads_of_a_shape(const MatchingContext& context) {
 
 double model_bytes(const PlanEstimate& plan) {
   return double(sizeof(ShapeModel) + kMaxInteriorPoints * sizeof(Vec2)) +
-         double(plan.pads_per_shape * (sizeof(ArclengthPyramid) + sizeof(Pad)));
+         double(plan.pads_per_shape * sizeof(ModelSample));
 }
 
 /// While the library is loaded: models, the shard on its way, and the shard on a device that is the host itself.
