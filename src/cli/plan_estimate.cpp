@@ -55,9 +55,9 @@ constexpr double kFinePicture_px2 = 16e6;
 constexpr double kDrawnNode_bytes = 5;
 // Worker, by canvas px: the field on the host and on the device.
 constexpr double kFieldNode_bytes = 10;
-// Beyond models and shards, which are counted: allocator, staging. 181 KB a shape were seen where 158 are counted (815
-// shapes), and as much in `bench library` with 10,000.
-constexpr double kLibraryExcess = 1.15;
+// Beyond models and shards, which are counted: reading, allocator, staging. 135 KB a shape were seen (815 shapes beside
+// 232) where 90 are counted.
+constexpr double kLibraryExcess = 1.5;
 
 // The checkpoint's format, not a measurement: bytes of a piece, of an open target sample with as many candidates as the
 // pool keeps of it, of a sample that was matched; the empty file.
