@@ -44,10 +44,14 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
       "  tessera library build my_svgs/ -o my.h5          a library from artwork\n"
       "  tessera collage my_job.toml                      a collage from it (docs/job-format.md)\n"
       "  mpirun -n 3 tessera collage my_job.toml          the same on a master and two workers\n"
+      "  tessera campaign my_job.toml --seeds 1-8         eight of them, ranked by quality\n"
       "Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input.");
   Command selected;
   add_library_command(app, selected);
   add_collage_command(app, selected);
+  add_campaign_command(app, selected);
+  add_plan_command(app, selected);
+  add_rank_command(app, selected);
   add_bench_command(app, selected);
   try {
     app.parse(argc, argv);

@@ -119,4 +119,13 @@ Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<Sha
   return shard;
 }
 
+std::size_t shard_bytes(const MatchingContext& context, std::size_t shapes) {
+  ShapeModel model;  // all shapes are of one size
+  for (const int level : context.levels) {
+    const std::size_t samples = std::size_t(kSmoothingLevels[std::size_t(level)].samples);
+    model.levels.push_back({level, std::vector<ModelSample>(samples)});
+  }
+  return make_shard(context, 0, {model}).bytes() * shapes;
+}
+
 }  // namespace tessera::worker

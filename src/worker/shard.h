@@ -42,4 +42,7 @@ MatchRecord make_match_record(const MatchingContext& context, const ShapeRange& 
 /// std::logic_error).
 Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<ShapeModel>& models);
 
+/// What Shard::bytes() of so many shapes will be.
+std::size_t shard_bytes(const MatchingContext& context, std::size_t shapes);
+
 }  // namespace tessera::worker

@@ -3,11 +3,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-scripts=(scripts/*.sh slurm/*.sbatch tests/scripts/*.sh .ci/run)
+scripts=(scripts/*.sh slurm/*.s* tests/scripts/*.sh tests/slurm/*.sh .ci/run)
 for script in "${scripts[@]}"; do
   bash -n "$script"
 done
 if command -v shellcheck >/dev/null; then
-  shellcheck --severity=warning "${scripts[@]}"
+  shellcheck --external-sources --severity=warning "${scripts[@]}"
 fi
 echo "${#scripts[@]} scripts checked"

@@ -1,0 +1,81 @@
+# shellcheck shell=bash
+# What the templates share; they source it. Nothing here is particular to a site.
+#
+#   TESSERA_ROOT          the repository, where the job is not submitted from it
+#   TESSERA               the program
+#   TESSERA_MAX_RESTARTS  how often a job may come back, node failures included (20)
+
+tessera_root=${TESSERA_ROOT:-$SLURM_SUBMIT_DIR}
+tessera=${TESSERA:-$tessera_root/build/release/src/cli/tessera}
+restarts=${SLURM_RESTART_COUNT:-0}
+most_restarts=${TESSERA_MAX_RESTARTS:-20}
+
+# Node failures restart a job too, without asking this script.
+if ((restarts > most_restarts)); then
+  echo "given up after $most_restarts restarts (TESSERA_MAX_RESTARTS)" >&2
+  exit 1
+fi
+
+# When the time limit ends the job, for the program; not every Slurm sets it (22.05 does not).
+if [[ -z ${SLURM_JOB_END_TIME-} ]] && end=$(date -d "$(squeue -h -j "$SLURM_JOB_ID" -o %e)" +%s 2>/dev/null); then
+  export SLURM_JOB_END_TIME=$end
+fi
+
+readonly checkpointed=75  # exit code of `tessera collage` that wrote a checkpoint and wants to go on
+
+# Runs a command and hands it the signals that Slurm sends to the batch shell. Its exit code goes to `status`.
+# USR2 comes before the time limit (--signal), TERM when the job is cancelled, preempted or requeued. mpirun takes TERM
+# and USR1 for itself and passes USR2 on to the ranks, so both become USR2; the program does not mind that it comes
+# twice.
+run_forwarding() {
+  local again
+  terminated=no
+  "$@" &
+  program=$!
+  trap 'again=yes; kill -s USR2 "$program" 2>/dev/null || true' USR2
+  trap 'again=yes; terminated=yes; kill -s USR2 "$program" 2>/dev/null || true' TERM
+  again=yes
+  while [[ $again == yes ]]; do  # a trapped signal ends `wait` before the program ends
+    again=no
+    status=0
+    wait "$program" || status=$?
+  done
+  trap - USR2 TERM
+}
+
+# One collage over all ranks of the job, from its checkpoint where there is one. Returns only when it is done.
+run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
+  local ranks=$1 job=$2 out=$3
+  shift 3
+  local resume=()
+  [[ ! -e $out/checkpoint.h5 ]] || resume=(--resume)
+  TESSERA_MASTER_NODE=$(hostname)  # rank 0 is beside this script
+  export TESSERA_MASTER_NODE
+  # --map-by node: as many workers on every node, as far as its tasks allow. --bind-to none: a rank's OpenCL device uses
+  # all the cores that the job was given.
+  run_forwarding mpirun -n "$ranks" --map-by node --bind-to none -x TESSERA_MASTER_NODE \
+    "$tessera_root/slurm/gpu_share.sh" "$tessera" collage "$job" --out "$out" "${resume[@]}" "$@"
+  [[ $status -eq 0 ]] || come_back_or_fail
+}
+
+# The same job is queued again, with a bound, after a checkpoint and where a node is gone. Whatever else ended the
+# program is not worth repeating.
+come_back_or_fail() {
+  [[ $terminated == no ]] || exit "$status"  # cancelled, or Slurm queues it again by itself
+  if [[ $status -ne $checkpointed ]]; then
+    if every_node_answers; then exit "$status"; fi
+    echo "a node of the job does not answer" >&2
+  fi
+  if ((restarts >= most_restarts)); then
+    echo "given up after $restarts restarts (TESSERA_MAX_RESTARTS)" >&2
+    exit 1
+  fi
+  echo "queued again (restart $((restarts + 1)) of $most_restarts)"
+  scontrol requeue "$SLURM_JOB_ID"
+  exit 0
+}
+
+# mpirun ends the job as soon as a node is lost; Slurm notices minutes later, and would then call the job failed.
+every_node_answers() {
+  timeout 60 srun --overlap --quiet --ntasks="$SLURM_JOB_NUM_NODES" --ntasks-per-node=1 true 2>/dev/null
+}

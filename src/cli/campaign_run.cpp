@@ -1,0 +1,97 @@
+#include "cli/campaign_run.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/collage_run.h"
+#include "cli/ranking_run.h"
+#include "cli/stop_signal.h"
+#include "core/error.h"
+#include "io/job/job_file.h"
+#include "io/job/variations.h"
+#include "io/number_text.h"
+#include "io/result/card_input.h"
+#include "io/result/collage_files.h"
+#include "io/result/finished_result.h"
+
+namespace tessera::cli {
+namespace {
+
+struct Task {
+  io::Variation variation;
+  std::string folder;
+  bool finished = false;
+};
+
+std::string campaign_folder(const CampaignArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
+}
+
+/// All jobs are read before the first is begun, so that a mistake in the last shows at once.
+std::vector<Task> tasks_of(const CampaignArguments& arguments) {
+  std::vector<Task> tasks;
+  for (io::Variation& variation : io::make_variations(arguments.seeds, arguments.sets)) {
+    const io::Job job = io::load_job(arguments.job, variation.overrides);
+    const std::string folder = (std::filesystem::path(campaign_folder(arguments)) / variation.name).string();
+    const bool finished = io::holds_finished_result(folder, job);
+    tasks.push_back({std::move(variation), folder, finished});
+  }
+  return tasks;
+}
+
+/// For scripts: a line a collage with tabs between state, folder and the values for --set.
+void print_list(const std::vector<Task>& tasks) {
+  for (const Task& task : tasks) {
+    std::printf("%s\t%s", task.finished ? "finished" : "open", task.folder.c_str());
+    for (const std::string& override : task.variation.overrides) std::printf("\t%s", override.c_str());
+    std::printf("\n");
+  }
+}
+
+void print_result(const Task& task, std::size_t number, std::size_t of) {
+  const io::ResultCard card = io::read_card(task.folder);
+  std::printf("%zu/%zu  %s: %s %% covered, %s s%s\n", number, of, task.variation.name.c_str(),
+              io::fixed(100 * card.quality.coverage, 2).c_str(), io::fixed(card.total_s, 1).c_str(),
+              task.finished ? ", finished before" : "");
+  std::fflush(stdout);
+}
+
+/// Not 0: a collage failed. A signal ends the campaign after the collage that it ends.
+int make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
+  for (std::size_t i = 0; i < tasks.size() && !stop_signalled(); ++i) {
+    if (!tasks[i].finished) {
+      const int exit_code = run_collage(
+          {.job = arguments.job, .out = tasks[i].folder, .overrides = tasks[i].variation.overrides, .quiet = true},
+          ranks);
+      if (exit_code != 0) return exit_code;
+    }
+    print_result(tasks[i], i + 1, tasks.size());
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) {
+  if (ranks.size() > 1) {
+    throw InputError("campaign: found " + std::to_string(ranks.size()) +
+                     " ranks, allowed: 1; over more ranks slurm/campaign.sh makes an array of jobs");
+  }
+  const std::vector<Task> tasks = tasks_of(arguments);
+  if (arguments.list) {
+    print_list(tasks);
+    return 0;
+  }
+  io::prepare_output_directory(campaign_folder(arguments));
+  if (const int exit_code = make_all(arguments, tasks, ranks); exit_code != 0) return exit_code;
+  if (stop_signalled()) {
+    std::printf("ended early; the same command goes on where this one was\n");
+    return 0;
+  }
+  RankingArguments ranking{.folders = {}, .out = campaign_folder(arguments), .weights = arguments.weights};
+  for (const Task& task : tasks) ranking.folders.push_back(task.folder);
+  return run_ranking(ranking);
+}
+
+}  // namespace tessera::cli

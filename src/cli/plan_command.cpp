@@ -1,0 +1,82 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+#include "cli/plan_estimate.h"
+#include "cli/plan_text.h"
+#include "core/error.h"
+#include "io/job/canvas_file.h"
+#include "io/job/job_file.h"
+#include "io/library/library_file.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  tessera plan jobs/animals.toml --ranks 5\n"
+    "  tessera plan jobs/animals.toml --ranks 33 --nodes 4 --set 'canvas.size_px=[8000, 6000]' --set devices.use=gpu\n"
+    "Memory, time and checkpoint before the job is run, estimated, and the head of a batch script that fits. Nothing "
+    "is\n"
+    "computed but the canvas.";
+
+constexpr int kMostRanks = 100'000;
+
+struct PlanArguments {
+  std::string job;
+  std::vector<std::string> overrides;
+  int ranks = 3;
+  int nodes = 1;
+};
+
+PlanInput plan_input(const PlanArguments& arguments) {
+  const io::Job job = io::load_job(arguments.job, arguments.overrides);
+  const io::LibraryFile library(job.library);
+  const Canvas canvas = io::load_canvas(job.canvas);
+  const double width_px = job.output.width_px;
+  return {.settings = job.settings,
+          .canvas_px2 = canvas.area_px2,
+          .canvas_nodes = double(canvas.width_px) * canvas.height_px,
+          .picture_px2 = width_px * width_px * canvas.height_px / canvas.width_px,
+          .shapes = library.size(),
+          .host_devices = job.devices != "gpu",
+          .ranks = arguments.ranks,
+          .nodes = arguments.nodes};
+}
+
+int run(const PlanArguments& arguments) {
+  if (arguments.nodes > arguments.ranks) {
+    throw InputError("--nodes: found " + std::to_string(arguments.nodes) + ", allowed: 1 to --ranks (" +
+                     std::to_string(arguments.ranks) + ")");
+  }
+  const PlanInput input = plan_input(arguments);
+  const PlanEstimate plan = estimate(input);
+  std::printf("%s\n%s", plan_text(input, plan).c_str(), sbatch_header(input, plan).c_str());
+  return 0;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, Command& selected) {
+  const auto arguments = std::make_shared<PlanArguments>();
+  CLI::App* plan = app.add_subcommand("plan", "Estimate what a job needs on a cluster");
+  plan->footer(kExamples);
+  plan->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
+  plan->add_option("--ranks", arguments->ranks, "A master and workers")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostRanks))
+      ->capture_default_str();
+  plan->add_option("--nodes", arguments->nodes, "That share the ranks")
+      ->type_name("M")
+      ->check(CLI::Range(1, kMostRanks))
+      ->capture_default_str();
+  plan->add_option("--set", arguments->overrides, "Use this value instead of the job file's; may be repeated")
+      ->type_name("SECTION.KEY=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+  plan->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace tessera::cli

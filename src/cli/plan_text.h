@@ -1,0 +1,19 @@
+// tessera plan's output: a table of estimates, and the head of a batch script that fits them.
+#pragma once
+
+#include <string>
+
+#include "cli/plan_estimate.h"
+
+namespace tessera::cli {
+
+/// The estimates for people, with what they leave out.
+std::string plan_text(const PlanInput& input, const PlanEstimate& plan);
+
+/// The #SBATCH lines: memory with a quarter more, three times the time.
+std::string sbatch_header(const PlanInput& input, const PlanEstimate& plan);
+
+/// 5400 -> "01:30:00".
+std::string slurm_time(double seconds);
+
+}  // namespace tessera::cli

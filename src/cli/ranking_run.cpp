@@ -1,0 +1,53 @@
+#include "cli/ranking_run.h"
+
+#include <cstdio>
+
+#include "bench/report.h"
+#include "io/number_text.h"
+#include "io/result/collage_files.h"
+#include "io/result/ranking.h"
+
+namespace tessera::cli {
+namespace {
+
+std::string output_folder(const RankingArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return arguments.folders.size() == 1 ? arguments.folders.front() : "out/ranking";
+}
+
+std::vector<io::ResultCard> cards_of(const std::vector<std::string>& arguments) {
+  std::vector<io::ResultCard> cards;
+  for (const std::string& argument : arguments) {
+    for (const std::string& folder : io::result_folders(argument)) cards.push_back(io::read_card(folder));
+  }
+  return cards;
+}
+
+std::string table_text(const std::vector<io::RankedResult>& results) {
+  bench::Table table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces", "shapes",
+                      "gap px", "time s"});
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Quality& q = results[i].card.quality;
+    const auto percent = [](double fraction, int decimals) { return io::fixed(100 * fraction, decimals); };
+    table.add({results[i].card.folder, std::to_string(i + 1), io::fixed(results[i].score, 2), percent(q.coverage, 2),
+               percent(q.overlap, 3), percent(q.outside, 3), percent(q.shared_boundary, 1), std::to_string(q.pieces),
+               std::to_string(q.distinct_shapes), io::fixed(q.largest_gap_px, 1),
+               io::fixed(results[i].card.total_s, 1)});
+  }
+  return table.text();
+}
+
+}  // namespace
+
+int run_ranking(const RankingArguments& arguments) {
+  const io::RankingWeights weights = io::ranking_weights(arguments.weights);
+  const std::vector<io::RankedResult> results = io::ranked(cards_of(arguments.folders), weights);
+  const std::string out = output_folder(arguments);
+  io::prepare_output_directory(out);
+  io::write_ranking(out, results, weights);
+  std::printf("%s%s\n\nwritten to %s: ranking.csv, ranking.json, ranking.png\n", table_text(results).c_str(),
+              io::score_formula(weights).c_str(), out.c_str());
+  return 0;
+}
+
+}  // namespace tessera::cli

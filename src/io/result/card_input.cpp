@@ -1,0 +1,68 @@
+#include "io/result/card_input.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+
+namespace tessera::io {
+namespace {
+
+using nlohmann::json;
+
+json parsed(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path + ": not found; allowed: the folder of a finished collage");
+  json card = json::parse(file, nullptr, false);
+  if (card.is_discarded()) throw InputError(path + ": not JSON; allowed: a card.json of tessera collage");
+  return card;
+}
+
+const json& value_at(const json& card, const std::string& path, const char* section, const char* key) {
+  const auto part = card.find(section);
+  if (part == card.end() || !part->is_object() || !part->contains(key)) {
+    throw InputError(path + ": " + section + "." + key + " is missing; allowed: a card.json of tessera collage");
+  }
+  return part->at(key);
+}
+
+double number(const json& card, const std::string& path, const char* section, const char* key) {
+  const json& value = value_at(card, path, section, key);
+  if (!value.is_number() || value.get<double>() < 0) {
+    throw InputError(path + ": " + section + "." + key + ": found " + value.dump().substr(0, 60) +
+                     ", allowed: a number from 0");
+  }
+  return value.get<double>();
+}
+
+std::string text(const json& card, const std::string& path, const char* section, const char* key) {
+  const json& value = value_at(card, path, section, key);
+  if (!value.is_string()) {
+    throw InputError(path + ": " + section + "." + key + ": found " + value.dump().substr(0, 60) + ", allowed: a text");
+  }
+  return value.get<std::string>();
+}
+
+}  // namespace
+
+ResultCard read_card(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / "card.json").string();
+  const json card = parsed(path);
+  const auto measure = [&](const char* key) { return number(card, path, "quality", key); };
+  ResultCard result;
+  result.folder = folder;
+  result.quality.coverage = measure("coverage_fraction");
+  result.quality.overlap = measure("overlap_fraction");
+  result.quality.outside = measure("outside_fraction");
+  result.quality.shared_boundary = measure("shared_boundary_fraction");
+  result.quality.pieces = std::size_t(measure("pieces"));
+  result.quality.distinct_shapes = std::size_t(measure("distinct_shapes"));
+  result.quality.largest_gap_px = measure("largest_gap_radius_px");
+  result.total_s = number(card, path, "run", "total_s");
+  result.stopped_by = text(card, path, "run", "stopped_by");
+  return result;
+}
+
+}  // namespace tessera::io

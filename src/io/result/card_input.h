@@ -1,0 +1,20 @@
+// card.json read back: what a finished collage is like, without its library.
+#pragma once
+
+#include <string>
+
+#include "core/quality.h"
+
+namespace tessera::io {
+
+struct ResultCard {
+  std::string folder;  // of the result
+  Quality quality;     // but for the quantiles of the scales
+  double total_s = 0;
+  std::string stopped_by;
+};
+
+/// Reads `folder`/card.json. Throws InputError that names file, key, what was found and what is allowed.
+ResultCard read_card(const std::string& folder);
+
+}  // namespace tessera::io

@@ -1,0 +1,100 @@
+#include "io/result/collage_sheet.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "io/atomic_file.h"
+#include "io/library/library_names.h"
+#include "io/number_text.h"
+#include "io/sheet.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kCell_px = 320;
+constexpr int kCaption_px = 34;  // two lines
+constexpr int kMaxColumns = 6;
+
+/// The picture shrunk into a cell, as cairo wants it (BGRX); empty where there is none.
+cv::Mat picture(const std::string& folder) {
+  const fs::path path = fs::path(folder) / "collage.png";
+  std::error_code error;
+  if (!fs::exists(path, error)) return {};  // OpenCV would complain aloud
+  cv::Mat bgr;
+  try {
+    bgr = cv::imread(path.string(), cv::IMREAD_COLOR);
+  } catch (const cv::Exception&) {  // sides beyond OpenCV's limits
+  }
+  if (bgr.empty()) return {};
+  const double shrink = std::min(1.0, double(kCell_px) / std::max(bgr.cols, bgr.rows));
+  const cv::Size size(std::max(1, int(bgr.cols * shrink)), std::max(1, int(bgr.rows * shrink)));
+  cv::Mat shrunk, bgrx;
+  cv::resize(bgr, shrunk, size, 0, 0, cv::INTER_AREA);
+  cv::cvtColor(shrunk, bgrx, cv::COLOR_BGR2BGRA);
+  return bgrx;
+}
+
+std::vector<cv::Mat> pictures_of(const std::vector<RankedResult>& results, std::size_t count) {
+  std::vector<cv::Mat> pictures;
+  for (std::size_t k = 0; k < count; ++k) pictures.push_back(picture(results[k].card.folder));
+  return pictures;
+}
+
+/// As high as the highest picture.
+SheetLayout layout_for(const std::vector<cv::Mat>& pictures) {
+  int height_px = 1;
+  for (const cv::Mat& picture : pictures) height_px = std::max(height_px, picture.rows);
+  return make_sheet_layout(pictures.size(), kCell_px, height_px, kCaption_px, kMaxColumns);
+}
+
+void draw_picture(const Sheet& sheet, std::size_t cell, const cv::Mat& bgrx) {
+  const SheetLayout& layout = sheet.layout();
+  const int x_px = layout.x_px(cell) + (layout.cell_width_px - bgrx.cols) / 2;
+  const int y_px = layout.y_px(cell) + (layout.cell_height_px - bgrx.rows) / 2;
+  cv::Mat pixels = bgrx;  // shared; cairo only reads them
+  const CairoSurface surface(
+      cairo_image_surface_create_for_data(pixels.data, CAIRO_FORMAT_RGB24, pixels.cols, pixels.rows, int(pixels.step)));
+  cairo_set_source_surface(sheet.cairo(), surface.get(), x_px, y_px);
+  cairo_paint(sheet.cairo());
+  cairo_set_source_rgb(sheet.cairo(), 0, 0, 0);  // lets go of the surface
+}
+
+std::string measures(const Quality& q) {
+  return fixed(100 * q.coverage, 1) + " % covered, " + fixed(100 * q.overlap, 2) + " % overlap, " +
+         fixed(100 * q.shared_boundary, 0) + " % shared";
+}
+
+std::string title(const std::vector<RankedResult>& results, std::size_t shown) {
+  std::string text = std::to_string(results.size()) + " collages, best first";
+  if (shown < results.size()) text += ", " + std::to_string(shown) + " shown";
+  return text;
+}
+
+/// "DIR/seed_1/" and "seed_1" alike.
+std::string last_name(const std::string& folder) {
+  const fs::path path = fs::path(folder).lexically_normal();
+  return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
+}
+
+}  // namespace
+
+void write_collage_sheet(const std::vector<RankedResult>& results, const std::string& path) {
+  const std::size_t shown = std::min(results.size(), kMaxSheetCollages);
+  const std::vector<cv::Mat> pictures = pictures_of(results, shown);
+  const Sheet sheet(layout_for(pictures), title(results, shown));
+  for (std::size_t k = 0; k < shown; ++k) {
+    const RankedResult& result = results[k];
+    if (!pictures[k].empty()) draw_picture(sheet, k, pictures[k]);
+    sheet.caption(
+        k, 0,
+        std::to_string(k + 1) + ". " + printable_utf8(last_name(result.card.folder)) + ": " + fixed(result.score, 2));
+    sheet.caption(k, 1, measures(result.card.quality));
+  }
+  write_file_atomically(path, sheet.png(path));
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,18 @@
+// ranking.png: the pictures of ranked collages, best first.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/result/ranking.h"
+
+namespace tessera::io {
+
+/// More are not shown.
+inline constexpr std::size_t kMaxSheetCollages = 60;
+
+/// Writes a PNG at `path`. A result whose collage.png is missing or damaged leaves its place empty. `results` holds at
+/// least one. Throws EnvironmentError where `path` cannot be written.
+void write_collage_sheet(const std::vector<RankedResult>& results, const std::string& path);
+
+}  // namespace tessera::io

@@ -1,0 +1,53 @@
+// Several collages in order of quality: ranking.csv, ranking.json, and a contact sheet of their pictures.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "io/result/card_input.h"
+
+namespace tessera::io {
+
+/// One measure of the card, a fraction from 0 to 1, and the points of score that a hundredth of it brings by default.
+struct RankingTerm {
+  const char* name;
+  double default_weight;
+  double (*value)(const Quality&);
+};
+
+inline constexpr std::size_t kRankingTerms = 5;
+
+/// coverage, overlap, outside, shared_boundary, variety (different shapes by pieces).
+const std::array<RankingTerm, kRankingTerms>& ranking_terms();
+
+/// In the order of ranking_terms().
+using RankingWeights = std::array<double, kRankingTerms>;
+
+/// The defaults changed by texts "NAME=WEIGHT". Throws InputError that says what was found and what is allowed.
+RankingWeights ranking_weights(const std::vector<std::string>& changes);
+
+struct RankedResult {
+  ResultCard card;
+  double score = 0;  // points
+};
+
+/// Best first, equal ones by folder. The score is the sum over the terms of weight · value in percent.
+std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWeights& weights);
+
+/// "score = coverage - 2 overlap ...": the weights that are not 0, in words.
+std::string score_formula(const RankingWeights& weights);
+
+/// A header and a line a result.
+std::string ranking_csv(const std::vector<RankedResult>& results);
+std::string ranking_json(const std::vector<RankedResult>& results, const RankingWeights& weights);
+
+/// Writes ranking.csv, ranking.json and ranking.png (collage_sheet.h) into `dir`, which is there. Throws
+/// EnvironmentError.
+void write_ranking(const std::string& dir, const std::vector<RankedResult>& results, const RankingWeights& weights);
+
+/// The results that an argument means: the folder itself where it holds a card.json, else those of its folders that do,
+/// by name. Throws InputError where there is none.
+std::vector<std::string> result_folders(const std::string& argument);
+
+}  // namespace tessera::io

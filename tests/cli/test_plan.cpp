@@ -1,0 +1,110 @@
+// tessera plan: how the estimates depend on what they are made from, and the head of the batch script.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "cli/plan_estimate.h"
+#include "cli/plan_text.h"
+#include "core/matching_context.h"
+#include "worker/shard.h"
+
+namespace tessera::cli {
+namespace {
+
+/// jobs/animals.toml with the demo's library.
+PlanInput animals() {
+  PlanInput input;
+  input.canvas_px2 = input.canvas_nodes = 1e6;
+  input.picture_px2 = 4e6;
+  input.shapes = 232;
+  input.ranks = 3;
+  return input;
+}
+
+TEST(Plan, is_near_what_was_measured) {
+  PlanInput input = animals();
+  input.ranks = 1;
+  input.picture_px2 = 250e3;
+  const PlanEstimate plan = estimate(input);  // 178 pieces, 297 MB, 4.9 s of the loop
+  EXPECT_NEAR(plan.pieces, 178, 178 * 0.5);
+  EXPECT_NEAR(plan.master_bytes, 297e6, 297e6 * 0.25);
+  EXPECT_GT(plan.total_s, 4.9 / 2);
+  EXPECT_LT(plan.total_s, 4.9 * 3);  // with start and files
+}
+
+TEST(Plan, shapes_are_divided_among_the_workers) {
+  PlanInput input = animals();
+  input.ranks = 9;
+  const PlanEstimate plan = estimate(input);
+  EXPECT_EQ(plan.workers, 8);
+  EXPECT_EQ(plan.shapes_per_worker, 29u);
+  EXPECT_LT(plan.device_bytes, estimate(animals()).device_bytes);
+  EXPECT_LT(plan.total_s, estimate(animals()).total_s);
+}
+
+TEST(Plan, takes_the_device_bytes_from_the_workers) {
+  PlanInput input = animals();
+  PlanInput twice = animals();
+  twice.shapes *= 2;
+  const MatchingContext context = make_matching_context(input.settings, std::uint32_t(input.shapes));
+  const double more = estimate(twice).device_bytes - estimate(input).device_bytes;
+  EXPECT_EQ(more, double(worker::shard_bytes(context, input.shapes / 2)));  // each of two workers
+}
+
+TEST(Plan, obeys_the_limits_of_the_job) {
+  PlanInput input = animals();
+  input.settings.stop.pieces = 7;
+  EXPECT_EQ(estimate(input).pieces, 7);
+  input = animals();
+  input.canvas_px2 = input.canvas_nodes = 25e6;
+  input.settings.pieces.uses = 2;
+  EXPECT_EQ(estimate(input).pieces, 464);
+  input.settings.improve.trials = 1'000'000;
+  input.settings.stop.seconds = 60;
+  EXPECT_LT(estimate(input).total_s, 70);
+  input.settings.stop.seconds = 0;
+  input.settings.improve.seconds = 100;
+  EXPECT_LT(estimate(input).total_s, 200);
+}
+
+RC_GTEST_PROP(Plan, more_of_anything_needs_no_less, ()) {
+  PlanInput input = animals();
+  input.shapes = *rc::gen::inRange<std::size_t>(1, 100'000);
+  input.ranks = *rc::gen::inRange(1, 200);
+  input.nodes = *rc::gen::inRange(1, input.ranks + 1);
+  input.canvas_px2 = input.canvas_nodes = *rc::gen::inRange(1, 10'000) * 1e4;
+  const PlanEstimate plan = estimate(input);
+  PlanInput more = input;
+  more.shapes *= 2;
+  more.canvas_px2 = more.canvas_nodes *= 2;
+  const PlanEstimate larger = estimate(more);
+  RC_ASSERT(plan.workers_per_node * input.nodes >= plan.workers);
+  RC_ASSERT(plan.ranks_per_node * input.nodes >= input.ranks);
+  RC_ASSERT(larger.node_bytes > plan.node_bytes);
+  RC_ASSERT(larger.total_s > plan.total_s);
+  RC_ASSERT(larger.checkpoint_bytes > plan.checkpoint_bytes);
+}
+
+TEST(Plan, header_is_what_sbatch_takes) {
+  PlanInput input = animals();
+  input.ranks = 9;
+  input.nodes = 4;
+  PlanEstimate plan = estimate(input);
+  plan.node_bytes = 1e9;
+  plan.total_s = 400;
+  EXPECT_EQ(sbatch_header(input, plan),
+            "#SBATCH --nodes=4\n#SBATCH --ntasks=9\n#SBATCH --ntasks-per-node=3\n#SBATCH --mem=1300M\n"
+            "#SBATCH --time=00:25:00\n#SBATCH --signal=B:USR2@120\n#SBATCH --cpus-per-task=2\n");
+  input.host_devices = false;
+  EXPECT_NE(sbatch_header(input, plan).find("--gres=gpu:2\n"), std::string::npos);
+  EXPECT_EQ(slurm_time(100 * 3600 + 61), "100:01:01");
+}
+
+TEST(Plan, says_that_it_estimates) {
+  const std::string text = plan_text(animals(), estimate(animals()));
+  for (const char* part : {"Estimates for 3 ranks, a master and 2 workers", "232 shapes", "about", "Half or twice"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+}  // namespace
+}  // namespace tessera::cli

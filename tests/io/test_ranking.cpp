@@ -1,0 +1,157 @@
+// Several collages in order: weights, order, the files of a ranking.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/error.h"
+#include "io/result/card_output.h"
+#include "io/result/ranking.h"
+#include "io/scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+ResultCard card(const std::string& folder, double coverage, double overlap = 0) {
+  ResultCard result;
+  result.folder = folder;
+  result.quality.coverage = coverage;
+  result.quality.overlap = overlap;
+  result.quality.pieces = 4;
+  result.quality.distinct_shapes = 1;
+  result.stopped_by = "full";
+  return result;
+}
+
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::vector<std::string> order_of(const std::vector<RankedResult>& results) {
+  std::vector<std::string> folders;
+  for (const RankedResult& result : results) folders.push_back(result.card.folder);
+  return folders;
+}
+
+TEST(Ranking, best_first_and_equal_ones_by_folder) {
+  const auto results =
+      ranked({card("b", 0.9), card("worse", 0.8), card("a", 0.9), card("laps", 0.91, 0.1)}, ranking_weights({}));
+  EXPECT_EQ(order_of(results), (std::vector<std::string>{"a", "b", "worse", "laps"}));
+  EXPECT_NEAR(results.front().score, 90 + 0.05 * 25, 1e-9);
+}
+
+TEST(Ranking, weights_change_the_order) {
+  const RankingWeights weights = ranking_weights({"overlap=0", "coverage=-1"});
+  EXPECT_EQ(order_of(ranked({card("high", 0.9), card("low", 0.1)}, weights)),
+            (std::vector<std::string>{"low", "high"}));
+  EXPECT_EQ(score_formula(weights), "score = - coverage - 2 outside + 0.1 shared_boundary + 0.05 variety, in percent");
+}
+
+TEST(Ranking, a_wrong_weight_is_named_with_what_is_allowed) {
+  EXPECT_EQ(
+      message_of([] { ranking_weights({"cover=2"}); }),
+      "--weight cover=2: allowed: NAME=NUMBER with a name of coverage, overlap, outside, shared_boundary, variety");
+  EXPECT_EQ(message_of([] { ranking_weights({"overlap=much"}); }),
+            "--weight overlap=much: found \"much\", allowed: a number from -1000 to 1000");
+  EXPECT_NE(message_of([] { ranking_weights({"overlap"}); }), "");
+  EXPECT_NE(message_of([] { ranking_weights({"overlap=nan"}); }), "");
+}
+
+RC_GTEST_PROP(Ranking, scores_never_rise, ()) {
+  std::vector<ResultCard> cards;
+  const int count = *rc::gen::inRange(1, 20);
+  for (int i = 0; i < count; ++i) {
+    cards.push_back(card(std::to_string(i), *rc::gen::inRange(0, 11) / 10., *rc::gen::inRange(0, 3) / 10.));
+  }
+  const auto results = ranked(cards, ranking_weights({}));
+  RC_ASSERT(results.size() == cards.size());
+  for (std::size_t i = 1; i < results.size(); ++i) RC_ASSERT(results[i - 1].score >= results[i].score);
+}
+
+TEST(Ranking, csv_quotes_what_would_break_it) {
+  const std::string csv = ranking_csv(ranked({card("a, \"b\"", 0.5)}, ranking_weights({})));
+  EXPECT_NE(csv.find("\n1,\"a, \"\"b\"\"\",51.250,0.500000,0.000000,"), std::string::npos) << csv;
+}
+
+class ResultFolders : public testing::Test {
+ protected:
+  void make_result(const std::string& name, double coverage) {
+    fs::create_directories(scratch_.path(name));
+    Quality quality;
+    quality.coverage = coverage;
+    quality.pieces = 10;
+    quality.distinct_shapes = 5;
+    quality.largest_gap_px = 3.5;
+    RunStatistics run;
+    run.total_s = 12.5;
+    run.stopped_by = "full";
+    scratch_.write(name + "/card.json", card_json(quality, run));
+  }
+
+  test::ScratchFolder scratch_;
+};
+
+TEST_F(ResultFolders, a_card_is_read_as_it_was_written) {
+  make_result("a", 0.93);
+  const ResultCard card = read_card(scratch_.path("a"));
+  EXPECT_EQ(card.quality.coverage, 0.93);
+  EXPECT_EQ(card.quality.pieces, 10u);
+  EXPECT_EQ(card.quality.distinct_shapes, 5u);
+  EXPECT_EQ(card.quality.largest_gap_px, 3.5);
+  EXPECT_EQ(card.total_s, 12.5);
+  EXPECT_EQ(card.stopped_by, "full");
+}
+
+TEST_F(ResultFolders, what_is_wrong_with_a_card_is_said) {
+  const std::string path = scratch_.path("card.json");
+  const auto message = [&](const std::string& bytes) {
+    scratch_.write("card.json", bytes);
+    return message_of([&] { read_card(scratch_.path("")); });
+  };
+  EXPECT_EQ(message("{"), path + ": not JSON; allowed: a card.json of tessera collage");
+  EXPECT_EQ(message("[1]"), path + ": quality.coverage_fraction is missing; allowed: a card.json of tessera collage");
+  EXPECT_EQ(message(R"({"quality": {"coverage_fraction": "high"}})"),
+            path + ": quality.coverage_fraction: found \"high\", allowed: a number from 0");
+  EXPECT_NE(message_of([&] { read_card(scratch_.path("none")); }).find("none/card.json: not found"), std::string::npos);
+}
+
+TEST_F(ResultFolders, are_the_folder_or_its_folders) {
+  make_result("all/b", 0.9);
+  make_result("all/a", 0.8);
+  fs::create_directories(scratch_.path("all/unfinished"));
+  EXPECT_EQ(result_folders(scratch_.path("all/b")), std::vector<std::string>{scratch_.path("all/b")});
+  EXPECT_EQ(result_folders(scratch_.path("all")),
+            (std::vector<std::string>{scratch_.path("all/a"), scratch_.path("all/b")}));
+  EXPECT_NE(message_of([&] { result_folders(scratch_.path("all/unfinished")); }).find("no card.json"),
+            std::string::npos);
+}
+
+TEST_F(ResultFolders, the_files_of_a_ranking) {
+  make_result("a", 0.8);
+  make_result("b", 0.9);
+  cv::imwrite(scratch_.path("b/collage.png"), cv::Mat(100, 640, CV_8UC3, cv::Scalar(0, 0, 255)));  // a has none
+  const RankingWeights weights = ranking_weights({});
+  const auto results = ranked({read_card(scratch_.path("a")), read_card(scratch_.path("b"))}, weights);
+  write_ranking(scratch_.path(""), results, weights);
+  std::ifstream file(scratch_.path("ranking.json"));
+  const auto json = nlohmann::json::parse(file);
+  EXPECT_EQ(json["weights"]["overlap"], -2);
+  EXPECT_EQ(json["ranking"][0]["folder"], scratch_.path("b"));
+  EXPECT_EQ(json["ranking"][1]["rank"], 2);
+  const cv::Mat sheet = cv::imread(scratch_.path("ranking.png"));
+  ASSERT_FALSE(sheet.empty());
+  const cv::Vec3b red(0, 0, 255);
+  EXPECT_EQ(sheet.at<cv::Vec3b>(28 + 44 + 25, 28 + 160), red);  // the middle of the first cell, 320 x 50 px
+}
+
+}  // namespace
+}  // namespace tessera::io

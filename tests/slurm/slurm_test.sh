@@ -1,0 +1,254 @@
+#!/usr/bin/env bash
+# slurm_test.sh TESSERA NEW_FOLDER: the templates of slurm/ on a Slurm of four nodes (cluster.sh). Exit code 77: there
+# can be no cluster here.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source-path=SCRIPTDIR source=cluster.sh
+source "$here/cluster.sh"
+
+if [[ ${1-} != --inside ]]; then
+  reason=$(reason_against_cluster)
+  if [[ -n $reason ]]; then
+    echo "skipped: $reason"
+    exit 77
+  fi
+  exec unshare "${name_spaces[@]}" "$here/slurm_test.sh" --inside "$@"
+fi
+trap 'exit 130' INT TERM  # the first process of a name space has no default actions
+program=$(realpath "$2")
+folder=$3
+
+export TESSERA=$program
+TESSERA_ROOT=$(realpath "$here/../..")
+export TESSERA_ROOT
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+fail() {
+  {
+    echo "FAILED $*"
+    squeue -o '%.6i %.9T %.10M %R' || true
+    tail -n 20 "$lab"/log/slurmctld ./*.log || true
+  } >&2
+  exit 1
+}
+
+ok() { echo "ok $1 (${SECONDS} s)"; }
+
+# submit TEMPLATE [sbatch's options... --] ARGUMENT...: prints the job's number
+submit() {
+  local template=$TESSERA_ROOT/slurm/$1 options=()
+  shift
+  while [[ $1 == -* ]]; do options+=("$1"); shift; done
+  sbatch --parsable "${options[@]}" "$template" "$@" || fail "sbatch of $template"
+}
+
+draw() {  # NAME PATH
+  echo "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><path fill='teal' d='$2'/></svg>" \
+    >"drawings/$1.svg"
+}
+
+make_inputs() {
+  mkdir drawings
+  draw bean "M10 50 C10 10 90 10 90 50 C90 90 70 60 50 60 C30 60 10 90 10 50Z"
+  draw star "M50 5 L61 38 L95 38 L67 59 L78 93 L50 72 L22 93 L33 59 L5 38 L39 38Z"
+  draw corner "M10 10 H90 V45 H45 V90 H10Z"
+  draw leaf "M10 90 C10 30 50 10 90 10 C90 60 60 90 10 90Z"
+  draw drop "M50 5 C60 40 85 50 85 70 A35 25 0 0 1 15 70 C15 50 40 40 50 5Z"
+  cat >small.toml <<'END'
+[library]
+file = "own.h5"
+[canvas]
+size_px = [160, 120]
+[pieces]
+scale_px = [14, 60]
+[output]
+width_px = 160
+END
+  sed 's/^\[output\]/[improve]\ntrials = 800\n&/' small.toml >long.toml  # 10 s or so
+}
+
+expect_same_pieces() {  # FOLDER FOLDER
+  cmp "$1/pieces.geojson" "$2/pieces.geojson" || fail "$2/pieces.geojson differs from $1's"
+}
+
+check_prepare() {
+  local job
+  job=$(submit prepare.sbatch --cpus-per-task=2 drawings own.h5)
+  expect_completed 30 "$job"
+  "$program" library info own.h5 | grep -q '^shapes *5$' || fail "the library has not 5 shapes"
+  ok "prepare: a library from a folder"
+}
+
+check_collage() {
+  cat >where.sh <<END
+#!/bin/bash
+hostname >>where.txt
+exec "$program" "\$@"
+END
+  chmod +x where.sh
+  local job
+  "$program" collage small.toml --out alone --quiet
+  job=$(TESSERA=$PWD/where.sh submit collage.sbatch --nodes=4 --ntasks=5 --ntasks-per-node=2 small.toml own.h5 four_nodes)
+  expect_completed 60 "$job"
+  expect_same_pieces alone four_nodes
+  [[ $(sort where.txt | uniq -c | xargs) == "2 n1 1 n2 1 n3 1 n4" ]] || fail "ranks on nodes: $(sort where.txt | xargs)"
+  ok "collage on four nodes: the bytes of one process"
+}
+
+# Each node's GPUs are divided among its workers; the program sees them through the variable that drivers obey.
+check_gpu_shares() {
+  cat >show_gpus.sh <<'END'
+#!/bin/bash
+echo "$(hostname) rank $OMPI_COMM_WORLD_RANK gpus $CUDA_VISIBLE_DEVICES" >>gpus.txt
+END
+  chmod +x show_gpus.sh
+  local job
+  job=$(TESSERA=$PWD/show_gpus.sh submit collage.sbatch --nodes=2 --ntasks=5 --ntasks-per-node=3 --gres=gpu:2 \
+        small.toml own.h5 gpus)
+  expect_completed 30 "$job"
+  # Three ranks of the first node: the master and two workers with a GPU each; two workers of the second.
+  printf '%s\n' 'n1 rank 0 gpus 0,1' 'n1 rank 2 gpus 0' 'n1 rank 4 gpus 1' 'n2 rank 1 gpus 0' 'n2 rank 3 gpus 1' |
+    diff - <(sort gpus.txt) || fail "GPU shares"
+  ok "GPUs: a share for each worker of a node"
+}
+
+check_campaign() {
+  local printed
+  printed=$("$TESSERA_ROOT/slurm/campaign.sh" small.toml own.h5 campaign --seeds 1-3 --weight variety=0.2 -- --ntasks=2)
+  [[ $printed =~ array\ ([0-9]+),\ 3\ tasks.*job\ ([0-9]+) ]] || fail "campaign.sh printed: $printed"
+  local ranking=${BASH_REMATCH[2]}
+  expect_completed 60 "$ranking"
+  [[ $(wc -l <campaign/ranking.csv) == 4 ]] || fail "campaign: not three results in ranking.csv"
+  [[ -s campaign/ranking.png ]] || fail "campaign: no ranking.png"
+  expect_same_pieces alone campaign/seed_1
+  cp campaign/ranking.csv array.csv
+  # On one process: nothing is left to do, and the ranking is the same.
+  "$program" campaign small.toml --set 'library.file=own.h5' --seeds 1-3 --weight variety=0.2 --out campaign >campaign.log
+  [[ $(grep -c 'finished before' campaign.log) == 3 ]] || fail "campaign: results of the array were made again"
+  cmp array.csv campaign/ranking.csv || fail "campaign: another ranking"
+  ok "campaign: an array, then the ranking"
+}
+
+check_scaling() {
+  local job
+  job=$(submit scaling.sbatch --array=2,3 --ntasks=3 small.toml own.h5 scaling)
+  wait_until 60 "the end of job $job" array_over "$job"
+  [[ $(wc -l <scaling/scaling.csv) == 3 ]] || fail "scaling: not two lines: $(cat scaling/scaling.csv)"
+  grep -qE '^2,([0-9.]+,){6}[0-9a-f]{32}$' scaling/scaling.csv || fail "scaling: $(cat scaling/scaling.csv)"
+  expect_same_pieces alone scaling/ranks_2
+  expect_same_pieces alone scaling/ranks_3
+  ok "scaling: an array over numbers of ranks"
+}
+array_over() { [[ -z $(squeue -h -j "$1" 2>/dev/null) ]]; }
+
+# What the templates promise of restarts, with programs that stand in for tessera: ranks other than 0 do nothing.
+stand_in() {  # NAME, what rank 0 does on standard input; $out is its folder, $resume is "yes" or "no"
+  {
+    cat <<'END'
+#!/bin/bash
+[[ $OMPI_COMM_WORLD_RANK == 0 ]] || exit 0
+resume=no
+[[ " $* " != *" --resume "* ]] || resume=yes
+while [[ $1 != --out ]]; do shift; done
+out=$2
+mkdir -p "$out"
+echo "resume=$resume" >>"$out/runs.txt"
+END
+    cat
+  } >"$1"
+  chmod +x "$1"
+}
+
+# It never gets further than a checkpoint.
+start_endless_job() {
+  stand_in endless.sh <<'END'
+touch "$out/checkpoint.h5"
+exit 75
+END
+  endless_job=$(TESSERA=$PWD/endless.sh TESSERA_MAX_RESTARTS=2 \
+                submit collage.sbatch --ntasks=2 small.toml own.h5 endless)
+}
+
+check_endless_job() {
+  wait_until 60 "the end of job $endless_job" job_over "$endless_job"
+  [[ $(job_state "$endless_job") == FAILED ]] || fail "endless job: $(job_state "$endless_job")"
+  printf 'resume=%s\n' no yes yes | diff - endless/runs.txt || fail "endless job: other runs than allowed"
+  grep -q 'given up after 2 restarts' "tessera-$endless_job.log" || fail "endless job: no word of it in the log"
+  ok "restarts: two allowed, two made"
+}
+
+# It ends on the signal before the time limit, which Slurm sends up to a minute early, and finishes when it is started again.
+start_job_beyond_its_limit() {
+  stand_in beyond.sh <<'END'
+if [[ $resume == yes ]]; then
+  rm "$out/checkpoint.h5"
+  exit 0
+fi
+((SLURM_JOB_END_TIME > $(date +%s))) || exit 3
+trap 'touch "$out/checkpoint.h5"; exit 75' USR2
+while :; do sleep 0.1; done
+END
+  beyond_job=$(TESSERA=$PWD/beyond.sh submit collage.sbatch --nodes=2 --nodelist=n3,n4 --ntasks=3 --ntasks-per-node=2 \
+               --time=1 --signal=B:USR2@50 small.toml own.h5 beyond)
+}
+
+check_job_beyond_its_limit() {
+  expect_completed 100 "$beyond_job"
+  printf 'resume=%s\n' no yes | diff - beyond/runs.txt || fail "job beyond its limit: other runs than expected"
+  ok "time limit: signal, checkpoint, restart, done"
+}
+
+# A node is lost with all that runs on it; the job comes back on others. Where there is a checkpoint it goes on there.
+start_job_that_loses_a_node() {
+  widow_job=$(submit collage.sbatch --nodes=2 --ntasks=3 --ntasks-per-node=2 long.toml own.h5 widow)
+  wait_until 30 "the start of job $widow_job" [ -d widow ]
+  sleep 2
+  [[ $(job_field "$widow_job" NodeList) == "n[1-2]" ]] || fail "lost node: not on the nodes that were free"
+  kill_node n2
+}
+
+check_job_that_lost_a_node() {
+  expect_completed 100 "$widow_job"
+  [[ $(job_field "$widow_job" Restarts) == 1 ]] || fail "lost node: not one restart"
+  expect_same_pieces long_alone widow
+  ok "a node is lost: restart on others, the same bytes"
+}
+
+# The program itself, when it knows checkpoints; the signal is the one that comes before the time limit.
+check_interrupted_collage() {
+  if [[ $("$program" collage --help) != *--resume* ]]; then
+    echo "not run: interrupted collage (this tessera has no --resume)"
+    return
+  fi
+  local job
+  job=$(submit collage.sbatch --nodes=2 --ntasks=3 --ntasks-per-node=2 long.toml own.h5 interrupted)
+  wait_until 30 "the start of job $job" [ -d interrupted ]
+  sleep 2
+  scancel --batch --signal=USR2 "$job"
+  wait_until 30 "a checkpoint" [ -s interrupted/checkpoint.h5 ]
+  expect_completed 100 "$job"
+  [[ $(job_field "$job" Restarts) == 1 ]] || fail "interrupted: not one restart"
+  [[ ! -e interrupted/checkpoint.h5 ]] || fail "interrupted: the checkpoint is still there"
+  expect_same_pieces long_alone interrupted
+  ok "interrupted collage: checkpoint, restart, the same bytes"
+}
+
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+start_cluster "$here/slurm.conf"
+ok "cluster"
+make_inputs
+check_prepare
+start_endless_job
+start_job_beyond_its_limit
+check_collage
+check_gpu_shares
+check_campaign
+check_scaling
+check_endless_job
+start_job_that_loses_a_node
+"$program" collage long.toml --out long_alone --quiet  # Slurm needs 20 s to see that a node is gone
+check_interrupted_collage
+check_job_beyond_its_limit
+check_job_that_lost_a_node
