@@ -23,13 +23,6 @@ struct Grown {
   std::uint64_t device_bytes = 0;
 };
 
-/// On the device; every shape needs as much.
-std::uint64_t shape_bytes(const VariedShapes& shapes, const MatchingContext& context) {
-  const ShapeRange one{0, 1};
-  return worker::make_shard(worker::make_match_record(context, one), context.pad.levels, shapes.models(one, context))
-      .bytes();
-}
-
 Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas& canvas,
                const CollageSettings& settings, const std::string& devices_use) {
   reset_peak_memory();
@@ -42,7 +35,7 @@ Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas
   grown.statistics = master::make_collage(canvas, settings, *matcher, shapes, silent).statistics;
   grown.making_s = shapes.making_s();
   grown.peak_bytes = peak_memory_bytes();
-  grown.device_bytes = shape_bytes(shapes, context) * count;
+  grown.device_bytes = worker::shard_bytes(context, count);
   return grown;
 }
 

@@ -125,7 +125,7 @@ std::size_t shard_bytes(const MatchingContext& context, std::size_t shapes) {
     const std::size_t samples = std::size_t(kSmoothingLevels[std::size_t(level)].samples);
     model.levels.push_back({level, std::vector<ModelSample>(samples)});
   }
-  return make_shard(context, 0, {model}).bytes() * shapes;
+  return make_shard(make_match_record(context, {0, 1}), context.pad.levels, {model}).bytes() * shapes;
 }
 
 }  // namespace tessera::worker
