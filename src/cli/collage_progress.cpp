@@ -34,7 +34,7 @@ void CollageProgress::progressed(const master::Progress& progress) {
   if (bar_) bar_->update(std::size_t(kBarTotal * expected_time_share(progress, stop_)), progress_note(progress));
 }
 
-bool CollageProgress::stop_requested() { return stop_signalled(); }
+const char* CollageProgress::stop_requested() { return stop_signalled() ? "signal" : nullptr; }
 
 double expected_time_share(const master::Progress& progress, const StopSettings& stop) {
   double share = share_by_coverage(progress.coverage, stop.coverage);

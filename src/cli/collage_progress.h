@@ -15,7 +15,7 @@ class CollageProgress : public master::Observer {
   CollageProgress(const StopSettings& stop, bool quiet);
 
   void progressed(const master::Progress& progress) override;
-  bool stop_requested() override;
+  const char* stop_requested() override;
 
  private:
   StopSettings stop_;

@@ -161,13 +161,14 @@ TEST(Collage, StopsWhenAsked) {
   class StopAfter : public SilentObserver {
    public:
     void progressed(const Progress& progress) override { pieces = progress.pieces; }
-    bool stop_requested() override { return pieces >= 4; }
+    const char* stop_requested() override { return pieces >= 4 ? "signal" : nullptr; }
     std::size_t pieces = 0;
   };
   StopAfter observer;
   const CollageResult result = run(make_rectangle_canvas(240, 160), settings(), {}, observer);
   EXPECT_EQ(result.placements.size(), 4u);
   EXPECT_EQ(result.statistics.stopped_by, "signal");
+  EXPECT_TRUE(result.unfinished);
 }
 
 TEST(Collage, OfACanvasWithoutAreaIsEmpty) {
