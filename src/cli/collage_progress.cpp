@@ -26,7 +26,8 @@ double share_by_coverage(double coverage, double goal) {
 
 }  // namespace
 
-CollageProgress::CollageProgress(const StopSettings& stop, bool quiet) : stop_(stop) {
+CollageProgress::CollageProgress(const StopSettings& stop, bool quiet, const TimeLimit& limit)
+    : stop_(stop), limit_(limit) {
   if (!quiet) bar_.emplace("collage", kBarTotal);
 }
 
@@ -34,7 +35,10 @@ void CollageProgress::progressed(const master::Progress& progress) {
   if (bar_) bar_->update(std::size_t(kBarTotal * expected_time_share(progress, stop_)), progress_note(progress));
 }
 
-const char* CollageProgress::stop_requested() { return stop_signalled() ? "signal" : nullptr; }
+const char* CollageProgress::stop_requested() {
+  if (stop_signalled()) return "signal";
+  return limit_.near() ? "time_limit" : nullptr;
+}
 
 double expected_time_share(const master::Progress& progress, const StopSettings& stop) {
   double share = share_by_coverage(progress.coverage, stop.coverage);

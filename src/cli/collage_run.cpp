@@ -1,13 +1,18 @@
 #include "cli/collage_run.h"
 
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <thread>
 
+#include "cli/collage_checkpoints.h"
 #include "cli/collage_progress.h"
 #include "cli/library_part.h"
 #include "cli/stop_signal.h"
+#include "cli/time_limit.h"
 #include "comm/matcher_server.h"
 #include "comm/node_turn.h"
 #include "comm/worker_team.h"
@@ -88,26 +93,62 @@ std::string write(const std::string& folder, const io::Job& job, const Canvas& c
   return io::write_collage(folder, report, quick);
 }
 
+Start start_of(const CollageArguments& arguments) {
+  if (arguments.restart) return Start::restart;
+  if (arguments.resume.empty()) return Start::fresh;
+  return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
+}
+
+TimeLimit time_limit(const CollageArguments& arguments) {
+  return TimeLimit(
+      time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr))));
+}
+
+void say(const CollageArguments& arguments, const std::string& line) {
+  if (!arguments.quiet) std::printf("%s\n", line.c_str());
+}
+
+/// The checkpoints go, or the user hears how to go on. Returns the exit code.
+int conclude(const CollageArguments& arguments, bool unfinished, const CollageCheckpoints& checkpoints) {
+  if (unfinished) {
+    checkpoints.require_one();
+    say(arguments, "unfinished: go on with the same command and --resume");
+    return kUnfinishedExitCode;
+  }
+  checkpoints.remove();
+  return 0;
+}
+
 int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
+  const TimeLimit limit = time_limit(arguments);
+  const Start start = start_of(arguments);
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
+  const std::string folder = output_folder(arguments);
+  const io::CheckpointFolder checkpoint_folder(folder);
+  check_start(checkpoint_folder, start);
   const io::LibraryFile library(job.library);
   const Canvas canvas = io::load_canvas(job.canvas);
   io::check_picture_height(job.output, canvas);
-  const std::string folder = output_folder(arguments);
   io::prepare_output_directory(folder);
+  const io::CheckpointOrigin origin = io::make_origin(job, library, canvas);
+  const std::optional<CheckpointState> from = starting_state(checkpoint_folder, start, origin);
   ranks.broadcast(to_bytes(io::to_toml(job)));
   const std::unique_ptr<Matcher> matcher = ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(job, library);
 
+  if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
+  if (start == Start::restart) checkpoint_folder.remove();
+  CollageCheckpoints checkpoints(checkpoint_folder, origin);
   install_stop_handlers();
   master::LibraryShapes shapes(library);
   master::CollageResult result;
   {
-    CollageProgress progress(job.settings.stop, arguments.quiet);
-    result = master::make_collage(canvas, job.settings, *matcher, shapes, progress);
+    CollageProgress progress(job.settings.stop, arguments.quiet, limit);
+    result = master::make_collage(canvas, job.settings, *matcher, shapes, progress,
+                                  {from ? &*from : nullptr, &checkpoints});
   }
   const std::string card = write(folder, job, canvas, library, result);
-  if (!arguments.quiet) std::printf("%s\nwritten to %s\n", card.c_str(), folder.c_str());
-  return 0;
+  say(arguments, card + "\nwritten to " + folder);
+  return conclude(arguments, result.unfinished, checkpoints);
 }
 
 }  // namespace

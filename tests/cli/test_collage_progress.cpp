@@ -42,14 +42,22 @@ RC_GTEST_PROP(CollageProgress, the_share_grows_and_stays_below_one, ()) {
   RC_ASSERT(at(high) <= 1);
 }
 
+TEST(CollageProgress, a_time_limit_ends_the_loop) {
+  CollageProgress endless({}, true);
+  EXPECT_EQ(endless.stop_requested(), nullptr);
+  CollageProgress ended({}, true, TimeLimit(reserve_s(1)));
+  EXPECT_STREQ(ended.stop_requested(), "time_limit");
+}
+
 TEST(StopSignal, signals_ask_for_the_end_as_often_as_they_come) {
   install_stop_handlers();
   CollageProgress progress({}, true);
-  EXPECT_FALSE(progress.stop_requested());
+  EXPECT_EQ(progress.stop_requested(), nullptr);
   std::raise(SIGINT);
   std::raise(SIGTERM);
   std::raise(SIGINT);
-  EXPECT_TRUE(progress.stop_requested());
+  std::raise(SIGUSR2);
+  EXPECT_STREQ(progress.stop_requested(), "signal");
 }
 
 }  // namespace
