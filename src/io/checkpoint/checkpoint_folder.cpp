@@ -46,9 +46,10 @@ void CheckpointFolder::keep_as_previous() const {
 }
 
 void CheckpointFolder::remove() const {
+  std::error_code error;
+  for (const std::string& leftover : {temporary_path(latest_), temporary_path(previous_)}) fs::remove(leftover, error);
   // The latest one last: whoever is interrupted here still finds it.
-  for (const std::string& path : {temporary_path(latest_), temporary_path(previous_), previous_, latest_}) {
-    std::error_code error;
+  for (const std::string& path : {previous_, latest_}) {
     fs::remove(path, error);
     if (error) throw EnvironmentError("cannot remove " + path + ": " + error.message());
   }
