@@ -53,9 +53,10 @@ void check_start(const io::CheckpointFolder& folder, Start start) {
   }
   if (start == Start::resume_previous && !folder.has_previous()) {
     throw InputError(folder.previous() + ": no such file" +
-                     (folder.has_latest() ? "; " + folder.latest() + " is there: --resume goes on from it"
-                                          : ", nothing to go on with (a finished run removes it); leave --resume out to "
-                                            "start"));
+                     (folder.has_latest()
+                          ? "; " + folder.latest() + " is there: --resume goes on from it"
+                          : ", nothing to go on with (a finished run removes it); leave --resume out to "
+                            "start"));
   }
 }
 
@@ -70,7 +71,8 @@ std::optional<CheckpointState> starting_state(const io::CheckpointFolder& folder
 }
 
 CollageCheckpoints::CollageCheckpoints(const io::CheckpointFolder& folder, const io::CheckpointOrigin& origin)
-    : folder_(folder), origin_(origin) {}
+    : folder_(folder),
+      origin_(origin) {}
 
 bool CollageCheckpoints::due() {
   const double every_s = origin_.job->checkpoint.every_s;

@@ -29,15 +29,15 @@ struct SamplePasses {
 };
 
 struct CheckpointState {
-  std::string name;         // for messages: the file that it came from
-  bool improving = false;   // else still filling
+  std::string name;                   // for messages: the file that it came from
+  bool improving = false;             // else still filling
   std::vector<Placement> placements;  // in the order in which they were placed
   std::vector<PooledSample> pool;     // ascending edges, as in the lists below
   std::vector<std::uint32_t> stale;   // target samples to be matched
   std::vector<SamplePasses> passes;
   std::vector<MatchedPad> matched;
-  RunStatistics statistics;           // so far; stopped_by is empty
-  std::uint64_t rebuilt_digest = 0;   // of the free field and the target samples, to see that they came back
+  RunStatistics statistics;          // so far; stopped_by is empty
+  std::uint64_t rebuilt_digest = 0;  // of the free field and the target samples, to see that they came back
 };
 
 }  // namespace tessera

@@ -9,21 +9,24 @@
 namespace tessera::master {
 namespace {
 
-constexpr float kMostScale = 2;      // of the largest allowed; pieces grow past it a little
+constexpr float kScaleSlack = 2;     // pieces leave the allowed scales by a rounding at most
 constexpr float kFarAway_px = 1e6f;  // beyond any canvas
 
 [[noreturn]] void fail(const CheckpointState& state, const std::string& what) {
-  throw InputError(state.name + ": not a checkpoint of this canvas and library: " + what);
+  throw InputError(state.name + ": not a checkpoint of this canvas and library: " + what +
+                   "; --restart removes it and starts again");
 }
 
-bool sane(const Similarity& pose, float most_scale_px) {
+bool sane(const Similarity& pose, const PieceSettings& pieces) {
   const auto near = [](float at_px) { return std::abs(at_px) < kFarAway_px; };  // not NaN either
-  return near(pose.tx) && near(pose.ty) && pose.scale() > 0 && pose.scale() <= most_scale_px;
+  return near(pose.tx) && near(pose.ty) && pose.scale() * kScaleSlack >= pieces.min_scale_px &&
+         pose.scale() <= kScaleSlack * pieces.max_scale_px;
 }
 
-bool sane(const Window& window) {
-  const auto near = [](int at) { return std::abs(std::int64_t(at)) < std::int64_t(kFarAway_px); };
-  return near(window.x0) && near(window.y0) && near(window.x1) && near(window.y1);
+/// No larger than the canvas and as much again on each side: the pool looks at all tiles of the largest window.
+bool sane(const Window& window, const Window& canvas) {
+  const Window most = canvas.grown(std::max(canvas.width(), canvas.height()));
+  return window.intersected(most) == window && !window.empty();
 }
 
 }  // namespace
@@ -54,16 +57,15 @@ void Collage::restore(const CheckpointState& state) {
 }
 
 void Collage::check_pieces(const CheckpointState& state) const {
-  const float most_scale_px = kMostScale * settings_.pieces.max_scale_px;
   const auto check = [&](std::uint32_t shape, const Similarity& pose) {
     if (shape >= poses_.size()) fail(state, "shape " + std::to_string(shape) + " of " + std::to_string(poses_.size()));
-    if (!sane(pose, most_scale_px)) fail(state, "a piece out of all proportion");
+    if (!sane(pose, settings_.pieces)) fail(state, "a piece out of all proportion");
   };
   for (const Placement& p : state.placements) check(p.shape, p.canvas_from_shape);
   for (const PooledSample& sample : state.pool) {
     for (const Candidate& c : sample.candidates) {
       check(c.shape, c.canvas_from_shape);
-      if (!sane(c.window)) fail(state, "a candidate out of all proportion");
+      if (!sane(c.window, free_.field().value.bounds())) fail(state, "a candidate out of all proportion");
     }
   }
 }

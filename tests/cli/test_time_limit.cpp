@@ -19,14 +19,14 @@ TEST(TimeLimit, is_given_in_seconds_or_hours) {
 }
 
 TEST(TimeLimit, mistakes_are_told_with_what_is_allowed) {
-  for (const char* text : {"0", "-5", "", "soon", "1:30", "1:2:3", "1:60:00", "0:00:00", "::", "1:00:00:00", "1e9", "inf",
-                           "nan", "5 "}) {
+  for (const char* text :
+       {"0", "-5", "", "soon", "1:30", "1:2:3", "1:60:00", "0:00:00", "::", "1:00:00:00", "1e9", "inf", "nan", "5 "}) {
     try {
       parse_time_limit(text);
       ADD_FAILURE() << text;
     } catch (const InputError& error) {
-      EXPECT_EQ(error.what(), std::string("--time-limit: found ") + text +
-                                  ", allowed: seconds or HH:MM:SS, more than 0");
+      EXPECT_EQ(error.what(),
+                std::string("--time-limit: found ") + text + ", allowed: seconds or HH:MM:SS, more than 0");
     }
   }
 }

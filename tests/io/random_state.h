@@ -42,8 +42,13 @@ class RandomState {
   std::vector<Candidate> candidates() {
     std::vector<Candidate> list(below(kPoolPerSample + 1));
     for (Candidate& c : list) {
-      c = {below(100), below(5000), pose(), {number(), number(), number(), number(), number()}, number(),
-           below(2) == 1, {int(below(900)) - 100, int(below(900)), int(below(900)), int(below(900))}};
+      c = {below(100),
+           below(5000),
+           pose(),
+           {number(), number(), number(), number(), number()},
+           number(),
+           below(2) == 1,
+           {int(below(900)) - 100, int(below(900)), int(below(900)), int(below(900))}};
     }
     return list;
   }
@@ -60,8 +65,8 @@ class RandomState {
                                  &s.target_samples, &s.trials, &s.trials_kept}) {
       *count = below(1'000'000);
     }
-    for (double* measure : {&s.pads_per_shape, &s.prune_s, &s.dock_s, &s.objective_s, &s.merge_s, &s.improve_s,
-                            &s.total_s}) {
+    for (double* measure :
+         {&s.pads_per_shape, &s.prune_s, &s.dock_s, &s.objective_s, &s.merge_s, &s.improve_s, &s.total_s}) {
       *measure = double(number());
     }
   }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 
 #include "core/error.h"
 #include "io/atomic_file.h"
@@ -170,6 +171,24 @@ TEST_F(DamagedCheckpoint, AnyChangedByteIsNoticed) {
     file.seekp(std::streamoff(at)).put(right).flush();
   }
   EXPECT_EQ(complaint(), "");
+}
+
+// The seal does not protect from forgery: what is under it is an error or some other checkpoint.
+TEST_F(DamagedCheckpoint, AnyChangeUnderOurSealIsSurvived) {
+  const std::vector<std::uint8_t> right = bytes_;
+  std::mt19937 random(9);
+  int refused = 0;
+  for (int i = 0; i < 400; ++i) {
+    std::vector<std::uint8_t> bytes = right;
+    for (std::uint32_t changes = 1 + random() % 4; changes > 0; --changes) {
+      bytes[kSealBytes + random() % (bytes.size() - kSealBytes)] = std::uint8_t(random());
+    }
+    seal_checkpoint(bytes);
+    std::ofstream(path_, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    refused += !complaint().empty();
+  }
+  EXPECT_GT(refused, 80);
 }
 
 TEST_F(DamagedCheckpoint, BytesBehindTheEnd) {

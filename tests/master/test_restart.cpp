@@ -72,7 +72,8 @@ CollageResult run(const CollageSettings& s, const Cuts& cuts, Observer& observer
   std::vector<std::unique_ptr<Matcher>> parts;
   std::uint32_t begin = 0;
   for (const std::uint32_t end : ends) {
-    parts.push_back(std::make_unique<ReferenceMatcher>(context, begin, test::models_of(library(), context, begin, end)));
+    parts.push_back(
+        std::make_unique<ReferenceMatcher>(context, begin, test::models_of(library(), context, begin, end)));
     begin = end;
   }
   CompositeMatcher matcher(std::move(parts));
@@ -213,7 +214,8 @@ class ForeignState : public testing::Test {
   }
 
   void expect_complaint(const std::string& what) const {
-    EXPECT_EQ(complaint(), "checkpoint.h5: not a checkpoint of this canvas and library: " + what);
+    EXPECT_EQ(complaint(), "checkpoint.h5: not a checkpoint of this canvas and library: " + what +
+                               "; --restart removes it and starts again");
   }
 
   CheckpointState state_;
@@ -246,15 +248,19 @@ TEST_F(ForeignState, AbsurdPoses) {
     state_.placements[0].canvas_from_shape.ty = absurd;
     expect_complaint("a piece out of all proportion");
   }
-  state_.placements[0].canvas_from_shape = {0, 0, 10, 10};
-  expect_complaint("a piece out of all proportion");
+  for (const float scale_px : {0.f, 1.f, 1e6f}) {
+    state_.placements[0].canvas_from_shape = {scale_px, 0, 10, 10};
+    expect_complaint("a piece out of all proportion");
+  }
 }
 
 TEST_F(ForeignState, AbsurdWindows) {
-  for (PooledSample& sample : state_.pool) {
-    for (Candidate& c : sample.candidates) c.window.x0 = std::numeric_limits<int>::min();
+  for (const int absurd : {std::numeric_limits<int>::min(), -1'000'000, 5000}) {
+    for (PooledSample& sample : state_.pool) {
+      for (Candidate& c : sample.candidates) c.window.x0 = absurd;
+    }
+    expect_complaint("a candidate out of all proportion");
   }
-  expect_complaint("a candidate out of all proportion");
 }
 
 TEST_F(ForeignState, TargetSamplesThatDoNotExist) {

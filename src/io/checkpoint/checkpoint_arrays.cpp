@@ -83,7 +83,8 @@ void check_storage(hid_t data_set, const std::string& what) {
 std::size_t check_dims(hid_t data_set, const ArrayLayout& layout, const std::string& what) {
   const Hdf5Handle space(H5Dget_space(data_set), what);
   hsize_t dims[2] = {0, 1};
-  if (H5Sget_simple_extent_ndims(space.get()) != (layout.row == 1 ? 1 : 2)) throw Hdf5Error(what + " has wrong dimensions");
+  if (H5Sget_simple_extent_ndims(space.get()) != (layout.row == 1 ? 1 : 2))
+    throw Hdf5Error(what + " has wrong dimensions");
   hdf5_checked(H5Sget_simple_extent_dims(space.get(), dims, nullptr), what);
   if (dims[1] != hsize_t(layout.row)) throw Hdf5Error(what + " has wrong dimensions");
   constexpr hsize_t kMostRows = hsize_t(1) << 40;  // so that bytes can be counted
@@ -104,7 +105,8 @@ void write_array(hid_t file, const ArrayLayout& layout, const std::vector<Number
                                        properties.get(), H5P_DEFAULT),
                             what);
   if (!numbers.empty()) {
-    hdf5_checked(H5Dwrite(data_set.get(), Types<Number>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()), what);
+    hdf5_checked(H5Dwrite(data_set.get(), Types<Number>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
+                 what);
   }
   write_attribute(data_set.get(), "units", layout.units);
   write_attribute(data_set.get(), "description", layout.description);
@@ -128,8 +130,8 @@ std::vector<Number> read_array(hid_t file, const ArrayLayout& layout, std::uint6
   return numbers;
 }
 
-#define TESSERA_ARRAY_OF(Number)                                                                  \
-  template void write_array<Number>(hid_t, const ArrayLayout&, const std::vector<Number>&);       \
+#define TESSERA_ARRAY_OF(Number)                                                            \
+  template void write_array<Number>(hid_t, const ArrayLayout&, const std::vector<Number>&); \
   template std::vector<Number> read_array<Number>(hid_t, const ArrayLayout&, std::uint64_t&);
 TESSERA_ARRAY_OF(std::uint8_t)
 TESSERA_ARRAY_OF(std::int32_t)

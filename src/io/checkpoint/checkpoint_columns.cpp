@@ -13,11 +13,12 @@ namespace {
 constexpr std::size_t kLevels = kMaxPadLevels;
 constexpr std::size_t kMatchedRow = 2 * kLevels + 1;
 
-constexpr std::uint64_t RunStatistics::* kCounts[] = {
-    &RunStatistics::shapes,  &RunStatistics::rounds,         &RunStatistics::docking_choices,
-    &RunStatistics::dockings_evaluated, &RunStatistics::refined, &RunStatistics::target_samples,
-    &RunStatistics::trials,  &RunStatistics::trials_kept};
-constexpr double RunStatistics::* kMeasures[] = {
+constexpr std::uint64_t RunStatistics::*kCounts[] = {
+    &RunStatistics::shapes,          &RunStatistics::rounds,
+    &RunStatistics::docking_choices, &RunStatistics::dockings_evaluated,
+    &RunStatistics::refined,         &RunStatistics::target_samples,
+    &RunStatistics::trials,          &RunStatistics::trials_kept};
+constexpr double RunStatistics::*kMeasures[] = {
     &RunStatistics::pads_per_shape, &RunStatistics::prune_s,   &RunStatistics::dock_s, &RunStatistics::objective_s,
     &RunStatistics::merge_s,        &RunStatistics::improve_s, &RunStatistics::total_s};
 
@@ -107,7 +108,8 @@ void require_ascending(const std::vector<std::uint32_t>& edges, const char* name
 
 void check_values(const CheckpointColumns& c) {
   require_finite(c.measures, "/statistics/measures");
-  for (const auto* column : {&c.placed_pose, &c.placed_score, &c.placed_matched}) require_finite(*column, "/placements");
+  for (const auto* column : {&c.placed_pose, &c.placed_score, &c.placed_matched})
+    require_finite(*column, "/placements");
   for (const auto* column : {&c.pose, &c.terms, &c.score}) require_finite(*column, "/candidates");
   require_finite(c.matched_pad, "/samples/matched_pad");
   require_flags(c.improving, "/improving");

@@ -19,7 +19,8 @@ bool exists(const std::string& path) {
 }  // namespace
 
 CheckpointFolder::CheckpointFolder(const std::string& folder)
-    : latest_(fs::path(folder) / "checkpoint.h5"), previous_(fs::path(folder) / "checkpoint.previous.h5") {}
+    : latest_(fs::path(folder) / "checkpoint.h5"),
+      previous_(fs::path(folder) / "checkpoint.previous.h5") {}
 
 bool CheckpointFolder::has_latest() const { return exists(latest_); }
 bool CheckpointFolder::has_previous() const { return exists(previous_); }
