@@ -39,25 +39,32 @@ std::string ways_out(const io::CheckpointFolder& folder, Start start, const io::
   return text + "; " + kStartAgain;
 }
 
+struct Found {
+  std::string path;
+  std::string option;  // that goes on from it
+  bool there;
+};
+
+void require(const Found& wanted, const Found& other) {
+  if (wanted.there) return;
+  throw InputError(wanted.path + ": no such file" +
+                   (other.there ? "; " + other.path + " is there: " + other.option + " goes on from it"
+                                : ", nothing to go on with (a finished run removes it); leave --resume out to start"));
+}
+
 }  // namespace
 
-void check_start(const io::CheckpointFolder& folder, Start start) {
-  if (start == Start::fresh && (folder.has_latest() || folder.has_previous())) {
-    throw InputError((folder.has_latest() ? folder.latest() : folder.previous()) + ": unfinished work; " +
-                     (folder.has_latest() ? "--resume" : "--resume=previous") + " goes on with it, " + kStartAgain);
+io::CheckpointFolder checked_start(const std::string& result_folder, Start start) {
+  io::CheckpointFolder folder(result_folder);
+  const Found latest{folder.latest(), "--resume", folder.has_latest()};
+  const Found previous{folder.previous(), "--resume=previous", folder.has_previous()};
+  if (start == Start::resume) require(latest, previous);
+  if (start == Start::resume_previous) require(previous, latest);
+  if (start == Start::fresh && (latest.there || previous.there)) {
+    const Found& best = latest.there ? latest : previous;
+    throw InputError(best.path + ": unfinished work; " + best.option + " goes on with it, " + kStartAgain);
   }
-  if (start == Start::resume && !folder.has_latest()) {
-    throw InputError(folder.latest() + ": no such file, nothing to go on with (a finished run removes it)" +
-                     (folder.has_previous() ? "; " + folder.previous() + " is there: --resume=previous goes on from it"
-                                            : "; leave --resume out to start"));
-  }
-  if (start == Start::resume_previous && !folder.has_previous()) {
-    throw InputError(folder.previous() + ": no such file" +
-                     (folder.has_latest()
-                          ? "; " + folder.latest() + " is there: --resume goes on from it"
-                          : ", nothing to go on with (a finished run removes it); leave --resume out to "
-                            "start"));
-  }
+  return folder;
 }
 
 std::optional<CheckpointState> starting_state(const io::CheckpointFolder& folder, Start start,

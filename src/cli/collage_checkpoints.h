@@ -18,8 +18,9 @@ enum class Start {
   restart,          // as if there were no checkpoint
 };
 
-/// Before anything costs time: throws InputError where `start` does not go with what the folder has.
-void check_start(const io::CheckpointFolder& folder, Start start);
+/// The checkpoints in the result's folder. Before anything costs time: throws InputError where `start` does not go with
+/// what is there.
+io::CheckpointFolder checked_start(const std::string& result_folder, Start start);
 
 /// What the run starts from, if not from an empty canvas. Throws InputError that says what is wrong and what to do where
 /// the checkpoint is damaged or belongs to others.

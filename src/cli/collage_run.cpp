@@ -99,11 +99,6 @@ Start start_of(const CollageArguments& arguments) {
   return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
 }
 
-TimeLimit time_limit(const CollageArguments& arguments) {
-  return TimeLimit(
-      time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr))));
-}
-
 void say(const CollageArguments& arguments, const std::string& line) {
   if (!arguments.quiet) std::printf("%s\n", line.c_str());
 }
@@ -119,35 +114,55 @@ int conclude(const CollageArguments& arguments, bool unfinished, const CollageCh
   return 0;
 }
 
-int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
-  const TimeLimit limit = time_limit(arguments);
-  const Start start = start_of(arguments);
-  const io::Job job = io::load_job(arguments.job, arguments.overrides);
-  const std::string folder = output_folder(arguments);
-  const io::CheckpointFolder checkpoint_folder(folder);
-  check_start(checkpoint_folder, start);
-  const io::LibraryFile library(job.library);
-  const Canvas canvas = io::load_canvas(job.canvas);
-  io::check_picture_height(job.output, canvas);
-  io::prepare_output_directory(folder);
-  const io::CheckpointOrigin origin = io::make_origin(job, library, canvas);
-  const std::optional<CheckpointState> from = starting_state(checkpoint_folder, start, origin);
-  ranks.broadcast(to_bytes(io::to_toml(job)));
-  const std::unique_ptr<Matcher> matcher = ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(job, library);
-
-  if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
-  if (start == Start::restart) checkpoint_folder.remove();
-  CollageCheckpoints checkpoints(checkpoint_folder, origin);
-  install_stop_handlers();
-  master::LibraryShapes shapes(library);
-  master::CollageResult result;
-  {
-    CollageProgress progress(job.settings.stop, arguments.quiet, limit);
-    result = master::make_collage(canvas, job.settings, *matcher, shapes, progress,
-                                  {from ? &*from : nullptr, &checkpoints});
+/// What rank 0 reads before anything costs time; every mistake is told here.
+struct Input {
+  Input(const CollageArguments& arguments, Start start)
+      : job(io::load_job(arguments.job, arguments.overrides)),
+        folder(output_folder(arguments)),
+        checkpoints(checked_start(folder, start)),
+        library(job.library),
+        canvas(io::load_canvas(job.canvas)) {
+    io::check_picture_height(job.output, canvas);
+    io::prepare_output_directory(folder);
+    origin = io::make_origin(job, library, canvas);
+    from = starting_state(checkpoints, start, origin);
   }
-  const std::string card = write(folder, job, canvas, library, result);
-  say(arguments, card + "\nwritten to " + folder);
+  Input(const Input&) = delete;  // origin points into it
+  Input& operator=(const Input&) = delete;
+
+  io::Job job;
+  std::string folder;
+  io::CheckpointFolder checkpoints;
+  io::LibraryFile library;
+  Canvas canvas;
+  io::CheckpointOrigin origin;
+  std::optional<CheckpointState> from;  // nothing: an empty canvas
+};
+
+master::CollageResult run_loop(const CollageArguments& arguments, const Input& input, const TimeLimit& limit,
+                               Matcher& matcher, CollageCheckpoints& checkpoints) {
+  const CheckpointState* from = input.from ? &*input.from : nullptr;
+  if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
+  install_stop_handlers();
+  master::LibraryShapes shapes(input.library);
+  CollageProgress progress(input.job.settings.stop, arguments.quiet, limit);
+  return master::make_collage(input.canvas, input.job.settings, matcher, shapes, progress, {from, &checkpoints});
+}
+
+int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
+  const TimeLimit limit(
+      time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr))));
+  const Start start = start_of(arguments);
+  const Input input(arguments, start);
+  ranks.broadcast(to_bytes(io::to_toml(input.job)));
+  const std::unique_ptr<Matcher> matcher =
+      ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library);
+
+  if (start == Start::restart) input.checkpoints.remove();
+  CollageCheckpoints checkpoints(input.checkpoints, input.origin);
+  const master::CollageResult result = run_loop(arguments, input, limit, *matcher, checkpoints);
+  const std::string card = write(input.folder, input.job, input.canvas, input.library, result);
+  say(arguments, card + "\nwritten to " + input.folder);
   return conclude(arguments, result.unfinished, checkpoints);
 }
 
