@@ -39,6 +39,7 @@ until ((killed >= kills && finished >= 1)); do
   [[ $code != 2 ]] || fail "kill $killed: what was left is refused"
   if [[ $code == 0 ]]; then
     expect_result out
+    rm -r out
     finished=$((finished + 1))
   elif ((${#options[@]} > 2)) && [[ ! -e out/checkpoint.h5 && ! -s out/collage.png ]]; then
     fail "kill $killed: the checkpoint is lost"
