@@ -46,9 +46,9 @@ struct Scene {
     return made;
   }
 
-  DockRequest dock_request() const {
-    return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins), 600};
-  }
+  CountRequest count_request() const { return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins)}; }
+
+  DockRequest dock_request() const { return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins), 600}; }
 };
 
 const Scene& scene() {
@@ -59,21 +59,21 @@ const Scene& scene() {
 void count(benchmark::State& state) {
   const auto matcher = scene().matcher(state.range(0) != 0);
   // In another order each time: a device does not count twice for the same samples.
-  std::vector<TargetSample> samples = scene().samples;
+  CountRequest request = scene().count_request();
   for (auto _ : state) {
-    std::rotate(samples.begin(), samples.begin() + 1, samples.end());
-    matcher->post_count(samples);
+    std::rotate(request.samples.begin(), request.samples.begin() + 1, request.samples.end());
+    matcher->post_count(request);
     benchmark::DoNotOptimize(matcher->take_count());
   }
   std::size_t pads = 0;
-  for (const ModelLevel& level : scene().models.front().levels) pads += level.pads.size();
+  for (const ModelLevel& level : scene().models.front().levels) pads += level.samples.size();
   state.counters["pairs/s"] = benchmark::Counter(double(scene().samples.size() * kShapes * pads),
                                                  benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void dock(benchmark::State& state) {
   const auto matcher = scene().matcher(state.range(0) != 0);
-  matcher->post_count(scene().samples);
+  matcher->post_count(scene().count_request());
   matcher->take_count();
   std::uint64_t evaluated = 0;
   for (auto _ : state) {
@@ -85,7 +85,7 @@ void dock(benchmark::State& state) {
 
 void refine(benchmark::State& state) {
   const auto matcher = scene().matcher(state.range(0) != 0);
-  matcher->post_count(scene().samples);
+  matcher->post_count(scene().count_request());
   matcher->take_count();
   matcher->post_dock(scene().dock_request());
   const std::vector<Docking> dockings = matcher->take_dock().dockings;

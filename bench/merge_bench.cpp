@@ -46,7 +46,7 @@ class TimedRounds {
     const std::vector<TargetSample> samples = collage_.take_stale_samples();
     double choosing_s = watch.seconds();
     matcher_.update_field(read_patch(collage_.free().field().value, changed));
-    const MatchRound found = match(matcher_, samples, {4000, 150}, 100000, statistics_);
+    const MatchRound found = match(matcher_, samples, {4000, 150}, 100000, reach_, statistics_);
     watch.lap();
     collage_.add_candidates(samples, found);
     Candidate best;
@@ -73,6 +73,7 @@ class TimedRounds {
   ReferenceMatcher matcher_;
   test::VectorShapes shapes_;
   Collage collage_;
+  PairReach reach_;
   RunStatistics statistics_;
   std::vector<double> choosing_s_;
   std::vector<double> merging_s_;
@@ -95,8 +96,14 @@ void master_rounds(benchmark::State& state) {
 }
 
 // Time: the mean of a round.
-BENCHMARK(master_rounds)->ArgName("pieces")->Arg(50)->Arg(200)->Arg(800)->Iterations(1)->UseManualTime()->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(master_rounds)
+    ->ArgName("pieces")
+    ->Arg(50)
+    ->Arg(200)
+    ->Arg(800)
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace tessera::master

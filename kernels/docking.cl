@@ -9,9 +9,15 @@ typedef struct Alignment {
   bool valid;
 } Alignment;
 
-// `shape_x`, `shape_y`: key points of the shape's sample. Least squares at the longest level at which both agree.
-Alignment align_pyramids(global const float* shape_x, global const float* shape_y, global const SampleRecord* target,
-                         float scale_low_px, float scale_high_px) {
+// x, y of the shape, x, y of the target.
+float4 keypoint_pair(global const short* shape_x, global const short* shape_y, float step,
+                     global const SampleRecord* target, int i) {
+  return (float4)((float)shape_x[i] * step, (float)shape_y[i] * step, target->keypoint_x[i], target->keypoint_y[i]);
+}
+
+// `shape_x`, `shape_y`: key points of the shape's sample, steps. Least squares at the longest level at which both agree.
+Alignment align_pyramids(global const short* shape_x, global const short* shape_y, float step,
+                         global const SampleRecord* target, float scale_low_px, float scale_high_px) {
   Alignment result;
   result.valid = false;
   const int least_level = kPadLevels > 2 ? kPadLevels - 3 : 0;
@@ -19,15 +25,15 @@ Alignment align_pyramids(global const float* shape_x, global const float* shape_
     const int begin = kPadLevels - 1 - level;
     const int end = kPadLevels + 2 + level;
     const float count = (float)(end - begin);
-    float4 sum = 0;  // x, y of the shape, x, y of the target
+    float4 sum = 0;
     for (int i = begin; i < end; ++i) {
-      sum += (float4)(shape_x[i], shape_y[i], target->keypoint_x[i], target->keypoint_y[i]);
+      sum += keypoint_pair(shape_x, shape_y, step, target, i);
     }
     const float4 mean = sum * (1 / count);
     // real and imaginary part of the product, spread of the shape, spread of the target
     float4 product = (float4)(0, 0, 1e-12f, 0);
     for (int i = begin; i < end; ++i) {
-      const float4 d = (float4)(shape_x[i], shape_y[i], target->keypoint_x[i], target->keypoint_y[i]) - mean;
+      const float4 d = keypoint_pair(shape_x, shape_y, step, target, i) - mean;
       product += d.xxxz * d.zwxz + (float4)(d.y, -d.y, d.y, d.w) * d.wzyw;
     }
     const float residual =
@@ -109,10 +115,10 @@ int level_of_source(constant MatchRecord* match, uint source) {
   return k;
 }
 
-// Work item: (target sample - first_sample, shape). Of its pairs below the sample's bin limit the best
+// Work item: (target sample - first_sample, shape). Of its pairs within the sample's reach the best
 // kDockingsPerShape dockings, at (work item) * kDockingsPerShape; NO_DOCKING as key where there are fewer. The pairs
 // are those of select_pairs from sample `first_paired` on.
-kernel void dock_pairs(constant MatchRecord* match, global const float* field_value, global const float* keypoints,
+kernel void dock_pairs(constant MatchRecord* match, global const float* field_value, global const short* keypoints,
                        global const float* contours, global const ShapeRecord* shapes, uint first_sample,
                        uint end_sample, global const SampleRecord* samples, uint first_paired,
                        global const PairRecord* pairs, global const uint* pair_count, global DockingRecord* dockings,
@@ -129,11 +135,12 @@ kernel void dock_pairs(constant MatchRecord* match, global const float* field_va
   uint looked_at = 0;
   for (uint i = 0; i < pair_count[pair_place]; ++i) {
     const PairRecord pair = pairs[pair_place * kPairsPerShape + i];
-    if (distance_bin(pair.distance, match->beta) >= target->bin_limit) break;  // best first
+    if (pair.distance >= target->reach) break;  // best first
     constant LevelRecord* level = match->level + level_of_source(match, pair.source);
-    global const float* keypoint = keypoints + ((size_t)shape * match->sources + pair.source) * 2 * kPadKeypoints;
-    const Alignment aligned = align_pyramids(keypoint, keypoint + kPadKeypoints, target, level->scale_low_px,
-                                             level->scale_high_px);
+    global const short* keypoint = keypoints + ((size_t)shape * match->sources + pair.source) * 2 * kPadKeypoints;
+    const Alignment aligned =
+        align_pyramids(keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target, level->scale_low_px,
+                       level->scale_high_px);
     if (!aligned.valid || !rotation_allowed(match, aligned.canvas_from_shape)) continue;
     ++looked_at;
     const float key = docking_key(contour, shapes + shape, aligned.canvas_from_shape, &field,

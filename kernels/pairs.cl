@@ -1,57 +1,119 @@
 // core/pair_selection.cpp in OpenCL C (paper section 3.3; design, method 4): scale window, sign, PAD distance, local
 // minima along the shape's curve, the best few of each (target sample, shape).
 //
-// A shape's PADs lie level by level, each level element by element: element 0 of all its samples, element 1, .., then
-// the length that estimates the scale, then the convexity.
+// First an exact filter of bytes (core/pad_filter.h), then the distance itself where a pair may be near. The filter's
+// loop over kFilterLanes sources is left to the compiler: it knows how many bytes the device handles at once.
 
-enum PairSizes {
-  kPadElements = 2 * (kPadLevels - 1),
-  kPadFloats = kPadElements + 2,
-  kRim = kLanes  // before and after the distances, for the neighbours of the first and the last
-};
+enum PairSizes { kPadElements = 2 * (kPadLevels - 1), kFilterRows = kPadElements + 2 };
 
-#define NO_PAIR 9.f
+// Elements of a PAD behind one another, zeros behind them.
+#if kPadRow == 8
+typedef ushort8 PadRow;
+#define load_row vload8
+uint largest_element(PadRow row) {
+  const ushort4 a = max(row.lo, row.hi);
+  const ushort2 b = max(a.lo, a.hi);
+  return max(b.x, b.y);
+}
+#else
+typedef ushort16 PadRow;
+#define load_row vload16
+uint largest_element(PadRow row) {
+  const ushort8 a = max(row.lo, row.hi);
+  const ushort4 b = max(a.lo, a.hi);
+  const ushort2 c = max(b.lo, b.hi);
+  return max(c.x, c.y);
+}
+#endif
 
-uint distance_bin(float distance, float beta) {
-  const int bin = (int)(distance / beta * (float)kDistanceBins);
-  return (uint)(bin < kDistanceBins ? bin : kDistanceBins - 1);
+#define NO_PAIR 0xffffffffu
+
+uint distance_bin(uint distance_steps, uint beta_steps) { return distance_steps * kDistanceBins / beta_steps; }
+
+// A target sample as its pairs need it.
+typedef struct Target {
+  PadRow row;
+  float scale_length;
+  float convexity;
+  uint reach;
+} Target;
+
+Target load_target(global const SampleRecord* sample) {
+  ushort element[kPadRow];
+  for (int e = 0; e < kPadRow; ++e) element[e] = e < kPadElements ? (ushort)sample->element[e] : (ushort)0;
+  const Target target = {load_row(0, element), sample->scale_length, sample->convexity, sample->reach};
+  return target;
 }
 
-// Distances of PADs [16 block, 16 block + 16) of a level; NO_PAIR where the scale or the sign cannot fit, or where half
-// of the elements show that no lane comes below beta.
-float16 pad_distances(global const float* pads, constant LevelRecord* level, uint block,
-                      global const SampleRecord* target, float beta) {
-  const uint count = level->count;
-  const float16 length = vload16(block, pads + kPadElements * count);
-  const float16 convexity = vload16(block, pads + (kPadElements + 1) * count);
-  const int16 fits = (target->scale_length >= length * (level->scale_low_px * kScaleWindowLow)) &
-                     (target->scale_length <= length * (level->scale_high_px * kScaleWindowHigh)) &
-                     (target->convexity * convexity >= 0);
-  if (!any_lane(fits)) return NO_PAIR;
-  float16 distance = 0;
-  for (int e = 0; e < kPadElements / 2; ++e) {
-    distance = max(distance, fabs(target->element[e] - vload16(block, pads + e * count)));
+// core/pad_filter.h: PadWindow, ScaleWindow and the signs that fit.
+typedef struct FilterWindow {
+  uchar low[kPadElements];
+  uchar width;
+  uchar scale_low;
+  uchar scale_width;
+  uchar signs;
+} FilterWindow;
+
+void set_pad_window(FilterWindow* window, global const SampleRecord* sample) {
+  window->signs = (uchar)sample->signs;
+  const uint most = ((sample->reach - 1) >> 8) + 1;
+  window->width = (uchar)min(2 * most, 255u);
+  for (int e = 0; e < kPadElements; ++e) window->low[e] = (uchar)((sample->element[e] >> 8) - most);
+}
+
+// Bit i is set where source i of the block may be near.
+INLINE ulong filter_block(global const uchar* rows, const FilterWindow* window) {
+  uchar passes[kFilterLanes];
+  for (int i = 0; i < kFilterLanes; ++i) {
+    uchar farthest = 0;
+#pragma unroll
+    for (int e = 0; e < kPadElements; ++e) {
+      farthest = max(farthest, (uchar)(rows[e * kFilterLanes + i] - window->low[e]));
+    }
+    const uchar scale = (uchar)(rows[kPadElements * kFilterLanes + i] - window->scale_low);
+    const uchar sign = rows[(kPadElements + 1) * kFilterLanes + i] & window->signs;
+    passes[i] = (uchar)((farthest <= window->width) & (scale <= window->scale_width) & (sign != 0));
   }
-  if (!any_lane(fits & (distance < beta))) return NO_PAIR;
-  for (int e = kPadElements / 2; e < kPadElements; ++e) {
-    distance = max(distance, fabs(target->element[e] - vload16(block, pads + e * count)));
+  const ulong* words = (const ulong*)passes;
+  ulong any = 0;
+  for (int k = 0; k < kFilterLanes / 8; ++k) any |= words[k];
+  if (any == 0) return 0;
+  ulong bits = 0;
+  // The product gathers the lowest bits of eight bytes in its highest byte.
+  for (int k = 0; k < kFilterLanes / 8; ++k) bits |= (words[k] * 0x0102040810204080ul >> 56) << (8 * k);
+  return bits;
+}
+
+// A shape's PADs.
+typedef struct Pads {
+  global const ushort* row;
+  global const PadRecord* record;
+} Pads;
+
+// Equation 1, steps; NO_PAIR where the scale or the sign cannot fit.
+uint pair_distance(const Pads* pads, uint source, constant LevelRecord* level, const Target* target) {
+  const PadRecord record = pads->record[source];
+  if (target->scale_length < record.scale_length * (level->scale_low_px * kScaleWindowLow) ||
+      target->scale_length > record.scale_length * (level->scale_high_px * kScaleWindowHigh) ||
+      target->convexity * record.convexity < 0) {
+    return NO_PAIR;
   }
-  return fits ? distance : (float16)NO_PAIR;
+  return largest_element(abs_diff(target->row, load_row(source, pads->row)));
 }
 
 typedef struct BestPairs {
   int count;
-  float distance[kPairsPerShape];
+  uint distance[kPairsPerShape];
   uint source[kPairsPerShape];
 } BestPairs;
 
 // A pair must be nearer than this: where the list is full, a later pair of equal distance comes behind and falls off.
-float farthest_kept(const BestPairs* best, float beta) {
-  return best->count < kPairsPerShape ? beta : best->distance[kPairsPerShape - 1];
+uint farthest_kept(const BestPairs* best, uint reach) {
+  return best->count < kPairsPerShape ? reach : best->distance[kPairsPerShape - 1];
 }
 
 // Sources come in ascending order, so that a later pair of equal distance comes behind.
-void keep_pair(BestPairs* best, float distance, uint source) {
+void keep_pair(BestPairs* best, uint distance, uint source) {
   int at = best->count < kPairsPerShape ? best->count++ : kPairsPerShape - 1;
   for (; at > 0 && best->distance[at - 1] > distance; --at) {
     best->distance[at] = best->distance[at - 1];
@@ -61,42 +123,49 @@ void keep_pair(BestPairs* best, float distance, uint source) {
   best->source[at] = source;
 }
 
-// `distance` points at the first of a closed curve's distances; the places before and behind them are free.
-void keep_local_minima(BestPairs* best, float* distance, uint count, uint first_source, float beta) {
-  distance[-1] = distance[count - 1];
-  distance[count] = distance[0];
-  for (uint j = 0; j < count; j += kLanes) {
-    const float16 d = vload16(0, distance + j);
-    const int16 near = d < farthest_kept(best, beta);
-    const int16 minimum = near & (d <= vload16(0, distance + j - 1)) & (d < vload16(0, distance + j + 1));
-    for (uint left = lane_bits(minimum); left != 0; left &= left - 1) {
-      const uint k = 31 - clz(left & -left);
-      if (distance[j + k] < farthest_kept(best, beta)) keep_pair(best, distance[j + k], first_source + j + k);
-    }
-  }
+// Keeps a source that is a local minimum along its level's closed curve.
+void keep_if_minimum(BestPairs* best, const Pads* pads, uint source, constant LevelRecord* level,
+                     const Target* target) {
+  const uint distance = pair_distance(pads, source, level, target);
+  if (distance >= farthest_kept(best, target->reach)) return;
+  const uint last = level->first + level->count - 1;
+  const uint before = source == level->first ? last : source - 1;
+  const uint after = source == last ? level->first : source + 1;
+  if (distance > pair_distance(pads, before, level, target)) return;
+  if (distance >= pair_distance(pads, after, level, target)) return;
+  keep_pair(best, distance, source);
 }
 
 // Work item: (target sample - first_sample, shape). The pairs of (sample, shape) start at place
-// ((sample - first_sample) * shapes + shape) * kPairsPerShape.
-kernel void select_pairs(constant MatchRecord* match, global const float* pads, uint first_sample, uint end_sample,
+// ((sample - first_sample) * shapes + shape) * kPairsPerShape. `only_longer_reach`: the places hold what was found
+// within each sample's held_reach.
+kernel void select_pairs(constant MatchRecord* match, global const uchar* pad_bytes, global const ushort* rows,
+                         global const PadRecord* records, uint first_sample, uint end_sample, uint only_longer_reach,
                          global const SampleRecord* samples, global PairRecord* pairs, global uint* pair_count) {
   const uint t = first_sample + get_global_id(0);
   const uint shape = get_global_id(1);
   if (t >= end_sample) return;
-  global const SampleRecord* target = samples + t;
-  float distance[kRim + kMaxLevelSamples + kRim];
+  global const SampleRecord* sample = samples + t;
+  if (only_longer_reach && sample->reach <= sample->held_reach) return;
   BestPairs best;
   best.count = 0;
-  for (uint k = 0; k < match->level_count; ++k) {
-    constant LevelRecord* level = match->level + k;
-    global const float* level_pads = pads + ((size_t)shape * match->sources + level->first) * kPadFloats;
-    int16 near = 0;
-    for (uint block = 0; block < level->count / kLanes; ++block) {
-      const float16 d = pad_distances(level_pads, level, block, target, match->beta);
-      vstore16(d, block, distance + kRim);
-      near |= d < match->beta;
+  if (sample->reach > 0) {
+    const size_t first_source = (size_t)shape * match->sources;
+    global const uchar* bytes = pad_bytes + first_source * kFilterRows;
+    const Pads pads = {rows + first_source * kPadRow, records + first_source};
+    const Target target = load_target(sample);
+    FilterWindow window;
+    set_pad_window(&window, sample);
+    for (uint k = 0; k < match->level_count; ++k) {
+      constant LevelRecord* level = match->level + k;
+      window.scale_low = (uchar)sample->scale_low[k];
+      window.scale_width = (uchar)sample->scale_width[k];
+      for (uint first = level->first; first < level->first + level->count; first += kFilterLanes) {
+        for (ulong left = filter_block(bytes + first * kFilterRows, &window); left != 0; left &= left - 1) {
+          keep_if_minimum(&best, &pads, first + 63 - (uint)clz(left & -left), level, &target);
+        }
+      }
     }
-    if (any_lane(near)) keep_local_minima(&best, distance + kRim, level->count, level->first, match->beta);
   }
   const size_t place = (size_t)get_global_id(0) * match->shapes + shape;
   pair_count[place] = best.count;
@@ -109,12 +178,14 @@ kernel void select_pairs(constant MatchRecord* match, global const float* pads, 
 // Work item as in select_pairs, whose pairs begin with sample `first_paired`. `histogram`: kDistanceBins for each target
 // sample. Whole numbers: any order will do.
 kernel void count_pairs(constant MatchRecord* match, uint first_sample, uint end_sample, uint first_paired,
-                        global const PairRecord* pairs, global const uint* pair_count, global uint* histogram) {
+                        global const SampleRecord* samples, global const PairRecord* pairs,
+                        global const uint* pair_count, global uint* histogram) {
   const uint t = first_sample + get_global_id(0);
   if (t >= end_sample) return;
   const size_t place = (size_t)(t - first_paired) * match->shapes + get_global_id(1);
   for (uint i = 0; i < pair_count[place]; ++i) {
-    const uint bin = distance_bin(pairs[place * kPairsPerShape + i].distance, match->beta);
-    atomic_inc(histogram + t * kDistanceBins + bin);
+    const uint distance = pairs[place * kPairsPerShape + i].distance;
+    if (distance >= samples[t].reach) break;  // best first
+    atomic_inc(histogram + t * kDistanceBins + distance_bin(distance, match->beta_steps));
   }
 }

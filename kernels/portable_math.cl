@@ -6,6 +6,9 @@
 // compares the bits of both.
 #pragma OPENCL FP_CONTRACT OFF
 
+// Where values must stay in registers over the calls.
+#define INLINE __attribute__((always_inline)) inline
+
 float portable_exp2(float x) {
   const float whole = floor(x);
   const float f = x - whole;

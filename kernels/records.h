@@ -22,7 +22,7 @@ using u64 = std::uint64_t;
 enum RecordSizes {
   kLanes = 16,
   kSmoothingLevelCount = 5,
-  kMaxPadElements = 2 * (kMaxPadLevels - 1),
+  kFilterLanes = 64,  // PADs of a block of the filter
   kMaxKeypoints = 2 * kMaxPadLevels + 1,
   kMediumPoints = kBoundaryPoints / kMediumStride,
   kCoarsePoints = kBoundaryPoints / kCoarseStride,
@@ -50,7 +50,7 @@ typedef struct LevelRecord {
 // The numbers that all kernels share: MatchingContext, the shard and the field's place.
 typedef struct MatchRecord {
   u64 seed;
-  float beta;
+  u32 beta_steps;
   float delta_px;
   float min_scale_px;
   float max_scale_px;
@@ -74,6 +74,7 @@ typedef struct MatchRecord {
 typedef struct ShapeRecord {
   float perimeter;
   float radius;
+  float keypoint_step;
   float disc_x;  // centre of the largest disc inside
   float disc_y;
   float disc_radius;
@@ -88,18 +89,28 @@ typedef struct SampleRecord {
   float tangent_y;
   u32 edge;
   u32 pass;
-  u32 bin_limit;
+  u32 reach;           // steps: pairs nearer than this
+  u32 held_reach;      // steps: those nearer than this are on the device already
   float scale_length;  // of the interval that estimates the scale before any alignment
   float convexity;
-  float element[kMaxPadElements];
+  u32 element[kMaxPadElements];         // steps
+  u32 signs;                            // core/pad_filter.h
+  u32 scale_low[kSmoothingLevelCount];  // core/pad_filter.h: ScaleWindow of each level in use
+  u32 scale_width[kSmoothingLevelCount];
   float keypoint_x[kMaxKeypoints];
   float keypoint_y[kMaxKeypoints];
 } SampleRecord;
 
+// What the filter leaves out of a PAD.
+typedef struct PadRecord {
+  float scale_length;  // shape units
+  float convexity;
+} PadRecord;
+
 // PadPair
 typedef struct PairRecord {
   u32 source;
-  float distance;
+  u32 distance;  // steps
 } PairRecord;
 
 // Similarity

@@ -38,8 +38,8 @@ std::vector<ShapeModel> dense_models(const Shape& shape, const TracedOutline& ou
         sample_pyramids(gaussian_smoothed(fine, level.sigma), level.sigma, samples, context.pad);
     for (int i = 0; i < samples; ++i) {
       ModelLevel& slice = models[std::size_t(i % slices)].levels[slot];
-      slice.samples[std::size_t(i / slices)] = dense[std::size_t(i)];
-      slice.pads[std::size_t(i / slices)] = make_pad(dense[std::size_t(i)], context.pad.levels);
+      slice.samples[std::size_t(i / slices)] =
+          make_model_sample(dense[std::size_t(i)], context.pad.levels, keypoint_step(shape.radius));
     }
   }
   return models;
@@ -107,8 +107,9 @@ struct Docked {
 Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector<TargetSample>& samples) {
   const MatchPlan plan{std::uint64_t(double(scene.points) * kPaperTopPercent / 100), 0};
   const float perimeter = scene.models.front().perimeter;
+  PairReach reach;
   Docked docked;
-  const MatchRound round = match(matcher, samples, plan, scene.pads, docked.statistics);
+  const MatchRound round = match(matcher, samples, plan, scene.pads, reach, docked.statistics);
   for (const RefinedDocking& found : round.refined) {
     const float scale = found.docking.canvas_from_shape.scale();
     const PieceSize size{scale, perimeter * scale, scene.context.max_scale_px};

@@ -7,7 +7,7 @@
 #include "bench/library_matcher.h"
 #include "bench/timing.h"
 #include "core/free_field.h"
-#include "core/matcher.h"
+#include "core/match_round.h"
 #include "core/target_curve.h"
 #include "worker/device_group.h"
 
@@ -59,10 +59,10 @@ double device_s(const PairScene& scene, const std::string& devices_use, int runs
   const auto matcher = worker::make_device_matcher(devices_use, scene.context, 0, scene.models);
   matcher->start_field(scene.field.value.width(), scene.field.value.height(), scene.field.origin);
   matcher->update_field(read_patch(scene.field.value, scene.field.value.bounds()));
-  std::vector<TargetSample> samples = scene.samples;
+  CountRequest request{scene.samples, std::vector<std::uint32_t>(scene.samples.size(), PairReach().bins)};
   return median_s(runs, [&] {
-    std::rotate(samples.begin(), samples.begin() + 1, samples.end());
-    matcher->post_count(samples);
+    std::rotate(request.samples.begin(), request.samples.begin() + 1, request.samples.end());
+    matcher->post_count(request);
     matcher->take_count();
   });
 }
@@ -73,10 +73,12 @@ double plain_s(const PairScene& scene, std::uint64_t& below_beta) {
   return median_s(1, [&] {
     below_beta = 0;
     for (const TargetSample& sample : scene.samples) {
-      const Pad target = make_pad(sample.pyramid, levels);
+      const QuantisedPad target = quantised(make_pad(sample.pyramid, levels));
       for (const ShapeModel& model : scene.models) {
         for (const ModelLevel& level : model.levels) {
-          for (const Pad& pad : level.pads) below_beta += pad_distance(target, pad, levels) < scene.context.beta;
+          for (const ModelSample& source : level.samples) {
+            below_beta += pad_distance(target, source.pad, levels) < scene.context.beta_steps;
+          }
         }
       }
     }

@@ -7,28 +7,40 @@
 namespace tessera::bench {
 namespace {
 
+/// Equation 1 on the signed vectors.
+std::uint32_t signed_distance(const QuantisedPad& target, float target_convexity, const ModelSample& sample,
+                              int levels) {
+  if (target_convexity * sample.convexity >= 0) return pad_distance(target, sample.pad, levels);
+  std::uint32_t distance = 0;
+  for (int e = 0; e < 2 * (levels - 1); ++e) {
+    distance = std::max(distance, std::uint32_t(target.element[e]) + sample.pad.element[e]);
+  }
+  return distance;
+}
+
 /// Calls visit(model, level slot, index in the level, source, distance) for the pairs of a sample below beta.
 template <class Visit>
 void for_near_pairs(const std::vector<ShapeModel>& models, const TargetSample& sample, const MatchingContext& context,
                     Visit&& visit) {
-  const Pad target = make_pad(sample.pyramid, context.pad.levels);
+  const int levels = context.pad.levels;
+  const QuantisedPad target = quantised(make_pad(sample.pyramid, levels));
   for (std::size_t m = 0; m < models.size(); ++m) {
     std::uint32_t source = 0;
     for (std::size_t slot = 0; slot < models[m].levels.size(); ++slot) {
-      const std::vector<Pad>& pads = models[m].levels[slot].pads;
-      for (std::size_t j = 0; j < pads.size(); ++j, ++source) {
-        const float distance = pad_distance(target, pads[j], context.pad.levels);
-        if (distance < context.beta) visit(std::uint32_t(m), slot, j, source, distance);
+      const std::vector<ModelSample>& samples = models[m].levels[slot].samples;
+      for (std::size_t j = 0; j < samples.size(); ++j, ++source) {
+        const std::uint32_t distance = signed_distance(target, sample.pyramid.convexity, samples[j], levels);
+        if (distance < context.beta_steps) visit(std::uint32_t(m), slot, j, source, distance);
       }
     }
   }
 }
 
 /// "its two endpoints coincide with the corresponding endpoints": of the first level.
-Similarity align_ends(const ArclengthPyramid& shape, const ArclengthPyramid& target, int levels) {
-  const Vec2 from = shape.keypoint[levels - 1];
+Similarity align_ends(const Keypoints& shape, const ArclengthPyramid& target, int levels) {
+  const Vec2 from = shape[levels - 1];
   const Vec2 to = target.keypoint[levels - 1];
-  const Vec2 chord = shape.keypoint[levels + 1] - from;
+  const Vec2 chord = shape[levels + 1] - from;
   const Vec2 target_chord = target.keypoint[levels + 1] - to;
   const float squared = std::max(dot(chord, chord), 1e-12f);
   Similarity s;
@@ -54,12 +66,13 @@ void PaperMatcher::start_field(int width, int height, Vec2 origin) {
 
 void PaperMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
 
-void PaperMatcher::post_count(const std::vector<TargetSample>& samples) {
-  histograms_.assign(samples.size(), {});
-  for (std::size_t t = 0; t < samples.size(); ++t) {
-    for_near_pairs(models_, samples[t], context_,
-                   [&](std::uint32_t, std::size_t, std::size_t, std::uint32_t, float distance) {
-                     ++histograms_[t][distance_bin(distance, context_.beta)];
+void PaperMatcher::post_count(const CountRequest& request) {
+  histograms_.assign(request.samples.size(), {});
+  for (std::size_t t = 0; t < request.samples.size(); ++t) {
+    for_near_pairs(models_, request.samples[t], context_,
+                   [&](std::uint32_t, std::size_t, std::size_t, std::uint32_t, std::uint32_t distance) {
+                     const std::uint32_t bin = distance_bin(distance, context_.beta_steps);
+                     if (bin < request.bin_reach[t]) ++histograms_[t][bin];
                    });
   }
 }
@@ -74,15 +87,17 @@ void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
   const TargetSample& target = request.samples[t];
   std::vector<Docking> dockings;
   for_near_pairs(models_, target, context_,
-                 [&](std::uint32_t m, std::size_t slot, std::size_t j, std::uint32_t source, float distance) {
-                   if (distance_bin(distance, context_.beta) >= request.bin_limit[t]) return;
+                 [&](std::uint32_t m, std::size_t slot, std::size_t j, std::uint32_t source, std::uint32_t distance) {
+                   if (distance_bin(distance, context_.beta_steps) >= request.bin_limit[t]) return;
+                   const ShapeModel& model = models_[m];
                    const Similarity pose =
-                       align_ends(models_[m].levels[slot].samples[j], target.pyramid, context_.pad.levels);
+                       align_ends(keypoints(model.levels[slot].samples[j], keypoint_step(model.radius)), target.pyramid,
+                                  context_.pad.levels);
                    const ScaleRange& range = context_.level_range[slot];
                    const float scale = pose.scale();
                    if (scale < range.low || scale > range.high || !context_.rotation_allowed(pose)) return;
                    ++docked_.evaluated;
-                   dockings.push_back({t, m, source, score(models_[m], pose), pose});
+                   dockings.push_back({t, m, source, score(model, pose), pose});
                  });
   keep_shortlist(dockings);
   docked_.dockings.insert(docked_.dockings.end(), dockings.begin(), dockings.end());
@@ -103,6 +118,7 @@ void PaperMatcher::post_refine(const std::vector<Docking>& dockings) {
 
 CollageSettings paper_settings(CollageSettings settings) {
   settings.match.top_percent = 1;
+  settings.match.most_pairs = 0;
   settings.match.beta = 0.4f;
   settings.match.delta_px = 4;
   settings.match.tangent_dockings = 0;

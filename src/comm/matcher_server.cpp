@@ -19,7 +19,7 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher) {
     case Tag::start_field: start_field(matcher, decode<FieldStart>(request.bytes)); break;
     case Tag::update_field: matcher.update_field(decode<FieldPatch>(request.bytes)); break;
     case Tag::count_request:
-      matcher.post_count(decode<std::vector<TargetSample>>(request.bytes));
+      matcher.post_count(decode<CountRequest>(request.bytes));
       ranks.send(kMaster, Tag::count_reply, encode(matcher.take_count()));
       break;
     case Tag::dock_request:
@@ -39,8 +39,8 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher) {
 void serve(Communicator& ranks, Matcher& matcher) {
   ranks.send(kMaster, Tag::hello, encode(matcher.shapes()));
   for (;;) {
-    const Message request = ranks.receive_any(kMaster, {Tag::start_field, Tag::update_field, Tag::count_request,
-                                                        Tag::dock_request, Tag::refine_request});
+    const Message request = ranks.receive_any(
+        kMaster, {Tag::start_field, Tag::update_field, Tag::count_request, Tag::dock_request, Tag::refine_request});
     // While this rank computes it cannot help a large reply along, which the master may be waiting for.
     ranks.flush();
     answer(request, ranks, matcher);

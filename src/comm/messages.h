@@ -15,9 +15,9 @@
 namespace tessera::comm {
 
 struct FieldStart {
-  int width = 0;   // nodes
+  int width = 0;  // nodes
   int height = 0;
-  Vec2 origin;     // canvas px of node (0, 0)
+  Vec2 origin;  // canvas px of node (0, 0)
 
   friend bool operator==(const FieldStart&, const FieldStart&) = default;
 };
@@ -45,6 +45,7 @@ TESSERA_SENT_AS_IT_LIES(tessera::RefinedDocking)
 
 TESSERA_SENT_BY_MEMBERS(tessera::comm::Failure)
 TESSERA_SENT_BY_MEMBERS(tessera::FieldPatch)
+TESSERA_SENT_BY_MEMBERS(tessera::CountRequest)
 TESSERA_SENT_BY_MEMBERS(tessera::DockRequest)
 TESSERA_SENT_BY_MEMBERS(tessera::DockReply)
 
@@ -54,22 +55,27 @@ namespace boost::serialization {
 
 template <class Archive>
 void serialize(Archive& archive, tessera::comm::Failure& failure, unsigned) {
-  archive & failure.exit_code & failure.text;
+  archive& failure.exit_code& failure.text;
 }
 
 template <class Archive>
 void serialize(Archive& archive, tessera::FieldPatch& patch, unsigned) {
-  archive & patch.window & patch.value;
+  archive& patch.window& patch.value;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::CountRequest& request, unsigned) {
+  archive& request.samples& request.bin_reach;
 }
 
 template <class Archive>
 void serialize(Archive& archive, tessera::DockRequest& request, unsigned) {
-  archive & request.samples & request.bin_limit & request.tangent_dockings;
+  archive& request.samples& request.bin_limit& request.tangent_dockings;
 }
 
 template <class Archive>
 void serialize(Archive& archive, tessera::DockReply& reply, unsigned) {
-  archive & reply.dockings & reply.evaluated;
+  archive& reply.dockings& reply.evaluated;
 }
 
 }  // namespace boost::serialization

@@ -6,7 +6,9 @@
 namespace tessera::comm {
 
 RemoteMatcher::RemoteMatcher(Communicator& ranks, int worker, ShapeRange shapes)
-    : ranks_(ranks), worker_(worker), shapes_(shapes) {}
+    : ranks_(ranks),
+      worker_(worker),
+      shapes_(shapes) {}
 
 void RemoteMatcher::start_field(int width, int height, Vec2 origin) {
   ranks_.send(worker_, Tag::start_field, encode(FieldStart{width, height, origin}));
@@ -14,17 +16,15 @@ void RemoteMatcher::start_field(int width, int height, Vec2 origin) {
 
 void RemoteMatcher::update_field(const FieldPatch& patch) { ranks_.send(worker_, Tag::update_field, encode(patch)); }
 
-void RemoteMatcher::post_count(const std::vector<TargetSample>& samples) {
-  ranks_.send(worker_, Tag::count_request, encode(samples));
+void RemoteMatcher::post_count(const CountRequest& request) {
+  ranks_.send(worker_, Tag::count_request, encode(request));
 }
 
 std::vector<DistanceHistogram> RemoteMatcher::take_count() {
   return decode<std::vector<DistanceHistogram>>(ranks_.receive(worker_, Tag::count_reply));
 }
 
-void RemoteMatcher::post_dock(const DockRequest& request) {
-  ranks_.send(worker_, Tag::dock_request, encode(request));
-}
+void RemoteMatcher::post_dock(const DockRequest& request) { ranks_.send(worker_, Tag::dock_request, encode(request)); }
 
 DockReply RemoteMatcher::take_dock() { return decode<DockReply>(ranks_.receive(worker_, Tag::dock_reply)); }
 

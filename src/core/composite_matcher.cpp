@@ -23,8 +23,8 @@ void CompositeMatcher::update_field(const FieldPatch& patch) {
   for (const auto& part : parts_) part->update_field(patch);
 }
 
-void CompositeMatcher::post_count(const std::vector<TargetSample>& samples) {
-  for (const auto& part : parts_) part->post_count(samples);
+void CompositeMatcher::post_count(const CountRequest& request) {
+  for (const auto& part : parts_) part->post_count(request);
 }
 
 std::vector<DistanceHistogram> CompositeMatcher::take_count() {

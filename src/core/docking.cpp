@@ -12,8 +12,7 @@ constexpr float kRejected = -1.f;
 
 }  // namespace
 
-Alignment align_pyramids(const ArclengthPyramid& shape, const ArclengthPyramid& target, int levels,
-                         ScaleRange scales) {
+Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales) {
   const int least_level = levels > 2 ? levels - 3 : 0;
   for (int level = levels - 1; level >= least_level; --level) {
     const int begin = levels - 1 - level;
@@ -22,7 +21,7 @@ Alignment align_pyramids(const ArclengthPyramid& shape, const ArclengthPyramid& 
     Vec2 shape_sum;
     Vec2 target_sum;
     for (int i = begin; i < end; ++i) {
-      shape_sum = shape_sum + shape.keypoint[i];
+      shape_sum = shape_sum + shape[i];
       target_sum = target_sum + target.keypoint[i];
     }
     const Vec2 shape_mean = shape_sum * (1 / count);
@@ -32,7 +31,7 @@ Alignment align_pyramids(const ArclengthPyramid& shape, const ArclengthPyramid& 
     float shape_spread = 1e-12f;
     float target_spread = 0;
     for (int i = begin; i < end; ++i) {
-      const Vec2 q = shape.keypoint[i] - shape_mean;
+      const Vec2 q = shape[i] - shape_mean;
       const Vec2 t = target.keypoint[i] - target_mean;
       real += dot(q, t);
       imaginary += cross(q, t);

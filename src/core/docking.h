@@ -39,7 +39,7 @@ struct Alignment {
 /// Aligns the key points of both pyramids in the least squares sense, at the longest level at which they agree within
 /// kAlignmentTolerance; invalid where none does or the scale leaves `scales`. The paper aligns the ends of level 0 only;
 /// using all ends of the matched intervals averages the noise away.
-Alignment align_pyramids(const ArclengthPyramid& shape, const ArclengthPyramid& target, int levels, ScaleRange scales);
+Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales);
 
 /// The tangent docking number `draw` of a target sample: shape, boundary point and log-uniform scale from counter-based
 /// random bits keyed by (seed, edge, pass, draw).

@@ -1,5 +1,6 @@
 #include "core/match_round.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/stopwatch.h"
@@ -9,14 +10,30 @@ namespace {
 
 constexpr float kSameDocking = 0.13f;  // of the scale: refinement would bring both to one pose
 
+PairReach next_reach(std::vector<std::uint32_t> limits) {
+  const auto middle = limits.begin() + std::ptrdiff_t(limits.size() / 2);
+  std::nth_element(limits.begin(), middle, limits.end());
+  return {std::clamp<std::uint32_t>(*middle + *middle / 4, 4, kDistanceBins)};
+}
+
+/// Per sample: the bins of the pairs that are docked.
 std::vector<std::uint32_t> bin_limits(Matcher& matcher, const std::vector<TargetSample>& samples,
-                                      std::uint64_t pairs_per_sample) {
-  std::vector<std::uint32_t> limits;
-  if (pairs_per_sample == 0) return std::vector<std::uint32_t>(samples.size(), 0);
-  matcher.post_count(samples);
-  for (const DistanceHistogram& histogram : matcher.take_count()) {
-    limits.push_back(bin_limit_for(histogram, pairs_per_sample));
+                                      std::uint64_t pairs_per_sample, PairReach& reach) {
+  std::vector<std::uint32_t> limits(samples.size(), 0);
+  if (pairs_per_sample == 0) return limits;
+  CountRequest request{samples, std::vector<std::uint32_t>(samples.size(), reach.bins)};
+  for (bool enough = false; !enough;) {
+    matcher.post_count(request);
+    const std::vector<DistanceHistogram> histograms = matcher.take_count();
+    enough = true;
+    for (std::size_t t = 0; t < samples.size(); ++t) {
+      limits[t] = bin_limit_for(histograms[t], pairs_per_sample);
+      if (limits[t] < kDistanceBins || request.bin_reach[t] == kDistanceBins) continue;
+      request.bin_reach[t] = std::min<std::uint32_t>(2 * request.bin_reach[t], kDistanceBins);
+      enough = false;
+    }
   }
+  reach = next_reach(limits);
   return limits;
 }
 
@@ -48,13 +65,19 @@ bool near_copy(const Similarity& a, const Similarity& b, float tolerance) {
   return std::abs(a.tx - b.tx) + std::abs(a.ty - b.ty) < reach && norm({a.a - b.a, a.b - b.b}) < reach;
 }
 
+MatchPlan match_plan(const MatchSettings& settings, std::uint64_t library_pads) {
+  std::uint64_t pairs = std::uint64_t(settings.top_percent / 100.0 * double(library_pads));
+  if (settings.most_pairs > 0) pairs = std::min(pairs, std::uint64_t(settings.most_pairs));
+  return {pairs, std::uint32_t(settings.tangent_dockings)};
+}
+
 MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan,
-                 std::uint64_t library_pads, RunStatistics& statistics) {
+                 std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics) {
   Stopwatch watch;
   MatchRound round;
   round.truncated.assign(samples.size(), plan.tangent_dockings > 0);
   if (samples.empty()) return round;
-  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample), plan.tangent_dockings};
+  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample, reach), plan.tangent_dockings};
   statistics.prune_s += watch.lap();
   for (std::size_t t = 0; t < samples.size(); ++t) {
     if (request.bin_limit[t] > 0 && request.bin_limit[t] < kDistanceBins) round.truncated[t] = true;

@@ -9,10 +9,18 @@
 
 namespace tessera {
 
+/// How far to look for pairs first, in bins: twice as far as was needed lately. It only saves time: where it is too
+/// short, matching looks again.
+struct PairReach {
+  std::uint32_t bins = kDistanceBins / 4;
+};
+
 struct MatchPlan {
-  std::uint64_t pairs_per_sample = 0;   // the top K % of the library's PADs; 0 = no PAD dockings
+  std::uint64_t pairs_per_sample = 0;  // the top K % of the library's PADs; 0 = no PAD dockings
   std::uint32_t tangent_dockings = 0;
 };
+
+MatchPlan match_plan(const MatchSettings& settings, std::uint64_t library_pads);
 
 struct MatchRound {
   /// Feasible, at most kRefined for each sample, in the order of the samples.
@@ -23,7 +31,7 @@ struct MatchRound {
 
 /// Adds to the counters and times of `statistics`.
 MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan,
-                 std::uint64_t library_pads, RunStatistics& statistics);
+                 std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics);
 
 /// Two poses of one shape that would look the same: closer than `tolerance` of their scale in place and in size.
 bool near_copy(const Similarity& a, const Similarity& b, float tolerance);

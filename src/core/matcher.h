@@ -3,7 +3,8 @@
 //
 // Matching is three questions. Each selects per (sample, shape) or through a threshold over the whole library, never
 // per part of it, so that the answers do not depend on how the library is divided:
-//   count   how many pairs (target sample, shape PAD) lie in each bin of the PAD distance -> the top K % threshold
+//   count   how many pairs (target sample, shape PAD) lie in each bin of the PAD distance -> the top K % threshold;
+//           only within the reach that is asked for: the shorter, the sooner
 //   dock    the best dockings of each target sample, from pairs below the threshold and from tangent dockings
 //   refine  given dockings moved to their best pose, with the terms of the objective
 //
@@ -36,6 +37,12 @@ struct FieldPatch {
 
 using DistanceHistogram = std::array<std::uint32_t, kDistanceBins>;
 
+struct CountRequest {
+  std::vector<TargetSample> samples;
+  /// Per sample: pairs whose distance bin is below this are counted.
+  std::vector<std::uint32_t> bin_reach;
+};
+
 struct DockRequest {
   std::vector<TargetSample> samples;
   /// Per sample: pairs whose distance bin is below this are docked; 0 = none.
@@ -66,7 +73,7 @@ class Matcher {
   virtual void start_field(int width, int height, Vec2 origin) = 0;
   virtual void update_field(const FieldPatch& patch) = 0;
 
-  virtual void post_count(const std::vector<TargetSample>& samples) = 0;
+  virtual void post_count(const CountRequest& request) = 0;
   virtual std::vector<DistanceHistogram> take_count() = 0;
   virtual void post_dock(const DockRequest& request) = 0;
   virtual DockReply take_dock() = 0;
@@ -77,13 +84,17 @@ class Matcher {
 };
 
 /// The bin of a PAD distance below beta.
-inline std::uint32_t distance_bin(float distance, float beta) {
-  const int bin = int(distance / beta * float(kDistanceBins));
-  return std::uint32_t(bin < kDistanceBins ? bin : kDistanceBins - 1);
+inline std::uint32_t distance_bin(std::uint32_t distance_steps, std::uint32_t beta_steps) {
+  return distance_steps * kDistanceBins / beta_steps;
+}
+
+/// Exactly the distances of the first `bins` bins are below this.
+inline std::uint32_t reach_of_bins(std::uint32_t bins, std::uint32_t beta_steps) {
+  return (bins * beta_steps + kDistanceBins - 1) / kDistanceBins;
 }
 
 /// The number of whole bins, counted from the best, that hold at most `most` pairs; at least the first one that is not
-/// empty, so that no sample goes without.
+/// empty, so that no sample goes without. All of them where the histogram holds no more than `most`.
 std::uint32_t bin_limit_for(const DistanceHistogram& histogram, std::uint64_t most);
 
 /// Sorts (docks_better) and keeps the best kShortlist.

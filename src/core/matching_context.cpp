@@ -11,7 +11,7 @@ MatchingContext make_matching_context(const CollageSettings& settings, std::uint
   MatchingContext c;
   c.seed = settings.seed;
   c.pad = settings.match.pad;
-  c.beta = settings.match.beta;
+  c.beta_steps = pad_steps(settings.match.beta);
   c.delta_px = settings.match.delta_px;
   c.min_scale_px = pieces.min_scale_px;
   c.max_scale_px = pieces.max_scale_px;
@@ -26,8 +26,8 @@ MatchingContext make_matching_context(const CollageSettings& settings, std::uint
   c.levels = levels_for_scales(c.min_scale_px, c.max_scale_px, target_sigma_px(pieces));
   for (const int level : c.levels) {
     const ScaleRange range = level_scales(level, target_sigma_px(pieces));
-    c.level_range.push_back({std::max(c.min_scale_px, range.low / kLevelSlack),
-                             std::min(c.max_scale_px, range.high * kLevelSlack)});
+    c.level_range.push_back(
+        {std::max(c.min_scale_px, range.low / kLevelSlack), std::min(c.max_scale_px, range.high * kLevelSlack)});
   }
   return c;
 }

@@ -13,17 +13,17 @@ namespace tessera {
 struct MatchingContext {
   std::uint64_t seed = 1;
   PadParameters pad;
-  float beta = 0;
+  std::uint32_t beta_steps = 0;  // pad_steps(beta)
   float delta_px = 0;
   float min_scale_px = 0;
   float max_scale_px = 0;
-  float gap_px = 0;              // boundary points up to this far from others count as gap
-  float log2_scale_ratio = 0;    // of max to min
-  Vec2 rotation_middle;          // unit vector in the middle of the allowed rotations
+  float gap_px = 0;                // boundary points up to this far from others count as gap
+  float log2_scale_ratio = 0;      // of max to min
+  Vec2 rotation_middle;            // unit vector in the middle of the allowed rotations
   float rotation_min_cosine = -1;  // of the angle from it; at most -1: every rotation is allowed
   int tangent_dockings = 0;
   std::uint32_t library_shapes = 0;
-  std::vector<int> levels;       // smoothing levels in use
+  std::vector<int> levels;              // smoothing levels in use
   std::vector<ScaleRange> level_range;  // scales that each of them serves, slack included, px
 
   bool rotation_allowed(const Similarity& s) const {

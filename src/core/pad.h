@@ -11,11 +11,12 @@
 namespace tessera {
 
 inline constexpr int kMaxPadLevels = 6;
+inline constexpr int kMaxPadElements = 2 * (kMaxPadLevels - 1);
 
 /// Paper, section 5: n = 5 and delta_tau = 0.2 in all experiments.
 struct PadParameters {
-  int levels = 5;           // n, 2..kMaxPadLevels
-  float delta_tau = 0.2f;   // rad
+  int levels = 5;          // n, 2..kMaxPadLevels
+  float delta_tau = 0.2f;  // rad
 
   friend bool operator==(const PadParameters&, const PadParameters&) = default;
 };
@@ -33,7 +34,7 @@ struct ArclengthPyramid {
 
 /// m(p) of the paper: [l_{n-2} .. l_0 r_0 .. r_{n-2}], weighted and normalised, without its sign.
 struct Pad {
-  std::array<float, 2 * (kMaxPadLevels - 1)> element{};
+  std::array<float, kMaxPadElements> element{};
   float convexity = 0;
 };
 

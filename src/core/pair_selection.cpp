@@ -7,22 +7,24 @@
 namespace tessera {
 namespace {
 
-constexpr float kNoPair = 9.f;
+constexpr std::uint32_t kNoPair = 2 * kPadSteps;
 
-/// The level whose interval estimates the scale before any alignment.
-int scale_level(int levels) { return std::min(2, levels - 1); }
+struct Target {
+  QuantisedPad pad;
+  float length;
+  float convexity;
+};
 
 /// Distances of one level's PADs; kNoPair where the scale or the sign cannot fit.
-std::vector<float> level_distances(const ModelLevel& level, const Pad& target, float target_length,
-                                   const ScaleRange& scales, int levels) {
-  const int k = scale_level(levels);
-  std::vector<float> result(level.pads.size(), kNoPair);
-  for (std::size_t j = 0; j < level.pads.size(); ++j) {
-    const float length = level.samples[j].left[k] + level.samples[j].right[k];
-    if (target_length < length * (scales.low * kScaleWindowLow)) continue;
-    if (target_length > length * (scales.high * kScaleWindowHigh)) continue;
-    if (target.convexity * level.pads[j].convexity < 0) continue;
-    result[j] = pad_distance(target, level.pads[j], levels);
+std::vector<std::uint32_t> level_distances(const ModelLevel& level, const Target& target, const ScaleRange& scales,
+                                           int levels) {
+  std::vector<std::uint32_t> result(level.samples.size(), kNoPair);
+  for (std::size_t j = 0; j < level.samples.size(); ++j) {
+    const ModelSample& sample = level.samples[j];
+    if (target.length < sample.scale_length * (scales.low * kScaleWindowLow)) continue;
+    if (target.length > sample.scale_length * (scales.high * kScaleWindowHigh)) continue;
+    if (target.convexity * sample.convexity < 0) continue;
+    result[j] = pad_distance(target.pad, sample.pad, levels);
   }
   return result;
 }
@@ -38,21 +40,20 @@ void keep_best(std::vector<PadPair>& pairs, const PadPair& pair) {
 
 }  // namespace
 
-std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample,
-                                  const MatchingContext& context) {
+std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context,
+                                  std::uint32_t reach_steps) {
   const int levels = context.pad.levels;
-  const Pad target = make_pad(sample.pyramid, levels);
-  const int k = scale_level(levels);
-  const float target_length = sample.pyramid.left[k] + sample.pyramid.right[k];
+  const Target target{quantised(make_pad(sample.pyramid, levels)), scale_length(sample.pyramid, levels),
+                      sample.pyramid.convexity};
   std::vector<PadPair> pairs;
   std::uint32_t first = 0;
   for (std::size_t slot = 0; slot < shape.levels.size(); ++slot) {
-    const std::vector<float> distance =
-        level_distances(shape.levels[slot], target, target_length, context.level_range[slot], levels);
+    const std::vector<std::uint32_t> distance =
+        level_distances(shape.levels[slot], target, context.level_range[slot], levels);
     const std::size_t n = distance.size();
     for (std::size_t j = 0; j < n; ++j) {
-      const float d = distance[j];
-      if (d >= context.beta || d > distance[j == 0 ? n - 1 : j - 1] || d >= distance[j + 1 == n ? 0 : j + 1]) continue;
+      const std::uint32_t d = distance[j];
+      if (d >= reach_steps || d > distance[j == 0 ? n - 1 : j - 1] || d >= distance[j + 1 == n ? 0 : j + 1]) continue;
       keep_best(pairs, {first + std::uint32_t(j), d});
     }
     first += std::uint32_t(n);
@@ -62,7 +63,7 @@ std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& s
 
 SourceLocation locate_source(const ShapeModel& shape, std::uint32_t source) {
   int slot = 0;
-  while (source >= shape.levels[slot].pads.size()) source -= std::uint32_t(shape.levels[slot++].pads.size());
+  while (source >= shape.levels[slot].samples.size()) source -= std::uint32_t(shape.levels[slot++].samples.size());
   return {slot, int(source)};
 }
 

@@ -12,12 +12,13 @@
 namespace tessera {
 
 struct PadPair {
-  std::uint32_t source = 0;  // index of the shape's PAD, counted over the levels in use
-  float distance = 0;
+  std::uint32_t source = 0;    // index of the shape's PAD, counted over the levels in use
+  std::uint32_t distance = 0;  // steps
 };
 
-/// At most kPairsPerShape pairs below beta, best first; ties by source.
-std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context);
+/// At most kPairsPerShape pairs nearer than `reach_steps`, best first; ties by source.
+std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context,
+                                  std::uint32_t reach_steps);
 
 /// The level in use and the index within it of a source.
 struct SourceLocation {

@@ -9,7 +9,9 @@ namespace tessera {
 
 ReferenceMatcher::ReferenceMatcher(const MatchingContext& context, std::uint32_t first_shape,
                                    std::vector<ShapeModel> models)
-    : context_(context), first_shape_(first_shape), models_(std::move(models)) {}
+    : context_(context),
+      first_shape_(first_shape),
+      models_(std::move(models)) {}
 
 ShapeRange ReferenceMatcher::shapes() const { return {first_shape_, first_shape_ + std::uint32_t(models_.size())}; }
 
@@ -20,12 +22,13 @@ void ReferenceMatcher::start_field(int width, int height, Vec2 origin) {
 
 void ReferenceMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
 
-void ReferenceMatcher::post_count(const std::vector<TargetSample>& samples) {
-  histograms_.assign(samples.size(), {});
-  for (std::size_t t = 0; t < samples.size(); ++t) {
+void ReferenceMatcher::post_count(const CountRequest& request) {
+  histograms_.assign(request.samples.size(), {});
+  for (std::size_t t = 0; t < request.samples.size(); ++t) {
+    const std::uint32_t reach = reach_of_bins(request.bin_reach[t], context_.beta_steps);
     for (const ShapeModel& model : models_) {
-      for (const PadPair& pair : select_pairs(model, samples[t], context_)) {
-        ++histograms_[t][distance_bin(pair.distance, context_.beta)];
+      for (const PadPair& pair : select_pairs(model, request.samples[t], context_, reach)) {
+        ++histograms_[t][distance_bin(pair.distance, context_.beta_steps)];
       }
     }
   }
@@ -36,18 +39,18 @@ std::vector<DistanceHistogram> ReferenceMatcher::take_count() { return std::move
 std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, std::uint32_t t,
                                                     DockReply& reply) const {
   std::vector<Docking> kept;
+  const std::uint32_t reach = reach_of_bins(request.bin_limit[t], context_.beta_steps);
   for (std::size_t m = 0; m < models_.size(); ++m) {
     std::vector<Docking> of_shape;
-    for (const PadPair& pair : select_pairs(models_[m], request.samples[t], context_)) {
-      if (distance_bin(pair.distance, context_.beta) >= request.bin_limit[t]) continue;
+    for (const PadPair& pair : select_pairs(models_[m], request.samples[t], context_, reach)) {
       const SourceLocation at = locate_source(models_[m], pair.source);
+      const ModelSample& source = models_[m].levels[at.level_slot].samples[at.index];
       const Alignment aligned =
-          align_pyramids(models_[m].levels[at.level_slot].samples[at.index], request.samples[t].pyramid,
+          align_pyramids(keypoints(source, keypoint_step(models_[m].radius)), request.samples[t].pyramid,
                          context_.pad.levels, context_.level_range[at.level_slot]);
       if (!aligned.valid || !context_.rotation_allowed(aligned.canvas_from_shape)) continue;
       ++reply.evaluated;
-      const float key =
-          docking_key(models_[m], aligned.canvas_from_shape, FieldView(field_), context_.max_scale_px);
+      const float key = docking_key(models_[m], aligned.canvas_from_shape, FieldView(field_), context_.max_scale_px);
       if (key < kLeastDockingKey) continue;
       of_shape.push_back({t, first_shape_ + std::uint32_t(m), pair.source, key, aligned.canvas_from_shape});
     }

@@ -15,7 +15,7 @@ class ReferenceMatcher : public Matcher {
   ShapeRange shapes() const override;
   void start_field(int width, int height, Vec2 origin) override;
   void update_field(const FieldPatch& patch) override;
-  void post_count(const std::vector<TargetSample>& samples) override;
+  void post_count(const CountRequest& request) override;
   std::vector<DistanceHistogram> take_count() override;
   void post_dock(const DockRequest& request) override;
   DockReply take_dock() override;

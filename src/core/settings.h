@@ -9,17 +9,18 @@
 namespace tessera {
 
 struct PieceSettings {
-  float min_scale_px = 20;   // square root of the piece's area
+  float min_scale_px = 20;  // square root of the piece's area
   float max_scale_px = 160;
   float min_rotation_rad = -3.14159265f;
   float max_rotation_rad = 3.14159265f;
-  int uses = 0;              // how often one shape may be placed; 0 = unlimited
-  float padding_px = 0;      // distance kept between pieces, and between pieces and the canvas' edge
+  int uses = 0;          // how often one shape may be placed; 0 = unlimited
+  float padding_px = 0;  // distance kept between pieces, and between pieces and the canvas' edge
 };
 
 struct MatchSettings {
   PadParameters pad;
   float top_percent = 2;       // K of the paper: best pairs kept, in percent of all pairs of a target sample
+  int most_pairs = 200;        // best pairs kept, however large the library; 0 = no limit
   float beta = 0.12f;          // largest PAD distance
   int tangent_dockings = 600;  // random tangent-aligned dockings per target sample
   float delta_px = 2.5f;       // a boundary point nearer than this is matched
@@ -33,14 +34,14 @@ struct ObjectiveSettings {
   float gap_weight = 1;
   float length_exponent = 0.5f;
   float scale_exponent = 0.7f;
-  float repetition_exponent = 0.3f;   // score times (1 + uses)^-exponent
-  float near_twin_factor = 0.7f;      // score times this for each near copy
+  float repetition_exponent = 0.3f;  // score times (1 + uses)^-exponent
+  float near_twin_factor = 0.7f;     // score times this for each near copy
 };
 
 struct StopSettings {
-  int pieces = 0;       // 0 = no limit
-  float coverage = 1;   // fraction of the canvas
-  double seconds = 0;   // 0 = no limit
+  int pieces = 0;      // 0 = no limit
+  float coverage = 1;  // fraction of the canvas
+  double seconds = 0;  // 0 = no limit
 };
 
 /// Ruin and recreate, after nothing fits any more; ends with whichever limit comes first. Both 0: none.

@@ -70,9 +70,11 @@ ModelLevel make_level(const Shape& shape, int level, const PadParameters& librar
   const LevelCurve& curve = shape.levels[level];
   ModelLevel result;
   result.level = level;
-  result.samples =
-      pad == library_pad ? curve.samples : sample_pyramids(curve.points, kind.sigma, kind.samples, pad);
-  for (const ArclengthPyramid& p : result.samples) result.pads.push_back(make_pad(p, pad.levels));
+  const float step = keypoint_step(shape.radius);
+  for (const ArclengthPyramid& pyramid :
+       pad == library_pad ? curve.samples : sample_pyramids(curve.points, kind.sigma, kind.samples, pad)) {
+    result.samples.push_back(make_model_sample(pyramid, pad.levels, step));
+  }
   return result;
 }
 

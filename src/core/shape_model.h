@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/model_sample.h"
 #include "core/shape.h"
 
 namespace tessera {
@@ -16,8 +17,7 @@ inline constexpr int kMaxInteriorPoints = 64;
 /// The PADs of one smoothing level.
 struct ModelLevel {
   int level = 0;  // index into kSmoothingLevels
-  std::vector<ArclengthPyramid> samples;
-  std::vector<Pad> pads;
+  std::vector<ModelSample> samples;
 };
 
 struct ShapeModel {
@@ -28,7 +28,7 @@ struct ShapeModel {
   float disc_radius = 0;
   float perimeter = 0;
   float radius = 0;
-  std::vector<ModelLevel> levels;                // those the job uses, coarse to fine
+  std::vector<ModelLevel> levels;  // those the job uses, coarse to fine
 };
 
 /// `shape` with outline, field and the wanted levels. Pyramids for other parameters than those of the library

@@ -19,23 +19,25 @@ inline constexpr float kShortestLoop = 2.5f;      // shorter boundary loops encl
 inline float target_sigma_px(const PieceSettings& p) { return std::max(1.5f, kTargetSigma * p.min_scale_px); }
 inline float opening_radius_px(const PieceSettings& p) { return kOpeningRadius * p.min_scale_px; }
 inline float reachable_radius_px(const PieceSettings& p) { return kReachableRadius * p.min_scale_px; }
-inline int sample_spacing_px(const PieceSettings& p) { return std::max(2, int(kSampleSpacing * p.min_scale_px + 0.5f)); }
+inline int sample_spacing_px(const PieceSettings& p) {
+  return std::max(2, int(kSampleSpacing * p.min_scale_px + 0.5f));
+}
 
 /// How far around a piece its distances enter the free field; what looks further ahead only needs "far".
 inline float stamp_band_px(const PieceSettings& p) { return std::max(24.f, 0.25f * p.max_scale_px); }
 
 // Matching.
-inline constexpr int kPairsPerShape = 8;       // best local minima kept for a (target sample, shape)
-inline constexpr int kDockingsPerShape = 2;    // of these, the best after docking
-inline constexpr int kDistanceBins = 64;       // of the histogram that finds the global top K percent
-inline constexpr int kShortlist = 16;          // dockings of a target sample that are compared over the whole library
-inline constexpr int kRefined = 6;            // of these, distinct ones that are refined
-inline constexpr int kPoolPerSample = 4;       // refined candidates kept
+inline constexpr int kPairsPerShape = 4;     // best local minima kept for a (target sample, shape)
+inline constexpr int kDockingsPerShape = 2;  // of these, the best after docking
+inline constexpr int kDistanceBins = 64;     // of the histogram that finds the global top K percent
+inline constexpr int kShortlist = 16;        // dockings of a target sample that are compared over the whole library
+inline constexpr int kRefined = 6;           // of these, distinct ones that are refined
+inline constexpr int kPoolPerSample = 4;     // refined candidates kept
 inline constexpr int kRematchTangentDockings = 2000;  // when the pool is dry
 /// A pre-test of the scale by the lengths of level 2, which are noisier than the final alignment.
 inline constexpr float kScaleWindowLow = 0.7f;
 inline constexpr float kScaleWindowHigh = 1.4f;
-inline constexpr float kLevelSlack = 1.05f;    // a level serves its octave and so much beyond
+inline constexpr float kLevelSlack = 1.05f;  // a level serves its octave and so much beyond
 /// Largest mean residual of the key points: squared, in units of 4 px times their spread.
 inline constexpr float kAlignmentTolerance = 0.64f;
 
@@ -43,10 +45,10 @@ inline constexpr float kAlignmentTolerance = 0.64f;
 inline constexpr float kLeastDockingKey = 0.1f;
 
 // Refinement.
-inline constexpr float kHardDepth_px = 1.4f;   // no boundary point of a placed piece lies deeper in another
+inline constexpr float kHardDepth_px = 1.4f;     // no boundary point of a placed piece lies deeper in another
 inline constexpr float kHopelessDepth_px = 3.f;  // deeper than this, pushing is not worth the time
 inline constexpr int kPushSteps = 5;
-inline constexpr float kPushShrink = 0.994f;   // a piece that is still stuck gives way a little
+inline constexpr float kPushShrink = 0.994f;  // a piece that is still stuck gives way a little
 
 // Candidates.
 inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, estimated along the contour
@@ -54,6 +56,6 @@ inline constexpr float kLeastMatched = 0.03f;  // of the piece's boundary: it mu
 inline constexpr int kFinalists = 24;          // candidates checked exactly in a round
 inline constexpr float kGrowStep = 1.015f;
 inline constexpr int kGrowSteps = 12;
-inline constexpr int kRefillBelow = 2;         // a target sample with fewer candidates left is matched again
+inline constexpr int kRefillBelow = 2;  // a target sample with fewer candidates left is matched again
 
 }  // namespace tessera

@@ -6,7 +6,8 @@
 namespace tessera::master {
 namespace {
 
-constexpr int kEmptyPasses = 2;  // over all samples, with new random dockings each time, before the region counts as full
+constexpr int kEmptyPasses =
+    2;  // over all samples, with new random dockings each time, before the region counts as full
 
 }  // namespace
 
@@ -21,8 +22,7 @@ Filling::Filling(Collage& collage, const MatchingContext& context, const Collage
   statistics_.shapes = context.library_shapes;
   statistics_.pads_per_shape = double(pads_per_shape);
   library_pads_ = pads_per_shape * context.library_shapes;
-  const double share = settings.match.top_percent / 100.0;
-  usual_plan_ = {std::uint64_t(share * double(library_pads_)), std::uint32_t(settings.match.tangent_dockings)};
+  usual_plan_ = match_plan(settings.match, library_pads_);
   const CanvasField& field = collage.free().field();
   matcher.start_field(field.value.width(), field.value.height(), field.origin);
   start(field.value.bounds());
@@ -58,7 +58,7 @@ void Filling::match_stale() {
   if (!changed.empty()) matcher_.update_field(read_patch(collage_.free().field().value, changed));
   const std::vector<TargetSample> samples = collage_.take_stale_samples();
   statistics_.merge_s += watch.lap();
-  const MatchRound found = match(matcher_, samples, plan(), library_pads_, statistics_);
+  const MatchRound found = match(matcher_, samples, plan(), library_pads_, reach_, statistics_);
   watch.lap();
   collage_.add_candidates(samples, found);
   statistics_.objective_s += watch.lap();

@@ -30,6 +30,7 @@ class Filling {
   RunStatistics& statistics_;
   std::uint64_t library_pads_ = 0;
   MatchPlan usual_plan_;
+  PairReach reach_;
   int most_empty_passes_;  // none without tangent dockings: PADs alone would give what they gave before
   Window region_;
   int empty_passes_ = 0;

@@ -18,8 +18,10 @@ class DeviceLibrary {
   int pad_levels() const { return pad_levels_; }
   const MatchRecord& match() const { return match_; }
   const DeviceBuffer<MatchRecord>& match_buffer() const { return match_buffer_; }
-  const DeviceBuffer<float>& pads() const { return pads_; }
-  const DeviceBuffer<float>& keypoints() const { return keypoints_; }
+  const DeviceBuffer<std::uint8_t>& pad_bytes() const { return pad_bytes_; }
+  const DeviceBuffer<std::uint16_t>& pads() const { return pads_; }
+  const DeviceBuffer<PadRecord>& pad_records() const { return pad_records_; }
+  const DeviceBuffer<std::int16_t>& keypoints() const { return keypoints_; }
   const DeviceBuffer<float>& contours() const { return contours_; }
   const DeviceBuffer<ShapeRecord>& shapes() const { return shapes_; }
   const DeviceBuffer<float>& field() const { return field_; }
@@ -29,8 +31,10 @@ class DeviceLibrary {
   DeviceSession session_;
   MatchRecord match_;
   DeviceBuffer<MatchRecord> match_buffer_;
-  DeviceBuffer<float> pads_;
-  DeviceBuffer<float> keypoints_;
+  DeviceBuffer<std::uint8_t> pad_bytes_;
+  DeviceBuffer<std::uint16_t> pads_;
+  DeviceBuffer<PadRecord> pad_records_;
+  DeviceBuffer<std::int16_t> keypoints_;
   DeviceBuffer<float> contours_;
   DeviceBuffer<ShapeRecord> shapes_;
   DeviceBuffer<float> field_;

@@ -45,7 +45,8 @@ void DockStage::post(const DockRequest& request) {
   samples_ = std::uint32_t(request.samples.size());
   draws_ = request.tangent_dockings;
   with_pairs_ = std::any_of(request.bin_limit.begin(), request.bin_limit.end(), [](std::uint32_t b) { return b > 0; });
-  pairs_->set_samples(make_sample_records(request.samples, request.bin_limit, library_->pad_levels()));
+  pairs_->set_samples(
+      make_sample_records(request.samples, request.bin_limit, library_->match(), library_->pad_levels()));
   shortlists_.reserve(std::size_t(samples_) * kShortlist);
   shortlist_counts_.reserve(samples_);
   evaluated_.clear(samples_);

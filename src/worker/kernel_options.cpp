@@ -1,12 +1,12 @@
 #include "worker/kernel_options.h"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "core/docking.h"
 #include "core/field_lookup.h"
 #include "core/shape_model.h"
 #include "core/tuning.h"
+#include "worker/shard.h"
 
 namespace tessera::worker {
 namespace {
@@ -24,11 +24,6 @@ void define(std::string& options, const char* name, float value) {
   define(options, name, std::string(text));
 }
 
-int most_level_samples() {
-  const auto fewer = [](const SmoothingLevel& a, const SmoothingLevel& b) { return a.samples < b.samples; };
-  return std::max_element(kSmoothingLevels.begin(), kSmoothingLevels.end(), fewer)->samples;
-}
-
 }  // namespace
 
 std::string kernel_options(const cl::Device& device, int pad_levels) {
@@ -37,10 +32,11 @@ std::string kernel_options(const cl::Device& device, int pad_levels) {
     options += " -cl-fp32-correctly-rounded-divide-sqrt";
   }
   define(options, "kPadLevels", pad_levels);
+  define(options, "kPadRow", pad_row(pad_levels));
   define(options, "kPadKeypoints", 2 * pad_levels + 1);
-  define(options, "kMaxLevelSamples", most_level_samples());
 #define DEFINE(constant) define(options, #constant, constant)
   DEFINE(kMaxPadLevels);
+  DEFINE(kMaxPadElements);
   DEFINE(kBoundaryPoints);
   DEFINE(kMediumStride);
   DEFINE(kCoarseStride);

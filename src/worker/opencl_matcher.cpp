@@ -14,8 +14,8 @@ ShapeRange OpenCLMatcher::shapes() const {
   return {match.first_shape, match.first_shape + match.shapes};
 }
 
-void OpenCLMatcher::post_count(const std::vector<TargetSample>& samples) {
-  pairs_.post_count(make_sample_records(samples, {}, library_.pad_levels()));
+void OpenCLMatcher::post_count(const CountRequest& request) {
+  pairs_.post_count(make_sample_records(request.samples, request.bin_reach, library_.match(), library_.pad_levels()));
 }
 
 }  // namespace tessera::worker

@@ -20,18 +20,34 @@ std::uint32_t PairStage::samples_at_a_time() const {
 }
 
 void PairStage::set_samples(std::vector<SampleRecord> samples) {
-  if (!same_samples(samples, samples_)) held_ = {};
+  if (same_samples(samples, samples_)) {
+    for (std::size_t t = held_.begin; t < held_.end; ++t) samples[t].held_reach = samples_[t].held_reach;
+  } else {
+    held_ = {};
+  }
   samples_ = std::move(samples);
   sample_buffer_.write(samples_);
 }
 
+bool PairStage::holds(std::uint32_t first, std::uint32_t end) const {
+  return first >= held_.begin && end <= held_.end &&
+         std::all_of(samples_.begin() + first, samples_.begin() + end,
+                     [](const SampleRecord& sample) { return sample.reach <= sample.held_reach; });
+}
+
 std::uint32_t PairStage::need(std::uint32_t first, std::uint32_t end) {
-  if (first >= held_.begin && end <= held_.end) return held_.begin;
+  if (holds(first, end)) return held_.begin;
+  const std::uint32_t only_longer_reach = first == held_.begin && end == held_.end;
   const std::size_t places = std::size_t(end - first) * library_->match().shapes;
   pairs_.reserve(places * kPairsPerShape);
   pair_count_.reserve(places);
   launch(library_->session(), select_pairs_, {end - first, library_->match().shapes, kSamplesPerGroup},
-         library_->match_buffer(), library_->pads(), first, end, sample_buffer_, pairs_, pair_count_);
+         library_->match_buffer(), library_->pad_bytes(), library_->pads(), library_->pad_records(), first, end,
+         only_longer_reach, sample_buffer_, pairs_, pair_count_);
+  for (std::uint32_t t = first; t < end; ++t) {
+    SampleRecord& sample = samples_[t];
+    sample.held_reach = only_longer_reach ? std::max(sample.held_reach, sample.reach) : sample.reach;
+  }
   held_ = {first, end};
   return first;
 }
@@ -44,7 +60,7 @@ void PairStage::post_count(std::vector<SampleRecord> samples) {
     const std::uint32_t end = std::min(count, first + samples_at_a_time());
     const std::uint32_t first_paired = need(first, end);
     launch(library_->session(), count_pairs_, {end - first, library_->match().shapes, kSamplesPerGroup},
-           library_->match_buffer(), first, end, first_paired, pairs_, pair_count_, histograms_);
+           library_->match_buffer(), first, end, first_paired, sample_buffer_, pairs_, pair_count_, histograms_);
   }
   library_->session().flush();
 }

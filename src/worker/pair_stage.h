@@ -19,7 +19,7 @@ class PairStage {
   void set_samples(std::vector<SampleRecord> samples);
   const DeviceBuffer<SampleRecord>& samples() const { return sample_buffer_; }
 
-  /// Pairs of samples [first, end) of those set, posted where they are not there already.
+  /// Pairs of samples [first, end) of those set, within their reach, posted where they are not there already.
   /// Gives the sample with which pairs() begins.
   std::uint32_t need(std::uint32_t first, std::uint32_t end);
   const DeviceBuffer<PairRecord>& pairs() const { return pairs_; }
@@ -39,7 +39,13 @@ class PairStage {
   DeviceBuffer<PairRecord> pairs_;
   DeviceBuffer<std::uint32_t> pair_count_;
   DeviceBuffer<std::uint32_t> histograms_;
-  ShapeRange held_;  // samples whose pairs are on the device
+  bool holds(std::uint32_t first, std::uint32_t end) const;
+
+  struct Held {  // samples [begin, end), whose pairs are on the device
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+  };
+  Held held_;
 };
 
 /// Samples in a work group of kernels that run over (sample, shape): they share the shape's data in a cache.

@@ -3,12 +3,23 @@
 #include <algorithm>
 #include <cstring>
 
-#include "worker/shard.h"
+#include "core/matcher.h"
+#include "core/pad_filter.h"
 
 namespace tessera::worker {
 namespace {
 
-SampleRecord make_sample_record(const TargetSample& sample, int pad_levels) {
+void put_scale_windows(SampleRecord& r, const MatchRecord& match) {
+  for (u32 k = 0; k < match.level_count; ++k) {
+    const LevelRecord& level = match.level[k];
+    const ScaleWindow window = scale_window(r.scale_length / (level.scale_high_px * kScaleWindowHigh),
+                                            r.scale_length / (level.scale_low_px * kScaleWindowLow));
+    r.scale_low[k] = window.low;
+    r.scale_width[k] = window.width;
+  }
+}
+
+SampleRecord make_sample_record(const TargetSample& sample, const MatchRecord& match, int pad_levels) {
   SampleRecord r{};
   r.position_x = sample.position.x;
   r.position_y = sample.position.y;
@@ -16,11 +27,12 @@ SampleRecord make_sample_record(const TargetSample& sample, int pad_levels) {
   r.tangent_y = sample.tangent.y;
   r.edge = sample.edge;
   r.pass = sample.pass;
-  const int k = scale_level(pad_levels);
-  r.scale_length = sample.pyramid.left[k] + sample.pyramid.right[k];
-  const Pad pad = make_pad(sample.pyramid, pad_levels);
-  r.convexity = pad.convexity;
+  r.scale_length = scale_length(sample.pyramid, pad_levels);
+  r.convexity = sample.pyramid.convexity;
+  const QuantisedPad pad = quantised(make_pad(sample.pyramid, pad_levels));
   std::copy(pad.element.begin(), pad.element.end(), r.element);
+  r.signs = sign_byte(r.convexity);
+  put_scale_windows(r, match);
   for (int i = 0; i < kMaxKeypoints; ++i) {
     r.keypoint_x[i] = sample.pyramid.keypoint[i].x;
     r.keypoint_y[i] = sample.pyramid.keypoint[i].y;
@@ -29,19 +41,21 @@ SampleRecord make_sample_record(const TargetSample& sample, int pad_levels) {
 }
 
 bool same_sample(SampleRecord a, const SampleRecord& b) {
-  a.bin_limit = b.bin_limit;
+  a.reach = b.reach;
+  a.held_reach = b.held_reach;
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 }  // namespace
 
 std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& samples,
-                                              const std::vector<std::uint32_t>& bin_limit, int pad_levels) {
+                                              const std::vector<std::uint32_t>& bin_reach, const MatchRecord& match,
+                                              int pad_levels) {
   std::vector<SampleRecord> records;
   records.reserve(samples.size());
   for (std::size_t t = 0; t < samples.size(); ++t) {
-    records.push_back(make_sample_record(samples[t], pad_levels));
-    if (!bin_limit.empty()) records.back().bin_limit = bin_limit[t];
+    records.push_back(make_sample_record(samples[t], match, pad_levels));
+    records.back().reach = reach_of_bins(bin_reach[t], match.beta_steps);
   }
   return records;
 }

@@ -8,11 +8,12 @@
 
 namespace tessera::worker {
 
-/// `bin_limit`: one for each sample, or empty (0 for all).
+/// `bin_reach`: per sample, pairs of the bins below this.
 std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& samples,
-                                              const std::vector<std::uint32_t>& bin_limit, int pad_levels);
+                                              const std::vector<std::uint32_t>& bin_reach, const MatchRecord& match,
+                                              int pad_levels);
 
-/// Whether both give the same pairs, and the same draws: all but the bin limits.
+/// Whether both give the same pairs within the same reach, and the same draws.
 bool same_samples(const std::vector<SampleRecord>& a, const std::vector<SampleRecord>& b);
 
 }  // namespace tessera::worker

@@ -1,7 +1,10 @@
 #include "worker/shard.h"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
+
+#include "core/pad_filter.h"
 
 namespace tessera::worker {
 namespace {
@@ -10,14 +13,14 @@ static_assert(kSmoothingLevelCount == kSmoothingLevels.size());
 static_assert(kBoundaryPoints % (kLanes * kMediumStride) == 0 && kBoundaryPoints % (kLanes * kCoarseStride) == 0);
 static_assert(kMaxInteriorPoints % kLanes == 0);
 static_assert(std::all_of(kSmoothingLevels.begin(), kSmoothingLevels.end(),
-                          [](const SmoothingLevel& level) { return level.samples % kLanes == 0; }));
+                          [](const SmoothingLevel& level) { return level.samples % kFilterLanes == 0; }));
 static_assert(std::tuple_size_v<decltype(Pad::element)> == kMaxPadElements);
-static_assert(std::tuple_size_v<decltype(ArclengthPyramid::keypoint)> == kMaxKeypoints);
+static_assert(std::tuple_size_v<Keypoints> == kMaxKeypoints);
 
 MatchRecord make_match_record(const MatchingContext& c, std::uint32_t first_shape, std::size_t shapes) {
   MatchRecord m{};
   m.seed = c.seed;
-  m.beta = c.beta;
+  m.beta_steps = c.beta_steps;
   m.delta_px = c.delta_px;
   m.min_scale_px = c.min_scale_px;
   m.max_scale_px = c.max_scale_px;
@@ -41,25 +44,36 @@ MatchRecord make_match_record(const MatchingContext& c, std::uint32_t first_shap
 void check_levels(const MatchRecord& match, const ShapeModel& model) {
   bool fits = model.levels.size() == match.level_count && model.interior.size() <= kMaxInteriorPoints;
   for (std::size_t k = 0; fits && k < model.levels.size(); ++k) {
-    fits =
-        model.levels[k].samples.size() == match.level[k].count && model.levels[k].pads.size() == match.level[k].count;
+    fits = model.levels[k].samples.size() == match.level[k].count;
   }
   if (!fits) throw std::logic_error("a shape model does not have the levels and samples of its matching context");
 }
 
-void append_pads(std::vector<float>& pads, const ModelLevel& level, int pad_levels) {
+void append_pad_bytes(std::vector<std::uint8_t>& bytes, std::span<const ModelSample> block, int pad_levels) {
   for (int e = 0; e < 2 * (pad_levels - 1); ++e) {
-    for (const Pad& pad : level.pads) pads.push_back(pad.element[e]);
+    for (const ModelSample& sample : block) bytes.push_back(pad_byte(sample.pad.element[e]));
   }
-  const int k = scale_level(pad_levels);
-  for (const ArclengthPyramid& sample : level.samples) pads.push_back(sample.left[k] + sample.right[k]);
-  for (const Pad& pad : level.pads) pads.push_back(pad.convexity);
+  for (const ModelSample& sample : block) bytes.push_back(scale_byte(sample.scale_length));
+  for (const ModelSample& sample : block) bytes.push_back(sign_byte(sample.convexity));
 }
 
-void append_keypoints(std::vector<float>& keypoints, const ArclengthPyramid& sample, int pad_levels) {
+void append_keypoints(std::vector<std::int16_t>& keypoints, const ModelSample& sample, int pad_levels) {
   const int count = 2 * pad_levels + 1;
   for (int i = 0; i < count; ++i) keypoints.push_back(sample.keypoint[i].x);
   for (int i = 0; i < count; ++i) keypoints.push_back(sample.keypoint[i].y);
+}
+
+void append_level(Shard& shard, const ModelLevel& level, int pad_levels) {
+  for (std::size_t first = 0; first < level.samples.size(); first += kFilterLanes) {
+    append_pad_bytes(shard.pad_bytes, {level.samples.data() + first, kFilterLanes}, pad_levels);
+  }
+  for (const ModelSample& sample : level.samples) {
+    for (int e = 0; e < pad_row(pad_levels); ++e) {
+      shard.pads.push_back(e < 2 * (pad_levels - 1) ? sample.pad.element[e] : 0);
+    }
+    shard.pad_records.push_back({sample.scale_length, sample.convexity});
+    append_keypoints(shard.keypoints, sample, pad_levels);
+  }
 }
 
 /// Every stride-th point, all x and then all y, in a set with room for `room`.
@@ -84,25 +98,24 @@ void append_contour(std::vector<float>& contours, const ShapeModel& model) {
 
 }  // namespace
 
-int scale_level(int pad_levels) { return std::min(2, pad_levels - 1); }
-
 Shard make_shard(const MatchingContext& context, std::uint32_t first_shape, const std::vector<ShapeModel>& models) {
   Shard shard;
   shard.match = make_match_record(context, first_shape, models.size());
   const int pad_levels = context.pad.levels;
   const std::size_t sources = models.size() * shard.match.sources;
-  shard.pads.reserve(sources * (2 * pad_levels));
+  shard.pad_bytes.reserve(sources * 2 * pad_levels);
+  shard.pads.reserve(sources * pad_row(pad_levels));
+  shard.pad_records.reserve(sources);
   shard.keypoints.reserve(sources * 2 * (2 * pad_levels + 1));
   shard.contours.reserve(models.size() * kContourFloats);
   for (const ShapeModel& model : models) {
     check_levels(shard.match, model);
     for (const ModelLevel& level : model.levels) {
-      append_pads(shard.pads, level, pad_levels);
-      for (const ArclengthPyramid& sample : level.samples) append_keypoints(shard.keypoints, sample, pad_levels);
+      append_level(shard, level, pad_levels);
     }
     append_contour(shard.contours, model);
-    shard.shapes.push_back({model.perimeter, model.radius, model.disc_centre.x, model.disc_centre.y, model.disc_radius,
-                            u32(model.interior.size())});
+    shard.shapes.push_back({model.perimeter, model.radius, keypoint_step(model.radius), model.disc_centre.x,
+                            model.disc_centre.y, model.disc_radius, u32(model.interior.size())});
   }
   return shard;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/matching_context.h"
@@ -13,25 +14,31 @@ namespace tessera::worker {
 struct Shard {
   /// All but the field's place.
   MatchRecord match;
-  /// By shape, level, element, sample: the PAD's elements, then the length that estimates the scale, then convexity.
-  std::vector<float> pads;
-  /// By shape and source: x of the key points, then y. Shape units.
-  std::vector<float> keypoints;
+  /// The filter (core/pad_filter.h), by shape and block of kFilterLanes sources: a row for each element of the PADs, then
+  /// one for the lengths that estimate the scale, one for the signs.
+  std::vector<std::uint8_t> pad_bytes;
+  /// By shape and source: the PAD's elements, steps, and zeros up to pad_row().
+  std::vector<std::uint16_t> pads;
+  std::vector<PadRecord> pad_records;
+  /// By shape and source: x of the key points, then y. Steps of the shape's keypoint_step.
+  std::vector<std::int16_t> keypoints;
   /// By shape: the sets of points of RecordSizes. Shape units.
   std::vector<float> contours;
   std::vector<ShapeRecord> shapes;
 
   /// On the device.
   std::size_t bytes() const {
-    return (pads.size() + keypoints.size() + contours.size()) * sizeof(float) + shapes.size() * sizeof(ShapeRecord);
+    return pad_bytes.size() + (pads.size() + keypoints.size()) * sizeof(std::uint16_t) +
+           pad_records.size() * sizeof(PadRecord) + contours.size() * sizeof(float) +
+           shapes.size() * sizeof(ShapeRecord);
   }
 };
+
+/// Elements of a PAD on the device: a vector of 8 or of 16.
+constexpr int pad_row(int pad_levels) { return 2 * (pad_levels - 1) <= 8 ? 8 : 16; }
 
 /// `models[i]` is library shape first_shape + i; they have the context's levels, each with as many samples as
 /// kSmoothingLevels says (else std::logic_error).
 Shard make_shard(const MatchingContext& context, std::uint32_t first_shape, const std::vector<ShapeModel>& models);
-
-/// The level whose interval estimates the scale before any alignment, as in core/pair_selection.cpp.
-int scale_level(int pad_levels);
 
 }  // namespace tessera::worker

@@ -31,15 +31,18 @@ TEST(PaperMatcher, DocksPairsBelowTheLimitAndLeavesThemAsTheyAre) {
 TEST(PaperMatcher, CountsEveryPairBelowBeta) {
   const test::MatchingScene scene = paper_scene();
   PaperMatcher matcher(scene.settings, scene.context, scene.models);
-  matcher.post_count(scene.samples);
+  matcher.post_count(test::count_all(scene.samples));
   const std::vector<DistanceHistogram> histograms = matcher.take_count();
   ASSERT_EQ(histograms.size(), scene.samples.size());
   std::uint64_t expected = 0;
-  const Pad target = make_pad(scene.samples[0].pyramid, scene.context.pad.levels);
+  const int levels = scene.context.pad.levels;
+  Pad target = make_pad(scene.samples[0].pyramid, levels);
   for (const ShapeModel& model : scene.models) {
     for (const ModelLevel& level : model.levels) {
-      for (const Pad& pad : level.pads) {
-        expected += pad_distance(target, pad, scene.context.pad.levels) < scene.context.beta;
+      for (const ModelSample& sample : level.samples) {
+        Pad pad{.element = {}, .convexity = sample.convexity};
+        for (int e = 0; e < kMaxPadElements; ++e) pad.element[e] = float(sample.pad.element[e]) / float(kPadSteps);
+        expected += pad_distance(target, pad, levels) < scene.settings.match.beta;
       }
     }
   }

@@ -27,7 +27,10 @@ until ((killed >= kills && finished >= 1)); do
   ranks=$((RANDOM % 2 ? 3 : 1))
   start "$ranks" out "${options[@]}"
   if ((killed < kills)); then
-    sleep "$((RANDOM % 2)).$((RANDOM % 900 + 100))"
+    # Any moment; every other kill, one after the first round, whatever the machine is busy with.
+    ((killed % 2)) && wait_for_checkpoint out
+    pause_ms=$((RANDOM % run_ms))
+    sleep "$((pause_ms / 1000)).$(printf %03d $((pause_ms % 1000)))"
     read -ra victims < <(cat "/proc/$started/task/$started/children" 2>/dev/null)
     [[ $ranks == 1 ]] && victims=("$started")
     if ((${#victims[@]} > 0)) && kill -KILL "${victims[RANDOM % ${#victims[@]}]}" 2>/dev/null; then

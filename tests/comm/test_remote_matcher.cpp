@@ -15,11 +15,11 @@
 namespace tessera::comm {
 namespace {
 
-using test::on_all_ranks;
-using test::run_job;
 using tessera::test::MatchingScene;
 using tessera::test::Round;
 using tessera::test::set_field;
+using test::on_all_ranks;
+using test::run_job;
 
 /// Answers with what it was told, in a form that shows it.
 class EchoMatcher : public Matcher {
@@ -33,7 +33,7 @@ class EchoMatcher : public Matcher {
   }
   void update_field(const FieldPatch& patch) override { write_patch(patch, field_); }
 
-  void post_count(const std::vector<TargetSample>& samples) override { samples_ = samples; }
+  void post_count(const CountRequest& request) override { samples_ = request.samples; }
   std::vector<DistanceHistogram> take_count() override {
     std::vector<DistanceHistogram> counts(samples_.size());
     for (std::size_t t = 0; t < samples_.size(); ++t) counts[t] = {samples_[t].edge, shapes_.end - shapes_.begin};
@@ -83,6 +83,10 @@ std::vector<TargetSample> samples_of_edges(std::initializer_list<std::uint32_t> 
   return samples;
 }
 
+CountRequest count_of_edges(std::initializer_list<std::uint32_t> edges) {
+  return {samples_of_edges(edges), std::vector<std::uint32_t>(edges.size(), kDistanceBins)};
+}
+
 /// Runs `master` with the workers' matchers, made by `make_matcher` on each of them, as one.
 template <class MakeMatcher>
 void with_team(const std::function<void(Matcher&)>& master, MakeMatcher make_matcher) {
@@ -119,12 +123,12 @@ TEST(RemoteMatcher, KnowsTheWorkersShapes) {
 
 TEST(RemoteMatcher, CountsReachAllWorkersAndAreAdded) {
   with_echo_team([](Matcher& team) {
-    team.post_count(samples_of_edges({7}));
+    team.post_count(count_of_edges({7}));
     const auto counts = team.take_count();
     ASSERT_EQ(counts.size(), 1u);
     EXPECT_EQ(counts[0][0] % 7, 0u);
     EXPECT_EQ(counts[0][1], kEchoShapes);
-    team.post_count({});
+    team.post_count({{}, {}});
     EXPECT_TRUE(team.take_count().empty());
   });
 }
@@ -163,7 +167,7 @@ TEST(RemoteMatcher, RefinedDockingsComeBackInTheOrderPosted) {
 
 TEST(RemoteMatcher, AQuestionMayBePostedBeforeTheLastOneIsTaken) {
   with_echo_team([](Matcher& team) {
-    team.post_count(samples_of_edges({3, 4, 5}));
+    team.post_count(count_of_edges({3, 4, 5}));
     team.post_refine(std::vector<Docking>(100000));
     EXPECT_EQ(team.take_refine().size(), 100000u);
     EXPECT_EQ(team.take_count().size(), 3u);
@@ -185,7 +189,8 @@ TEST(RemoteMatcher, LargeMessagesBothWaysDoNotLockUp) {
           worker->update_field(whole);
           for (int i = 0; i < 2; ++i) worker->post_refine(std::vector<Docking>(1'000'000));  // 40 MB, 60 MB back
           worker->update_field(whole);
-          for (int i = 0; i < 2; ++i) EXPECT_EQ(c.receive(1, Tag::refine_reply).size() / 1'000'000, sizeof(RefinedDocking));
+          for (int i = 0; i < 2; ++i)
+            EXPECT_EQ(c.receive(1, Tag::refine_reply).size() / 1'000'000, sizeof(RefinedDocking));
           return 0;
         },
         [](Communicator& c) {
@@ -209,7 +214,7 @@ TEST(RemoteMatcher, AWorkersErrorReachesWhoeverTakes) {
         ranks,
         [](Communicator& c) {
           const auto team = gather_workers(c);
-          team->post_count(samples_of_edges({1}));
+          team->post_count(count_of_edges({1}));
           EXPECT_EQ(team->take_count().size(), 1u);
           team->post_dock({});
           team->take_dock();

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/composite_matcher.h"
+#include "core/match_round.h"
 #include "core/reference_matcher.h"
 #include "core/refinement.h"
 #include "support/matcher_round.h"
@@ -138,10 +139,46 @@ TEST_P(MatcherSuite, DocksTheSameWithOrWithoutCounting) {
   EXPECT_FALSE(expected.empty());
   for (const std::vector<TargetSample>& counted : {others, scene().samples}) {
     const auto matcher = matcher_of(scene());
-    matcher->post_count(counted);
+    matcher->post_count(count_all(counted));
     matcher->take_count();
     matcher->post_dock(request);
     EXPECT_EQ(matcher->take_dock().dockings, expected);
+  }
+}
+
+/// Longer for some, shorter for others: what is there already may be used, and no more may be counted.
+TEST_P(MatcherSuite, CountsTheBinsWithinReach) {
+  const auto matcher = matcher_of(scene());
+  ReferenceMatcher reference = reference_of(scene());
+  CountRequest request = count_all(scene().samples);
+  reference.post_count(request);
+  const std::vector<DistanceHistogram> all = reference.take_count();
+  for (const std::uint32_t step : {5u, 11u, 3u}) {
+    for (std::size_t t = 0; t < all.size(); ++t) request.bin_reach[t] = std::uint32_t(t + 1) * step % kDistanceBins;
+    matcher->post_count(request);
+    const std::vector<DistanceHistogram> found = matcher->take_count();
+    ASSERT_EQ(found.size(), all.size());
+    for (std::size_t t = 0; t < all.size(); ++t) {
+      for (std::uint32_t bin = 0; bin < kDistanceBins; ++bin) {
+        EXPECT_EQ(found[t][bin], bin < request.bin_reach[t] ? all[t][bin] : 0) << "sample " << t << ", bin " << bin;
+      }
+    }
+  }
+  expect_same_round(run_round(*matcher, scene()), run_round(reference, scene()));
+}
+
+TEST_P(MatcherSuite, ARoundDoesNotDependOnTheFirstReach) {
+  const auto matcher = matcher_of(scene());
+  const MatchPlan plan{60, 60};
+  RunStatistics statistics;
+  PairReach whole{kDistanceBins};
+  const MatchRound expected = match(*matcher, scene().samples, plan, 1000, whole, statistics);
+  for (std::uint32_t bins : {1u, 4u, 16u, 40u}) {
+    PairReach reach{bins};
+    const MatchRound found = match(*matcher, scene().samples, plan, 1000, reach, statistics);
+    EXPECT_EQ(found.truncated, expected.truncated);
+    expect_same_refined(found.refined, expected.refined);
+    EXPECT_EQ(reach.bins, whole.bins);
   }
 }
 
@@ -221,7 +258,7 @@ TEST_P(MatcherSuite, NoShapesGiveNoDockings) {
 
 TEST_P(MatcherSuite, EmptyRequestsGiveEmptyReplies) {
   const auto matcher = matcher_of(scene());
-  matcher->post_count({});
+  matcher->post_count({{}, {}});
   EXPECT_TRUE(matcher->take_count().empty());
   matcher->post_dock({{}, {}, 60});
   EXPECT_TRUE(matcher->take_dock().dockings.empty());

@@ -21,14 +21,18 @@ struct Round {
   std::vector<RefinedDocking> refined;  // of all docked
 };
 
+inline CountRequest count_all(const std::vector<TargetSample>& samples) {
+  return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins)};
+}
+
 /// Pairs below the bins that hold a fiftieth of all pads, as the master asks.
 inline Round run_round(Matcher& matcher, const MatchingScene& scene) {
   Round round;
-  matcher.post_count(scene.samples);
+  matcher.post_count(count_all(scene.samples));
   round.histograms = matcher.take_count();
   std::size_t pads = 0;
   for (const ShapeModel& model : scene.models) {
-    for (const ModelLevel& level : model.levels) pads += level.pads.size();
+    for (const ModelLevel& level : model.levels) pads += level.samples.size();
   }
   DockRequest request{scene.samples, {}, std::uint32_t(scene.settings.match.tangent_dockings)};
   for (const DistanceHistogram& histogram : round.histograms) {

@@ -204,12 +204,11 @@ ShapeModel random_model(Random& random, const MatchingContext& context) {
     ModelLevel made;
     made.level = level;
     for (int j = 0; j < kSmoothingLevels[level].samples; ++j) {
-      made.samples.push_back(random_pyramid(random, 1));
-      made.pads.push_back(make_pad(made.samples.back(), context.pad.levels));
+      made.samples.push_back(
+          make_model_sample(random_pyramid(random, 1), context.pad.levels, keypoint_step(model.radius)));
     }
     // Alike to the bit, as on a regular polygon: equal distances and equal keys.
     for (int j = 0; j < 12; ++j) made.samples[20 + j] = made.samples[random.below(3)];
-    for (int j = 0; j < 12; ++j) made.pads[20 + j] = make_pad(made.samples[20 + j], context.pad.levels);
     model.levels.push_back(made);
   }
   return model;

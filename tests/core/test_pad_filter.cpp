@@ -1,0 +1,70 @@
+// The filter of bytes loses no pair: whatever is near passes.
+#include "core/pad_filter.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+
+namespace tessera {
+namespace {
+
+bool within(std::uint8_t byte, std::uint8_t low, std::uint8_t width) { return std::uint8_t(byte - low) <= width; }
+
+QuantisedPad random_pad() {
+  QuantisedPad pad;
+  for (std::uint16_t& element : pad.element) element = *rc::gen::arbitrary<std::uint16_t>();
+  return pad;
+}
+
+/// Mostly near `pad`, at its ends too.
+QuantisedPad random_neighbour(const QuantisedPad& pad, int reach) {
+  QuantisedPad neighbour;
+  for (std::size_t e = 0; e < pad.element.size(); ++e) {
+    const int moved = int(pad.element[e]) + *rc::gen::inRange(-reach, reach + 1);
+    neighbour.element[e] = std::uint16_t(std::clamp(moved, 0, 65535));
+  }
+  return neighbour;
+}
+
+RC_GTEST_PROP(PadFilter, passes_every_pair_within_reach, ()) {
+  const int levels = *rc::gen::inRange(2, kMaxPadLevels + 1);
+  const auto reach = *rc::gen::inRange<std::uint32_t>(1, kPadSteps + 2);
+  const QuantisedPad target = random_pad();
+  const QuantisedPad source = random_neighbour(target, int(reach));
+  const PadWindow window = pad_window(target, reach);
+  bool passes = true;
+  for (int e = 0; e < 2 * (levels - 1); ++e) passes &= within(pad_byte(source.element[e]), window.low[e], window.width);
+  RC_ASSERT(passes || pad_distance(target, source, levels) >= reach);
+}
+
+TEST(PadFilter, KeepsOutWhatIsFar) {
+  QuantisedPad target;
+  target.element[3] = 30000;
+  QuantisedPad source = target;
+  source.element[3] = 30000 + 4 * 256;
+  const PadWindow window = pad_window(target, 2 * 256);
+  EXPECT_TRUE(within(pad_byte(target.element[3]), window.low[3], window.width));
+  EXPECT_FALSE(within(pad_byte(source.element[3]), window.low[3], window.width));
+}
+
+RC_GTEST_PROP(PadFilter, passes_every_length_in_the_window, ()) {
+  const float middle = float(*rc::gen::inRange(1, 1 << 20)) / 16384;
+  const float least = middle / (1 + float(*rc::gen::inRange(0, 1000)) / 250);
+  const float most = middle * (1 + float(*rc::gen::inRange(0, 1000)) / 250);
+  const ScaleWindow window = scale_window(least, most);
+  for (const float length : {least, middle, most}) RC_ASSERT(within(scale_byte(length), window.low, window.width));
+  if (most < 30 && least > 0.01f) {
+    RC_ASSERT(!within(scale_byte(most * 1.2f), window.low, window.width));
+    RC_ASSERT(!within(scale_byte(least / 1.2f), window.low, window.width));
+  }
+}
+
+TEST(PadFilter, SignsFitTheirOwnAndFlatOnes) {
+  for (const float a : {-1.f, 0.f, 1.f}) {
+    for (const float b : {-1.f, 0.f, 1.f}) EXPECT_EQ((sign_byte(a) & sign_byte(b)) != 0, a * b >= 0);
+  }
+}
+
+}  // namespace
+}  // namespace tessera

@@ -1,0 +1,64 @@
+// PADs and key points in whole steps: as near to the real ones as rounding allows, and safe with what a damaged library
+// holds.
+#include "core/quantised_pad.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/model_sample.h"
+
+namespace tessera {
+namespace {
+
+Pad random_pad() {
+  Pad pad;
+  for (float& element : pad.element) element = float(*rc::gen::inRange(0, 1 << 24)) / float(1 << 24);
+  return pad;
+}
+
+RC_GTEST_PROP(QuantisedPad, distances_are_those_of_equation_1, ()) {
+  const int levels = *rc::gen::inRange(2, kMaxPadLevels + 1);
+  const Pad p = random_pad();
+  const Pad q = random_pad();
+  const float steps = float(pad_distance(quantised(p), quantised(q), levels));
+  RC_ASSERT(std::abs(steps / float(kPadSteps) - pad_distance(p, q, levels)) <= 1.01f / float(kPadSteps));
+}
+
+TEST(QuantisedPad, EveryDistanceIsBelowAThresholdOfOneOrMore) {
+  QuantisedPad zeros;
+  QuantisedPad ones;
+  ones.element.fill(65535);
+  EXPECT_LT(pad_distance(zeros, ones, 5), pad_steps(1));
+  EXPECT_EQ(pad_steps(4), pad_steps(1));
+  EXPECT_EQ(pad_steps(0), 0u);
+  EXPECT_EQ(pad_steps(0.5f), 32768u);
+}
+
+TEST(QuantisedPad, WhatIsNoNumberIsInRange) {
+  Pad pad;
+  pad.element = {std::nanf(""), -3, 7, std::numeric_limits<float>::infinity(), 0.5f};
+  const QuantisedPad result = quantised(pad);
+  EXPECT_EQ(result.element[0], 0);
+  EXPECT_EQ(result.element[1], 0);
+  EXPECT_EQ(result.element[2], 65535);
+  EXPECT_EQ(result.element[3], 65535);
+  EXPECT_EQ(result.element[4], 32768);
+}
+
+RC_GTEST_PROP(ModelSample, key_points_stay_where_they_were, ()) {
+  const float radius = float(*rc::gen::inRange(1, 1000)) / 100;
+  ArclengthPyramid pyramid;
+  for (Vec2& p : pyramid.keypoint) {
+    p = {radius * float(*rc::gen::inRange(-1000, 1001)) / 1000, radius * float(*rc::gen::inRange(-1000, 1001)) / 1000};
+  }
+  for (int i = 0; i < kMaxPadLevels; ++i) pyramid.left[i] = pyramid.right[i] = float(i + 1);
+  const Keypoints found =
+      keypoints(make_model_sample(pyramid, kMaxPadLevels, keypoint_step(radius)), keypoint_step(radius));
+  for (std::size_t i = 0; i < found.size(); ++i) RC_ASSERT(norm(found[i] - pyramid.keypoint[i]) < 1e-4f * radius);
+}
+
+}  // namespace
+}  // namespace tessera
