@@ -184,8 +184,7 @@ kernel void dock_tangents(constant MatchRecord* match, global const float* field
   global const SampleRecord* target = samples + t;
   const size_t place = get_global_id(1) * draws + draw;
   keys[place] = NOT_EVALUATED;
-  const ulong bits =
-      mix_bits(match->seed ^ mix_bits(((ulong)target->edge << 32) | ((ulong)target->pass << 16 | draw)));
+  const ulong bits = mix_bits(match->seed ^ mix_bits(mix_bits(((ulong)target->edge << 32) | target->pass) ^ draw));
   const uint library_shape = (uint)(((bits >> 32) * match->library_shapes) >> 32);
   const uint shape = library_shape - match->first_shape;  // wraps round below the shard
   if (shape >= match->shapes) return;

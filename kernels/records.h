@@ -52,6 +52,7 @@ typedef struct MatchRecord {
   u64 seed;
   u32 beta_steps;
   float delta_px;
+  float hard_depth_px;
   float min_scale_px;
   float max_scale_px;
   float gap_px;

@@ -160,8 +160,9 @@ bool refine(PoseRecord* pose, const Piece* piece) {
   const Descent push = {2, 1.5f, 1.5f, 25.f, true};
   s = descended(s, piece, approach);
   s = descended(s, piece, settle);
+  const float hard_depth_px = piece->match->hard_depth_px;
   float depth = depth_px(s, piece);
-  for (int pushed = 0; pushed < kPushSteps && depth > kHardDepth_px && depth <= kHopelessDepth_px; ++pushed) {
+  for (int pushed = 0; pushed < kPushSteps && depth > hard_depth_px && depth <= kHopelessDepth_px; ++pushed) {
     if (pushed > 0) {
       s.a *= kPushShrink;
       s.b *= kPushShrink;
@@ -171,7 +172,7 @@ bool refine(PoseRecord* pose, const Piece* piece) {
   }
   const float scale = scale_of(s);
   *pose = s;
-  return depth <= kHardDepth_px && scale >= piece->match->min_scale_px &&
+  return depth <= hard_depth_px && scale >= piece->match->min_scale_px &&
          scale <= piece->match->max_scale_px * 1.0001f && rotation_allowed(piece->match, s);
 }
 

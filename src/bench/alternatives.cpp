@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/free_field.h"
 #include "core/quality.h"
+#include "core/tuning.h"
 #include "io/library/shape_models.h"
 #include "io/number_text.h"
 #include "master/library_shapes.h"
@@ -130,8 +131,9 @@ std::string explanation(std::size_t shapes, int size_px, const AlternativesOptio
          ";\nthe first shape lies in the middle from the start, for straight sides have no PADs.\nPAD only, tangent "
          "only: without the other kind of docking, everything else the same.\n"
          "The paper's rule: K = 1 %, beta = 0.4, delta = 4 px, ends of the first level aligned, objective Z of\n"
-         "every candidate; nothing refined, settled or grown; candidates within our limits of overlap (5 %) and "
-         "contact (15 %).\n"
+         "every candidate; nothing refined, settled or grown; candidates within our limits of overlap (" +
+         short_number(100 * kMaxOverlap) + " %) and contact (" + short_number(100 * kLeastMatched) +
+         " %).\n"
          "In plain C++ on one thread: its time does not compare.\n"
          "All samples each round: no cut and paste. Random filling: as much time as the first row.\n";
 }

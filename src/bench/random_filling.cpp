@@ -18,7 +18,7 @@ Similarity scaled(const Similarity& s, float factor) { return {s.a * factor, s.b
 /// `pose` has scale 1. Zero where not even the smallest piece fits.
 float largest_scale_px(const Similarity& pose, const ShapeModel& model, const FieldView& field,
                        const PieceSettings& pieces) {
-  const auto fits = [&](float scale_px) { return depth_px(scaled(pose, scale_px), model, field) <= kHardDepth_px; };
+  const auto fits = [&](float scale_px) { return depth_px(scaled(pose, scale_px), model, field) <= hard_depth_px(pieces); };
   float fitting_px = pieces.min_scale_px;
   float too_large_px = pieces.max_scale_px;
   if (!fits(fitting_px)) return 0;

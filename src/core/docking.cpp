@@ -54,7 +54,7 @@ Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target,
 
 TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw) {
   const std::uint64_t key =
-      mix_bits(context.seed ^ mix_bits((std::uint64_t(sample.edge) << 32) | (std::uint64_t(sample.pass) << 16 | draw)));
+      mix_bits(context.seed ^ mix_bits(mix_bits((std::uint64_t(sample.edge) << 32) | sample.pass) ^ draw));
   const std::uint64_t more = mix_bits(key);
   TangentDraw result;
   result.shape = std::uint32_t(((key >> 32) * context.library_shapes) >> 32);

@@ -55,7 +55,7 @@ ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, 
       piece_window(shape.outline, canvas_from_shape, field.origin, 2 * reach_px + 3).intersected(field.value.bounds());
   if (window.width() <= 2 * kRim || window.height() <= 2 * kRim) return {};
 
-  const PieceNodes piece({shape, canvas_from_shape, pieces.padding_px}, field.origin, window, reach_px);
+  const PieceNodes piece({shape, canvas_from_shape, kept_distance_px(pieces)}, field.origin, window, reach_px);
   const BitGrid centres_after = both(nodes_above(field.value, window, reach_px), piece.clear);
   const BitGrid within_reach = dilated_by_disc(centres_after, (reach_px + 1.2f) * (reach_px + 1.2f));
   const BitGrid uncovered = nodes_above(field.value, window, 0);

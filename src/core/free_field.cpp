@@ -30,9 +30,14 @@ Window piece_window(const Outline& outline, const Similarity& canvas_from_shape,
 }
 
 FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
-    : field_(canvas.distance), padding_px_(pieces.padding_px), band_px_(stamp_band_px(pieces)) {
+    : field_(canvas.distance), padding_px_(kept_distance_px(pieces)), band_px_(stamp_band_px(pieces)) {
   for (float& d : field_.value.data()) d -= padding_px_;
   empty_ = field_.value;
+  for (const float d : field_.value.data()) free_256ths_px2_ += node_256ths_px2(d);
+}
+
+std::int64_t FreeField::node_256ths_px2(float distance_px) const {
+  return std::int64_t(256 * std::clamp(distance_px + padding_px_ + 0.5f, 0.f, 1.f));
 }
 
 Window FreeField::stamp_window(const Shape& shape, const Similarity& canvas_from_shape) const {
@@ -41,14 +46,12 @@ Window FreeField::stamp_window(const Shape& shape, const Similarity& canvas_from
 
 void FreeField::clear(const Window& window) {
   for (int y = window.y0; y < window.y1; ++y) {
-    std::copy(empty_.row(y) + window.x0, empty_.row(y) + window.x1, field_.value.row(y) + window.x0);
+    for (int x = window.x0; x < window.x1; ++x) {
+      float& d = field_.value(x, y);
+      free_256ths_px2_ += node_256ths_px2(empty_(x, y)) - node_256ths_px2(d);
+      d = empty_(x, y);
+    }
   }
-}
-
-double FreeField::free_px2() const {
-  double area = 0;
-  for (const float d : field_.value.data()) area += std::clamp(d + padding_px_ + 0.5f, 0.f, 1.f);
-  return area;
 }
 
 Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape) {
@@ -65,6 +68,7 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape,
     for (int x = window.x0; x < window.x1;) {
       const float d = piece.at({field_.origin.x + float(x), field_.origin.y + float(y)});
       if (d < row[x]) {
+        free_256ths_px2_ += node_256ths_px2(d) - node_256ths_px2(row[x]);
         row[x] = d;
         first = std::min(first, x);
         end = x + 1;

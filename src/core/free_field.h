@@ -1,6 +1,8 @@
 // The free region: what of the canvas is not yet covered (design, "One case instead of four").
 #pragma once
 
+#include <cstdint>
+
 #include "core/canvas.h"
 #include "core/field_lookup.h"
 #include "core/settings.h"
@@ -31,14 +33,17 @@ class FreeField {
   Window stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window);
   void clear(const Window& window);
 
-  /// Area of the free region, padding included.
-  double free_px2() const;
+  /// Area of the free region, padding included: the same whole number whatever came and went before.
+  std::int64_t free_256ths_px2() const { return free_256ths_px2_; }
 
  private:
+  std::int64_t node_256ths_px2(float distance_px) const;
+
   Grid<float> empty_;  // of the canvas without pieces
   CanvasField field_;
   float padding_px_;
   float band_px_;
+  std::int64_t free_256ths_px2_ = 0;
 };
 
 /// What the target curve is traced on, and where target samples are worth having.

@@ -21,6 +21,7 @@ MatchingContext make_matching_context(const CollageSettings& settings, std::uint
   const float middle_rad = 0.5f * (pieces.max_rotation_rad + pieces.min_rotation_rad);
   c.rotation_middle = {std::cos(middle_rad), std::sin(middle_rad)};
   c.rotation_min_cosine = width_rad >= 6.283f ? -1.f : std::cos(0.5f * width_rad);
+  c.hard_depth_px = hard_depth_px(pieces);
   c.tangent_dockings = settings.match.tangent_dockings;
   c.library_shapes = library_shapes;
   c.levels = levels_for_scales(c.min_scale_px, c.max_scale_px, target_sigma_px(pieces));

@@ -17,6 +17,7 @@ struct MatchingContext {
   float delta_px = 0;
   float min_scale_px = 0;
   float max_scale_px = 0;
+  float hard_depth_px = 0;       // no boundary point of a piece lies deeper in another
   float gap_px = 0;                // boundary points up to this far from others count as gap
   float log2_scale_ratio = 0;      // of max to min
   Vec2 rotation_middle;            // unit vector in the middle of the allowed rotations

@@ -125,7 +125,7 @@ bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, cons
   descend(s, shape, field, {6, first_radius_px, 3.f, 3.f, kMediumStride}, low, high);
   descend(s, shape, field, {3, 2.5f, 2.f, 12.f, kMediumStride}, low, high);
   float depth = depth_px(s, shape, field);
-  for (int push = 0; push < kPushSteps && depth > kHardDepth_px; ++push) {
+  for (int push = 0; push < kPushSteps && depth > context.hard_depth_px; ++push) {
     if (depth > kHopelessDepth_px) return false;
     if (push > 0) {
       s.a *= kPushShrink;
@@ -135,7 +135,7 @@ bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, cons
     depth = depth_px(s, shape, field);
   }
   const float scale = s.scale();
-  return depth <= kHardDepth_px && scale >= low && scale <= high * 1.0001f && context.rotation_allowed(s);
+  return depth <= context.hard_depth_px && scale >= low && scale <= high * 1.0001f && context.rotation_allowed(s);
 }
 
 void grow(Similarity& s, const ShapeModel& shape, const FieldView& field, const MatchingContext& context) {
@@ -146,7 +146,7 @@ void grow(Similarity& s, const ShapeModel& shape, const FieldView& field, const 
     if (larger.scale() > context.max_scale_px) return;
     descend(larger, shape, field, {4, 1.5f, 1.f, 20.f, kMediumStride}, context.min_scale_px, context.max_scale_px);
     const bool grown = larger.scale() > s.scale() * 1.002f;
-    if (!grown || !context.rotation_allowed(larger) || depth_px(larger, shape, field) > kHardDepth_px) return;
+    if (!grown || !context.rotation_allowed(larger) || depth_px(larger, shape, field) > context.hard_depth_px) return;
     s = larger;
   }
 }

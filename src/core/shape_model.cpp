@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kInteriorSpacing = 0.13f;  // shape units: about 50 points
 constexpr float kInteriorDepth = 0.04f;
+constexpr float kInteriorReach = 10;  // shapes of area 1 that reach farther are hairs, or damaged
 
 struct CurveShare {
   const std::vector<Vec2>* curve;
@@ -43,11 +44,13 @@ void add_boundary(ShapeModel& model, int at, const CurveShare& share) {
 
 std::vector<Vec2> interior_points(const Shape& shape) {
   std::vector<Vec2> points;
-  const int reach = int(shape.radius / kInteriorSpacing) + 1;
+  const int reach = int(std::min(shape.radius, kInteriorReach) / kInteriorSpacing) + 1;
   for (int j = -reach; j <= reach; ++j) {
     for (int i = -reach; i <= reach; ++i) {
       const Vec2 p{float(i) * kInteriorSpacing, float(j) * kInteriorSpacing};
-      if (shape.field.at(p) < -kInteriorDepth && int(points.size()) < kMaxInteriorPoints) points.push_back(p);
+      if (shape.field.at(p) >= -kInteriorDepth) continue;
+      points.push_back(p);
+      if (points.size() == kMaxInteriorPoints) return points;
     }
   }
   return points;

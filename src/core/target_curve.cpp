@@ -1,7 +1,6 @@
 #include "core/target_curve.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "core/pyramid.h"
 #include "core/tuning.h"
@@ -122,7 +121,10 @@ TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin,
     const auto old = samples_.find(edge);
     const bool reachable = opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
     TileIndex::Region support;
-    if (v == EdgeTable::kNone || !reachable || on_short_loop(v, support)) {
+    const bool present = v != EdgeTable::kNone && reachable;
+    const bool rejected = present && on_short_loop(v, support);
+    reject(edge, rejected ? std::move(support).tiles() : std::vector<TileIndex::Tile>());
+    if (!present || rejected) {
       if (old == samples_.end()) continue;
       drop(edge);
       change.removed.push_back(edge);
@@ -160,6 +162,19 @@ void TargetCurve::drop(std::uint32_t edge) {
   const auto found = samples_.find(edge);
   supports_.move(edge, found->second.support, {});
   samples_.erase(found);
+}
+
+/// The tiles of the loop that was too short for a sample at this edge; none: it was not.
+void TargetCurve::reject(std::uint32_t edge, std::vector<TileIndex::Tile> support) {
+  const auto found = rejected_.find(edge);
+  if (found == rejected_.end() && support.empty()) return;
+  std::vector<TileIndex::Tile>& kept = rejected_[edge];
+  supports_.move(edge, kept, support);
+  if (support.empty()) {
+    rejected_.erase(edge);
+  } else {
+    kept = std::move(support);
+  }
 }
 
 int TargetCurve::vertex_at(const GridEdge& edge) {

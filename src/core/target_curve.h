@@ -95,6 +95,7 @@ class TargetCurve {
   Held make_sample(int v, TileIndex::Region support);
   void hold(std::uint32_t edge, Held held);
   void drop(std::uint32_t edge);
+  void reject(std::uint32_t edge, std::vector<TileIndex::Tile> support);
 
   int width_ = 0;  // of the node grid
   float sigma_px_;
@@ -105,7 +106,8 @@ class TargetCurve {
   std::vector<int> unused_;
   EdgeTable vertex_of_edge_;
   std::map<std::uint32_t, Held> samples_;
-  TileIndex supports_;  // the samples' edges, by the nodes that they depend on
+  std::map<std::uint32_t, std::vector<TileIndex::Tile>> rejected_;  // where a loop is too short for a sample
+  TileIndex supports_;  // the edges of samples and of the rejected, by the nodes that they depend on
 };
 
 }  // namespace tessera

@@ -46,9 +46,16 @@ inline constexpr float kLeastDockingKey = 0.1f;
 
 // Refinement.
 inline constexpr float kHardDepth_px = 1.4f;     // no boundary point of a placed piece lies deeper in another
+inline constexpr float kPaddedDepth_px = 0.25f;   // nor where a distance is to be kept, in what is kept around others
 inline constexpr float kHopelessDepth_px = 3.f;  // deeper than this, pushing is not worth the time
 inline constexpr int kPushSteps = 5;
 inline constexpr float kPushShrink = 0.994f;  // a piece that is still stuck gives way a little
+
+inline float hard_depth_px(const PieceSettings& p) { return p.padding_px > 0 ? kPaddedDepth_px : kHardDepth_px; }
+/// Kept around pieces so that at least padding_px is left: what depth and the spacing of boundary points take is added.
+inline float kept_distance_px(const PieceSettings& p) {
+  return p.padding_px > 0 ? p.padding_px + kPaddedDepth_px + 0.1f : 0.f;
+}
 
 // Candidates.
 inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, estimated along the contour

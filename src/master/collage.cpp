@@ -157,10 +157,10 @@ bool Collage::settle(Candidate& candidate) {
   const ShapeModel& model = shapes_.model(candidate.shape);
   const FieldView field = free_.view();
   Similarity& pose = candidate.canvas_from_shape;
-  for (int step = 0; depth_px(pose, model, field) > kHardDepth_px; ++step) {
+  for (int step = 0; depth_px(pose, model, field) > context_.hard_depth_px; ++step) {
     if (step == kSettleSteps) return false;
     descend(pose, model, field, {2, 0.3f, 0.3f, 30.f, kMediumStride}, context_.min_scale_px, context_.max_scale_px);
-    if (depth_px(pose, model, field) <= kHardDepth_px) break;
+    if (depth_px(pose, model, field) <= context_.hard_depth_px) break;
     pose.a *= kSettleShrink;
     pose.b *= kSettleShrink;
     if (pose.scale() < context_.min_scale_px) return false;
@@ -200,7 +200,7 @@ void Collage::place(const Candidate& candidate) {
   changed_nodes_ = changed_nodes_.united(changed);
   retrace(changed);
   if (!may_use(candidate.shape)) drop_shape(candidate.shape);
-  rescore(piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin, 2 + settings_.pieces.padding_px));
+  rescore(piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin, 2 + kept_distance_px(settings_.pieces)));
 }
 
 Window Collage::replace_placements(std::vector<Placement> placements) {
@@ -217,9 +217,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   passes_.clear();
   const Window restamped = restamp(changed);
   changed_nodes_ = changed_nodes_.united(restamped);
-  // Loops that grew back may deserve samples beyond what was restamped.
-  const int shortest_loop = int(kShortestLoop * settings_.pieces.min_scale_px) + 1;
-  retrace(restamped.grown(shortest_loop).intersected(free_.field().value.bounds()));
+  retrace(restamped);
   Window window;
   for (const Placement& p : changed) {
     window = window.united(piece_window(shapes_.shape(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));

@@ -13,6 +13,7 @@ constexpr std::uint32_t kPassesPerTrial = 4;
 /// Measured: 6.5 px² gained a matching, against 1.3 with pieces of any size, and 4.7 with one at a time.
 constexpr float kMostScale = 2.5f;  // of the smallest
 constexpr std::uint64_t kMostPieces = 4;
+constexpr std::size_t kLookedAt = 16;  // small pieces whose distance from the gap is measured
 constexpr int kGapDraws = 4096;      // to hit a gap
 constexpr float kGapDepth_px = 1.f;  // what is shallower lies between coupled pieces
 
@@ -32,26 +33,40 @@ bool find_gap(const CanvasField& field, std::uint64_t random, Vec2& gap) {
 }  // namespace
 
 RuinAndRecreate::RuinAndRecreate(Collage& collage, Filling& filling, const CollageSettings& settings)
-    :
-      collage_(collage),
+    : collage_(collage),
       filling_(filling),
       seed_(settings.seed),
-      most_scale_px_(kMostScale * settings.pieces.min_scale_px),
-      free_px2_(collage.free().free_px2()) {}
+      most_scale_px_(kMostScale * settings.pieces.min_scale_px) {}
+
+/// The small pieces that are nearest to a gap by a disc of their area, nearest first.
+std::vector<std::size_t> RuinAndRecreate::small_pieces_near(Vec2 gap_px) const {
+  constexpr float kDiscRadius = 0.5642f;  // of area 1
+  std::vector<std::pair<float, std::size_t>> nearest;
+  const std::vector<Placement>& placements = collage_.placements();
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    const Similarity& pose = placements[i].canvas_from_shape;
+    if (pose.scale() > most_scale_px_) continue;
+    nearest.emplace_back(norm(pose.translation() - gap_px) - kDiscRadius * pose.scale(), i);
+  }
+  const std::size_t count = std::min(nearest.size(), kLookedAt);
+  std::partial_sort(nearest.begin(), nearest.begin() + std::ptrdiff_t(count), nearest.end());
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < count; ++k) result.push_back(nearest[k].second);
+  return result;
+}
 
 std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
   std::vector<Placement> left = collage_.placements();
   Vec2 gap_px;
   if (!find_gap(collage_.free().field(), random, gap_px)) return left;
   std::vector<std::pair<float, std::size_t>> nearest;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    if (left[i].canvas_from_shape.scale() > most_scale_px_) continue;
+  for (const std::size_t i : small_pieces_near(gap_px)) {
     nearest.emplace_back(collage_.distance_px(left[i], gap_px), i);
   }
-  const std::size_t count = std::min<std::size_t>(nearest.size(), 1 + mix_bits(random) % kMostPieces);
-  std::partial_sort(nearest.begin(), nearest.begin() + std::ptrdiff_t(count), nearest.end());
+  std::sort(nearest.begin(), nearest.end());
+  nearest.resize(std::min<std::size_t>(nearest.size(), 1 + mix_bits(random) % kMostPieces));
   std::vector<bool> out(left.size(), false);
-  for (std::size_t k = 0; k < count; ++k) out[nearest[k].second] = true;
+  for (const auto& [distance_px, i] : nearest) out[i] = true;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < left.size(); ++i) {
     if (!out[i]) left[kept++] = left[i];
@@ -62,18 +77,17 @@ std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
 
 bool RuinAndRecreate::try_once(std::uint32_t trial) {
   const std::vector<Placement> before = collage_.placements();
+  const std::int64_t free_before = collage_.free().free_256ths_px2();
   const std::uint64_t random = mix_bits(seed_ ^ mix_bits(kRuin ^ (std::uint64_t(trial) << 32)));
-  filling_.start(collage_.replace_placements(ruined(random)));
+  std::vector<Placement> rest = ruined(random);
+  if (rest.size() == before.size()) return false;
+  filling_.start(collage_.replace_placements(std::move(rest)));
   collage_.set_first_pass(kPassesPerTrial * trial);
   while (filling_.place_one()) {
   }
-  const double free_px2 = collage_.free().free_px2();
-  if (free_px2 >= free_px2_) {
-    collage_.replace_placements(before);
-    return false;
-  }
-  free_px2_ = free_px2;
-  return true;
+  if (collage_.free().free_256ths_px2() < free_before) return true;
+  collage_.replace_placements(before);
+  return false;
 }
 
 }  // namespace tessera::master

@@ -11,18 +11,18 @@ class RuinAndRecreate {
  public:
   RuinAndRecreate(Collage& collage, Filling& filling, const CollageSettings& settings);
 
-  /// Trial number `trial`: its outcome follows from this number and the placements alone. True where it was kept.
+  /// Trial number `trial`: its random numbers follow from this number alone. True where it was kept.
   bool try_once(std::uint32_t trial);
 
  private:
-  /// The placements without a few beside a gap.
+  std::vector<std::size_t> small_pieces_near(Vec2 gap_px) const;
+  /// The placements without a few beside a gap; all of them where there is no gap, or no small piece.
   std::vector<Placement> ruined(std::uint64_t random);
 
   Collage& collage_;
   Filling& filling_;
   std::uint64_t seed_;
   float most_scale_px_;
-  double free_px2_;  // of the collage as it is
 };
 
 }  // namespace tessera::master

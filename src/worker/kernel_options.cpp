@@ -50,7 +50,6 @@ std::string kernel_options(const cl::Device& device, int pad_levels) {
   DEFINE(kAlignmentTolerance);
   DEFINE(kLeastDockingKey);
   DEFINE(kOffGridDistance);
-  DEFINE(kHardDepth_px);
   DEFINE(kHopelessDepth_px);
   DEFINE(kPushSteps);
   DEFINE(kPushShrink);

@@ -22,6 +22,7 @@ MatchRecord make_match_record(const MatchingContext& c, std::uint32_t first_shap
   m.seed = c.seed;
   m.beta_steps = c.beta_steps;
   m.delta_px = c.delta_px;
+  m.hard_depth_px = c.hard_depth_px;
   m.min_scale_px = c.min_scale_px;
   m.max_scale_px = c.max_scale_px;
   m.gap_px = c.gap_px;

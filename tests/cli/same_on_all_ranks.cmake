@@ -17,7 +17,7 @@ draw(leaf "M10 90 C10 30 50 10 90 10 C90 60 60 90 10 90Z")
 draw(drop "M50 5 C60 40 85 50 85 70 A35 25 0 0 1 15 70 C15 50 40 40 50 5Z")
 file(WRITE ${FOLDER}/small.toml
      "[library]\nfile = 'own.h5'\n[canvas]\nsize_px = [160, 120]\n"
-     "[pieces]\nscale_px = [14, 60]\n[improve]\ntrials = 6\n[output]\nwidth_px = 160\n")
+     "[pieces]\nscale_px = [14, 60]\n[improve]\ntrials = 12\n[output]\nwidth_px = 160\n")
 
 function(run)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${FOLDER}
@@ -40,6 +40,9 @@ run(${TESSERA} collage first/job.toml --out again)
 file(READ ${FOLDER}/first/card.txt card)
 if(NOT card MATCHES "stopped by +full")
   message(FATAL_ERROR "unexpected end:\n${card}")
+endif()
+if(NOT card MATCHES "of it improving[^\n]* [1-9][0-9]* of 12 ")
+  message(FATAL_ERROR "no trial was kept, or not 12 were made:\n${card}")
 endif()
 foreach(other ranks_2 ranks_3 ranks_4 two_devices again)
   foreach(name pieces.geojson job.toml collage.png)

@@ -205,7 +205,7 @@ TEST_P(MatcherSuite, RefinedDockingsKeepTheirOrderAndAreFeasible) {
     if (!refined.feasible) continue;
     ++feasible;
     const Similarity& pose = refined.docking.canvas_from_shape;
-    EXPECT_LE(depth_px(pose, scene().models[refined.docking.shape], FieldView(scene().field)), kHardDepth_px + 1e-3f);
+    EXPECT_LE(depth_px(pose, scene().models[refined.docking.shape], FieldView(scene().field)), scene().context.hard_depth_px + 1e-3f);
     EXPECT_GE(pose.scale(), pieces.min_scale_px * 0.999f);
     EXPECT_LE(pose.scale(), pieces.max_scale_px * 1.001f);
     EXPECT_GE(refined.terms.matched_px, 0);

@@ -184,6 +184,25 @@ TEST(SelectPairs, FindsThePlaceWhereTheShapeCameFrom) {
   EXPECT_LE(pairs.size(), std::size_t(kPairsPerShape));
 }
 
+/// Long improvement counts many passes, and jobs may draw often: no pass repeats another's draws, nor another sample's.
+TEST(DrawTangent, DiffersBetweenPassesAndSamples) {
+  const MatchingContext context = make_matching_context(settings(), 1000);
+  const auto draws = [&](std::uint32_t edge, std::uint32_t pass, std::uint32_t first) {
+    TargetSample sample;
+    sample.edge = edge;
+    sample.pass = pass;
+    std::vector<std::uint32_t> points;
+    for (std::uint32_t i = first; i < first + 50; ++i) {
+      const TangentDraw draw = draw_tangent(context, sample, i);
+      points.push_back(draw.shape * 1000 + draw.boundary_point);
+    }
+    return points;
+  };
+  EXPECT_NE(draws(3, 0, 0), draws(3, 65536, 0));
+  EXPECT_NE(draws(3, 0, 65536), draws(3, 1, 0));
+  EXPECT_NE(draws(3, 65536, 0), draws(2, 0, 0));
+}
+
 TEST(BinLimit, KeepsTheShareAndAtLeastTheFirstPairs) {
   DistanceHistogram h{};
   h[3] = 5;

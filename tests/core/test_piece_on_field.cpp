@@ -40,7 +40,7 @@ Grid<float> stamped_node_by_node(const FreeField& free, const Shape& shape, cons
   Grid<float> value = free.field().value;
   const Vec2 origin = free.field().origin;
   const Window window = piece_window(shape.outline, pose, origin, stamp_band_px(pieces)).intersected(value.bounds());
-  const PieceDistance piece(shape, pose, pieces.padding_px);
+  const PieceDistance piece(shape, pose, kept_distance_px(pieces));
   for (int y = window.y0; y < window.y1; ++y) {
     for (int x = window.x0; x < window.x1; ++x) {
       value(x, y) = std::min(value(x, y), piece.at(origin + Vec2{float(x), float(y)}));
@@ -83,7 +83,7 @@ ExactAreas areas_node_by_node(const Shape& shape, const Similarity& pose, const 
   const Window window = piece_window(shape.outline, pose, field.origin, 2 * reach_px + 3).intersected(field.value.bounds());
   ExactAreas areas;
   if (window.width() <= 4 || window.height() <= 4) return areas;
-  const PieceDistance piece(shape, pose, pieces.padding_px);
+  const PieceDistance piece(shape, pose, kept_distance_px(pieces));
   const auto to_piece = [&](int x, int y) { return piece.at(field.origin + Vec2{float(x), float(y)}); };
   Grid<std::uint8_t> centres_after(window.width(), window.height());
   for (int y = window.y0; y < window.y1; ++y) {

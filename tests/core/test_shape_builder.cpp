@@ -7,6 +7,8 @@
 
 #include "core/level_curve.h"
 #include "core/polygon.h"
+#include "core/shape_model.h"
+#include "core/stopwatch.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
@@ -58,6 +60,19 @@ TEST(ShapeBuilder, PointsOfCurves) {
   EXPECT_EQ(shape.outline.curves[1].size(), 128u);
   EXPECT_NEAR(shape.perimeter, closed_length(shape.outline.curves[0]) * 1.25f, 1e-2f);
   EXPECT_EQ(make_shape(traced(test::ring_outline(0.02f)), {}).outline.curves[1].size(), 16u);
+}
+
+/// A library may say anything: neither a hang nor points without end.
+TEST(ShapeModel, ADamagedRadiusCostsNoTime) {
+  Shape shape = test::make_test_shape("bean", test::bean_outline());
+  const std::vector<Vec2> interior = make_shape_model(shape, {}, {}, {2}).interior;
+  EXPECT_GT(interior.size(), 20u);
+  EXPECT_LE(interior.size(), std::size_t(kMaxInteriorPoints));
+  shape.radius = 1e4f;
+  shape.field.extent = 1e4f;  // inside everywhere near the middle
+  const Stopwatch watch;
+  make_shape_model(shape, {}, {}, {2});
+  EXPECT_LT(watch.seconds(), 1.0);
 }
 
 TEST(ShapeBuilder, LevelsFollowTheirTable) {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+
+#include "core/tuning.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera {
@@ -34,13 +37,26 @@ Poses random_poses(int count) {
   return poses;
 }
 
+/// With a slit whose loop is too short for samples until a piece at one end of it joins it to another.
+Canvas slit_canvas(const PieceSettings& pieces, Similarity& joining) {
+  const int length = int(kShortestLoop * pieces.min_scale_px / 2) - *rc::gen::inRange(3, 25);
+  const int x0 = *rc::gen::inRange(240, 260);
+  Grid<float> coverage(2 * 500, 2 * 400, 1.f);
+  for (int y = 400; y < 404; ++y) std::fill(coverage.row(y) + 2 * x0, coverage.row(y) + 2 * (x0 + length), 0.f);
+  joining = {pieces.min_scale_px, 0, float(x0 - *rc::gen::inRange(30, 75)), 200};
+  return make_mask_canvas(coverage);
+}
+
 /// The three layers of the target, kept up to date or made afresh.
 struct Target {
   FreeField free;
   OpenedField opened;
-  TargetCurve curve{kPieces, PadParameters{}};
+  TargetCurve curve;
 
-  explicit Target(const Canvas& canvas) : free(canvas, kPieces), opened(free, kPieces) { trace(all()); }
+  explicit Target(const Canvas& canvas, const PieceSettings& pieces = kPieces)
+      : free(canvas, pieces), opened(free, pieces), curve(pieces, PadParameters{}) {
+    trace(all());
+  }
   Window all() const { return free.field().value.bounds(); }
   TargetCurve::Change trace(const Window& window) { return curve.retrace(opened, free.field().origin, window); }
   TargetCurve::Change place(int shape, const Similarity& pose) {
@@ -70,6 +86,18 @@ TEST(TargetCurve, UpdatingEqualsTracingAfresh) {
       RC_ASSERT(updated.curve.sample(edge).position == afresh.sample(edge).position);
       RC_ASSERT(updated.curve.sample(edge).tangent == afresh.sample(edge).tangent);
     }
+  }));
+}
+
+TEST(TargetCurve, ALoopThatIsJoinedGetsItsSamples) {
+  EXPECT_TRUE(rc::check([] {
+    const PieceSettings pieces{.min_scale_px = 100, .max_scale_px = 160};
+    Similarity joining;
+    Target updated(slit_canvas(pieces, joining), pieces);
+    updated.place(*rc::gen::inRange(0, 4), joining);
+    TargetCurve afresh(pieces, PadParameters{});
+    afresh.retrace(updated.opened, updated.free.field().origin, updated.all());
+    RC_ASSERT(updated.curve.sample_edges() == afresh.sample_edges());
   }));
 }
 

@@ -26,7 +26,9 @@ JobKey with_number(JobKey key, Field field) {
 /// Two members, `unit_per_member` times as large in the file as in the program (degrees for radians).
 template <class First, class Second>
 JobKey with_pair(JobKey key, First first, Second second, double unit_per_member = 1) {
-  key.get = [=](const Job& job) { return JobValue{{first(job) * unit_per_member, second(job) * unit_per_member}, {}}; };
+  key.get = [=](const Job& job) {
+    return JobValue{{first(job) * unit_per_member, second(job) * unit_per_member}, {}};
+  };
   key.set = [=](Job& job, const JobValue& value) {
     using Member = std::remove_cvref_t<decltype(first(job))>;
     first(job) = static_cast<Member>(value.numbers[0] / unit_per_member);
@@ -53,8 +55,7 @@ JobKey with_objective_kind(JobKey key) {
   return key;
 }
 
-#define FIELD(member) \
-  [](auto& job) -> auto& { return job.member; }
+#define FIELD(member) [](auto& job) -> auto& { return job.member; }
 
 // 2^53 - 1: beyond it a whole number is not exact in every reader of TOML and JSON.
 constexpr double kMaxSeed = 9007199254740991;
@@ -63,141 +64,87 @@ constexpr double kDegreesPerRad = 180 / std::numbers::pi;
 /// A canvas of 1000 x 1000 px is the one that docs/measurements.md measures.
 void add_input_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
-  keys.push_back(with_number(
-      {"", "seed", integer, "", 0, kMaxSeed, {}, "start of the random numbers; another seed, another collage"},
-      FIELD(settings.seed)));
-  keys.push_back(
-      with_text({"library", "file", file, "", 0, 0, {}, "the library of shapes, made by `tessera library build`"},
-                FIELD(library)));
+  keys.push_back(with_number({"", "seed", integer, "", 0, kMaxSeed, {},
+                              "start of the random numbers; another seed, another collage"},
+                             FIELD(settings.seed)));
+  keys.push_back(with_text({"library", "file", file, "", 0, 0, {},
+                            "the library of shapes, made by `tessera library build`"},
+                           FIELD(library)));
   keys.back().required = true;
-  keys.push_back(with_pair({"canvas",
-                            "size_px",
-                            size,
-                            "px",
-                            16,
-                            20000,
-                            {},
+  keys.push_back(with_pair({"canvas", "size_px", size, "px", 16, 20000, {},
                             "width and height of the rectangle, or of the box that the mask in `file` is scaled into"},
                            FIELD(canvas.width_px), FIELD(canvas.height_px)));
-  keys.push_back(
-      with_text({"canvas", "file", file, "", 0, 0, {}, "SVG or image whose silhouette is filled; empty = rectangle"},
-                FIELD(canvas.file)));
+  keys.push_back(with_text({"canvas", "file", file, "", 0, 0, {},
+                            "SVG or image whose silhouette is filled; empty = rectangle"},
+                           FIELD(canvas.file)));
 }
 
 /// Scales: the range 8:1 of the trial. The paper allows any rotation and any number of uses.
 void add_piece_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
-  keys.push_back(with_pair({"pieces",
-                            "scale_px",
-                            proper_interval,
-                            "px",
-                            2,
-                            5000,
-                            {},
+  keys.push_back(with_pair({"pieces", "scale_px", proper_interval, "px", 2, 5000, {},
                             "size of the smallest and the largest piece: the square root of its area"},
                            FIELD(settings.pieces.min_scale_px), FIELD(settings.pieces.max_scale_px)));
-  keys.push_back(with_pair({"pieces",
-                            "rotation_deg",
-                            interval,
-                            "degrees",
-                            -360,
-                            360,
-                            {},
+  keys.push_back(with_pair({"pieces", "rotation_deg", interval, "degrees", -360, 360, {},
                             "allowed rotations of the artwork, clockwise; -180 to 180 = any"},
                            FIELD(settings.pieces.min_rotation_rad), FIELD(settings.pieces.max_rotation_rad),
                            kDegreesPerRad));
-  keys.push_back(
-      with_number({"pieces", "uses", integer, "", 0, 1e6, {}, "how often one shape may be placed; 0 = unlimited"},
-                  FIELD(settings.pieces.uses)));
-  keys.push_back(with_number({"pieces",
-                              "padding_px",
-                              number,
-                              "px",
-                              0,
-                              500,
-                              {},
+  keys.push_back(with_number({"pieces", "uses", integer, "", 0, 1e6, {},
+                              "how often one shape may be placed; 0 = unlimited"},
+                             FIELD(settings.pieces.uses)));
+  keys.push_back(with_number({"pieces", "padding_px", number, "px", 0, 500, {},
                               "distance kept between pieces, and between pieces and the canvas' edge"},
                              FIELD(settings.pieces.padding_px)));
 }
 
 /// levels, delta_tau: paper, section 5. top_percent, beta: trial; the paper's beta = 0.4 lets two thirds of all pairs
 /// pass, the best few percent are what prunes. tangent_dockings: trial; 300 to 600 are enough along straight sides,
-/// where PAD finds nothing. delta_px: the width by which target curves are smoothed.
+/// where PAD finds nothing. most_pairs: best hundred to best 2 %, all the same (docs/measurements.md).
 void add_match_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
-  keys.push_back(
-      with_number({"match", "levels", integer, "", 2, kMaxPadLevels, {}, "n: levels of the arclength pyramid"},
-                  FIELD(settings.match.pad.levels)));
-  keys.push_back(with_number({"match",
-                              "delta_tau",
-                              number,
-                              "rad",
-                              0.02,
-                              1,
-                              {},
+  keys.push_back(with_number({"match", "levels", integer, "", 2, kMaxPadLevels, {},
+                              "n: levels of the arclength pyramid"},
+                             FIELD(settings.match.pad.levels)));
+  keys.push_back(with_number({"match", "delta_tau", number, "rad", 0.02, 1, {},
                               "Δτ: integral of absolute curvature over each side of level 0"},
                              FIELD(settings.match.pad.delta_tau)));
-  keys.push_back(with_number(
-      {"match", "top_percent", number, "%", 0.001, 100, {}, "K: best pairs kept, of all pairs of a target sample"},
-      FIELD(settings.match.top_percent)));
-  keys.push_back(with_number({"match",
-                              "most_pairs",
-                              integer,
-                              "",
-                              0,
-                              1'000'000,
-                              {},
+  keys.push_back(with_number({"match", "top_percent", number, "%", 0.001, 100, {},
+                              "K: best pairs kept, of all pairs of a target sample"},
+                             FIELD(settings.match.top_percent)));
+  keys.push_back(with_number({"match", "most_pairs", integer, "", 0, 1e6, {},
                               "best pairs kept of a target sample, however large the library; 0 = no limit"},
                              FIELD(settings.match.most_pairs)));
   keys.push_back(with_number({"match", "beta", number, "", 0, 4, {}, "β: largest distance of two PADs (Eq. 1)"},
                              FIELD(settings.match.beta)));
-  keys.push_back(with_number(
-      {"match", "tangent_dockings", integer, "", 0, 100000, {}, "random tangent-aligned dockings per target sample"},
-      FIELD(settings.match.tangent_dockings)));
-  keys.push_back(
-      with_number({"match", "delta_px", number, "px", 0.1, 50, {}, "δ: a boundary point nearer than this is matched"},
-                  FIELD(settings.match.delta_px)));
+  keys.push_back(with_number({"match", "tangent_dockings", integer, "", 0, 100000, {},
+                              "random tangent-aligned dockings per target sample"},
+                             FIELD(settings.match.tangent_dockings)));
+  keys.push_back(with_number({"match", "delta_px", number, "px", 0.1, 50, {},
+                              "δ: a boundary point nearer than this is matched"},
+                             FIELD(settings.match.delta_px)));
 }
 
 /// All from the trial: the paper's Z alone prefers dwarfs (75 % coverage with 600 pieces). Without a price of
 /// repetition one boomerang fills the canvas.
 void add_objective_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
-  keys.push_back(with_objective_kind({"objective",
-                                      "kind",
-                                      word,
-                                      "",
-                                      0,
-                                      0,
-                                      {},
+  keys.push_back(with_objective_kind({"objective", "kind", word, "", 0, 0, {},
                                       "`scale_aware`: long contact, little gap, large pieces; `paper`: its Z"}));
   keys.push_back(with_number({"objective", "overlap_weight", number, "", 0, 100, {}, "cost of overlapped area"},
                              FIELD(settings.objective.overlap_weight)));
-  keys.push_back(
-      with_number({"objective", "gap_weight", number, "", 0, 100, {}, "cost of area that no piece can enter any more"},
-                  FIELD(settings.objective.gap_weight)));
-  keys.push_back(with_number(
-      {"objective", "length_exponent", number, "", 0, 4, {}, "of the matched share of the piece's boundary"},
-      FIELD(settings.objective.length_exponent)));
-  keys.push_back(with_number({"objective",
-                              "scale_exponent",
-                              number,
-                              "",
-                              0,
-                              4,
-                              {},
+  keys.push_back(with_number({"objective", "gap_weight", number, "", 0, 100, {},
+                              "cost of area that no piece can enter any more"},
+                             FIELD(settings.objective.gap_weight)));
+  keys.push_back(with_number({"objective", "length_exponent", number, "", 0, 4, {},
+                              "of the matched share of the piece's boundary"},
+                             FIELD(settings.objective.length_exponent)));
+  keys.push_back(with_number({"objective", "scale_exponent", number, "", 0, 4, {},
                               "of the piece's size by the largest allowed: 0.5 evens sizes out, 0.8 gives contrast"},
                              FIELD(settings.objective.scale_exponent)));
-  keys.push_back(with_number(
-      {"objective", "repetition_exponent", number, "", 0, 4, {}, "the score times (1 + uses of the shape)^-exponent"},
-      FIELD(settings.objective.repetition_exponent)));
-  keys.push_back(with_number({"objective",
-                              "near_twin_factor",
-                              number,
-                              "",
-                              0,
-                              1,
-                              {},
+  keys.push_back(with_number({"objective", "repetition_exponent", number, "", 0, 4, {},
+                              "the score times (1 + uses of the shape)^-exponent"},
+                             FIELD(settings.objective.repetition_exponent)));
+  keys.push_back(with_number({"objective", "near_twin_factor", number, "", 0, 1, {},
                               "the score times this for each copy of the shape near by; 1 = no matter"},
                              FIELD(settings.objective.near_twin_factor)));
 }
@@ -205,27 +152,13 @@ void add_objective_keys(std::vector<JobKey>& keys) {
 /// By default the collage is left as the greedy choice made it, as in the paper.
 void add_improve_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
-  keys.push_back(
-      with_number({"improve",
-                   "trials",
-                   integer,
-                   "",
-                   0,
-                   1e7,
-                   {},
-                   "when nothing fits any more: so often take a piece out and fill the hole anew, kept where "
-                   "it covers more; 0 = no limit if `seconds` is given, else none"},
-                  FIELD(settings.improve.trials)));
-  keys.push_back(
-      with_number({"improve",
-                   "seconds",
-                   number,
-                   "s",
-                   0,
-                   1e7,
-                   {},
-                   "end improving after this time, which makes the result depend on the machine; 0 = no limit"},
-                  FIELD(settings.improve.seconds)));
+  keys.push_back(with_number({"improve", "trials", integer, "", 0, 1e7, {},
+                              "when nothing fits any more: so often take a few small pieces beside a gap out and fill "
+                              "the hole anew, kept where it covers more; 0 = no limit if `seconds` is given, else none"},
+                             FIELD(settings.improve.trials)));
+  keys.push_back(with_number({"improve", "seconds", number, "s", 0, 1e7, {},
+                              "end improving after this time, which makes the result depend on the machine; 0 = no limit"},
+                             FIELD(settings.improve.seconds)));
 }
 
 /// By default a collage is finished when nothing fits any more.
@@ -233,22 +166,10 @@ void add_stop_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"stop", "pieces", integer, "", 0, 1e6, {}, "end at this many pieces; 0 = no limit"},
                              FIELD(settings.stop.pieces)));
-  keys.push_back(with_number({"stop",
-                              "coverage",
-                              number,
-                              "",
-                              0.01,
-                              1,
-                              {},
+  keys.push_back(with_number({"stop", "coverage", number, "", 0.01, 1, {},
                               "end at this fraction of the canvas; 1 = when nothing fits any more"},
                              FIELD(settings.stop.coverage)));
-  keys.push_back(with_number({"stop",
-                              "seconds",
-                              number,
-                              "s",
-                              0,
-                              1e7,
-                              {},
+  keys.push_back(with_number({"stop", "seconds", number, "s", 0, 1e7, {},
                               "end after this time, which makes the result depend on the machine; 0 = no limit"},
                              FIELD(settings.stop.seconds)));
   keys.back().decides = false;
@@ -256,13 +177,7 @@ void add_stop_keys(std::vector<JobKey>& keys) {
 
 /// Once a minute costs a thousandth of the time at most, and no more than a minute is ever lost.
 void add_checkpoint_keys(std::vector<JobKey>& keys) {
-  keys.push_back(with_number({"checkpoint",
-                              "every_s",
-                              JobKind::number,
-                              "s",
-                              0,
-                              1e6,
-                              {},
+  keys.push_back(with_number({"checkpoint", "every_s", JobKind::number, "s", 0, 1e6, {},
                               "time between two checkpoints; 0 = only where the run is interrupted"},
                              FIELD(checkpoint.every_s)));
   keys.back().decides = false;
@@ -272,18 +187,12 @@ void add_checkpoint_keys(std::vector<JobKey>& keys) {
 void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   const std::size_t first = keys.size();
-  keys.push_back(with_text({"devices",
-                            "use",
-                            devices,
-                            "",
-                            0,
-                            kMaxDeviceIndex,
-                            {"all", "cpu", "gpu"},
+  keys.push_back(with_text({"devices", "use", devices, "", 0, kMaxDeviceIndex, {"all", "cpu", "gpu"},
                             "the OpenCL devices each rank works on, by kind or by index"},
                            FIELD(devices)));
-  keys.push_back(with_number(
-      {"output", "width_px", integer, "px", 64, 20000, {}, "width of collage.png; its height follows from the canvas"},
-      FIELD(output.width_px)));
+  keys.push_back(with_number({"output", "width_px", integer, "px", 64, 20000, {},
+                              "width of collage.png; its height follows from the canvas"},
+                             FIELD(output.width_px)));
   keys.push_back(with_text({"output", "background", colour, "", 0, 0, {}, "colour of the canvas; outside it is white"},
                            FIELD(output.background)));
   for (std::size_t i = first; i < keys.size(); ++i) keys[i].decides = false;

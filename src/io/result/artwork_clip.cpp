@@ -5,7 +5,7 @@
 namespace tessera::io {
 namespace {
 
-/// Room for what the outline's smoothing left out: ends of strokes, hairs. Less than a cell of the shape's field.
+/// Room for what the outline's smoothing left out: ends of strokes, hairs.
 constexpr float kRim = 0.02f;
 
 }  // namespace
