@@ -7,6 +7,7 @@
 #include "cli/ranking_run.h"
 #include "cli/stop_signal.h"
 #include "core/error.h"
+#include "io/checkpoint/checkpoint_folder.h"
 #include "io/job/job_file.h"
 #include "io/job/variations.h"
 #include "io/number_text.h"
@@ -57,13 +58,22 @@ void print_result(const Task& task, std::size_t number, std::size_t of) {
   std::fflush(stdout);
 }
 
-/// Not 0: a collage failed. A signal ends the campaign after the collage that it ends.
+/// What an earlier campaign left unfinished goes on from its checkpoint.
+CollageArguments collage_of(const CampaignArguments& arguments, const Task& task) {
+  CollageArguments collage;
+  collage.job = arguments.job;
+  collage.out = task.folder;
+  collage.overrides = task.variation.overrides;
+  collage.quiet = true;
+  if (io::CheckpointFolder(task.folder).has_latest()) collage.resume = "latest";
+  return collage;
+}
+
+/// Not 0: a signal ended a collage, and with it the campaign.
 int make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
   for (std::size_t i = 0; i < tasks.size() && !stop_signalled(); ++i) {
     if (!tasks[i].finished) {
-      const int exit_code = run_collage(
-          {.job = arguments.job, .out = tasks[i].folder, .overrides = tasks[i].variation.overrides, .quiet = true},
-          ranks);
+      const int exit_code = run_collage(collage_of(arguments, tasks[i]), ranks);
       if (exit_code != 0) return exit_code;
     }
     print_result(tasks[i], i + 1, tasks.size());
@@ -84,10 +94,10 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
     return 0;
   }
   io::prepare_output_directory(campaign_folder(arguments));
-  if (const int exit_code = make_all(arguments, tasks, ranks); exit_code != 0) return exit_code;
-  if (stop_signalled()) {
+  const int exit_code = make_all(arguments, tasks, ranks);
+  if (stop_signalled() || exit_code != 0) {
     std::printf("ended early; the same command goes on where this one was\n");
-    return 0;
+    return kUnfinishedExitCode;
   }
   RankingArguments ranking{.folders = {}, .out = campaign_folder(arguments), .weights = arguments.weights};
   for (const Task& task : tasks) ranking.folders.push_back(task.folder);

@@ -11,8 +11,11 @@ constexpr const char* kExamples =
     "  tessera collage jobs/animals.toml\n"
     "  tessera collage jobs/animals.toml --out small --set 'pieces.scale_px=[14, 90]' --set seed=3\n"
     "  mpirun -n 3 tessera collage jobs/animals.toml    rank 0 is the master, the others are workers\n"
-    "The result (collage.png and .svg, pieces.geojson, quality card, effective job) is the same on any number of ranks.\n"
-    "Ctrl-C ends early and writes what is placed so far. Every key of a job: docs/job-format.md";
+    "  tessera collage jobs/animals.toml --time-limit 1:30:00     stops in time; exit code 75: there is more to do\n"
+    "  tessera collage jobs/animals.toml --resume                 goes on where it stopped, or was killed\n"
+    "The result (collage.png and .svg, pieces.geojson, quality card, effective job) is the same on any number of ranks,\n"
+    "and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and what is placed so far\n"
+    "are written. Every key of a job: docs/job-format.md";
 
 }  // namespace
 
@@ -28,6 +31,15 @@ void add_collage_command(CLI::App& app, Command& selected) {
       ->allow_extra_args(false)
       ->take_all();
   collage->add_flag("--quiet", arguments->quiet, "Print neither progress nor the quality card");
+  CLI::Option* resume =
+      collage->add_flag("--resume{latest}", arguments->resume,
+                        "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5")
+          ->check(CLI::IsMember({"latest", "previous"}));
+  collage->add_flag("--restart", arguments->restart, "Remove the checkpoints in DIR and start again")->excludes(resume);
+  collage
+      ->add_option("--time-limit", arguments->time_limit,
+                   "Stop so early that all is written by then; default: the end of the Slurm job")
+      ->type_name("SECONDS|HH:MM:SS");
   collage->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run_collage(*arguments, ranks); };
   });

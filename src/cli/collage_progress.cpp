@@ -26,7 +26,8 @@ double share_by_coverage(double coverage, double goal) {
 
 }  // namespace
 
-CollageProgress::CollageProgress(const StopSettings& stop, bool quiet) : stop_(stop) {
+CollageProgress::CollageProgress(const StopSettings& stop, bool quiet, const TimeLimit& limit)
+    : stop_(stop), limit_(limit) {
   if (!quiet) bar_.emplace("collage", kBarTotal);
 }
 
@@ -34,7 +35,10 @@ void CollageProgress::progressed(const master::Progress& progress) {
   if (bar_) bar_->update(std::size_t(kBarTotal * expected_time_share(progress, stop_)), progress_note(progress));
 }
 
-bool CollageProgress::stop_requested() { return stop_signalled(); }
+const char* CollageProgress::stop_requested() {
+  if (stop_signalled()) return "signal";
+  return limit_.near() ? "time_limit" : nullptr;
+}
 
 double expected_time_share(const master::Progress& progress, const StopSettings& stop) {
   double share = share_by_coverage(progress.coverage, stop.coverage);
@@ -48,7 +52,7 @@ std::string progress_note(const master::Progress& progress) {
   if (progress.trials > 0) {
     std::snprintf(text, sizeof text, "%zu pieces, %.1f %% covered, improving: trial %llu", progress.pieces,
                   100 * progress.coverage, static_cast<unsigned long long>(progress.trials));
-    return text;
+    return progress.most_trials > 0 ? text + (" of " + std::to_string(progress.most_trials)) : text;
   }
   const double rate = progress.seconds > 0 ? double(progress.pieces) / progress.seconds : 0;
   std::snprintf(text, sizeof text, "%zu pieces, %.1f %% covered, %.1f pieces/s", progress.pieces,

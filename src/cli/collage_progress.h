@@ -1,9 +1,10 @@
-// What the user sees of the collage's loop, and how a signal ends it.
+// What the user sees of the collage's loop, and how a signal or a time limit ends it.
 #pragma once
 
 #include <optional>
 
 #include "cli/progress_bar.h"
+#include "cli/time_limit.h"
 #include "core/settings.h"
 #include "master/progress.h"
 
@@ -11,14 +12,15 @@ namespace tessera::cli {
 
 class CollageProgress : public master::Observer {
  public:
-  /// `quiet`: shows nothing, but still obeys signals (stop_signal.h).
-  CollageProgress(const StopSettings& stop, bool quiet);
+  /// `quiet`: shows nothing, but still obeys signals (stop_signal.h) and the limit.
+  CollageProgress(const StopSettings& stop, bool quiet, const TimeLimit& limit = TimeLimit());
 
   void progressed(const master::Progress& progress) override;
-  bool stop_requested() override;
+  const char* stop_requested() override;
 
  private:
   StopSettings stop_;
+  TimeLimit limit_;
   std::optional<ProgressBar> bar_;
 };
 

@@ -1,13 +1,18 @@
 #include "cli/collage_run.h"
 
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <thread>
 
+#include "cli/collage_checkpoints.h"
 #include "cli/collage_progress.h"
 #include "cli/library_part.h"
 #include "cli/stop_signal.h"
+#include "cli/time_limit.h"
 #include "comm/matcher_server.h"
 #include "comm/node_turn.h"
 #include "comm/worker_team.h"
@@ -84,26 +89,77 @@ std::string write(const std::string& folder, const io::Job& job, const Canvas& c
   return io::write_collage(folder, report, quick);
 }
 
-int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
-  const io::Job job = io::load_job(arguments.job, arguments.overrides);
-  const io::LibraryFile library(job.library);
-  const Canvas canvas = io::load_canvas(job.canvas);
-  io::check_picture_height(job.output, canvas);
-  const std::string folder = output_folder(arguments);
-  io::prepare_output_directory(folder);
-  ranks.broadcast(to_bytes(io::to_toml(job)));
-  const std::unique_ptr<Matcher> matcher = ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(job, library);
+Start start_of(const CollageArguments& arguments) {
+  if (arguments.restart) return Start::restart;
+  if (arguments.resume.empty()) return Start::fresh;
+  return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
+}
 
-  install_stop_handlers();
-  master::LibraryShapes shapes(library);
-  master::CollageResult result;
-  {
-    CollageProgress progress(job.settings.stop, arguments.quiet);
-    result = master::make_collage(canvas, job.settings, *matcher, shapes, progress);
+void say(const CollageArguments& arguments, const std::string& line) {
+  if (!arguments.quiet) std::printf("%s\n", line.c_str());
+}
+
+/// The checkpoints go, or the user hears how to go on. Returns the exit code.
+int conclude(const CollageArguments& arguments, bool unfinished, const CollageCheckpoints& checkpoints) {
+  if (unfinished) {
+    checkpoints.require_one();
+    say(arguments, "unfinished: go on with the same command and --resume");
+    return kUnfinishedExitCode;
   }
-  const std::string card = write(folder, job, canvas, library, result);
-  if (!arguments.quiet) std::printf("%s\nwritten to %s\n", card.c_str(), folder.c_str());
+  checkpoints.remove();
   return 0;
+}
+
+/// What rank 0 reads before anything costs time; every mistake is told here.
+struct Input {
+  Input(const CollageArguments& arguments, Start start)
+      : job(io::load_job(arguments.job, arguments.overrides)),
+        folder(output_folder(arguments)),
+        checkpoints(checked_start(folder, start)),
+        library(job.library),
+        canvas(io::load_canvas(job.canvas)) {
+    io::check_picture_height(job.output, canvas);
+    io::prepare_output_directory(folder);
+    origin = io::make_origin(job, library, canvas);
+    from = starting_state(checkpoints, start, origin);
+  }
+  Input(const Input&) = delete;  // origin points into it
+  Input& operator=(const Input&) = delete;
+
+  io::Job job;
+  std::string folder;
+  io::CheckpointFolder checkpoints;
+  io::LibraryFile library;
+  Canvas canvas;
+  io::CheckpointOrigin origin;
+  std::optional<CheckpointState> from;  // nothing: an empty canvas
+};
+
+master::CollageResult run_loop(const CollageArguments& arguments, const Input& input, const TimeLimit& limit,
+                               Matcher& matcher, CollageCheckpoints& checkpoints) {
+  const CheckpointState* from = input.from ? &*input.from : nullptr;
+  if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
+  install_stop_handlers();
+  master::LibraryShapes shapes(input.library);
+  CollageProgress progress(input.job.settings.stop, arguments.quiet, limit);
+  return master::make_collage(input.canvas, input.job.settings, matcher, shapes, progress, {from, &checkpoints});
+}
+
+int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
+  const TimeLimit limit(
+      time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr))));
+  const Start start = start_of(arguments);
+  const Input input(arguments, start);
+  ranks.broadcast(to_bytes(io::to_toml(input.job)));
+  const std::unique_ptr<Matcher> matcher =
+      ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library);
+
+  if (start == Start::restart) input.checkpoints.remove();
+  CollageCheckpoints checkpoints(input.checkpoints, input.origin);
+  const master::CollageResult result = run_loop(arguments, input, limit, *matcher, checkpoints);
+  const std::string card = write(input.folder, input.job, input.canvas, input.library, result);
+  say(arguments, card + "\nwritten to " + input.folder);
+  return conclude(arguments, result.unfinished, checkpoints);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // tessera: parses the command line and runs the sub-command as one rank of a job, which reports errors once and ends
-// all ranks together. Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input (arguments, files).
+// all ranks together. Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input (arguments, files),
+// 75 interrupted with work left (collage_run.h).
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
@@ -45,7 +46,7 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
       "  tessera collage my_job.toml                      a collage from it (docs/job-format.md)\n"
       "  mpirun -n 3 tessera collage my_job.toml          the same on a master and two workers\n"
       "  tessera campaign my_job.toml --seeds 1-8         eight of them, ranked by quality\n"
-      "Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input.");
+      "Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input, 75 interrupted with work left.");
   Command selected;
   add_library_command(app, selected);
   add_collage_command(app, selected);

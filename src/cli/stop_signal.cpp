@@ -17,8 +17,7 @@ void install_stop_handlers() {
   struct sigaction action {};
   action.sa_handler = remember;
   action.sa_flags = SA_RESTART;  // a system call of MPI or OpenCL goes on
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR2}) sigaction(signal, &action, nullptr);
 }
 
 bool stop_signalled() { return signalled.load(std::memory_order_relaxed); }

@@ -55,6 +55,7 @@ void prepare_stop_signals(int rank) {
     sigaction(SIGCONT, &action, nullptr);
     return;
   }
+  signal(SIGUSR2, SIG_IGN);
   action.sa_handler = on_first_stop;
   action.sa_flags = SA_RESETHAND | SA_RESTART;
   for (const int stop : {SIGINT, SIGTERM, SIGHUP}) sigaction(stop, &action, nullptr);

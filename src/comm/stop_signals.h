@@ -11,7 +11,8 @@
 namespace tessera::comm {
 
 /// To be called once on each rank. Rank 0: mpirun's SIGCONT raises SIGTERM, for which the program has a handler of its
-/// own; that SIGTERM comes once more a second later. Other ranks: the first SIGINT, SIGTERM and SIGHUP do nothing.
+/// own; that SIGTERM comes once more a second later. Other ranks: the first SIGINT, SIGTERM and SIGHUP do nothing,
+/// and SIGUSR2, which mpirun and srun pass on to all ranks, never does: rank 0 ends the job.
 /// All: writing to a closed pipe is an error of that write, not the end.
 void prepare_stop_signals(int rank);
 

@@ -34,9 +34,9 @@ struct RunStatistics {
   double dock_s = 0;
   double objective_s = 0;
   double merge_s = 0;
-  double improve_s = 0;                // of total_s; the times above include it
+  double improve_s = 0;                // of total_s; nothing else here counts what trials do
   double total_s = 0;
-  std::string stopped_by;              // "full", "pieces", "coverage", "seconds" or "signal"
+  std::string stopped_by;              // "full", "pieces", "coverage", "seconds"; unfinished: "signal" or "time_limit"
 
   double pruned_fraction() const {
     return docking_choices ? 1.0 - double(dockings_evaluated) / double(docking_choices) : 0.0;

@@ -13,12 +13,16 @@ bool ranks_before(const Candidate& a, const Candidate& b) {
 }
 
 void Pool::put(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated) {
-  erase(edge);
   std::sort(candidates.begin(), candidates.end(), ranks_before);
   if (candidates.size() > kPoolPerSample) {
     candidates.resize(kPoolPerSample);
     truncated = true;
   }
+  put_back(edge, std::move(candidates), truncated);
+}
+
+void Pool::put_back(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated) {
+  erase(edge);
   Entry& entry = entries_[edge];
   entry.candidates = std::move(candidates);
   entry.truncated = truncated;

@@ -50,6 +50,8 @@ class Pool {
 
   /// Takes the best kPoolPerSample; ties by shape, then source.
   void put(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated);
+  /// What entries() said of a target sample: the same candidates in the same order, not sorted again.
+  void put_back(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated);
   void erase(std::uint32_t edge);
   void erase(const Ranked& ranked);
 

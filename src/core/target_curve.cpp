@@ -29,6 +29,10 @@ bool changed_much(const ArclengthPyramid& a, const ArclengthPyramid& b, int leve
   return false;
 }
 
+MatchedPad matched_pad(std::uint32_t edge, const ArclengthPyramid& pyramid) {
+  return {edge, pyramid.left, pyramid.right, pyramid.convexity};
+}
+
 }  // namespace
 
 /// A vertex of the curve, seen smoothed; adds to `support` whatever it visits.
@@ -75,6 +79,25 @@ std::vector<std::uint32_t> TargetCurve::sample_edges() const {
   edges.reserve(samples_.size());
   for (const auto& [edge, held] : samples_) edges.push_back(edge);
   return edges;
+}
+
+std::vector<MatchedPad> TargetCurve::matched_pads() const {
+  std::vector<MatchedPad> pads;
+  for (const auto& [edge, held] : samples_) {
+    const MatchedPad matched = matched_pad(edge, held.matched);
+    if (matched != matched_pad(edge, held.sample.pyramid)) pads.push_back(matched);
+  }
+  return pads;
+}
+
+void TargetCurve::set_matched_pads(const std::vector<MatchedPad>& pads) {
+  for (auto& [edge, held] : samples_) held.matched = held.sample.pyramid;
+  for (const MatchedPad& pad : pads) {
+    ArclengthPyramid& matched = samples_.at(pad.edge).matched;
+    matched.left = pad.left;
+    matched.right = pad.right;
+    matched.convexity = pad.convexity;
+  }
 }
 
 TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin, const Window& window) {

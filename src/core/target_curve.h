@@ -5,6 +5,7 @@
 // sample follows from a walk along its own neighbourhood, so updating gives the bits that starting afresh would give.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -26,6 +27,16 @@ struct TargetSample {
   ArclengthPyramid pyramid;  // of the curve smoothed by target_sigma_px
 };
 
+/// Of a sample's PAD when it was last to be matched: what decides whether it has changed much since.
+struct MatchedPad {
+  std::uint32_t edge = 0;
+  std::array<float, kMaxPadLevels> left{};
+  std::array<float, kMaxPadLevels> right{};
+  float convexity = 0;
+
+  friend bool operator==(const MatchedPad&, const MatchedPad&) = default;
+};
+
 class TargetCurve {
  public:
   TargetCurve(const PieceSettings& pieces, const PadParameters& pad);
@@ -40,7 +51,14 @@ class TargetCurve {
 
   const TargetSample& sample(std::uint32_t edge) const { return samples_.at(edge).sample; }
   std::size_t sample_count() const { return samples_.size(); }
+  bool has_sample(std::uint32_t edge) const { return samples_.contains(edge); }
   std::vector<std::uint32_t> sample_edges() const;
+
+  /// Of the samples whose PAD has changed a little since it was matched, ascending: the only part of a curve that does
+  /// not follow from the opened field.
+  std::vector<MatchedPad> matched_pads() const;
+  /// All other samples count as matched with the PAD that they have.
+  void set_matched_pads(const std::vector<MatchedPad>& pads);
 
  private:
   struct Vertex {

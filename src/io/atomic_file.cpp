@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -55,6 +56,18 @@ void commit_temporary_file(const std::string& path) {
   Descriptor file(temporary_path(path), O_RDONLY);
   if (!file.open() || ::fsync(file.get()) != 0 || !file.close()) fail(path);
   if (std::rename(temporary_path(path).c_str(), path.c_str()) != 0) fail(path);
+}
+
+void write_temporary_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+  Descriptor file(temporary_path(path), O_WRONLY | O_CREAT | O_TRUNC);
+  if (!file.open() || !write_all(file.get(), bytes) || ::fsync(file.get()) != 0 || !file.close()) fail(path);
+}
+
+void flush_folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::absolute(path).parent_path();
+  Descriptor file(folder, O_RDONLY | O_DIRECTORY);
+  // Some file systems cannot flush a folder (EINVAL) and keep its order by themselves.
+  if (!file.open() || (::fsync(file.get()) != 0 && errno != EINVAL)) fail(path);
 }
 
 void write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes) {

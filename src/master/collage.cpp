@@ -215,6 +215,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   pool_ = {};
   stale_.clear();
   passes_.clear();
+  curve_.set_matched_pads({});
   const Window restamped = restamp(changed);
   changed_nodes_ = changed_nodes_.united(restamped);
   retrace(restamped);

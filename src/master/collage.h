@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/canvas.h"
+#include "core/checkpoint_state.h"
 #include "core/free_field.h"
 #include "core/matching_context.h"
 #include "core/match_round.h"
@@ -41,8 +42,15 @@ class Collage {
   void place(const Candidate& candidate);
 
   /// Makes the collage one of `placements`: of the present ones some may be missing, others be new. Pool and stale
-  /// samples are forgotten but for what the change renewed. Returns where pieces came or went.
+  /// samples are forgotten but for what the change renewed: what comes next follows from the placements before and
+  /// after, not from how they came about. Returns where pieces came or went.
   Window replace_placements(std::vector<Placement> placements);
+
+  /// Adds all that the collage keeps beside settings, canvas and library.
+  void save(CheckpointState& state) const;
+  /// Into a collage without placements. Throws InputError where the state does not belong to canvas and library, or
+  /// what is rebuilt from it is not what was saved.
+  void restore(const CheckpointState& state);
 
   /// From the piece to the point, negative inside, px.
   float distance_px(const Placement& placement, Vec2 point_px);
@@ -67,6 +75,9 @@ class Collage {
   template <class Keep>
   void review(std::uint32_t edge, Keep keep);
   void retrace(const Window& changed);
+  void check_pieces(const CheckpointState& state) const;
+  void check_samples(const CheckpointState& state) const;
+  std::uint64_t rebuilt_digest() const;
 
   CollageSettings settings_;
   MatchingContext context_;

@@ -5,85 +5,139 @@
 #include "master/filling.h"
 #include "master/ruin_and_recreate.h"
 
-
 namespace tessera::master {
 namespace {
 
 /// One run: the state of the loop around the collage itself.
 class Run {
  public:
-  Run(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes, Observer& observer)
+  Run(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes, Observer& observer,
+      const Checkpoints& checkpoints)
       : canvas_(canvas),
         settings_(settings),
         observer_(observer),
+        keeper_(checkpoints.keeper),
         context_(make_matching_context(settings, matcher.shapes().end)),
         collage_(canvas, settings, context_, shapes),
-        filling_(collage_, context_, settings, matcher, statistics_) {}
+        filling_(collage_, context_, settings, matcher, statistics_) {
+    if (checkpoints.from) restore(*checkpoints.from);
+  }
 
   CollageResult finish() {
-    fill();
-    improve();
-    statistics_.total_s = watch_.seconds();
-    return {collage_.placements(), statistics_};
+    if (!improving_) fill();
+    if (improving_) improve();
+    statistics_.total_s = seconds();
+    if (unfinished_ && keeper_) keeper_->keep(state());
+    return {collage_.placements(), statistics_, unfinished_};
   }
 
  private:
+  void restore(const CheckpointState& from) {
+    collage_.restore(from);
+    statistics_ = from.statistics;
+    earlier_s_ = from.statistics.total_s;
+    improving_ = from.improving;
+  }
+
+  CheckpointState state() const {
+    CheckpointState state;
+    state.improving = improving_;
+    state.statistics = statistics_;
+    state.statistics.total_s = seconds();
+    state.statistics.stopped_by.clear();
+    collage_.save(state);
+    return state;
+  }
+
   void fill() {
     while (!should_stop()) {
       if (!filling_.place_one()) {
         statistics_.stopped_by = "full";
+        improving_ = settings_.improve.trials > 0 || settings_.improve.seconds > 0;
         return;
       }
-      tell();
+      after_step();
     }
   }
 
   void improve() {
-    if (statistics_.stopped_by != "full") return;
-    const ImproveSettings& limits = settings_.improve;
-    if (limits.trials == 0 && limits.seconds == 0) return;
+    statistics_.stopped_by = "full";
+    filling_.count_into(trial_work_);
+    const double earlier_s = statistics_.improve_s;
     const Stopwatch watch;
     RuinAndRecreate ruin_and_recreate(collage_, filling_, settings_);
-    while (!observer_.stop_requested() && (limits.trials == 0 || statistics_.trials < std::uint64_t(limits.trials)) &&
-           (limits.seconds == 0 || watch.seconds() < limits.seconds)) {
-      statistics_.trials_kept += ruin_and_recreate.try_once(std::uint32_t(statistics_.trials));
+    while (may_improve() && !reached_limit() && !interrupted()) {
+      const Trial trial = ruin_and_recreate.try_once(std::uint32_t(statistics_.trials),
+                                                     [this] { return observer_.stop_requested() != nullptr; });
+      statistics_.improve_s = earlier_s + watch.seconds();
+      if (trial == Trial::interrupted) continue;
+      statistics_.trials_kept += trial == Trial::kept;
       ++statistics_.trials;
-      tell();
+      after_step();
     }
-    statistics_.improve_s = watch.seconds();
   }
 
-  void tell() {
-    observer_.progressed({collage_.placements().size(), collage_.covered_px2() / canvas_.area_px2, watch_.seconds(),
-                          collage_.open_samples(), statistics_.trials});
+  bool may_improve() const {
+    const ImproveSettings& limits = settings_.improve;
+    return (limits.trials == 0 || statistics_.trials < std::uint64_t(limits.trials)) &&
+           (limits.seconds == 0 || statistics_.improve_s < limits.seconds);
+  }
+
+  void after_step() {
+    observer_.progressed({collage_.placements().size(), collage_.covered_px2() / canvas_.area_px2, seconds(),
+                          collage_.open_samples(), statistics_.trials, std::uint64_t(settings_.improve.trials)});
+    if (keeper_ && keeper_->due()) keeper_->keep(state());
   }
 
   bool should_stop() {
     const StopSettings& stop = settings_.stop;
-    const char* reason = nullptr;
-    if (stop.pieces > 0 && collage_.placements().size() >= std::size_t(stop.pieces)) reason = "pieces";
-    if (collage_.covered_px2() >= double(stop.coverage) * canvas_.area_px2) reason = "coverage";
-    if (stop.seconds > 0 && watch_.seconds() >= stop.seconds) reason = "seconds";
-    if (observer_.stop_requested()) reason = "signal";
-    if (reason) statistics_.stopped_by = reason;
-    return reason != nullptr;
+    if (stop.pieces > 0 && collage_.placements().size() >= std::size_t(stop.pieces)) {
+      statistics_.stopped_by = "pieces";
+      return true;
+    }
+    return reached_limit() || interrupted();
   }
+
+  /// That ends filling and improving alike.
+  bool reached_limit() {
+    const StopSettings& stop = settings_.stop;
+    const bool covered = collage_.covered_px2() >= double(stop.coverage) * canvas_.area_px2;
+    const bool late = stop.seconds > 0 && seconds() >= stop.seconds;
+    if (covered || late) statistics_.stopped_by = late ? "seconds" : "coverage";
+    return covered || late;
+  }
+
+  bool interrupted() {
+    const char* reason = observer_.stop_requested();
+    if (!reason) return false;
+    statistics_.stopped_by = reason;
+    unfinished_ = true;
+    return true;
+  }
+
+  /// Of the run as a whole, what came before an interruption included.
+  double seconds() const { return earlier_s_ + watch_.seconds(); }
 
   const Canvas& canvas_;
   const CollageSettings& settings_;
   Observer& observer_;
+  CheckpointKeeper* keeper_;
   MatchingContext context_;
   Collage collage_;
-  RunStatistics statistics_;
+  RunStatistics statistics_;  // of the greedy part, with the number of trials
+  RunStatistics trial_work_;
   Filling filling_;
   Stopwatch watch_;
+  double earlier_s_ = 0;
+  bool improving_ = false;
+  bool unfinished_ = false;
 };
 
 }  // namespace
 
 CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
-                           ShapeSource& shapes, Observer& observer) {
-  return Run(canvas, settings, matcher, shapes, observer).finish();
+                           ShapeSource& shapes, Observer& observer, const Checkpoints& checkpoints) {
+  return Run(canvas, settings, matcher, shapes, observer, checkpoints).finish();
 }
 
 }  // namespace tessera::master

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/canvas.h"
+#include "core/checkpoint_state.h"
 #include "core/matcher.h"
 #include "core/placement.h"
 #include "core/settings.h"
 #include "core/shape_source.h"
+#include "master/checkpoint_keeper.h"
 #include "master/progress.h"
 
 namespace tessera::master {
@@ -13,10 +15,19 @@ namespace tessera::master {
 struct CollageResult {
   std::vector<Placement> placements;
   RunStatistics statistics;
+  bool unfinished = false;  // the observer asked to stop, and there was more to do
 };
 
-/// `matcher` covers the whole library.
+/// Where the loop starts, and where its state is kept.
+struct Checkpoints {
+  const CheckpointState* from = nullptr;  // null: from an empty canvas
+  CheckpointKeeper* keeper = nullptr;     // null: nowhere; an unfinished loop ends with a checkpoint
+};
+
+/// `matcher` covers the whole library. A loop that was interrupted and goes on `from` its checkpoint, with the same
+/// canvas, settings and library, places what it would have placed without the interruption. Throws InputError where
+/// `from` belongs to others.
 CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
-                           ShapeSource& shapes, Observer& observer);
+                           ShapeSource& shapes, Observer& observer, const Checkpoints& checkpoints = {});
 
 }  // namespace tessera::master

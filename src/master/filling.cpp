@@ -15,12 +15,12 @@ Filling::Filling(Collage& collage, const MatchingContext& context, const Collage
                  RunStatistics& statistics)
     : collage_(collage),
       matcher_(matcher),
-      statistics_(statistics),
+      statistics_(&statistics),
       most_empty_passes_(settings.match.tangent_dockings > 0 ? kEmptyPasses : 0) {
   std::uint64_t pads_per_shape = 0;
   for (const int level : context.levels) pads_per_shape += std::uint64_t(kSmoothingLevels[level].samples);
-  statistics_.shapes = context.library_shapes;
-  statistics_.pads_per_shape = double(pads_per_shape);
+  statistics_->shapes = context.library_shapes;
+  statistics_->pads_per_shape = double(pads_per_shape);
   library_pads_ = pads_per_shape * context.library_shapes;
   usual_plan_ = match_plan(settings.match, library_pads_);
   const CanvasField& field = collage.free().field();
@@ -57,25 +57,25 @@ void Filling::match_stale() {
   const Window changed = collage_.take_changed_nodes();
   if (!changed.empty()) matcher_.update_field(read_patch(collage_.free().field().value, changed));
   const std::vector<TargetSample> samples = collage_.take_stale_samples();
-  statistics_.merge_s += watch.lap();
-  const MatchRound found = match(matcher_, samples, plan(), library_pads_, reach_, statistics_);
+  statistics_->merge_s += watch.lap();
+  const MatchRound found = match(matcher_, samples, plan(), library_pads_, reach_, *statistics_);
   watch.lap();
   collage_.add_candidates(samples, found);
-  statistics_.objective_s += watch.lap();
+  statistics_->objective_s += watch.lap();
 }
 
 bool Filling::choose(Candidate& best) {
   Stopwatch watch;
   const bool found = collage_.choose(best);
-  statistics_.objective_s += watch.lap();
+  statistics_->objective_s += watch.lap();
   return found;
 }
 
 void Filling::place(const Candidate& best) {
   Stopwatch watch;
   collage_.place(best);
-  statistics_.merge_s += watch.lap();
-  ++statistics_.rounds;
+  statistics_->merge_s += watch.lap();
+  ++statistics_->rounds;
 }
 
 }  // namespace tessera::master

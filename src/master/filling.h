@@ -19,6 +19,9 @@ class Filling {
   /// (design, method 9); false when that finds nothing either.
   bool place_one();
 
+  /// From now on.
+  void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
+
  private:
   MatchPlan plan() const;
   void match_stale();
@@ -27,7 +30,7 @@ class Filling {
 
   Collage& collage_;
   Matcher& matcher_;
-  RunStatistics& statistics_;
+  RunStatistics* statistics_;
   std::uint64_t library_pads_ = 0;
   MatchPlan usual_plan_;
   PairReach reach_;

@@ -12,20 +12,22 @@ struct Progress {
   double seconds = 0;    // since the loop started
   std::size_t open_samples = 0;  // target samples left on the free region's boundary
   std::uint64_t trials = 0;      // of ruin and recreate
+  std::uint64_t most_trials = 0; // 0: no limit
 };
 
 class Observer {
  public:
   virtual ~Observer() = default;
   virtual void progressed(const Progress& progress) = 0;
-  /// Asked once a round; true ends the loop with what is placed.
-  virtual bool stop_requested() = 0;
+  /// Asked before every round and trial. What asks to stop ("signal", "time_limit") ends the loop with what is placed;
+  /// null: go on.
+  virtual const char* stop_requested() = 0;
 };
 
 class SilentObserver : public Observer {
  public:
   void progressed(const Progress&) override {}
-  bool stop_requested() override { return false; }
+  const char* stop_requested() override { return nullptr; }
 };
 
 }  // namespace tessera::master

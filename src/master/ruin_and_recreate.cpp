@@ -1,6 +1,7 @@
 #include "master/ruin_and_recreate.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "core/portable_math.h"
 
@@ -36,7 +37,8 @@ RuinAndRecreate::RuinAndRecreate(Collage& collage, Filling& filling, const Colla
     : collage_(collage),
       filling_(filling),
       seed_(settings.seed),
-      most_scale_px_(kMostScale * settings.pieces.min_scale_px) {}
+      most_scale_px_(kMostScale * settings.pieces.min_scale_px),
+      most_pieces_(settings.stop.pieces > 0 ? std::size_t(settings.stop.pieces) : SIZE_MAX) {}
 
 /// The small pieces that are nearest to a gap by a disc of their area, nearest first.
 std::vector<std::size_t> RuinAndRecreate::small_pieces_near(Vec2 gap_px) const {
@@ -75,19 +77,23 @@ std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
   return left;
 }
 
-bool RuinAndRecreate::try_once(std::uint32_t trial) {
+Trial RuinAndRecreate::try_once(std::uint32_t trial, const std::function<bool()>& stopped) {
   const std::vector<Placement> before = collage_.placements();
   const std::int64_t free_before = collage_.free().free_256ths_px2();
   const std::uint64_t random = mix_bits(seed_ ^ mix_bits(kRuin ^ (std::uint64_t(trial) << 32)));
   std::vector<Placement> rest = ruined(random);
-  if (rest.size() == before.size()) return false;
+  if (rest.size() == before.size()) return Trial::put_back;
   filling_.start(collage_.replace_placements(std::move(rest)));
   collage_.set_first_pass(kPassesPerTrial * trial);
-  while (filling_.place_one()) {
+  while (!stopped() && filling_.place_one()) {
   }
-  if (collage_.free().free_256ths_px2() < free_before) return true;
+  const bool interrupted = stopped();
+  if (!interrupted && collage_.placements().size() <= most_pieces_ &&
+      collage_.free().free_256ths_px2() < free_before) {
+    return Trial::kept;
+  }
   collage_.replace_placements(before);
-  return false;
+  return interrupted ? Trial::interrupted : Trial::put_back;
 }
 
 }  // namespace tessera::master

@@ -2,17 +2,22 @@
 // again, and keep the result where more of the canvas is covered.
 #pragma once
 
+#include <functional>
+
 #include "master/collage.h"
 #include "master/filling.h"
 
 namespace tessera::master {
 
+enum class Trial { kept, put_back, interrupted };
+
 class RuinAndRecreate {
  public:
   RuinAndRecreate(Collage& collage, Filling& filling, const CollageSettings& settings);
 
-  /// Trial number `trial`: its random numbers follow from this number alone. True where it was kept.
-  bool try_once(std::uint32_t trial);
+  /// Trial number `trial`: its outcome follows from this number and the placements alone. `stopped` is asked before every
+  /// piece; an interrupted trial leaves the placements as they were.
+  Trial try_once(std::uint32_t trial, const std::function<bool()>& stopped);
 
  private:
   std::vector<std::size_t> small_pieces_near(Vec2 gap_px) const;
@@ -23,6 +28,7 @@ class RuinAndRecreate {
   Filling& filling_;
   std::uint64_t seed_;
   float most_scale_px_;
+  std::size_t most_pieces_;
 };
 
 }  // namespace tessera::master

@@ -13,6 +13,8 @@ namespace {
 TEST(CollageProgress, note_has_pieces_coverage_and_rate) {
   EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.93, .seconds = 10, .open_samples = 0, .trials = 7}),
             "120 pieces, 93.0 % covered, improving: trial 7");
+  EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.93, .trials = 7, .most_trials = 150}),
+            "120 pieces, 93.0 % covered, improving: trial 7 of 150");
   EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.4567, .seconds = 10, .open_samples = 0}),
             "120 pieces, 45.7 % covered, 12.0 pieces/s");
   EXPECT_EQ(progress_note({}), "0 pieces, 0.0 % covered, 0.0 pieces/s");
@@ -42,14 +44,22 @@ RC_GTEST_PROP(CollageProgress, the_share_grows_and_stays_below_one, ()) {
   RC_ASSERT(at(high) <= 1);
 }
 
+TEST(CollageProgress, a_time_limit_ends_the_loop) {
+  CollageProgress endless({}, true);
+  EXPECT_EQ(endless.stop_requested(), nullptr);
+  CollageProgress ended({}, true, TimeLimit(reserve_s(1)));
+  EXPECT_STREQ(ended.stop_requested(), "time_limit");
+}
+
 TEST(StopSignal, signals_ask_for_the_end_as_often_as_they_come) {
   install_stop_handlers();
   CollageProgress progress({}, true);
-  EXPECT_FALSE(progress.stop_requested());
+  EXPECT_EQ(progress.stop_requested(), nullptr);
   std::raise(SIGINT);
   std::raise(SIGTERM);
   std::raise(SIGINT);
-  EXPECT_TRUE(progress.stop_requested());
+  std::raise(SIGUSR2);
+  EXPECT_STREQ(progress.stop_requested(), "signal");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "core/tuning.h"
 
@@ -96,6 +97,32 @@ TEST(Pool, BestFirstIsTheSortedOrderWhateverHappenedBefore) {
       pool.rank_again(first);
       if (found.size() > 1) pool.erase(found[1]);
     }
+  }));
+}
+
+/// What a restart relies on: scores changed since the candidates were put, ties are broken by their places then.
+TEST(Pool, PutBackElsewhereKeepsTheOrder) {
+  EXPECT_TRUE(rc::check([] {
+    Pool pool;
+    for (int i = 0; i < 30; ++i) put_any(pool, 12);
+    Pool again;
+    for (const auto& [edge, entry] : pool.entries()) {
+      pool.review(edge, [&](Candidate& c) {
+        c.score = 0.1f * float(*rc::gen::inRange(1, 4));
+        return c.source % 4 != 0;
+      });
+      again.put_back(edge, entry.candidates, entry.truncated);
+    }
+    const auto order = [](Pool& of) {
+      std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> found;
+      of.best_first([](const Candidate& c) { return c.score; },
+                    [&](const Pool::Ranked& r, const Candidate& c) {
+                      found.emplace_back(r.edge, c.shape, c.source);
+                      return true;
+                    });
+      return found;
+    };
+    RC_ASSERT(order(again) == order(pool));
   }));
 }
 

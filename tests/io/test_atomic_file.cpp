@@ -1,13 +1,12 @@
 // Files appear whole or not at all.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "core/error.h"
+#include "file_size_limit.h"
 #include "io/atomic_file.h"
 #include "scratch_folder.h"
 
@@ -29,26 +28,6 @@ std::string failure_of(const std::string& path, std::string_view bytes) {
   }
   return "no failure";
 }
-
-/// What a full disk does, for this process only: no file grows beyond `bytes`.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
 
 TEST(AtomicFile, WritesAndReplaces) {
   const test::ScratchFolder folder;
@@ -89,7 +68,7 @@ TEST(AtomicFile, AFullDiskKeepsTheOldFileAndLeavesNoHalfOne) {
   write_file_atomically(path, std::string_view("old"));
   std::string failure;
   {
-    const FileSizeLimit full(1000);
+    const test::FileSizeLimit full(1000);
     failure = failure_of(path, std::string(100000, 'x'));
   }
   EXPECT_EQ(failure, "cannot write " + path + ": File too large");

@@ -185,13 +185,14 @@ TEST(Collage, StopsWhenAsked) {
   class StopAfter : public SilentObserver {
    public:
     void progressed(const Progress& progress) override { pieces = progress.pieces; }
-    bool stop_requested() override { return pieces >= 4; }
+    const char* stop_requested() override { return pieces >= 4 ? "signal" : nullptr; }
     std::size_t pieces = 0;
   };
   StopAfter observer;
   const CollageResult result = run(make_rectangle_canvas(240, 160), settings(), {}, observer);
   EXPECT_EQ(result.placements.size(), 4u);
   EXPECT_EQ(result.statistics.stopped_by, "signal");
+  EXPECT_TRUE(result.unfinished);
 }
 
 TEST(Collage, OfACanvasWithoutAreaIsEmpty) {
@@ -231,6 +232,23 @@ TEST(Collage, ImprovingKeepsToTheNumberOfUses) {
   const CollageResult result = run(make_rectangle_canvas(300, 220), s);
   EXPECT_GT(result.statistics.trials_kept, 0u);
   for (const Placement& p : result.placements) EXPECT_LE(++uses[p.shape], 2);
+}
+
+/// The limits of [stop] hold while improving, too.
+TEST(Collage, ImprovingKeepsToTheLimitsOfStop) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const CollageResult greedy = run(canvas, settings());
+  CollageSettings s = improved(60);
+  const CollageResult free = run(canvas, s);
+  ASSERT_GT(free.placements.size(), greedy.placements.size());
+  EXPECT_EQ(free.statistics.rounds, greedy.statistics.rounds) << "the card's iterations are those of the greedy part";
+  s.stop.pieces = int(greedy.placements.size()) + 1;
+  EXPECT_LE(run(canvas, s).placements.size(), std::size_t(s.stop.pieces));
+  s = improved(60);
+  s.stop.coverage = float(quality(canvas, greedy).coverage) + 0.001f;
+  const CollageResult covered = run(canvas, s);
+  EXPECT_EQ(covered.statistics.stopped_by, "coverage");
+  EXPECT_LT(covered.statistics.trials, 60u);
 }
 
 /// A collage that went there and back is as if it had never gone: the same field, the same samples.

@@ -22,12 +22,17 @@ struct OutputSpec {
   std::string background = "#f3f0ec";  // of the canvas region; outside it is white
 };
 
+struct CheckpointSpec {
+  double every_s = 60;  // 0 = only where the run is interrupted
+};
+
 struct Job {
   std::string path;      // the file it came from
   std::string library;   // absolute path
   CanvasSpec canvas;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
   OutputSpec output;
+  CheckpointSpec checkpoint;
   CollageSettings settings;
 };
 

@@ -172,11 +172,21 @@ void add_stop_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"stop", "seconds", number, "s", 0, 1e7, {},
                               "end after this time, which makes the result depend on the machine; 0 = no limit"},
                              FIELD(settings.stop.seconds)));
+  keys.back().decides = false;
+}
+
+/// Once a minute costs a thousandth of the time at most, and no more than a minute is ever lost.
+void add_checkpoint_keys(std::vector<JobKey>& keys) {
+  keys.push_back(with_number({"checkpoint", "every_s", JobKind::number, "s", 0, 1e6, {},
+                              "time between two checkpoints; 0 = only where the run is interrupted"},
+                             FIELD(checkpoint.every_s)));
+  keys.back().decides = false;
 }
 
 /// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
 void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
+  const std::size_t first = keys.size();
   keys.push_back(with_text({"devices", "use", devices, "", 0, kMaxDeviceIndex, {"all", "cpu", "gpu"},
                             "the OpenCL devices each rank works on, by kind or by index"},
                            FIELD(devices)));
@@ -185,6 +195,7 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
                              FIELD(output.width_px)));
   keys.push_back(with_text({"output", "background", colour, "", 0, 0, {}, "colour of the canvas; outside it is white"},
                            FIELD(output.background)));
+  for (std::size_t i = first; i < keys.size(); ++i) keys[i].decides = false;
 }
 
 #undef FIELD
@@ -200,6 +211,7 @@ const std::vector<JobKey>& job_keys() {
     add_objective_keys(all);
     add_improve_keys(all);
     add_stop_keys(all);
+    add_checkpoint_keys(all);
     add_machine_and_output_keys(all);
     return all;
   }();

@@ -43,6 +43,7 @@ struct JobKey {
   std::function<JobValue(const Job&)> get = {};
   std::function<void(Job&, const JobValue&)> set = {};
   bool required = false;  // the default, an empty text, will not do
+  bool decides = true;    // about the collage; false: may be another one when an interrupted run goes on
 
   /// "section.name", or the name alone at top level.
   std::string full_name() const { return section.empty() ? name : section + "." + name; }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/digest.h"
 #include "core/error.h"
 #include "io/library/library_file.h"
 #include "io/library/library_open.h"
@@ -9,6 +10,7 @@
 namespace tessera::io {
 namespace {
 
+constexpr std::size_t kDigestRows = 65536;   // read at a time
 constexpr std::size_t kBatchShapes = 256;  // bounds what is held twice while reading
 
 bool is_one_of(const std::string& path, std::initializer_list<const layout::Column*> columns) {
@@ -129,6 +131,26 @@ LibrarySummary LibraryFile::summary() const {
     parts.back().second += column->stored_bytes();
   }
   return summary;
+}
+
+std::uint64_t LibraryFile::content_digest() const {
+  const Hdf5Silence silence;
+  Digest digest;
+  try {
+    for (const ColumnReader* column : state_->columns()) {
+      if (column->column().path.starts_with("/artwork")) continue;
+      digest.add_all(std::span<const char>(column->column().path));
+      digest.add(column->rows());
+      digest.add(column->stored_bytes());
+      if (column->rows() != size() || layout::row_bytes(column->column()) > layout::kNameBytes) continue;
+      for (std::size_t at = 0; at < size(); at += kDigestRows) {
+        digest.add_all(std::span<const char>(column->read<char>(at, std::min(size(), at + kDigestRows))));
+      }
+    }
+  } catch (const Hdf5Error& error) {
+    throw InputError(path() + ": " + error.what());
+  }
+  return digest.value();
 }
 
 std::vector<Shape> LibraryFile::read(std::size_t begin, std::size_t end, const LibraryParts& parts) const {

@@ -29,7 +29,8 @@ bool picture_is_newest(const fs::path& dir) {
 bool holds_finished_result(const std::string& dir, const Job& job) {
   if (!picture_is_newest(dir) || bytes_of(fs::path(dir) / "job.toml") != to_toml(job)) return false;
   try {
-    return read_card(dir).stopped_by != "signal";
+    const std::string stopped_by = read_card(dir).stopped_by;
+    return stopped_by != "signal" && stopped_by != "time_limit";
   } catch (const InputError&) {  // no card, or not one of ours: the run makes a new one
     return false;
   }

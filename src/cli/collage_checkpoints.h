@@ -1,0 +1,50 @@
+// The checkpoints of a run of tessera collage: where it starts from, when they are written, and what is left at the end.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/stopwatch.h"
+#include "io/checkpoint/checkpoint_folder.h"
+#include "io/checkpoint/checkpoint_origin.h"
+#include "master/checkpoint_keeper.h"
+
+namespace tessera::cli {
+
+enum class Start {
+  fresh,            // there must be no checkpoint
+  resume,           // from checkpoint.h5
+  resume_previous,  // from checkpoint.previous.h5
+  restart,          // as if there were no checkpoint
+};
+
+/// The checkpoints in the result's folder. Before anything costs time: throws InputError where `start` does not go with
+/// what is there.
+io::CheckpointFolder checked_start(const std::string& result_folder, Start start);
+
+/// What the run starts from, if not from an empty canvas. Throws InputError that says what is wrong and what to do where
+/// the checkpoint is damaged or belongs to others.
+std::optional<CheckpointState> starting_state(const io::CheckpointFolder& folder, Start start,
+                                              const io::CheckpointOrigin& origin);
+
+class CollageCheckpoints : public master::CheckpointKeeper {
+ public:
+  CollageCheckpoints(const io::CheckpointFolder& folder, const io::CheckpointOrigin& origin);
+
+  bool due() override;
+  /// Where it cannot be written says so on stderr, once.
+  void keep(const CheckpointState& state) override;
+
+  /// After the files of a finished run were written: there is nothing to go on with.
+  void remove() const { folder_.remove(); }
+  /// After those of an unfinished one: throws EnvironmentError where there is no checkpoint at all.
+  void require_one() const;
+
+ private:
+  io::CheckpointFolder folder_;
+  io::CheckpointOrigin origin_;
+  Stopwatch since_latest_;
+  std::string failure_;
+};
+
+}  // namespace tessera::cli

@@ -1,0 +1,37 @@
+// When a run must be over: by --time-limit, or by the end of the Slurm job that it is part of.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "core/stopwatch.h"
+
+namespace tessera::cli {
+
+/// "90", "90.5" or "1:30:00" in seconds, more than 0. Throws InputError.
+double parse_time_limit(const std::string& text);
+
+/// `argument` as parse_time_limit takes it; where it is empty, from `now_s` to `slurm_end_time`, both in seconds since
+/// 1970; infinite where that is null, no number or over.
+double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s);
+
+/// Counts from its making.
+class TimeLimit {
+ public:
+  explicit TimeLimit(double limit_s = std::numeric_limits<double>::infinity()) : limit_s_(limit_s) {}
+
+  /// Asked before every round: another one as long as the longest so far, and the files of the result, might come to an
+  /// end too late.
+  bool near();
+
+ private:
+  double limit_s_;
+  double asked_s_ = 0;
+  double longest_round_s_ = 0;
+  Stopwatch watch_;
+};
+
+/// What is kept for the last checkpoint and the files of the result.
+double reserve_s(double limit_s);
+
+}  // namespace tessera::cli

@@ -1,0 +1,207 @@
+#include "io/checkpoint/checkpoint_columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/tuning.h"
+#include "io/library/hdf5_handles.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr std::size_t kLevels = kMaxPadLevels;
+constexpr std::size_t kMatchedRow = 2 * kLevels + 1;
+
+constexpr std::uint64_t RunStatistics::*kCounts[] = {
+    &RunStatistics::shapes,          &RunStatistics::rounds,
+    &RunStatistics::docking_choices, &RunStatistics::dockings_evaluated,
+    &RunStatistics::refined,         &RunStatistics::target_samples,
+    &RunStatistics::trials,          &RunStatistics::trials_kept};
+constexpr double RunStatistics::*kMeasures[] = {
+    &RunStatistics::pads_per_shape, &RunStatistics::prune_s,   &RunStatistics::dock_s, &RunStatistics::objective_s,
+    &RunStatistics::merge_s,        &RunStatistics::improve_s, &RunStatistics::total_s};
+
+void append(std::vector<float>& column, const Similarity& s) { column.insert(column.end(), {s.a, s.b, s.tx, s.ty}); }
+
+Similarity pose_at(const std::vector<float>& column, std::size_t row) {
+  const float* p = column.data() + 4 * row;
+  return {p[0], p[1], p[2], p[3]};
+}
+
+void append_candidate(CheckpointColumns& to, const Candidate& c) {
+  to.shape.push_back(c.shape);
+  to.source.push_back(c.source);
+  append(to.pose, c.canvas_from_shape);
+  const DockingTerms& t = c.terms;
+  to.terms.insert(to.terms.end(), {t.matched_px, t.overlap_px2, t.gap_px2, t.overlap_px4, t.gap_px4});
+  to.score.push_back(c.score);
+  to.exact.push_back(c.exact);
+  to.window.insert(to.window.end(), {c.window.x0, c.window.y0, c.window.x1, c.window.y1});
+}
+
+Candidate candidate_at(const CheckpointColumns& from, std::size_t row) {
+  Candidate c;
+  c.shape = from.shape[row];
+  c.source = from.source[row];
+  c.canvas_from_shape = pose_at(from.pose, row);
+  const float* t = from.terms.data() + 5 * row;
+  c.terms = {t[0], t[1], t[2], t[3], t[4]};
+  c.score = from.score[row];
+  c.exact = from.exact[row] != 0;
+  const std::int32_t* w = from.window.data() + 4 * row;
+  c.window = {w[0], w[1], w[2], w[3]};
+  return c;
+}
+
+void append_loop(CheckpointColumns& to, const CheckpointState& state) {
+  to.improving.push_back(state.improving);
+  for (const auto count : kCounts) to.counts.push_back(state.statistics.*count);
+  for (const auto measure : kMeasures) to.measures.push_back(state.statistics.*measure);
+  for (const Placement& p : state.placements) {
+    to.placed_shape.push_back(p.shape);
+    append(to.placed_pose, p.canvas_from_shape);
+    to.placed_score.push_back(p.score);
+    to.placed_matched.push_back(p.matched_px);
+  }
+}
+
+void append_pool(CheckpointColumns& to, const CheckpointState& state) {
+  for (const PooledSample& sample : state.pool) {
+    to.pool_edge.push_back(sample.edge);
+    to.pool_truncated.push_back(sample.truncated);
+    to.pool_candidates.push_back(std::uint32_t(sample.candidates.size()));
+    for (const Candidate& c : sample.candidates) append_candidate(to, c);
+  }
+}
+
+void append_samples(CheckpointColumns& to, const CheckpointState& state) {
+  to.stale = state.stale;
+  for (const SamplePasses& sample : state.passes) to.passes.insert(to.passes.end(), {sample.edge, sample.passes});
+  for (const MatchedPad& pad : state.matched) {
+    to.matched_edge.push_back(pad.edge);
+    to.matched_pad.insert(to.matched_pad.end(), pad.left.begin(), pad.left.end());
+    to.matched_pad.insert(to.matched_pad.end(), pad.right.begin(), pad.right.end());
+    to.matched_pad.push_back(pad.convexity);
+  }
+}
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw Hdf5Error("damaged: " + what);
+}
+
+template <class Number>
+void require_finite(const std::vector<Number>& column, const char* name) {
+  require(std::all_of(column.begin(), column.end(), [](Number v) { return std::isfinite(v); }),
+          std::string(name) + ": a value is no number");
+}
+
+void require_flags(const std::vector<std::uint8_t>& column, const char* name) {
+  require(std::all_of(column.begin(), column.end(), [](std::uint8_t v) { return v <= 1; }),
+          std::string(name) + ": a value is out of range");
+}
+
+void require_ascending(const std::vector<std::uint32_t>& edges, const char* name) {
+  require(std::adjacent_find(edges.begin(), edges.end(), std::greater_equal<>()) == edges.end(),
+          std::string(name) + " does not ascend");
+}
+
+void check_values(const CheckpointColumns& c) {
+  require_finite(c.measures, "/statistics/measures");
+  for (const auto* column : {&c.placed_pose, &c.placed_score, &c.placed_matched})
+    require_finite(*column, "/placements");
+  for (const auto* column : {&c.pose, &c.terms, &c.score}) require_finite(*column, "/candidates");
+  require_finite(c.matched_pad, "/samples/matched_pad");
+  require_flags(c.improving, "/improving");
+  require_flags(c.pool_truncated, "/pool/truncated");
+  require_flags(c.exact, "/candidates/exact");
+  require_ascending(c.pool_edge, "/pool/edge");
+  require_ascending(c.stale, "/samples/stale");
+  require_ascending(c.matched_edge, "/samples/matched_edge");
+}
+
+/// Columns of one table have as many rows.
+void check_rows(const CheckpointColumns& c) {
+  require(c.digests.size() == 3 && c.improving.size() == 1 && c.counts.size() == std::size(kCounts) &&
+              c.measures.size() == std::size(kMeasures),
+          "a list of fixed length has another one");
+  const std::size_t placed = c.placed_shape.size();
+  require(c.placed_pose.size() == 4 * placed && c.placed_score.size() == placed && c.placed_matched.size() == placed,
+          "/placements: columns of different length");
+  require(c.pool_truncated.size() == c.pool_edge.size() && c.pool_candidates.size() == c.pool_edge.size(),
+          "/pool: columns of different length");
+  const std::size_t rows = c.shape.size();
+  require(c.source.size() == rows && c.pose.size() == 4 * rows && c.terms.size() == 5 * rows &&
+              c.score.size() == rows && c.exact.size() == rows && c.window.size() == 4 * rows,
+          "/candidates: columns of different length");
+  require(c.matched_pad.size() == kMatchedRow * c.matched_edge.size(), "/samples: columns of different length");
+  std::uint64_t candidates = 0;
+  for (const std::uint32_t count : c.pool_candidates) {
+    require(count <= std::uint32_t(kPoolPerSample), "/pool/candidates: a value is out of range");
+    candidates += count;
+  }
+  require(candidates == rows, "/pool/candidates does not count /candidates");
+}
+
+void read_loop(const CheckpointColumns& from, CheckpointState& state) {
+  state.improving = from.improving[0] != 0;
+  for (std::size_t i = 0; i < std::size(kCounts); ++i) state.statistics.*kCounts[i] = from.counts[i];
+  for (std::size_t i = 0; i < std::size(kMeasures); ++i) state.statistics.*kMeasures[i] = from.measures[i];
+  for (std::size_t i = 0; i < from.placed_shape.size(); ++i) {
+    state.placements.push_back(
+        {from.placed_shape[i], pose_at(from.placed_pose, i), from.placed_score[i], from.placed_matched[i]});
+  }
+}
+
+void read_pool(const CheckpointColumns& from, CheckpointState& state) {
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < from.pool_edge.size(); ++i) {
+    PooledSample sample{from.pool_edge[i], from.pool_truncated[i] != 0, {}};
+    for (std::uint32_t k = 0; k < from.pool_candidates[i]; ++k) sample.candidates.push_back(candidate_at(from, row++));
+    state.pool.push_back(std::move(sample));
+  }
+}
+
+void read_samples(const CheckpointColumns& from, CheckpointState& state) {
+  state.stale = from.stale;
+  for (std::size_t i = 0; i + 1 < from.passes.size(); i += 2) {
+    state.passes.push_back({from.passes[i], from.passes[i + 1]});
+  }
+  for (std::size_t i = 0; i < from.matched_edge.size(); ++i) {
+    const float* row = from.matched_pad.data() + kMatchedRow * i;
+    MatchedPad pad;
+    pad.edge = from.matched_edge[i];
+    std::copy_n(row, kLevels, pad.left.begin());
+    std::copy_n(row + kLevels, kLevels, pad.right.begin());
+    pad.convexity = row[2 * kLevels];
+    state.matched.push_back(pad);
+  }
+}
+
+}  // namespace
+
+CheckpointColumns to_columns(const Checkpoint& checkpoint) {
+  CheckpointColumns to;
+  to.job.assign(checkpoint.job.begin(), checkpoint.job.end());
+  to.digests = {checkpoint.library_digest, checkpoint.canvas_digest, checkpoint.state.rebuilt_digest};
+  append_loop(to, checkpoint.state);
+  append_pool(to, checkpoint.state);
+  append_samples(to, checkpoint.state);
+  return to;
+}
+
+Checkpoint from_columns(const CheckpointColumns& columns) {
+  check_rows(columns);
+  check_values(columns);
+  Checkpoint checkpoint;
+  checkpoint.job.assign(columns.job.begin(), columns.job.end());
+  checkpoint.library_digest = columns.digests[0];
+  checkpoint.canvas_digest = columns.digests[1];
+  checkpoint.state.rebuilt_digest = columns.digests[2];
+  read_loop(columns, checkpoint.state);
+  read_pool(columns, checkpoint.state);
+  read_samples(columns, checkpoint.state);
+  return checkpoint;
+}
+
+}  // namespace tessera::io

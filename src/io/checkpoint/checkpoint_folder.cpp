@@ -1,0 +1,59 @@
+#include "io/checkpoint/checkpoint_folder.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+}  // namespace
+
+CheckpointFolder::CheckpointFolder(const std::string& folder)
+    : latest_(fs::path(folder) / "checkpoint.h5"),
+      previous_(fs::path(folder) / "checkpoint.previous.h5") {}
+
+bool CheckpointFolder::has_latest() const { return exists(latest_); }
+bool CheckpointFolder::has_previous() const { return exists(previous_); }
+
+void CheckpointFolder::keep(std::span<const std::uint8_t> bytes) const {
+  write_temporary_file(latest_, bytes);
+  if (has_latest()) keep_as_previous();
+  commit_temporary_file(latest_);
+  flush_folder_of(latest_);
+}
+
+/// By a second name, so that the latest one keeps its own until it is replaced. Where the file system has no hard links
+/// it is renamed: for a moment the previous one is the only one.
+void CheckpointFolder::keep_as_previous() const {
+  std::error_code error;
+  fs::remove(temporary_path(previous_), error);
+  fs::create_hard_link(latest_, temporary_path(previous_), error);
+  const std::string& from = error ? latest_ : temporary_path(previous_);
+  fs::rename(from, previous_, error);
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(temporary_path(latest_), ignored);
+  throw EnvironmentError("cannot write " + previous_ + ": " + error.message());
+}
+
+void CheckpointFolder::remove() const {
+  std::error_code error;
+  for (const std::string& leftover : {temporary_path(latest_), temporary_path(previous_)}) fs::remove(leftover, error);
+  // The latest one last: whoever is interrupted here still finds it.
+  for (const std::string& path : {previous_, latest_}) {
+    fs::remove(path, error);
+    if (error) throw EnvironmentError("cannot remove " + path + ": " + error.message());
+  }
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,59 @@
+#include "io/checkpoint/checkpoint_origin.h"
+
+#include "core/digest.h"
+#include "core/error.h"
+#include "io/job/job_keys.h"
+#include "io/job/job_value.h"
+
+namespace tessera::io {
+namespace {
+
+std::uint64_t digest_of(const Canvas& canvas) {
+  Digest digest;
+  digest.add(std::uint64_t(canvas.width_px));
+  digest.add(std::uint64_t(canvas.height_px));
+  digest.add_all(std::span<const float>(canvas.distance.value.data()));
+  return digest.value();
+}
+
+/// "; KEY: then A, now B" for each that differs. Files go by their content.
+std::string differing_keys(const Job& then, const Job& now) {
+  std::string text;
+  for (const JobKey& key : job_keys()) {
+    if (!key.decides || key.kind == JobKind::file || key.get(then) == key.get(now)) continue;
+    text += "; " + key.full_name() + ": then " + job_value_to_toml(key, then) + ", now " + job_value_to_toml(key, now);
+  }
+  return text;
+}
+
+std::string differing_file(const char* key, const std::string& then, const std::string& now) {
+  const std::string same_name = then == now ? ", which has changed since" : "";
+  return std::string("; ") + key + ": another content: then \"" + then + "\", now \"" + now + "\"" + same_name;
+}
+
+}  // namespace
+
+CheckpointOrigin make_origin(const Job& job, const LibraryFile& library, const Canvas& canvas) {
+  return {&job, library.content_digest(), digest_of(canvas)};
+}
+
+Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state) {
+  return {to_toml(*origin.job), origin.library_digest, origin.canvas_digest, state};
+}
+
+void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now) {
+  const Job then = job_from_toml(checkpoint.job, checkpoint.state.name + ", its job");
+  std::string differences = differing_keys(then, *now.job);
+  if (checkpoint.library_digest != now.library_digest) {
+    differences += differing_file("library.file", then.library, now.job->library);
+  }
+  // The canvas of other keys is another one anyway.
+  if (checkpoint.canvas_digest != now.canvas_digest && differences.find("; canvas.") == std::string::npos) {
+    differences += differing_file("canvas.file", then.canvas.file, now.job->canvas.file);
+  }
+  if (differences.empty()) return;
+  throw InputError(checkpoint.state.name + ": written for another job" + differences +
+                   "; give what it was then, or another --out");
+}
+
+}  // namespace tessera::io

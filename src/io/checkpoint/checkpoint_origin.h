@@ -1,0 +1,28 @@
+// What a checkpoint belongs to: a job, a library's content, a canvas. With others it cannot go on.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/canvas.h"
+#include "io/checkpoint/checkpoint_file.h"
+#include "io/job/job_file.h"
+#include "io/library/library_file.h"
+
+namespace tessera::io {
+
+struct CheckpointOrigin {
+  const Job* job = nullptr;
+  std::uint64_t library_digest = 0;
+  std::uint64_t canvas_digest = 0;
+};
+
+CheckpointOrigin make_origin(const Job& job, const LibraryFile& library, const Canvas& canvas);
+
+Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state);
+
+/// Throws InputError where `checkpoint` belongs to others: the file, then each difference with its key, what it was then
+/// and what it is now. Keys that do not decide about the collage may differ, and files may have moved.
+void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now);
+
+}  // namespace tessera::io

@@ -1,0 +1,22 @@
+// The first bytes of a checkpoint, before its HDF5 part: what it is, its version, its size, and a digest over all that
+// follows. Nothing else is read of a file before they are found to be right.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace tessera::io {
+
+/// HDF5 leaves so much room before its own part (its "user block").
+inline constexpr std::size_t kSealBytes = 512;
+inline constexpr std::uint64_t kMaxCheckpointBytes = std::uint64_t(2) << 30;
+
+/// Fills in the first kSealBytes of a finished file.
+void seal_checkpoint(std::span<std::uint8_t> file);
+
+/// Throws InputError, as read_checkpoint (checkpoint_file.h).
+void check_seal(const std::string& path);
+
+}  // namespace tessera::io

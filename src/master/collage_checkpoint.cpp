@@ -1,0 +1,95 @@
+// Collage: its state out and in.
+#include <algorithm>
+#include <cmath>
+
+#include "core/digest.h"
+#include "core/error.h"
+#include "master/collage.h"
+
+namespace tessera::master {
+namespace {
+
+constexpr float kScaleSlack = 2;     // pieces leave the allowed scales by a rounding at most
+constexpr float kFarAway_px = 1e6f;  // beyond any canvas
+
+[[noreturn]] void fail(const CheckpointState& state, const std::string& what) {
+  throw InputError(state.name + ": not a checkpoint of this canvas and library: " + what +
+                   "; --restart removes it and starts again");
+}
+
+bool sane(const Similarity& pose, const PieceSettings& pieces) {
+  const auto near = [](float at_px) { return std::abs(at_px) < kFarAway_px; };  // not NaN either
+  return near(pose.tx) && near(pose.ty) && pose.scale() * kScaleSlack >= pieces.min_scale_px &&
+         pose.scale() <= kScaleSlack * pieces.max_scale_px;
+}
+
+/// No larger than the canvas and as much again on each side: the pool looks at all tiles of the largest window.
+bool sane(const Window& window, const Window& canvas) {
+  const Window most = canvas.grown(std::max(canvas.width(), canvas.height()));
+  return window.intersected(most) == window && !window.empty();
+}
+
+}  // namespace
+
+void Collage::save(CheckpointState& state) const {
+  state.placements = placements_;
+  for (const auto& [edge, entry] : pool_.entries()) state.pool.push_back({edge, entry.truncated, entry.candidates});
+  std::sort(state.pool.begin(), state.pool.end(),
+            [](const PooledSample& a, const PooledSample& b) { return a.edge < b.edge; });
+  state.stale.assign(stale_.begin(), stale_.end());
+  for (const auto& [edge, passes] : passes_) state.passes.push_back({edge, passes});
+  state.matched = curve_.matched_pads();
+  state.rebuilt_digest = rebuilt_digest();
+}
+
+void Collage::restore(const CheckpointState& state) {
+  check_pieces(state);
+  replace_placements(state.placements);
+  check_samples(state);
+  if (rebuilt_digest() != state.rebuilt_digest) {
+    fail(state, "its pieces do not give the free region that it was written for");
+  }
+  for (const PooledSample& sample : state.pool) pool_.put_back(sample.edge, sample.candidates, sample.truncated);
+  stale_ = {state.stale.begin(), state.stale.end()};
+  for (const SamplePasses& sample : state.passes) passes_[sample.edge] = sample.passes;
+  curve_.set_matched_pads(state.matched);
+  changed_nodes_ = free_.field().value.bounds();
+}
+
+void Collage::check_pieces(const CheckpointState& state) const {
+  const auto check = [&](std::uint32_t shape, const Similarity& pose) {
+    if (shape >= poses_.size()) fail(state, "shape " + std::to_string(shape) + " of " + std::to_string(poses_.size()));
+    if (!sane(pose, settings_.pieces)) fail(state, "a piece out of all proportion");
+  };
+  for (const Placement& p : state.placements) check(p.shape, p.canvas_from_shape);
+  for (const PooledSample& sample : state.pool) {
+    for (const Candidate& c : sample.candidates) {
+      check(c.shape, c.canvas_from_shape);
+      if (!sane(c.window, free_.field().value.bounds())) fail(state, "a candidate out of all proportion");
+    }
+  }
+}
+
+void Collage::check_samples(const CheckpointState& state) const {
+  const auto check = [&](std::uint32_t edge) {
+    if (!curve_.has_sample(edge)) fail(state, "there is no target sample " + std::to_string(edge));
+  };
+  for (const PooledSample& sample : state.pool) check(sample.edge);
+  for (const std::uint32_t edge : state.stale) check(edge);
+  for (const MatchedPad& pad : state.matched) check(pad.edge);
+}
+
+std::uint64_t Collage::rebuilt_digest() const {
+  Digest digest;
+  digest.add_all(std::span<const float>(free_.field().value.data()));
+  for (const std::uint32_t edge : curve_.sample_edges()) {
+    const TargetSample& sample = curve_.sample(edge);
+    digest.add(edge);
+    digest.add_all(std::span<const Vec2>(&sample.position, 1));
+    digest.add_all(std::span<const Vec2>(&sample.tangent, 1));
+    digest.add_all(std::span<const ArclengthPyramid>(&sample.pyramid, 1));
+  }
+  return digest.value();
+}
+
+}  // namespace tessera::master

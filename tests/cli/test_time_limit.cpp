@@ -1,0 +1,58 @@
+// When a run must be over.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "cli/time_limit.h"
+#include "core/error.h"
+
+namespace tessera::cli {
+namespace {
+
+TEST(TimeLimit, is_given_in_seconds_or_hours) {
+  EXPECT_EQ(parse_time_limit("90"), 90);
+  EXPECT_EQ(parse_time_limit("0.5"), 0.5);
+  EXPECT_EQ(parse_time_limit("1:30:05"), 5405);
+  EXPECT_EQ(parse_time_limit("00:00:10"), 10);
+  EXPECT_EQ(parse_time_limit("120:00:00"), 432000);
+}
+
+TEST(TimeLimit, mistakes_are_told_with_what_is_allowed) {
+  for (const char* text :
+       {"0", "-5", "", "soon", "1:30", "1:2:3", "1:60:00", "0:00:00", "::", "1:00:00:00", "1e9", "inf", "nan", "5 "}) {
+    try {
+      parse_time_limit(text);
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(),
+                std::string("--time-limit: found ") + text + ", allowed: seconds or HH:MM:SS, more than 0");
+    }
+  }
+}
+
+TEST(TimeLimit, is_that_of_the_slurm_job_if_none_is_given) {
+  EXPECT_EQ(time_limit_s("50", "1700000100", 1700000000), 50);
+  EXPECT_EQ(time_limit_s("", "1700000100", 1700000000), 100);
+  EXPECT_TRUE(std::isinf(time_limit_s("", nullptr, 1700000000)));
+  EXPECT_TRUE(std::isinf(time_limit_s("", "", 1700000000)));
+  EXPECT_TRUE(std::isinf(time_limit_s("", "Unknown", 1700000000)));
+  EXPECT_TRUE(std::isinf(time_limit_s("", "1600000000", 1700000000))) << "long over: not this job's";
+}
+
+TEST(TimeLimit, leaves_time_for_the_files) {
+  EXPECT_EQ(reserve_s(5), 3);
+  EXPECT_EQ(reserve_s(100), 10);
+  EXPECT_EQ(reserve_s(86400), 60);
+}
+
+TEST(TimeLimit, counts_on_a_round_as_long_as_the_longest) {
+  TimeLimit limit(3.4);
+  EXPECT_FALSE(limit.near());
+  std::this_thread::sleep_for(std::chrono::milliseconds(220));
+  EXPECT_TRUE(limit.near()) << "0.2 s left beside the reserve, and the last round took as long";
+  EXPECT_FALSE(TimeLimit().near());
+}
+
+}  // namespace
+}  // namespace tessera::cli

@@ -1,0 +1,77 @@
+// A state of the collage's loop with a random number in every place.
+#pragma once
+
+#include <random>
+
+#include "core/checkpoint_state.h"
+#include "core/tuning.h"
+
+namespace tessera::test {
+
+class RandomState {
+ public:
+  explicit RandomState(std::uint32_t seed) : random_(seed) {}
+
+  CheckpointState make() {
+    CheckpointState state;
+    state.improving = below(2) == 1;
+    for (std::uint32_t i = below(20); i > 0; --i) {
+      state.placements.push_back({below(100), pose(), number(), number()});
+    }
+    for (const std::uint32_t edge : ascending()) state.pool.push_back({edge, below(2) == 1, candidates()});
+    state.stale = ascending();
+    for (const std::uint32_t edge : ascending()) state.passes.push_back({edge, below(9)});
+    for (const std::uint32_t edge : ascending()) state.matched.push_back(pad(edge));
+    fill(state.statistics);
+    state.rebuilt_digest = std::uint64_t(random_()) << 32 | random_();
+    return state;
+  }
+
+ private:
+  std::uint32_t below(std::uint32_t end) { return std::uint32_t(random_() % end); }
+  float number() { return std::uniform_real_distribution<float>(-500, 500)(random_); }
+  Similarity pose() { return {number(), number(), number(), number()}; }
+
+  std::vector<std::uint32_t> ascending() {
+    std::vector<std::uint32_t> edges(below(30));
+    std::uint32_t edge = 0;
+    for (std::uint32_t& e : edges) e = edge += 1 + below(100);
+    return edges;
+  }
+
+  std::vector<Candidate> candidates() {
+    std::vector<Candidate> list(below(kPoolPerSample + 1));
+    for (Candidate& c : list) {
+      c = {below(100),
+           below(5000),
+           pose(),
+           {number(), number(), number(), number(), number()},
+           number(),
+           below(2) == 1,
+           {int(below(900)) - 100, int(below(900)), int(below(900)), int(below(900))}};
+    }
+    return list;
+  }
+
+  MatchedPad pad(std::uint32_t edge) {
+    MatchedPad pad{edge, {}, {}, number()};
+    for (float& length : pad.left) length = number();
+    for (float& length : pad.right) length = number();
+    return pad;
+  }
+
+  void fill(RunStatistics& s) {
+    for (std::uint64_t* count : {&s.shapes, &s.rounds, &s.docking_choices, &s.dockings_evaluated, &s.refined,
+                                 &s.target_samples, &s.trials, &s.trials_kept}) {
+      *count = below(1'000'000);
+    }
+    for (double* measure :
+         {&s.pads_per_shape, &s.prune_s, &s.dock_s, &s.objective_s, &s.merge_s, &s.improve_s, &s.total_s}) {
+      *measure = double(number());
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace tessera::test
