@@ -54,12 +54,22 @@ PairScene make_scene(std::size_t shapes, std::size_t samples, int size_px) {
   return scene;
 }
 
+/// As far as a round of the engine looks: the middle of what its samples need.
+std::uint32_t usual_reach(Matcher& matcher, const PairScene& scene) {
+  matcher.post_count({scene.samples, std::vector<std::uint32_t>(scene.samples.size(), kDistanceBins)});
+  const std::uint64_t wanted = match_plan(scene.settings.match, std::uint64_t(scene.pads)).pairs_per_sample;
+  std::vector<std::uint32_t> limits;
+  for (const DistanceHistogram& histogram : matcher.take_count()) limits.push_back(bin_limit_for(histogram, wanted));
+  std::nth_element(limits.begin(), limits.begin() + std::ptrdiff_t(limits.size() / 2), limits.end());
+  return limits[limits.size() / 2];
+}
+
 /// In another order each time: a device does not count twice for the same samples.
 double device_s(const PairScene& scene, const std::string& devices_use, int runs) {
   const auto matcher = worker::make_device_matcher(devices_use, scene.context, all_of(scene.models), given(scene.models));
   matcher->start_field(scene.field.value.width(), scene.field.value.height(), scene.field.origin);
   matcher->update_field(read_patch(scene.field.value, scene.field.value.bounds()));
-  CountRequest request{scene.samples, std::vector<std::uint32_t>(scene.samples.size(), PairReach().bins)};
+  CountRequest request{scene.samples, std::vector<std::uint32_t>(scene.samples.size(), usual_reach(*matcher, scene))};
   return median_s(runs, [&] {
     std::rotate(request.samples.begin(), request.samples.begin() + 1, request.samples.end());
     matcher->post_count(request);
@@ -134,7 +144,8 @@ std::string explanation(const PairScene& scene, const PairRates& rates) {
          " operations);\nthe limits are such steps a second, measured in registers, over " + elements +
          ". From memory: 1 byte an element, " + elements +
          " bytes a pair,\nas if no target sample shared what another had read. Selection (scale, sign, local minima, "
-         "histogram)\nis in the device's time and in no limit; pairs that it skips count as tested.\n";
+         "histogram)\nis in the device's time and in no limit; pairs that it skips count as tested. It looks as far as "
+         "most\nsamples need for their most_pairs best.\n";
 }
 
 Json to_json(const PairScene& scene, const PairRates& rates) {

@@ -11,9 +11,9 @@ namespace {
 constexpr float kSameDocking = 0.13f;  // of the scale: refinement would bring both to one pose
 
 PairReach next_reach(std::vector<std::uint32_t> limits) {
-  const auto middle = limits.begin() + std::ptrdiff_t(limits.size() / 2);
-  std::nth_element(limits.begin(), middle, limits.end());
-  return {std::clamp<std::uint32_t>(*middle + *middle / 4, 4, kDistanceBins)};
+  const auto most = limits.begin() + std::ptrdiff_t(limits.size() * 3 / 4);
+  std::nth_element(limits.begin(), most, limits.end());
+  return {std::clamp<std::uint32_t>(*most + *most / 8, 2, kDistanceBins)};
 }
 
 /// Per sample: the bins of the pairs that are docked.
@@ -27,10 +27,12 @@ std::vector<std::uint32_t> bin_limits(Matcher& matcher, const std::vector<Target
     const std::vector<DistanceHistogram> histograms = matcher.take_count();
     enough = true;
     for (std::size_t t = 0; t < samples.size(); ++t) {
+      std::uint32_t& bins = request.bin_reach[t];
+      if (bins == 0) continue;
       limits[t] = bin_limit_for(histograms[t], pairs_per_sample);
-      if (limits[t] < kDistanceBins || request.bin_reach[t] == kDistanceBins) continue;
-      request.bin_reach[t] = std::min<std::uint32_t>(2 * request.bin_reach[t], kDistanceBins);
-      enough = false;
+      const bool found = limits[t] < kDistanceBins || bins == kDistanceBins;
+      bins = found ? 0 : std::min<std::uint32_t>(2 * bins, kDistanceBins);
+      enough &= found;
     }
   }
   reach = next_reach(limits);

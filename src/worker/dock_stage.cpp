@@ -36,9 +36,9 @@ DockStage::DockStage(const DeviceLibrary& library, PairStage& pairs)
       evaluated_(library.session()) {}
 
 std::uint32_t DockStage::samples_at_a_time() const {
-  const std::size_t tangent_bytes = draws_ * (sizeof(DockingRecord) + sizeof(float));
-  const std::size_t most = pairs_->stage_bytes() / std::max<std::size_t>(1, tangent_bytes);
-  return std::uint32_t(std::clamp<std::size_t>(most, 1, pairs_->samples_at_a_time()));
+  const std::size_t paired = with_pairs_ ? library_->match().shapes * kDockingsPerShape : 0;
+  const std::size_t bytes = (draws_ + paired) * (sizeof(DockingRecord) + sizeof(float));
+  return std::uint32_t(std::max<std::size_t>(1, pairs_->stage_bytes() / std::max<std::size_t>(1, bytes)));
 }
 
 void DockStage::post(const DockRequest& request) {

@@ -8,7 +8,7 @@
 namespace tessera::worker {
 
 /// Bytes of pairs, and of dockings, that wait on a device for the next stage: large requests go through in parts.
-inline constexpr std::size_t kStageBytes = std::size_t(64) << 20;
+inline constexpr std::size_t kStageBytes = std::size_t(256) << 20;
 
 class OpenCLMatcher : public Matcher {
  public:
