@@ -27,7 +27,7 @@ fi
 
 echo "Computing the collage: one master and two workers"
 # --oversubscribe: three ranks on two cores; --bind-to none: a rank's OpenCL device uses all of them.
-mpirun --oversubscribe --bind-to none -n 3 "$tessera" collage jobs/animals.toml --out "$result"
+mpirun --oversubscribe --bind-to none -n 3 "$tessera" collage jobs/animals.toml --out "$result" --restart
 
 echo
 echo "The picture: $PWD/$result/collage.png (collage.svg, pieces.geojson, card.json and job.toml beside it)"
