@@ -8,6 +8,7 @@
 #include "cli/collage_progress.h"
 #include "cli/library_part.h"
 #include "cli/stop_signal.h"
+#include "comm/loop_clock.h"
 #include "comm/matcher_server.h"
 #include "comm/node_turn.h"
 #include "comm/worker_team.h"
@@ -17,6 +18,7 @@
 #include "io/job/job_file.h"
 #include "io/library/library_file.h"
 #include "io/library/shape_models.h"
+#include "io/result/rank_table.h"
 #include "master/collage_loop.h"
 #include "master/library_shapes.h"
 #include "worker/device_group.h"
@@ -77,15 +79,21 @@ void add_placed_shapes(const io::LibraryFile& library, bool with_originals, io::
 
 /// Returns the text of the card.
 std::string write(const std::string& folder, const io::Job& job, const Canvas& canvas, const io::LibraryFile& library,
-                  const master::CollageResult& result) {
+                  const master::CollageResult& result, const RankStatistics& ranks) {
   const bool quick = stop_signalled();  // mpirun kills all ranks two seconds after Ctrl-C
   io::CollageReport report;
   report.job = &job;
   report.canvas = &canvas;
   report.placements = result.placements;
   report.statistics = result.statistics;
+  report.ranks = ranks;
   add_placed_shapes(library, !quick, report);
   return io::write_collage(folder, report, quick);
+}
+
+/// Nothing where mpirun is ending the job: it may have ended workers already, who would never answer.
+RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
+  return stop_signalled() ? RankStatistics{} : clock.stop(result.statistics);
 }
 
 int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
@@ -100,12 +108,14 @@ int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
 
   install_stop_handlers();
   master::LibraryShapes shapes(library);
+  comm::LoopClock clock(ranks);
   master::CollageResult result;
   {
     CollageProgress progress(job.settings.stop, arguments.quiet);
     result = master::make_collage(canvas, job.settings, *matcher, shapes, progress);
   }
-  const std::string card = write(folder, job, canvas, library, result);
+  const RankStatistics times = times_of(clock, result);
+  const std::string card = write(folder, job, canvas, library, result, times) + io::ranks_text(times);
   if (!arguments.quiet) std::printf("%s\nwritten to %s\n", card.c_str(), folder.c_str());
   return 0;
 }

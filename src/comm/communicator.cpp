@@ -6,6 +6,7 @@
 #include "comm/encode.h"
 #include "comm/idle_wait.h"
 #include "comm/messages.h"
+#include "core/stopwatch.h"
 
 namespace tessera::comm {
 
@@ -62,10 +63,12 @@ Message Communicator::receive_any(int from, std::initializer_list<Tag> tags) {
     return m.from == from && std::find(tags.begin(), tags.end(), m.tag) != tags.end();
   };
   auto found = inbox_.end();
+  const Stopwatch watch;
   wait_until([&] {
     found = std::find_if(inbox_.begin(), inbox_.end(), wanted);
     return found != inbox_.end();
   });
+  waited_s_ += watch.seconds();
   Message message = std::move(*found);
   inbox_.erase(found);
   return message;

@@ -70,6 +70,8 @@ class Communicator {
   void interrupt_waits_when(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
 
   const Traffic& traffic() const { return traffic_; }
+  /// Spent in receive since the start, until the messages came.
+  double waited_s() const { return waited_s_; }
 
   // How a job ends; see rank_program.h, which alone calls these.
 
@@ -110,6 +112,7 @@ class Communicator {
   int byes_ = 0;
   std::function<bool()> interrupt_;
   Traffic traffic_;
+  double waited_s_ = 0;
 };
 
 }  // namespace tessera::comm

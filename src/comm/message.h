@@ -20,6 +20,8 @@ enum class Tag : int {
   dock_reply,
   refine_request,
   refine_reply,
+  times_request,
+  times_reply,
   broadcast,
   barrier,
   turn,           // worker -> worker of the same node: it is your turn
@@ -32,8 +34,9 @@ inline constexpr std::size_t kTags = std::size_t(Tag::bye) + 1;
 
 inline constexpr std::array<std::string_view, kTags> kTagNames = {
     "hello",          "start field",  "update field", "count request", "count reply",
-    "dock request",   "dock reply",   "refine request", "refine reply", "broadcast",
-    "barrier",        "turn",         "failure",      "end",           "bye"};
+    "dock request",   "dock reply",   "refine request", "refine reply", "times request",
+    "times reply",    "broadcast",    "barrier",      "turn",          "failure",
+    "end",            "bye"};
 
 inline std::string_view tag_name(Tag tag) { return kTagNames[std::size_t(tag)]; }
 

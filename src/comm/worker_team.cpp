@@ -16,4 +16,13 @@ std::unique_ptr<Matcher> gather_workers(Communicator& ranks) {
   return std::make_unique<CompositeMatcher>(std::move(workers));
 }
 
+std::vector<WorkerTimes> gather_times(Communicator& ranks) {
+  for (int worker = 1; worker < ranks.size(); ++worker) ranks.send(worker, Tag::times_request, {});
+  std::vector<WorkerTimes> times;
+  for (int worker = 1; worker < ranks.size(); ++worker) {
+    times.push_back(decode<WorkerTimes>(ranks.receive(worker, Tag::times_reply)));
+  }
+  return times;
+}
+
 }  // namespace tessera::comm
