@@ -44,6 +44,12 @@ Shape VariedShapes::load(std::uint32_t index) {
   return shape;
 }
 
+std::vector<Shape> VariedShapes::shapes(const ShapeRange& range) const {
+  std::vector<Shape> shapes(range.end - range.begin);
+  io::parallel_for(shapes.size(), [&](std::size_t i) { shapes[i] = make(range.begin + std::uint32_t(i)); });
+  return shapes;
+}
+
 std::vector<ShapeModel> VariedShapes::models(const ShapeRange& range, const MatchingContext& context) const {
   std::vector<ShapeModel> models(range.end - range.begin);
   io::parallel_for(models.size(), [&](std::size_t i) {

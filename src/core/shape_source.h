@@ -13,6 +13,8 @@ class ShapeSource {
   virtual ~ShapeSource() = default;
   /// With outline and field. Valid until the next call.
   virtual const Shape& shape(std::uint32_t index) = 0;
+  /// Of the whole shape, which need not be read again. Valid as long as the source.
+  virtual const Outline& outline(std::uint32_t index) = 0;
   /// Without PADs. Valid as long as the source.
   virtual const ShapeModel& model(std::uint32_t index) = 0;
 };

@@ -8,12 +8,13 @@
 
 namespace tessera::master {
 
-/// Keeps the models of all shapes asked for (4 KB each) and the latest few whole shapes (80 KB each): a library of any
-/// size fits. What is kept never changes what is answered.
+/// Keeps models and outlines of all shapes asked for (8 KB each) and the latest few whole shapes (80 KB each): a library
+/// of any size fits. What is kept never changes what is answered.
 class CachedShapes : public ShapeSource {
  public:
   const Shape& shape(std::uint32_t index) override;
-  const ShapeModel& model(std::uint32_t index) override;
+  const Outline& outline(std::uint32_t index) override { return lasting(index).outline; }
+  const ShapeModel& model(std::uint32_t index) override { return lasting(index).model; }
 
  protected:
   /// With outline and field.
@@ -24,10 +25,16 @@ class CachedShapes : public ShapeSource {
     std::uint32_t index;
     Shape shape;
   };
+  struct Lasting {
+    Outline outline;
+    ShapeModel model;
+  };
+
+  const Lasting& lasting(std::uint32_t index);
 
   std::list<Kept> recent_;  // latest first
   std::unordered_map<std::uint32_t, std::list<Kept>::iterator> position_;
-  std::unordered_map<std::uint32_t, ShapeModel> models_;
+  std::unordered_map<std::uint32_t, Lasting> lasting_;
 };
 
 }  // namespace tessera::master

@@ -76,14 +76,24 @@ void Collage::mark_stale(const Window& window) {
   }
 }
 
+/// Neighbours lie together in the library's file: in this order they cost a fraction.
+void Collage::read_in_order(const std::vector<RefinedDocking>& dockings) {
+  std::set<std::uint32_t> wanted;
+  for (const RefinedDocking& refined : dockings) {
+    if (may_use(refined.docking.shape)) wanted.insert(refined.docking.shape);
+  }
+  for (const std::uint32_t shape : wanted) shapes_.model(shape);
+}
+
 void Collage::add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round) {
+  read_in_order(round.refined);
   std::vector<std::vector<Candidate>> of_sample(samples.size());
   for (const RefinedDocking& refined : round.refined) {
     const Docking& docking = refined.docking;
     Candidate candidate{docking.shape, docking.source, docking.canvas_from_shape, refined.terms, 0, false, {}};
     if (!may_use(docking.shape) || !acceptable(candidate)) continue;
     candidate.score = score_of(candidate);
-    candidate.window = piece_window(shapes_.shape(candidate.shape).outline, candidate.canvas_from_shape,
+    candidate.window = piece_window(shapes_.outline(candidate.shape), candidate.canvas_from_shape,
                                     free_.field().origin, context_.gap_px + 2);
     of_sample[docking.sample].push_back(candidate);
   }
@@ -220,7 +230,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   retrace(restamped);
   Window window;
   for (const Placement& p : changed) {
-    window = window.united(piece_window(shapes_.shape(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
+    window = window.united(piece_window(shapes_.outline(p.shape), p.canvas_from_shape, free_.field().origin, 4));
   }
   return window;
 }

@@ -52,6 +52,7 @@ class VectorShapes : public ShapeSource {
     for (const Shape& shape : shapes) models_.push_back(make_shape_model(shape, PadParameters{}, PadParameters{}, {}));
   }
   const Shape& shape(std::uint32_t index) override { return shapes_.at(index); }
+  const Outline& outline(std::uint32_t index) override { return shapes_.at(index).outline; }
   const ShapeModel& model(std::uint32_t index) override { return models_.at(index); }
 
  private:
