@@ -22,12 +22,16 @@ const Shape& CachedShapes::shape(std::uint32_t index) {
   return recent_.front().shape;
 }
 
-const CachedShapes::Lasting& CachedShapes::lasting(std::uint32_t index) {
-  auto known = lasting_.find(index);
-  if (known == lasting_.end()) {
-    const Shape& whole = shape(index);
-    Lasting made{whole.outline, make_shape_model(whole, PadParameters{}, PadParameters{}, {})};
-    known = lasting_.emplace(index, std::move(made)).first;
+const ShapeContour& CachedShapes::contour(std::uint32_t index) {
+  auto known = contours_.find(index);
+  if (known == contours_.end()) known = contours_.emplace(index, load_contour(index)).first;
+  return known->second;
+}
+
+const ShapeModel& CachedShapes::model(std::uint32_t index) {
+  auto known = models_.find(index);
+  if (known == models_.end()) {
+    known = models_.emplace(index, make_shape_model(shape(index), PadParameters{}, PadParameters{}, {})).first;
   }
   return known->second;
 }

@@ -8,33 +8,28 @@
 
 namespace tessera::master {
 
-/// Keeps models and outlines of all shapes asked for (8 KB each) and the latest few whole shapes (80 KB each): a library
+/// Keeps contours and models of all shapes asked for (4 KB each) and the latest few whole shapes (80 KB each): a library
 /// of any size fits. What is kept never changes what is answered.
 class CachedShapes : public ShapeSource {
  public:
   const Shape& shape(std::uint32_t index) override;
-  const Outline& outline(std::uint32_t index) override { return lasting(index).outline; }
-  const ShapeModel& model(std::uint32_t index) override { return lasting(index).model; }
+  const ShapeContour& contour(std::uint32_t index) override;
+  const ShapeModel& model(std::uint32_t index) override;
 
  protected:
   /// With outline and field.
   virtual Shape load(std::uint32_t index) = 0;
+  virtual ShapeContour load_contour(std::uint32_t index) = 0;
 
  private:
   struct Kept {
     std::uint32_t index;
     Shape shape;
   };
-  struct Lasting {
-    Outline outline;
-    ShapeModel model;
-  };
-
-  const Lasting& lasting(std::uint32_t index);
-
   std::list<Kept> recent_;  // latest first
   std::unordered_map<std::uint32_t, std::list<Kept>::iterator> position_;
-  std::unordered_map<std::uint32_t, Lasting> lasting_;
+  std::unordered_map<std::uint32_t, ShapeContour> contours_;
+  std::unordered_map<std::uint32_t, ShapeModel> models_;
 };
 
 }  // namespace tessera::master

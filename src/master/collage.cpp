@@ -82,7 +82,7 @@ void Collage::read_in_order(const std::vector<RefinedDocking>& dockings) {
   for (const RefinedDocking& refined : dockings) {
     if (may_use(refined.docking.shape)) wanted.insert(refined.docking.shape);
   }
-  for (const std::uint32_t shape : wanted) shapes_.model(shape);
+  for (const std::uint32_t shape : wanted) shapes_.contour(shape);
 }
 
 void Collage::add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round) {
@@ -93,7 +93,7 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     Candidate candidate{docking.shape, docking.source, docking.canvas_from_shape, refined.terms, 0, false, {}};
     if (!may_use(docking.shape) || !acceptable(candidate)) continue;
     candidate.score = score_of(candidate);
-    candidate.window = piece_window(shapes_.outline(candidate.shape), candidate.canvas_from_shape,
+    candidate.window = piece_window(shapes_.contour(candidate.shape).outline, candidate.canvas_from_shape,
                                     free_.field().origin, context_.gap_px + 2);
     of_sample[docking.sample].push_back(candidate);
   }
@@ -111,7 +111,7 @@ float Collage::preference(const Candidate& candidate) const {
   const std::vector<Similarity>& placed = poses_[candidate.shape];
   if (placed.empty()) return 1;
   float factor = std::pow(1.f + float(placed.size()), -settings_.objective.repetition_exponent);
-  const float radius = shapes_.model(candidate.shape).radius + 0.5f;
+  const float radius = shapes_.contour(candidate.shape).radius + 0.5f;
   for (const Similarity& pose : placed) {
     const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
     const Vec2 apart = pose.translation() - candidate.canvas_from_shape.translation();
@@ -122,14 +122,14 @@ float Collage::preference(const Candidate& candidate) const {
 
 float Collage::score_of(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
-  const PieceSize size{scale, shapes_.model(candidate.shape).perimeter * scale, context_.max_scale_px};
+  const PieceSize size{scale, shapes_.contour(candidate.shape).perimeter * scale, context_.max_scale_px};
   return objective(candidate.terms, size, settings_.objective);
 }
 
 bool Collage::acceptable(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
   return candidate.terms.overlap_px2 <= kMaxOverlap * scale * scale &&
-         candidate.terms.matched_px >= kLeastMatched * shapes_.model(candidate.shape).perimeter * scale;
+         candidate.terms.matched_px >= kLeastMatched * shapes_.contour(candidate.shape).perimeter * scale;
 }
 
 std::vector<Pool::Ranked> Collage::finalists() {
@@ -230,7 +230,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   retrace(restamped);
   Window window;
   for (const Placement& p : changed) {
-    window = window.united(piece_window(shapes_.outline(p.shape), p.canvas_from_shape, free_.field().origin, 4));
+    window = window.united(piece_window(shapes_.contour(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
   }
   return window;
 }
