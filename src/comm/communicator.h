@@ -54,6 +54,8 @@ class Communicator {
   /// Returns without waiting for the receiver, unless kMostUnderWay bytes are already under way. Messages of one tag
   /// from one rank to another arrive in order. At most 2^31 - 1 bytes.
   void send(int to, Tag tag, Bytes bytes);
+  /// The same to every other rank.
+  void send_to_others(Tag tag, Bytes bytes);
   /// The next message of that tag from rank `from`.
   Bytes receive(int from, Tag tag);
   /// The next message of any of the tags from rank `from`, in the order in which they were sent.
@@ -89,15 +91,16 @@ class Communicator {
   static constexpr std::size_t kMostUnderWay = std::size_t(128) << 20;
 
  protected:
-  /// Takes the message over; it arrives as long as poll() is called now and then.
-  virtual void start_send(int to, Message message) = 0;
+  /// Keeps the bytes until they have left; they arrive as long as poll() is called now and then.
+  virtual void start_send(int to, Tag tag, SharedBytes bytes) = 0;
   /// A message that has arrived, if there is one; helps along what is under way.
   virtual std::optional<Message> poll() = 0;
   /// Bytes of messages that have not left yet; zero only if there are none.
   virtual std::size_t under_way() const = 0;
 
  private:
-  void post(int to, Tag tag, Bytes bytes);
+  void post(int to, Tag tag, SharedBytes bytes);
+  void send_shared(int to, Tag tag, SharedBytes bytes);
   void take_in_arrivals();
   void throw_if_over() const;
   void look();

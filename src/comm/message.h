@@ -3,12 +3,15 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string_view>
 #include <vector>
 
 namespace tessera::comm {
 
 using Bytes = std::vector<char>;
+/// The same bytes to many ranks: none has a copy of its own.
+using SharedBytes = std::shared_ptr<const Bytes>;
 
 enum class Tag : int {
   hello,          // worker -> master: its part of the library
