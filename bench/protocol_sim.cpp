@@ -75,8 +75,10 @@ class Ranks {
 /// What one rank does in a scenario.
 class RankPlay {
  public:
-  RankPlay(const Scenario& scenario, const Cluster& cluster, int rank)
-      : costs_(scenario.costs), worker_speed_(cluster.worker_speed), ranks_(scenario), rank_(rank),
+  RankPlay(const Scenario& scenario, int rank)
+      : costs_(scenario.costs),
+        ranks_(scenario),
+        rank_(rank),
         children_(ranks_.children(rank)) {
     for (const int child : children_) subtrees_.push_back(ranks_.subtree(child));
     // Deterministic, from -1 to 1: who is slower than others and by how much.
@@ -100,15 +102,14 @@ class RankPlay {
   }
 
   void serve() {
-    const double work_scale = slowness_ / worker_speed_;
     for (int round = 0; round < kRounds; ++round) {
       receive(inbox(rank_));
       send_field();
-      compute(costs_.field_s / worker_speed_);
+      compute(costs_.field_s);
       for (const Question& question : questions_of(costs_)) {
         receive(inbox(rank_));
         pass_on(question, costs_.ask_s);
-        compute(question.work_s * work_scale + costs_.messages_s);
+        compute(question.work_s * slowness_ + costs_.messages_s);
         join();
         send(outbox(rank_), question.reply_bytes * (question.own ? ranks_.subtree(rank_) : 1));
       }
@@ -168,7 +169,6 @@ class RankPlay {
   }
 
   const RoundCosts& costs_;
-  double worker_speed_;
   Ranks ranks_;
   int rank_;
   std::vector<int> children_;
@@ -177,15 +177,15 @@ class RankPlay {
   double busy_s_ = 0;
 };
 
-SimulatedRound play(const Scenario& scenario, const Cluster& cluster) {
+SimulatedRound play(const Scenario& scenario) {
   std::vector<sg4::ActorPtr> workers;
   for (int rank = 1; rank <= scenario.costs.workers; ++rank) {
     workers.push_back(sg4::Actor::create("worker" + std::to_string(rank), sg4::Host::by_name(host_name(rank)),
-                                         [&scenario, &cluster, rank] { RankPlay(scenario, cluster, rank).serve(); }));
+                                         [&scenario, rank] { RankPlay(scenario, rank).serve(); }));
   }
   sg4::this_actor::sleep_for(1);  // all mailboxes have their receivers
   const double before_s = sg4::Engine::get_clock();
-  const double busy_s = RankPlay(scenario, cluster, 0).lead();
+  const double busy_s = RankPlay(scenario, 0).lead();
   const double round_s = (sg4::Engine::get_clock() - before_s) / kRounds;
   for (const sg4::ActorPtr& worker : workers) worker->join();
   return {round_s, busy_s / kRounds};
@@ -204,7 +204,7 @@ std::vector<SimulatedRound> simulate_rounds(const std::vector<Scenario>& scenari
   make_platform(ranks, cluster);
   std::vector<SimulatedRound> rounds;
   sg4::Actor::create("master", sg4::Host::by_name(host_name(0)), [&] {
-    for (const Scenario& scenario : scenarios) rounds.push_back(play(scenario, cluster));
+    for (const Scenario& scenario : scenarios) rounds.push_back(play(scenario));
   });
   engine.run();
   return rounds;

@@ -12,7 +12,6 @@ namespace tessera::bench {
 struct Cluster {
   double latency_s = 2e-6;    // from host to host
   double bytes_per_s = 10e9;  // of a link, each way
-  double worker_speed = 1;    // of a worker, in measured ones
 };
 
 /// How a question comes to all workers and the answers back.

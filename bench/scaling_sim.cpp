@@ -20,14 +20,20 @@ namespace tessera::bench {
 namespace {
 
 struct Options {
-  std::string report;
+  std::vector<std::string> reports;
   std::string out = "out/scaling_sim";
   std::vector<int> hosts = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512};
   std::vector<std::uint64_t> shapes = {10'000, 100'000, 1'000'000};
   double latency_us = 2;
   double gigabytes_per_s = 10;
   double worker_speed = 1;
+  double master_speed = 1;
   bool processor_time = false;
+};
+
+struct Job {
+  int workers;
+  std::uint64_t shapes;
 };
 
 struct Prediction {
@@ -39,13 +45,17 @@ struct Prediction {
 Options parsed(int argc, char** argv) {
   Options options;
   CLI::App app("How a job would scale on a larger cluster, simulated.", "scaling_sim");
-  app.add_option("REPORT", options.report, "The JSON file of tessera bench scaling")->required()->type_name("FILE.json");
+  app.add_option("REPORT", options.reports, "JSON files of tessera bench scaling: the same canvas and pieces")
+      ->required()
+      ->type_name("FILE.json");
   app.add_option("--out", options.out, "Names of the CSV and the plot, without ending")->capture_default_str();
   app.add_option("--hosts", options.hosts, "Numbers of workers, a host each")->delimiter(',')->capture_default_str();
   app.add_option("--shapes", options.shapes, "Sizes of the library")->delimiter(',')->capture_default_str();
   app.add_option("--latency-us", options.latency_us, "From host to host")->capture_default_str();
   app.add_option("--gigabytes-per-s", options.gigabytes_per_s, "Of a link, each way")->capture_default_str();
   app.add_option("--worker-speed", options.worker_speed, "A host's devices, in workers as they were measured")
+      ->capture_default_str();
+  app.add_option("--master-speed", options.master_speed, "What if the master's own work were so many times as fast")
       ->capture_default_str();
   app.add_flag("--processor-time", options.processor_time,
                "Model the processor time of the runs: where other programs took part of the cores");
@@ -69,6 +79,23 @@ std::vector<Job> jobs_of(const Options& options) {
 
 double efficiency(const SimulatedRound& one, const SimulatedRound& many, int hosts) {
   return one.round_s / many.round_s / hosts;
+}
+
+std::vector<ScalingCase> cases_of(const std::vector<std::string>& reports) {
+  std::vector<ScalingCase> cases;
+  for (const std::string& report : reports) {
+    for (const ScalingCase& c : read_scaling_cases(report)) cases.push_back(c);
+  }
+  return cases;
+}
+
+RoundCosts costs_of(const RoundModel& model, const Job& job, const Options& options) {
+  RoundCosts costs = model.costs(job.workers, job.shapes);
+  costs.master_s /= options.master_speed;
+  for (double* stage_s : {&costs.field_s, &costs.count_s, &costs.dock_s, &costs.refine_s}) {
+    *stage_s /= options.worker_speed;
+  }
+  return costs;
 }
 
 std::string validation(const RoundModel& model, const std::vector<SimulatedRound>& rounds) {
@@ -132,15 +159,17 @@ void plot(const std::vector<Prediction>& predictions, const Options& options) {
 }
 
 void run(const Options& options) {
-  const RoundModel model(read_scaling_cases(options.report), options.processor_time ? Clock::processor : Clock::wall);
-  const Cluster cluster{options.latency_us * 1e-6, options.gigabytes_per_s * 1e9, options.worker_speed};
+  const RoundModel model(cases_of(options.reports), options.processor_time ? Clock::processor : Clock::wall);
+  const Cluster cluster{options.latency_us * 1e-6, options.gigabytes_per_s * 1e9};
   std::vector<Scenario> scenarios;
   for (const ScalingCase& c : model.cases()) {
-    scenarios.push_back({model.costs({c.workers, c.shapes}), Protocol::star});
+    scenarios.push_back({model.costs(c.workers, c.shapes), Protocol::star});
   }
   const std::vector<Job> jobs = jobs_of(options);
   for (const Job& job : jobs) {
-    for (const Protocol protocol : {Protocol::star, Protocol::tree}) scenarios.push_back({model.costs(job), protocol});
+    for (const Protocol protocol : {Protocol::star, Protocol::tree}) {
+      scenarios.push_back({costs_of(model, job, options), protocol});
+    }
   }
   const std::vector<SimulatedRound> rounds = simulate_rounds(scenarios, cluster);
 

@@ -1,8 +1,8 @@
 // What a round costs each rank and each message, for any number of workers and shapes, from measured runs.
 //
 // A stage's time is a sum of parts that are known to grow with something: the shapes of a worker (every pair is tested),
-// its share of the dockings (a fixed number over the whole library), or nothing. How much of each, the measured runs
-// say: least squares with no part below zero.
+// its share of the dockings (a fixed number over the whole library), the different shapes that the master reads, or
+// nothing. How much of each, the measured runs say: least squares with no part below zero.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,10 @@ namespace tessera::bench {
 /// Coefficients >= 0 that bring features * coefficients nearest to `values`; rows of `features` are observations.
 std::vector<double> fit_non_negative(const std::vector<std::vector<double>>& features, const std::vector<double>& values);
 
-struct Job {
+struct Load {
   int workers = 1;
   std::uint64_t shapes = 0;
+  double samples = 0;  // that are matched
 };
 
 /// Which time of a measured run counts: as it passed, or without what other programs took (ScalingCase::undisturbed_s).
@@ -53,24 +54,24 @@ class RoundModel {
   /// At least one case.
   RoundModel(std::vector<ScalingCase> cases, Clock clock);
 
-  RoundCosts costs(const Job& job) const;
-  /// The loop of a measured case, by the same clock.
-  double measured_s(const ScalingCase& c) const;
-  double rounds() const { return rounds_; }
+  /// For as many samples as the measured loops matched.
+  RoundCosts costs(int workers, std::uint64_t shapes) const;
+  /// On the model's clock.
   const std::vector<ScalingCase>& cases() const { return cases_; }
 
  private:
   using Figure = double (*)(const ScalingCase&);
-  using Features = std::vector<double> (*)(const Job&);
+  using Features = std::vector<double> (*)(const Load&);
   struct Part {
     Features features;
     std::vector<double> coefficients;
-    double at(const Job& job) const;
+    double at(const Load& job) const;
   };
   Part fit(Figure figure, Features features) const;
 
   std::vector<ScalingCase> cases_;  // on the clock
   double rounds_ = 0;
+  double samples_ = 0;
   double notice_s_ = 0;
   double imbalance_ = 0;
   double counts_ = 1;

@@ -15,6 +15,7 @@ struct ScalingCase {
   std::uint32_t shapes = 0;
   double loop_s = 0;
   double rounds = 0;
+  double samples = 0;  // matched
 
   double objective_s = 0;  // the master's
   double merge_s = 0;

@@ -17,6 +17,7 @@
 #include "comm/failure.h"
 #include "comm/message.h"
 #include "comm/traffic.h"
+#include "core/processor_time.h"
 
 namespace tessera::comm {
 
@@ -72,8 +73,9 @@ class Communicator {
   void interrupt_waits_when(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
 
   const Traffic& traffic() const { return traffic_; }
-  /// Spent in receive since the start, until the messages came.
+  /// Spent in receive since the start, until the messages came; and what looking for them took of the processor.
   double waited_s() const { return waited_s_; }
+  double waited_processor_s() const { return waited_processor_s_; }
 
   // How a job ends; see rank_program.h, which alone calls these.
 
@@ -116,6 +118,10 @@ class Communicator {
   std::function<bool()> interrupt_;
   Traffic traffic_;
   double waited_s_ = 0;
+  double waited_processor_s_ = 0;
 };
+
+/// Of this process since its start, without what waiting for messages took.
+inline double busy_processor_s(const Communicator& ranks) { return processor_time_s() - ranks.waited_processor_s(); }
 
 }  // namespace tessera::comm

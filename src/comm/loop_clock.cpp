@@ -1,7 +1,6 @@
 #include "comm/loop_clock.h"
 
 #include "comm/worker_team.h"
-#include "core/processor_time.h"
 
 namespace tessera::comm {
 namespace {
@@ -15,7 +14,7 @@ MessageCount difference(const TrafficCount& now, const TrafficCount& before) {
 LoopClock::LoopClock(Communicator& ranks)
     : ranks_(ranks),
       waited_before_s_(ranks.waited_s()),
-      processor_before_s_(processor_time_s()),
+      processor_before_s_(busy_processor_s(ranks)),
       traffic_before_(ranks.traffic()) {}
 
 MasterTimes LoopClock::master_times(const RunStatistics& run) const {
@@ -26,7 +25,7 @@ MasterTimes LoopClock::master_times(const RunStatistics& run) const {
   times.questions_s = run.prune_s + run.dock_s - times.waiting_s;
   times.loop_s = run.total_s;
   times.other_s = times.loop_s - times.objective_s - times.merge_s - times.questions_s - times.waiting_s;
-  times.processor_s = processor_time_s() - processor_before_s_;
+  times.processor_s = busy_processor_s(ranks_) - processor_before_s_;
   const Traffic& now = ranks_.traffic();
   times.sent = difference(now.sent_in_matching(), traffic_before_.sent_in_matching());
   times.sent_fields = difference(now.sent(Tag::update_field), traffic_before_.sent(Tag::update_field));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "comm/communicator.h"
-#include "core/processor_time.h"
 #include "core/rank_statistics.h"
 #include "core/stopwatch.h"
 
@@ -16,7 +15,7 @@ class WorkerClock {
   void start() {
     times_ = {};
     waited_before_s_ = ranks_.waited_s();
-    processor_before_s_ = processor_time_s();
+    processor_before_s_ = busy_processor_s(ranks_);
     sent_before_ = ranks_.traffic().sent_in_matching();
     loop_ = Stopwatch();
   }
@@ -41,7 +40,7 @@ class WorkerClock {
     times.waiting_s = ranks_.waited_s() - waited_before_s_;
     times.messages_s =
         times.loop_s - times.waiting_s - times.count_s - times.dock_s - times.refine_s - times.field_s;
-    times.processor_s = processor_time_s() - processor_before_s_;
+    times.processor_s = busy_processor_s(ranks_) - processor_before_s_;
     const TrafficCount sent = ranks_.traffic().sent_in_matching();
     times.sent = {sent.messages - sent_before_.messages, sent.bytes - sent_before_.bytes};
     return times;

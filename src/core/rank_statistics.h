@@ -25,7 +25,7 @@ struct WorkerTimes {
   double messages_s = 0;   // between question and matcher, and back: reading, writing and sending
   double waiting_s = 0;    // for the next question
   double loop_s = 0;
-  double processor_s = 0;  // of all threads; what others take from a core does not count
+  double processor_s = 0;  // of all threads, but for waiting; what others take from a core does not count
   std::uint64_t counts = 0;  // questions of each kind
   std::uint64_t docks = 0;
   std::uint64_t refines = 0;

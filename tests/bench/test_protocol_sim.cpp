@@ -24,7 +24,7 @@ RoundCosts by_hand(int workers) {
 }
 
 // A latency of 1 ms; a byte takes no time to speak of.
-constexpr Cluster kSlowNetwork{0.001, 1e12, 1};
+constexpr Cluster kSlowNetwork{0.001, 1e12};
 
 TEST(ProtocolSim, AsByHand) {
   RoundCosts noticed = by_hand(1);
@@ -40,7 +40,7 @@ TEST(ProtocolSim, AsByHand) {
   // refine: 0.5 + 1 + 1 + 20.1 + 1. Three answers joined, 2 ms each, and 10 ms of its own.
   EXPECT_NEAR(rounds[0].round_s, 0.1051 + 0.0536 + 0.0236 + 3 * 0.002 + 0.010, 1e-6);
   EXPECT_NEAR(rounds[0].master_busy_s, 3 * (0.0005 + 0.001 + 0.002) + 0.010, 1e-9);
-  // The second worker is asked 1 ms later, which is the time that joining the first one's answer takes, less 1 ms.
+  // The second worker is asked 1 ms after the first and answers 1 ms after it, while the first answer is joined.
   EXPECT_NEAR(rounds[1].round_s, 0.1051 + 0.0536 + 0.0236 + 3 * 2 * 0.002 + 0.010, 1e-6);
   EXPECT_NEAR(rounds[1].master_busy_s, 3 * (0.0005 + 2 * 0.003) + 0.010, 1e-9);
   EXPECT_NEAR(rounds[2].round_s, rounds[1].round_s, 1e-6) << "a tree of two workers is a star";

@@ -13,10 +13,11 @@ ScalingCase made_up(int workers, std::uint32_t shapes) {
   c.workers = workers;
   c.shapes = shapes;
   c.rounds = 10;
+  c.samples = 500;
   c.counts = c.docks = c.refines = 10;
   c.count_s = 0.010 * shapes / 1000. / workers;
   c.dock_s = 0.400 / workers;
-  c.merge_s = 0.050;
+  c.merge_s = 0.050;  // whatever the number of shapes
   c.questions_s = 0.005 * workers;
   c.field_bytes_to_worker = 1000;
   c.bytes_to_worker = 1000 + 4000 + 600. / workers;
@@ -31,7 +32,7 @@ RoundModel made_up_model() {
 }
 
 TEST(RoundModel, FindsWhatTheRunsWereMadeOf) {
-  const RoundCosts costs = made_up_model().costs({10, 100'000});
+  const RoundCosts costs = made_up_model().costs(10, 100'000);
   EXPECT_EQ(costs.counts, 1);
   EXPECT_NEAR(costs.count_s, 0.010, 1e-9);
   EXPECT_NEAR(costs.dock_s, 0.004, 1e-9);
