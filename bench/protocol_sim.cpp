@@ -92,7 +92,6 @@ class RankPlay {
     for (int round = 0; round < kRounds; ++round) {
       send_field();
       for (const Question& question : questions_of(costs_)) {
-        compute(costs_.fixed_question_s);
         pass_on(question, costs_.ask_s);
         join();
       }
@@ -139,10 +138,7 @@ class RankPlay {
   }
 
   void send_field() {
-    for (const int child : children_) {
-      compute(costs_.ask_field_s);
-      send(inbox(child), costs_.field_bytes);
-    }
+    for (const int child : children_) send(inbox(child), costs_.field_bytes);
   }
 
   void pass_on(const Question& question, double ask_s) {

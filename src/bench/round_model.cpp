@@ -17,13 +17,15 @@ double share(const Load& job) { return 1. / job.workers; }
 double own_shapes(const Load& job) { return double(job.shapes) / job.workers; }
 
 Values constant(const Load&) { return {1}; }
-Values by_workers(const Load& job) { return {1, double(job.workers)}; }
-Values by_own_shapes(const Load& job) { return {1, own_shapes(job)}; }
+/// The denser the library, the nearer the best pairs, and the shorter the reach within which they are looked for.
+Values by_own_shapes(const Load& job) {
+  return {1, own_shapes(job), own_shapes(job) / std::sqrt(double(job.shapes))};
+}
 Values by_share(const Load& job) { return {1, share(job)}; }
-/// Of so many candidates, drawn evenly, so many shapes differ.
-Values by_shapes_read(const Load& job) {
+/// Of so many candidates, drawn evenly, so many shapes differ: the master reads these. And it asks every worker.
+Values by_shapes_read_and_workers(const Load& job) {
   const double shapes = double(job.shapes);
-  return {1, shapes * (1 - std::exp(-kRefined * job.samples / shapes))};
+  return {1, shapes * (1 - std::exp(-kRefined * job.samples / shapes)), double(job.workers)};
 }
 Values by_share_and_own_shapes(const Load& job) { return {1, share(job), own_shapes(job)}; }
 
@@ -35,8 +37,6 @@ double worker_stages_s(const ScalingCase& c) { return c.count_s + c.dock_s + c.r
 ScalingCase on_processor_time(ScalingCase c) {
   const double worker = c.processor_s / std::max(1e-9, worker_stages_s(c));
   for (double* stage : {&c.count_s, &c.dock_s, &c.refine_s, &c.field_s, &c.messages_s}) *stage *= worker;
-  const double master = c.master_processor_s / std::max(1e-9, c.serial_s());
-  for (double* stage : {&c.objective_s, &c.merge_s, &c.questions_s, &c.other_s}) *stage *= master;
   c.busiest_s = c.greatest_processor_s;
   c.loop_s = c.undisturbed_s();
   c.waiting_s = c.busiest_s;
@@ -110,10 +110,8 @@ RoundModel::RoundModel(std::vector<ScalingCase> cases, Clock clock) : cases_(std
   notice_s_ = clock == Clock::processor  // which does not tell how long a rank slept
                   ? kRoundTrip_s
                   : std::max(0., median_over(cases_, [](C c) { return (c.waiting_s - c.busiest_s) / questions(c); }));
-  const auto imbalance = [](C c) { return c.busiest_s / std::max(1e-9, worker_stages_s(c)) - 1; };
-  for (C c : cases_) imbalance_ = std::max(imbalance_, imbalance(c));
-  master_ = fit([](C c) { return c.objective_s + c.merge_s + c.other_s; }, by_shapes_read);
-  questions_ = fit([](C c) { return c.questions_s; }, by_workers);
+  imbalance_ = median_over(cases_, [](C c) { return c.busiest_s / std::max(1e-9, worker_stages_s(c)) - 1; });
+  master_ = fit([](C c) { return c.serial_s(); }, by_shapes_read_and_workers);
   count_ = fit([](C c) { return c.count_s; }, by_own_shapes);
   dock_ = fit([](C c) { return c.dock_s; }, by_share_and_own_shapes);
   refine_ = fit([](C c) { return c.refine_s; }, by_share);
@@ -130,9 +128,9 @@ RoundCosts RoundModel::costs(int workers, std::uint64_t shapes) const {
   costs.workers = job.workers;
   costs.counts = int(counts_);
   const double asked = costs.questions();
-  costs.master_s = master_.at(job);
-  costs.fixed_question_s = questions_.coefficients[0] / asked;
-  costs.ask_s = costs.join_s = questions_.coefficients[1] / asked / 2;
+  const double for_a_worker_s = master_.coefficients[2];
+  costs.master_s = master_.at(job) - for_a_worker_s * workers;
+  costs.ask_s = costs.join_s = for_a_worker_s / asked / 2;
   costs.field_s = field_.at(job);
   costs.count_s = count_.at(job) / counts_;
   costs.dock_s = dock_.at(job);
@@ -145,8 +143,6 @@ RoundCosts RoundModel::costs(int workers, std::uint64_t shapes) const {
   costs.reply_bytes = from_worker_.coefficients[0] / (counts_ + 1);
   costs.refine_request_bytes = to_worker_.coefficients[1] * share(job);
   costs.refine_reply_bytes = from_worker_.coefficients[1] * share(job);
-  // A patch is written like a question; the times of asking do not tell them apart.
-  costs.ask_field_s = costs.ask_s * costs.field_bytes / std::max(1., costs.request_bytes);
   return costs;
 }
 

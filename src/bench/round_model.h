@@ -29,10 +29,8 @@ struct RoundCosts {
   int workers = 1;
   int counts = 1;            // questions of that kind; dock and refine are asked once
   double master_s = 0;       // a round: merge, objective, other
-  double ask_s = 0;          // the master, for each worker it sends to
+  double ask_s = 0;          // the master, for each worker it sends a question to; the field's patch counts with them
   double join_s = 0;         // the master, for each answer it joins
-  double fixed_question_s = 0;  // the master, for each question
-  double ask_field_s = 0;    // the master, for each worker it sends the field's patch to
   double field_s = 0;
   double count_s = 0;
   double dock_s = 0;
@@ -75,7 +73,7 @@ class RoundModel {
   double notice_s_ = 0;
   double imbalance_ = 0;
   double counts_ = 1;
-  Part master_, questions_, count_, dock_, refine_, field_, messages_, field_bytes_, to_worker_, from_worker_;
+  Part master_, count_, dock_, refine_, field_, messages_, field_bytes_, to_worker_, from_worker_;
 };
 
 }  // namespace tessera::bench
