@@ -15,6 +15,7 @@ namespace tessera::bench {
 struct Setting {
   bool quick = false;           // a small version, which only shows that it runs
   std::string devices = "all";  // as the job key devices.use
+  std::string out;              // the JSON file; what else a benchmark writes has its name with other endings
 };
 
 /// PAD pair tests a second and core: the devices, a plain loop, and what the machine can do at most.
@@ -45,5 +46,19 @@ struct LibraryOptions {
 };
 /// Time and memory as the library grows.
 Report bench_library(const Setting& setting, const LibraryOptions& options);
+
+struct ScalingOptions {
+  std::string library;
+  std::uint32_t shapes = 0;         // for the most workers; beyond the library's, mirrored and stretched ones; 0 = its own
+  std::vector<int> ranks = {2, 3};  // one of them the master
+  int pieces = 20;
+  int size_px = 600;  // of the square canvas
+  int repeats = 3;
+  /// What "-n RANKS PROGRAM..." is appended to.
+  std::string launcher = "mpirun -x POCL_MAX_PTHREAD_COUNT --oversubscribe --bind-to none";
+  std::string program;  // tessera itself
+};
+/// Strong and weak scaling over the workers, a core each, beside Amdahl's law; also writes CSV and a plot.
+Report bench_scaling(const Setting& setting, const ScalingOptions& options);
 
 }  // namespace tessera::bench

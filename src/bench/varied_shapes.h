@@ -17,6 +17,7 @@ class VariedShapes : public master::CachedShapes {
   explicit VariedShapes(const io::LibraryFile& library);
 
   /// All cores make them.
+  std::vector<Shape> shapes(const ShapeRange& range) const;
   std::vector<ShapeModel> models(const ShapeRange& range, const MatchingContext& context) const;
 
   /// Spent on making whole shapes for those who asked one at a time.
@@ -24,6 +25,7 @@ class VariedShapes : public master::CachedShapes {
 
  protected:
   Shape load(std::uint32_t index) override;
+  ShapeContour load_contour(std::uint32_t index) override;
 
  private:
   Shape make(std::uint32_t index) const;

@@ -17,36 +17,32 @@ constexpr const char* kExamples =
     "  tessera bench table2 --library out/animals.h5 --rows 13a,13b,13c\n"
     "  tessera bench alternatives --library out/animals.h5 --scale-px 20,160 --size 1000 --seed 7\n"
     "  tessera bench library --library out/animals.h5 --sizes 100,1000,10000\n"
+    "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
     "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
-
-struct Common {
-  bench::Setting setting;
-  std::string out;
-};
 
 using Benchmark = std::function<bench::Report(const bench::Setting&)>;
 
-int run(const std::string& out, const bench::Setting& setting, const Benchmark& benchmark) {
-  const std::filesystem::path folder = std::filesystem::path(out).parent_path();
+int run(const bench::Setting& setting, const Benchmark& benchmark) {
+  const std::filesystem::path folder = std::filesystem::path(setting.out).parent_path();
   io::prepare_output_directory(folder.empty() ? "." : folder.string());
   const bench::Report report = benchmark(setting);
-  bench::write_report(report, out);
-  std::printf("%s\nwritten to %s\n", report.text.c_str(), out.c_str());
+  bench::write_report(report, setting.out);
+  std::printf("%s\nwritten to %s\n", report.text.c_str(), setting.out.c_str());
   return 0;
 }
 
 CLI::App* add_benchmark(CLI::App& bench, Command& selected, const std::string& name, const std::string& meaning,
                         Benchmark benchmark) {
   CLI::App* sub = bench.add_subcommand(name, meaning);
-  const auto common = std::make_shared<Common>();
-  common->out = "out/bench_" + name + ".json";
-  sub->add_option("--out", common->out, "The JSON file")->type_name("FILE.json")->capture_default_str();
-  sub->add_flag("--quick", common->setting.quick, "A small version, which only shows that it runs");
-  sub->add_option("--devices", common->setting.devices, "OpenCL devices, as the job key devices.use")
+  const auto setting = std::make_shared<bench::Setting>();
+  setting->out = "out/bench_" + name + ".json";
+  sub->add_option("--out", setting->out, "The JSON file")->type_name("FILE.json")->capture_default_str();
+  sub->add_flag("--quick", setting->quick, "A small version, which only shows that it runs");
+  sub->add_option("--devices", setting->devices, "OpenCL devices, as the job key devices.use")
       ->type_name("USE")
       ->capture_default_str();
-  sub->callback([common, benchmark = std::move(benchmark), &selected] {
-    selected.run = [common, benchmark] { return run(common->out, common->setting, benchmark); };
+  sub->callback([setting, benchmark = std::move(benchmark), &selected] {
+    selected.run = [setting, benchmark] { return run(*setting, benchmark); };
   });
   return sub;
 }
@@ -90,6 +86,29 @@ void add_library(CLI::App& bench, Command& selected) {
       ->capture_default_str();
 }
 
+void add_scaling(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<bench::ScalingOptions>();
+  options->program = std::filesystem::read_symlink("/proc/self/exe").string();
+  CLI::App* sub = add_benchmark(bench, selected, "scaling", "Speed-up with more workers; starts mpirun itself",
+                                [options](const bench::Setting& s) { return bench::bench_scaling(s, *options); });
+  add_library_option(*sub, options->library);
+  sub->add_option("--shapes", options->shapes, "Shapes for the most workers; default: the library's. More than it has: "
+                                               "mirrored and stretched ones")
+      ->type_name("N");
+  sub->add_option("--ranks", options->ranks, "Numbers of ranks, one of them the master")
+      ->type_name("N,..")
+      ->delimiter(',')
+      ->capture_default_str();
+  sub->add_option("--pieces", options->pieces, "Pieces to place")->type_name("N")->capture_default_str();
+  sub->add_option("--size", options->size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
+  sub->add_option("--repeats", options->repeats, "Loops of each case; the median counts")
+      ->type_name("N")
+      ->capture_default_str();
+  sub->add_option("--launcher", options->launcher, "What starts ranks, given -n N PROGRAM")
+      ->type_name("COMMAND")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& app, Command& selected) {
@@ -102,6 +121,7 @@ void add_bench_command(CLI::App& app, Command& selected) {
   add_table2(*bench, selected);
   add_alternatives(*bench, selected);
   add_library(*bench, selected);
+  add_scaling(*bench, selected);
 }
 
 }  // namespace tessera::cli

@@ -12,6 +12,7 @@
 #include "cli/collage_progress.h"
 #include "cli/library_part.h"
 #include "cli/stop_signal.h"
+#include "comm/loop_clock.h"
 #include "cli/time_limit.h"
 #include "comm/matcher_server.h"
 #include "comm/node_turn.h"
@@ -22,6 +23,7 @@
 #include "io/job/job_file.h"
 #include "io/library/library_file.h"
 #include "io/library/shape_models.h"
+#include "io/result/rank_table.h"
 #include "master/collage_loop.h"
 #include "master/library_shapes.h"
 #include "worker/device_group.h"
@@ -78,15 +80,21 @@ void add_placed_shapes(const io::LibraryFile& library, bool with_originals, io::
 
 /// Returns the text of the card.
 std::string write(const std::string& folder, const io::Job& job, const Canvas& canvas, const io::LibraryFile& library,
-                  const master::CollageResult& result) {
+                  const master::CollageResult& result, const RankStatistics& ranks) {
   const bool quick = stop_signalled();  // mpirun kills all ranks two seconds after Ctrl-C
   io::CollageReport report;
   report.job = &job;
   report.canvas = &canvas;
   report.placements = result.placements;
   report.statistics = result.statistics;
+  report.ranks = ranks;
   add_placed_shapes(library, !quick, report);
   return io::write_collage(folder, report, quick);
+}
+
+/// Nothing where mpirun is ending the job: it may have ended workers already, who would never answer.
+RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
+  return stop_signalled() ? RankStatistics{} : clock.stop(result.statistics);
 }
 
 Start start_of(const CollageArguments& arguments) {
@@ -156,8 +164,11 @@ int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
 
   if (start == Start::restart) input.checkpoints.remove();
   CollageCheckpoints checkpoints(input.checkpoints, input.origin);
+  comm::LoopClock clock(ranks);
   const master::CollageResult result = run_loop(arguments, input, limit, *matcher, checkpoints);
-  const std::string card = write(input.folder, input.job, input.canvas, input.library, result);
+  const RankStatistics times = times_of(clock, result);
+  const std::string card =
+      write(input.folder, input.job, input.canvas, input.library, result, times) + io::ranks_text(times);
   say(arguments, card + "\nwritten to " + input.folder);
   return conclude(arguments, result.unfinished, checkpoints);
 }

@@ -6,17 +6,23 @@
 #include "comm/encode.h"
 #include "comm/idle_wait.h"
 #include "comm/messages.h"
+#include "core/stopwatch.h"
 
 namespace tessera::comm {
+namespace {
+
+SharedBytes shared(Bytes bytes) { return std::make_shared<const Bytes>(std::move(bytes)); }
+
+}  // namespace
 
 int Communicator::local_rank() const {
   const std::vector<int>& ranks = node_ranks();
   return int(std::find(ranks.begin(), ranks.end(), rank()) - ranks.begin());
 }
 
-void Communicator::post(int to, Tag tag, Bytes bytes) {
-  traffic_.sent_by_tag[std::size_t(tag)].add(bytes.size());
-  start_send(to, {rank(), tag, std::move(bytes)});
+void Communicator::post(int to, Tag tag, SharedBytes bytes) {
+  traffic_.sent_by_tag[std::size_t(tag)].add(bytes->size());
+  start_send(to, tag, std::move(bytes));
 }
 
 void Communicator::take_in_arrivals() {
@@ -52,9 +58,18 @@ void Communicator::wait_until(Done done) {
   }
 }
 
-void Communicator::send(int to, Tag tag, Bytes bytes) {
+void Communicator::send_shared(int to, Tag tag, SharedBytes bytes) {
   post(to, tag, std::move(bytes));
   wait_until([this] { return under_way() <= kMostUnderWay; });
+}
+
+void Communicator::send(int to, Tag tag, Bytes bytes) { send_shared(to, tag, shared(std::move(bytes))); }
+
+void Communicator::send_to_others(Tag tag, Bytes bytes) {
+  const SharedBytes content = shared(std::move(bytes));
+  for (int to = 0; to < size(); ++to) {
+    if (to != rank()) send_shared(to, tag, content);
+  }
 }
 
 Message Communicator::receive_any(int from, std::initializer_list<Tag> tags) {
@@ -62,10 +77,14 @@ Message Communicator::receive_any(int from, std::initializer_list<Tag> tags) {
     return m.from == from && std::find(tags.begin(), tags.end(), m.tag) != tags.end();
   };
   auto found = inbox_.end();
+  const Stopwatch watch;
+  const double processor_before_s = processor_time_s();
   wait_until([&] {
     found = std::find_if(inbox_.begin(), inbox_.end(), wanted);
     return found != inbox_.end();
   });
+  waited_s_ += watch.seconds();
+  waited_processor_s_ += processor_time_s() - processor_before_s;
   Message message = std::move(*found);
   inbox_.erase(found);
   return message;
@@ -79,7 +98,7 @@ void Communicator::flush() {
 
 Bytes Communicator::broadcast(Bytes bytes) {
   if (rank() != 0) return receive(0, Tag::broadcast);
-  for (int to = 1; to < size(); ++to) send(to, Tag::broadcast, bytes);
+  send_to_others(Tag::broadcast, bytes);
   return bytes;
 }
 
@@ -93,10 +112,10 @@ void Communicator::barrier() {
   for (int to = 1; to < size(); ++to) send(to, Tag::barrier, {});
 }
 
-void Communicator::report_failure(const Failure& failure) { post(0, Tag::failure, encode(failure)); }
+void Communicator::report_failure(const Failure& failure) { post(0, Tag::failure, shared(encode(failure))); }
 
 void Communicator::tell_end(Ending ending) {
-  for (int to = 1; to < size(); ++to) post(to, Tag::end, encode(ending));
+  for (int to = 1; to < size(); ++to) post(to, Tag::end, shared(encode(ending)));
 }
 
 template <class Done>
@@ -121,7 +140,7 @@ Ending Communicator::wait_for_end() {
   constexpr double kForEver = std::numeric_limits<double>::infinity();
   wait_patiently([this] { return end_.has_value(); }, kForEver);
   if (*end_ == Ending::orderly) {
-    post(0, Tag::bye, {});
+    post(0, Tag::bye, shared({}));
     wait_until_sent(kForEver);
   }
   return *end_;

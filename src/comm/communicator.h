@@ -17,6 +17,7 @@
 #include "comm/failure.h"
 #include "comm/message.h"
 #include "comm/traffic.h"
+#include "core/processor_time.h"
 
 namespace tessera::comm {
 
@@ -54,6 +55,8 @@ class Communicator {
   /// Returns without waiting for the receiver, unless kMostUnderWay bytes are already under way. Messages of one tag
   /// from one rank to another arrive in order. At most 2^31 - 1 bytes.
   void send(int to, Tag tag, Bytes bytes);
+  /// The same to every other rank.
+  void send_to_others(Tag tag, Bytes bytes);
   /// The next message of that tag from rank `from`.
   Bytes receive(int from, Tag tag);
   /// The next message of any of the tags from rank `from`, in the order in which they were sent.
@@ -70,6 +73,9 @@ class Communicator {
   void interrupt_waits_when(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
 
   const Traffic& traffic() const { return traffic_; }
+  /// Spent in receive since the start, until the messages came; and what looking for them took of the processor.
+  double waited_s() const { return waited_s_; }
+  double waited_processor_s() const { return waited_processor_s_; }
 
   // How a job ends; see rank_program.h, which alone calls these.
 
@@ -87,15 +93,16 @@ class Communicator {
   static constexpr std::size_t kMostUnderWay = std::size_t(128) << 20;
 
  protected:
-  /// Takes the message over; it arrives as long as poll() is called now and then.
-  virtual void start_send(int to, Message message) = 0;
+  /// Keeps the bytes until they have left; they arrive as long as poll() is called now and then.
+  virtual void start_send(int to, Tag tag, SharedBytes bytes) = 0;
   /// A message that has arrived, if there is one; helps along what is under way.
   virtual std::optional<Message> poll() = 0;
   /// Bytes of messages that have not left yet; zero only if there are none.
   virtual std::size_t under_way() const = 0;
 
  private:
-  void post(int to, Tag tag, Bytes bytes);
+  void post(int to, Tag tag, SharedBytes bytes);
+  void send_shared(int to, Tag tag, SharedBytes bytes);
   void take_in_arrivals();
   void throw_if_over() const;
   void look();
@@ -110,6 +117,11 @@ class Communicator {
   int byes_ = 0;
   std::function<bool()> interrupt_;
   Traffic traffic_;
+  double waited_s_ = 0;
+  double waited_processor_s_ = 0;
 };
+
+/// Of this process since its start, without what waiting for messages took.
+inline double busy_processor_s(const Communicator& ranks) { return processor_time_s() - ranks.waited_processor_s(); }
 
 }  // namespace tessera::comm

@@ -38,10 +38,10 @@ class InProcessCommunicator : public Communicator {
   }
 
  protected:
-  void start_send(int to, Message message) override {
+  void start_send(int to, Tag tag, SharedBytes bytes) override {
     InProcessNetwork::Queue& queue = *network_.queues_.at(std::size_t(to));
     const std::lock_guard lock(queue.mutex);
-    queue.messages.push_back(std::move(message));
+    queue.messages.push_back({rank_, tag, *bytes});
   }
 
   std::optional<Message> poll() override {

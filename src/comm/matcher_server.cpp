@@ -4,6 +4,7 @@
 
 #include "comm/encode.h"
 #include "comm/messages.h"
+#include "comm/worker_clock.h"
 
 namespace tessera::comm {
 namespace {
@@ -14,22 +15,54 @@ void start_field(Matcher& matcher, const FieldStart& start) {
   matcher.start_field(start.width, start.height, start.origin);
 }
 
-void answer(const Message& request, Communicator& ranks, Matcher& matcher) {
+std::vector<DistanceHistogram> count(Matcher& matcher, const CountRequest& request) {
+  matcher.post_count(request);
+  return matcher.take_count();
+}
+
+DockReply dock(Matcher& matcher, const DockRequest& request) {
+  matcher.post_dock(request);
+  return matcher.take_dock();
+}
+
+std::vector<RefinedDocking> refine(Matcher& matcher, const std::vector<Docking>& dockings) {
+  matcher.post_refine(dockings);
+  return matcher.take_refine();
+}
+
+/// The time that `ask` takes goes on the account of `stage`.
+template <class Question, class Answer>
+Bytes measured_answer(const Message& request, Matcher& matcher, WorkerClock& clock, double WorkerTimes::*stage,
+                      std::uint64_t WorkerTimes::*questions, Answer (*ask)(Matcher&, const Question&)) {
+  const auto question = decode<Question>(request.bytes);
+  return encode(clock.measure(stage, questions, [&] { return ask(matcher, question); }));
+}
+
+void answer(const Message& request, Communicator& ranks, Matcher& matcher, WorkerClock& clock) {
+  using Times = WorkerTimes;
   switch (request.tag) {
-    case Tag::start_field: start_field(matcher, decode<FieldStart>(request.bytes)); break;
-    case Tag::update_field: matcher.update_field(decode<FieldPatch>(request.bytes)); break;
+    case Tag::start_field:
+      clock.start();
+      start_field(matcher, decode<FieldStart>(request.bytes));
+      break;
+    case Tag::update_field: {
+      const auto patch = decode<FieldPatch>(request.bytes);
+      clock.measure(&Times::field_s, [&] { matcher.update_field(patch); });
+      break;
+    }
     case Tag::count_request:
-      matcher.post_count(decode<CountRequest>(request.bytes));
-      ranks.send(kMaster, Tag::count_reply, encode(matcher.take_count()));
+      ranks.send(kMaster, Tag::count_reply,
+                 measured_answer(request, matcher, clock, &Times::count_s, &Times::counts, count));
       break;
     case Tag::dock_request:
-      matcher.post_dock(decode<DockRequest>(request.bytes));
-      ranks.send(kMaster, Tag::dock_reply, encode(matcher.take_dock()));
+      ranks.send(kMaster, Tag::dock_reply,
+                 measured_answer(request, matcher, clock, &Times::dock_s, &Times::docks, dock));
       break;
     case Tag::refine_request:
-      matcher.post_refine(decode<std::vector<Docking>>(request.bytes));
-      ranks.send(kMaster, Tag::refine_reply, encode(matcher.take_refine()));
+      ranks.send(kMaster, Tag::refine_reply,
+                 measured_answer(request, matcher, clock, &Times::refine_s, &Times::refines, refine));
       break;
+    case Tag::times_request: ranks.send(kMaster, Tag::times_reply, encode(clock.times())); break;
     default: throw std::logic_error("a message that is no question: " + std::string(tag_name(request.tag)));
   }
 }
@@ -38,12 +71,14 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher) {
 
 void serve(Communicator& ranks, Matcher& matcher) {
   ranks.send(kMaster, Tag::hello, encode(matcher.shapes()));
+  WorkerClock clock(ranks);
   for (;;) {
-    const Message request = ranks.receive_any(
-        kMaster, {Tag::start_field, Tag::update_field, Tag::count_request, Tag::dock_request, Tag::refine_request});
+    const Message request =
+        ranks.receive_any(kMaster, {Tag::start_field, Tag::update_field, Tag::count_request, Tag::dock_request,
+                                    Tag::refine_request, Tag::times_request});
     // While this rank computes it cannot help a large reply along, which the master may be waiting for.
     ranks.flush();
-    answer(request, ranks, matcher);
+    answer(request, ranks, matcher, clock);
   }
 }
 

@@ -1,5 +1,5 @@
-// A worker's life: it answers the master's questions from its own part of the library, and keeps nothing but that part
-// and the field.
+// A worker's life: it answers the master's questions from its own part of the library, and keeps nothing but that part,
+// the field, and how long the answers took.
 #pragma once
 
 #include "comm/communicator.h"

@@ -3,12 +3,15 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string_view>
 #include <vector>
 
 namespace tessera::comm {
 
 using Bytes = std::vector<char>;
+/// The same bytes to many ranks: none has a copy of its own.
+using SharedBytes = std::shared_ptr<const Bytes>;
 
 enum class Tag : int {
   hello,          // worker -> master: its part of the library
@@ -20,6 +23,8 @@ enum class Tag : int {
   dock_reply,
   refine_request,
   refine_reply,
+  times_request,
+  times_reply,
   broadcast,
   barrier,
   turn,           // worker -> worker of the same node: it is your turn
@@ -32,8 +37,9 @@ inline constexpr std::size_t kTags = std::size_t(Tag::bye) + 1;
 
 inline constexpr std::array<std::string_view, kTags> kTagNames = {
     "hello",          "start field",  "update field", "count request", "count reply",
-    "dock request",   "dock reply",   "refine request", "refine reply", "broadcast",
-    "barrier",        "turn",         "failure",      "end",           "bye"};
+    "dock request",   "dock reply",   "refine request", "refine reply", "times request",
+    "times reply",    "broadcast",    "barrier",      "turn",          "failure",
+    "end",            "bye"};
 
 inline std::string_view tag_name(Tag tag) { return kTagNames[std::size_t(tag)]; }
 

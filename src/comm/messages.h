@@ -11,6 +11,7 @@
 
 #include "comm/failure.h"
 #include "core/matcher.h"
+#include "core/rank_statistics.h"
 
 namespace tessera::comm {
 
@@ -36,6 +37,7 @@ TESSERA_SENT_AS_IT_LIES(tessera::TargetSample)
 TESSERA_SENT_AS_IT_LIES(tessera::DistanceHistogram)
 TESSERA_SENT_AS_IT_LIES(tessera::Docking)
 TESSERA_SENT_AS_IT_LIES(tessera::RefinedDocking)
+TESSERA_SENT_AS_IT_LIES(tessera::WorkerTimes)
 
 #undef TESSERA_SENT_AS_IT_LIES
 

@@ -26,7 +26,8 @@ std::vector<int> ranks_of_this_node(const mpi::communicator& world) {
 std::size_t weight(const Bytes& bytes) { return bytes.size() + 1; }
 
 /// Boost.MPI dereferences the pointer even where there is nothing to send.
-char* content(Bytes& bytes) {
+template <class BytesOrConst>
+auto content(BytesOrConst& bytes) {
   static char nothing = 0;
   return bytes.empty() ? &nothing : bytes.data();
 }
@@ -45,20 +46,20 @@ void MpiCommunicator::abort(int exit_code) {
   throw std::logic_error("MPI_Abort returned");
 }
 
-void MpiCommunicator::start_send(int to, Message message) {
-  if (message.bytes.size() > std::size_t(std::numeric_limits<int>::max())) {
+void MpiCommunicator::start_send(int to, Tag tag, SharedBytes bytes) {
+  if (bytes->size() > std::size_t(std::numeric_limits<int>::max())) {
     throw std::length_error("a message of more than 2 GiB");
   }
-  Leaving leaving{std::move(message.bytes), {}};
-  leaving.request = world_.isend(to, int(message.tag), content(leaving.bytes), int(leaving.bytes.size()));
-  under_way_ += weight(leaving.bytes);
+  Leaving leaving{std::move(bytes), {}};
+  leaving.request = world_.isend(to, int(tag), content(*leaving.bytes), int(leaving.bytes->size()));
+  under_way_ += weight(*leaving.bytes);
   leaving_.push_back(std::move(leaving));
 }
 
 void MpiCommunicator::forget_sent() {
   std::erase_if(leaving_, [this](Leaving& leaving) {
     if (!leaving.request.test()) return false;
-    under_way_ -= weight(leaving.bytes);
+    under_way_ -= weight(*leaving.bytes);
     return true;
   });
 }

@@ -20,13 +20,13 @@ class MpiCommunicator : public Communicator {
   [[noreturn]] void abort(int exit_code) override;
 
  protected:
-  void start_send(int to, Message message) override;
+  void start_send(int to, Tag tag, SharedBytes bytes) override;
   std::optional<Message> poll() override;
   std::size_t under_way() const override { return under_way_; }
 
  private:
   struct Leaving {
-    Bytes bytes;
+    SharedBytes bytes;
     boost::mpi::request request;
   };
 

@@ -24,6 +24,15 @@ struct Traffic {
 
   const TrafficCount& sent(Tag tag) const { return sent_by_tag[std::size_t(tag)]; }
   const TrafficCount& received(Tag tag) const { return received_by_tag[std::size_t(tag)]; }
+  /// Of the loop: questions to the workers and their answers.
+  TrafficCount sent_in_matching() const {
+    TrafficCount sum;
+    for (std::size_t tag = std::size_t(Tag::start_field); tag <= std::size_t(Tag::refine_reply); ++tag) {
+      sum.messages += sent_by_tag[tag].messages;
+      sum.bytes += sent_by_tag[tag].bytes;
+    }
+    return sum;
+  }
   TrafficCount total_sent() const { return total(sent_by_tag); }
   TrafficCount total_received() const { return total(received_by_tag); }
 

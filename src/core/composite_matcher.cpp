@@ -1,8 +1,22 @@
 #include "core/composite_matcher.h"
 
+#include <algorithm>
+#include <span>
 #include <stdexcept>
 
 namespace tessera {
+namespace {
+
+/// Both best first. Of many parts most have nothing that belongs into the list: then one comparison tells.
+void join_shortlist(std::vector<Docking>& list, std::span<const Docking> more) {
+  if (list.size() == kShortlist && !docks_better(more.front(), list.back())) return;
+  const auto middle = std::ptrdiff_t(list.size());
+  list.insert(list.end(), more.begin(), more.end());
+  std::inplace_merge(list.begin(), list.begin() + middle, list.end(), docks_better);
+  if (list.size() > kShortlist) list.resize(kShortlist);
+}
+
+}  // namespace
 
 CompositeMatcher::CompositeMatcher(std::vector<std::unique_ptr<Matcher>> parts) : parts_(std::move(parts)) {
   if (parts_.empty()) throw std::logic_error("a composite matcher needs at least one part");
@@ -39,23 +53,27 @@ std::vector<DistanceHistogram> CompositeMatcher::take_count() {
 }
 
 void CompositeMatcher::post_dock(const DockRequest& request) {
-  samples_posted_ = std::uint32_t(request.samples.size());
+  expect_docks(request.samples.size());
   for (const auto& part : parts_) part->post_dock(request);
 }
 
 DockReply CompositeMatcher::take_dock() {
   std::vector<std::vector<Docking>> of_sample(samples_posted_);
-  DockReply merged;
+  DockReply joined;
   for (const auto& part : parts_) {
     const DockReply reply = part->take_dock();
-    merged.evaluated += reply.evaluated;
-    for (const Docking& docking : reply.dockings) of_sample.at(docking.sample).push_back(docking);
+    joined.evaluated += reply.evaluated;
+    for (auto first = reply.dockings.begin(); first != reply.dockings.end();) {
+      const auto other_sample = [&](const Docking& d) { return d.sample != first->sample; };
+      const auto last = std::find_if(first, reply.dockings.end(), other_sample);
+      join_shortlist(of_sample.at(first->sample), std::span(first, last));
+      first = last;
+    }
   }
-  for (std::vector<Docking>& dockings : of_sample) {
-    keep_shortlist(dockings);
-    merged.dockings.insert(merged.dockings.end(), dockings.begin(), dockings.end());
+  for (const std::vector<Docking>& dockings : of_sample) {
+    joined.dockings.insert(joined.dockings.end(), dockings.begin(), dockings.end());
   }
-  return merged;
+  return joined;
 }
 
 void CompositeMatcher::post_refine(const std::vector<Docking>& dockings) {

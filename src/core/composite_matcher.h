@@ -23,6 +23,10 @@ class CompositeMatcher : public Matcher {
   void post_refine(const std::vector<Docking>& dockings) override;
   std::vector<RefinedDocking> take_refine() override;
 
+ protected:
+  /// For who posts to all parts in a way of its own: what take_dock will join.
+  void expect_docks(std::size_t samples) { samples_posted_ = std::uint32_t(samples); }
+
  private:
   std::vector<std::unique_ptr<Matcher>> parts_;
   std::uint32_t samples_posted_ = 0;

@@ -76,14 +76,24 @@ void Collage::mark_stale(const Window& window) {
   }
 }
 
+/// Neighbours lie together in the library's file: in this order they cost a fraction.
+void Collage::read_in_order(const std::vector<RefinedDocking>& dockings) {
+  std::set<std::uint32_t> wanted;
+  for (const RefinedDocking& refined : dockings) {
+    if (may_use(refined.docking.shape)) wanted.insert(refined.docking.shape);
+  }
+  for (const std::uint32_t shape : wanted) shapes_.contour(shape);
+}
+
 void Collage::add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round) {
+  read_in_order(round.refined);
   std::vector<std::vector<Candidate>> of_sample(samples.size());
   for (const RefinedDocking& refined : round.refined) {
     const Docking& docking = refined.docking;
     Candidate candidate{docking.shape, docking.source, docking.canvas_from_shape, refined.terms, 0, false, {}};
     if (!may_use(docking.shape) || !acceptable(candidate)) continue;
     candidate.score = score_of(candidate);
-    candidate.window = piece_window(shapes_.shape(candidate.shape).outline, candidate.canvas_from_shape,
+    candidate.window = piece_window(shapes_.contour(candidate.shape).outline, candidate.canvas_from_shape,
                                     free_.field().origin, context_.gap_px + 2);
     of_sample[docking.sample].push_back(candidate);
   }
@@ -101,7 +111,7 @@ float Collage::preference(const Candidate& candidate) const {
   const std::vector<Similarity>& placed = poses_[candidate.shape];
   if (placed.empty()) return 1;
   float factor = std::pow(1.f + float(placed.size()), -settings_.objective.repetition_exponent);
-  const float radius = shapes_.model(candidate.shape).radius + 0.5f;
+  const float radius = shapes_.contour(candidate.shape).radius + 0.5f;
   for (const Similarity& pose : placed) {
     const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
     const Vec2 apart = pose.translation() - candidate.canvas_from_shape.translation();
@@ -112,14 +122,14 @@ float Collage::preference(const Candidate& candidate) const {
 
 float Collage::score_of(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
-  const PieceSize size{scale, shapes_.model(candidate.shape).perimeter * scale, context_.max_scale_px};
+  const PieceSize size{scale, shapes_.contour(candidate.shape).perimeter * scale, context_.max_scale_px};
   return objective(candidate.terms, size, settings_.objective);
 }
 
 bool Collage::acceptable(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
   return candidate.terms.overlap_px2 <= kMaxOverlap * scale * scale &&
-         candidate.terms.matched_px >= kLeastMatched * shapes_.model(candidate.shape).perimeter * scale;
+         candidate.terms.matched_px >= kLeastMatched * shapes_.contour(candidate.shape).perimeter * scale;
 }
 
 std::vector<Pool::Ranked> Collage::finalists() {
@@ -221,7 +231,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   retrace(restamped);
   Window window;
   for (const Placement& p : changed) {
-    window = window.united(piece_window(shapes_.shape(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
+    window = window.united(piece_window(shapes_.contour(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
   }
   return window;
 }

@@ -61,6 +61,7 @@ class Collage {
   std::size_t open_samples() const { return curve_.sample_count(); }
 
  private:
+  void read_in_order(const std::vector<RefinedDocking>& dockings);
   bool may_use(std::uint32_t shape) const;
   float preference(const Candidate& candidate) const;
   float score_of(const Candidate& candidate) const;

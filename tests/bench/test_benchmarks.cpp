@@ -3,13 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+
 #include "bench/formula_library.h"
+#include "bench/scaling_case.h"
 #include "core/error.h"
 
 namespace tessera::bench {
 namespace {
 
-const Setting kQuick{.quick = true, .devices = "all"};
+const Setting kQuick{.quick = true, .devices = "all", .out = ""};
 
 const std::string& library() {
   static const test::FormulaLibrary made(12);
@@ -110,6 +114,48 @@ TEST(Benchmarks, Library) {
 
 TEST(Benchmarks, LibraryChecksItsSizes) {
   EXPECT_THROW(bench_library({}, {.library = library(), .sizes = {100, 0}}), InputError);
+}
+
+ScalingOptions scaling(const std::vector<int>& ranks, int repeats) {
+  ScalingOptions options;
+  options.library = library();
+  options.ranks = ranks;
+  options.repeats = repeats;
+  options.program = TESSERA_PROGRAM;
+  return options;
+}
+
+TEST(Benchmarks, Scaling) {
+  setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+  setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+  const test::ScratchFolder folder;
+  Setting setting = kQuick;
+  setting.out = folder.path("scaling.json");
+  const Report report = bench_scaling(setting, scaling({2, 3}, 1));
+  expect_head(report, "scaling");
+  const Json& cases = report.json.at("cases");
+  ASSERT_EQ(cases.size(), 4u) << "6 and 12 shapes on 1 and 2 workers";
+  for (const Json& c : cases) {
+    EXPECT_GT(c.at("loop_s").get<double>(), 0);
+    EXPECT_EQ(c.at("ranks").at("workers"), c.at("workers"));
+  }
+  for (const char* series : {"strong", "weak"}) {
+    ASSERT_EQ(report.json.at(series).size(), 2u);
+    EXPECT_EQ(report.json.at(series)[0].at("speed_up"), 1);
+    EXPECT_EQ(report.json.at(series)[1].at("shapes"), 12);
+  }
+  expect_keys(report.json.at("amdahl"), {"serial_s", "parallel_s", "serial_percent"});
+  for (const char* ending : {"csv", "svg", "png"}) {
+    EXPECT_TRUE(std::filesystem::file_size(folder.path("scaling." + std::string(ending))) > 100) << ending;
+  }
+  write_report(report, setting.out);
+  EXPECT_EQ(read_scaling_cases(setting.out).size(), 4u);
+}
+
+TEST(Benchmarks, ScalingChecksItsArguments) {
+  EXPECT_THROW(bench_scaling(kQuick, scaling({1, 2}, 3)), InputError);
+  EXPECT_THROW(bench_scaling(kQuick, scaling({2, 3}, 0)), InputError);
+  EXPECT_THROW(read_scaling_cases("none.json"), InputError);
 }
 
 TEST(Benchmarks, NameTheLibraryThatIsMissing) { EXPECT_THROW(bench_table2(kQuick, {"none.h5", {}}), InputError); }

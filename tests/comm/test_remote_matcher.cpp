@@ -41,11 +41,11 @@ class EchoMatcher : public Matcher {
   }
 
   void post_dock(const DockRequest& request) override { request_ = request; }
-  /// One docking for each sample and shape; its pose shows the field.
+  /// One docking for each sample and shape, best first; its pose shows the field.
   DockReply take_dock() override {
     DockReply reply;
     for (std::uint32_t t = 0; t < request_.samples.size(); ++t) {
-      for (std::uint32_t shape = shapes_.begin; shape < shapes_.end; ++shape) {
+      for (std::uint32_t shape = shapes_.end; shape-- > shapes_.begin;) {
         const float field_sum = field_(0, 0) + field_(field_.width() - 1, field_.height() - 1);
         reply.dockings.push_back({t, shape, request_.bin_limit[t], float(shape), {origin_.x, origin_.y, field_sum, 0}});
       }

@@ -49,14 +49,19 @@ inline std::vector<ShapeModel> models_of(const std::vector<Shape>& shapes, const
 class VectorShapes : public ShapeSource {
  public:
   explicit VectorShapes(const std::vector<Shape>& shapes) : shapes_(shapes) {
-    for (const Shape& shape : shapes) models_.push_back(make_shape_model(shape, PadParameters{}, PadParameters{}, {}));
+    for (const Shape& shape : shapes) {
+      models_.push_back(make_shape_model(shape, PadParameters{}, PadParameters{}, {}));
+      contours_.push_back({shape.outline, shape.perimeter, shape.radius});
+    }
   }
   const Shape& shape(std::uint32_t index) override { return shapes_.at(index); }
+  const ShapeContour& contour(std::uint32_t index) override { return contours_.at(index); }
   const ShapeModel& model(std::uint32_t index) override { return models_.at(index); }
 
  private:
   const std::vector<Shape>& shapes_;
   std::vector<ShapeModel> models_;
+  std::vector<ShapeContour> contours_;
 };
 
 }  // namespace tessera::test

@@ -12,7 +12,7 @@ namespace {
 using layout::Column;
 
 // Small enough that a rank's range wastes little at its ends, large enough to compress and to be worth a disk access.
-constexpr std::size_t kChunkBytes = 128 << 10;
+constexpr std::size_t kChunkBytes = 32 << 10;  // a field: the master reads shapes one at a time
 constexpr std::size_t kMaxChunkBytes = 16 << 20;  // that a reader accepts
 constexpr unsigned kDeflateLevel = 4;
 

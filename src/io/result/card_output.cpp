@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/number_text.h"
+#include "io/result/rank_table.h"
 
 namespace tessera::io {
 namespace {
@@ -128,8 +129,10 @@ std::string run_text(const RunStatistics& run) {
 
 }  // namespace
 
-std::string card_json(const Quality& quality, const RunStatistics& run) {
-  return Json{{"quality", quality_json(quality)}, {"run", run_json(run)}}.dump(2) + "\n";
+std::string card_json(const Quality& quality, const RunStatistics& run, const RankStatistics& ranks) {
+  Json card{{"quality", quality_json(quality)}, {"run", run_json(run)}};
+  if (!ranks.workers.empty()) card["ranks"] = ranks_json(ranks);
+  return card.dump(2) + "\n";
 }
 
 std::string card_text(const Quality& quality, const RunStatistics& run) {

@@ -7,6 +7,7 @@
 
 #include "core/canvas.h"
 #include "core/placement.h"
+#include "core/rank_statistics.h"
 #include "core/shape.h"
 #include "io/job/job_file.h"
 
@@ -21,6 +22,7 @@ struct CollageReport {
   std::vector<std::uint32_t> shape_index;
   std::vector<Shape> shapes;
   RunStatistics statistics;
+  RankStatistics ranks;
 
   /// Where library shape `index` is in `shapes`. Throws std::out_of_range where it is not.
   std::size_t slot_of(std::uint32_t index) const;

@@ -1,0 +1,209 @@
+#include "protocol_sim.h"
+
+#include <algorithm>
+#include <simgrid/s4u.hpp>
+#include <string>
+
+#include "core/portable_math.h"
+
+namespace tessera::bench {
+namespace {
+
+namespace sg4 = simgrid::s4u;
+
+constexpr int kRounds = 3;  // all alike
+constexpr double kFlopsPerSecond = 1e9;
+
+std::string host_name(int rank) { return "host" + std::to_string(rank); }
+
+void make_platform(int ranks, const Cluster& cluster) {
+  sg4::NetZone* zone = sg4::create_star_zone("cluster");
+  for (int rank = 0; rank < ranks; ++rank) {
+    sg4::Host* host = zone->create_host(host_name(rank), kFlopsPerSecond);
+    sg4::Link* link = zone->create_split_duplex_link("link" + std::to_string(rank), cluster.bytes_per_s)
+                          ->set_latency(cluster.latency_s / 2)
+                          ->seal();
+    const sg4::LinkInRoute up(link, sg4::LinkInRoute::Direction::UP);
+    zone->add_route(host->get_netpoint(), nullptr, nullptr, nullptr, {up}, true);
+  }
+  zone->seal();
+}
+
+/// The kinds of messages of a round, with what they weigh and what the workers do for them.
+struct Question {
+  double work_s;
+  double request_bytes;  // to each worker of a subtree, where `own`; else the same to all
+  double reply_bytes;
+  bool own;              // a part for each worker alone
+};
+
+std::vector<Question> questions_of(const RoundCosts& c) {
+  std::vector<Question> questions(std::size_t(c.counts), {c.count_s, c.request_bytes, c.reply_bytes, false});
+  questions.push_back({c.dock_s, c.request_bytes, c.reply_bytes, false});
+  questions.push_back({c.refine_s, c.refine_request_bytes, c.refine_reply_bytes, true});
+  return questions;
+}
+
+/// Who sends to whom. Rank 0 is the master.
+class Ranks {
+ public:
+  explicit Ranks(const Scenario& scenario) : tree_(scenario.protocol == Protocol::tree), size_(scenario.costs.workers + 1) {}
+
+  int size() const { return size_; }
+  int parent(int rank) const { return tree_ ? (rank - 1) / 2 : 0; }
+  std::vector<int> children(int rank) const {
+    std::vector<int> ranks;
+    if (tree_) {
+      for (int child = 2 * rank + 1; child <= 2 * rank + 2 && child < size_; ++child) ranks.push_back(child);
+    } else if (rank == 0) {
+      for (int child = 1; child < size_; ++child) ranks.push_back(child);
+    }
+    return ranks;
+  }
+  /// Itself and all below it.
+  int subtree(int rank) const {
+    int ranks = 1;
+    for (const int child : children(rank)) ranks += subtree(child);
+    return ranks;
+  }
+
+ private:
+  bool tree_;
+  int size_;
+};
+
+/// What one rank does in a scenario.
+class RankPlay {
+ public:
+  RankPlay(const Scenario& scenario, int rank)
+      : costs_(scenario.costs),
+        ranks_(scenario),
+        rank_(rank),
+        children_(ranks_.children(rank)) {
+    for (const int child : children_) subtrees_.push_back(ranks_.subtree(child));
+    // Deterministic, from -1 to 1: who is slower than others and by how much.
+    const double random = double(mix_bits(std::uint64_t(rank)) >> 11) / double(1ull << 53);
+    slowness_ = ranks_.size() > 2 ? 1 + costs_.imbalance * (2 * random - 1) : 1;
+    inbox(rank_)->set_receiver(sg4::Actor::self());
+    for (const int child : children_) outbox(child)->set_receiver(sg4::Actor::self());
+  }
+
+  double lead() {
+    for (int round = 0; round < kRounds; ++round) {
+      send_field();
+      for (const Question& question : questions_of(costs_)) {
+        pass_on(question, costs_.ask_s);
+        join();
+      }
+      compute(costs_.master_s);
+    }
+    return busy_s_;
+  }
+
+  void serve() {
+    for (int round = 0; round < kRounds; ++round) {
+      receive(inbox(rank_));
+      send_field();
+      compute(costs_.field_s);
+      for (const Question& question : questions_of(costs_)) {
+        receive(inbox(rank_));
+        pass_on(question, costs_.ask_s);
+        compute(question.work_s * slowness_ + costs_.messages_s);
+        join();
+        send(outbox(rank_), question.reply_bytes * (question.own ? ranks_.subtree(rank_) : 1));
+      }
+    }
+  }
+
+ private:
+  static sg4::Mailbox* inbox(int rank) { return sg4::Mailbox::by_name("to " + std::to_string(rank)); }
+  static sg4::Mailbox* outbox(int rank) { return sg4::Mailbox::by_name("from " + std::to_string(rank)); }
+
+  void compute(double seconds) {
+    if (seconds <= 0) return;
+    sg4::this_actor::execute(seconds * kFlopsPerSecond);
+    busy_s_ += seconds;
+  }
+
+  void send(sg4::Mailbox* mailbox, double bytes) {
+    static int message;
+    mailbox->put_init(&message, std::uint64_t(std::max(1., bytes)))->detach();
+  }
+
+  /// A rank that has waited sleeps between its looks.
+  void receive(sg4::Mailbox* mailbox) {
+    const double before_s = sg4::Engine::get_clock();
+    mailbox->get<int>();
+    if (sg4::Engine::get_clock() > before_s) sg4::this_actor::sleep_for(costs_.notice_s);
+  }
+
+  void send_field() {
+    for (const int child : children_) send(inbox(child), costs_.field_bytes);
+  }
+
+  void pass_on(const Question& question, double ask_s) {
+    for (std::size_t k = 0; k < children_.size(); ++k) {
+      compute(ask_s);
+      send(inbox(children_[k]), question.request_bytes * (question.own ? subtrees_[k] : 1));
+    }
+  }
+
+  void join() {
+    for (const int child : children_) {
+      receive_in_turn(child);
+      compute(costs_.join_s);
+    }
+  }
+
+  /// Answers arrive while others are waited for: only the first wait of a question is one of an idle rank.
+  void receive_in_turn(int child) {
+    if (child == children_.front()) {
+      receive(outbox(child));
+    } else {
+      outbox(child)->get<int>();
+    }
+  }
+
+  const RoundCosts& costs_;
+  Ranks ranks_;
+  int rank_;
+  std::vector<int> children_;
+  std::vector<int> subtrees_;
+  double slowness_ = 1;
+  double busy_s_ = 0;
+};
+
+SimulatedRound play(const Scenario& scenario) {
+  std::vector<sg4::ActorPtr> workers;
+  for (int rank = 1; rank <= scenario.costs.workers; ++rank) {
+    workers.push_back(sg4::Actor::create("worker" + std::to_string(rank), sg4::Host::by_name(host_name(rank)),
+                                         [&scenario, rank] { RankPlay(scenario, rank).serve(); }));
+  }
+  sg4::this_actor::sleep_for(1);  // all mailboxes have their receivers
+  const double before_s = sg4::Engine::get_clock();
+  const double busy_s = RankPlay(scenario, 0).lead();
+  const double round_s = (sg4::Engine::get_clock() - before_s) / kRounds;
+  for (const sg4::ActorPtr& worker : workers) worker->join();
+  return {round_s, busy_s / kRounds};
+}
+
+}  // namespace
+
+std::vector<SimulatedRound> simulate_rounds(const std::vector<Scenario>& scenarios, const Cluster& cluster) {
+  sg4::Engine engine("tessera");
+  // Links as they are; the default is made for TCP on Ethernet.
+  sg4::Engine::set_config("network/model:CM02");
+  sg4::Engine::set_config("network/TCP-gamma:0");
+  sg4::Engine::set_config("network/crosstraffic:no");
+  int ranks = 2;
+  for (const Scenario& scenario : scenarios) ranks = std::max(ranks, scenario.costs.workers + 1);
+  make_platform(ranks, cluster);
+  std::vector<SimulatedRound> rounds;
+  sg4::Actor::create("master", sg4::Host::by_name(host_name(0)), [&] {
+    for (const Scenario& scenario : scenarios) rounds.push_back(play(scenario));
+  });
+  engine.run();
+  return rounds;
+}
+
+}  // namespace tessera::bench

@@ -1,0 +1,36 @@
+// The protocol of master and workers (src/comm) on a simulated cluster, by SimGrid: the same messages in the same order,
+// with measured sizes, and time that passes instead of work.
+#pragma once
+
+#include <vector>
+
+#include "bench/round_model.h"
+
+namespace tessera::bench {
+
+/// Hosts around a switch, a rank each. A message crosses two links.
+struct Cluster {
+  double latency_s = 2e-6;    // from host to host
+  double bytes_per_s = 10e9;  // of a link, each way
+};
+
+/// How a question comes to all workers and the answers back.
+enum class Protocol {
+  star,  // as src/comm does: the master sends to each and joins the answers of each
+  tree,  // a rank passes on to two others and joins their answers with its own
+};
+
+struct Scenario {
+  RoundCosts costs;
+  Protocol protocol = Protocol::star;
+};
+
+struct SimulatedRound {
+  double round_s = 0;
+  double master_busy_s = 0;  // of it; the rest it waits
+};
+
+/// A mean round of each scenario. Only once in a process: SimGrid's engine cannot be started again.
+std::vector<SimulatedRound> simulate_rounds(const std::vector<Scenario>& scenarios, const Cluster& cluster);
+
+}  // namespace tessera::bench

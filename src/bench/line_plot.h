@@ -1,0 +1,32 @@
+// Curves over the number of workers, as SVG and as PNG.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tessera::bench {
+
+struct Curve {
+  std::string name;
+  std::vector<std::pair<double, double>> points;  // x ascending, from 1
+  bool ideal = false;                             // dashed and grey
+};
+
+/// One pair of axes; x, and y where it says so, in steps of powers of two.
+struct Panel {
+  std::string title;
+  std::string x_label;
+  std::string y_label;
+  bool log_y = false;
+  double greatest_y = 1;  // of the axis; it begins at 0, with log_y at 1
+  std::vector<Curve> curves;
+};
+
+/// The panels side by side.
+std::string plot_svg(const std::vector<Panel>& panels);
+
+/// `path`.svg and `path`.png. Throws EnvironmentError.
+void write_plot(const std::vector<Panel>& panels, const std::string& path);
+
+}  // namespace tessera::bench

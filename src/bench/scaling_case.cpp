@@ -1,0 +1,70 @@
+#include "bench/scaling_case.h"
+
+#include <fstream>
+
+#include "core/error.h"
+
+namespace tessera::bench {
+namespace {
+
+double value_at(const Json& json, const std::string& pointer, const std::string& name) {
+  const Json::json_pointer at(pointer);
+  if (!json.contains(at) || !json.at(at).is_number()) {
+    throw InputError(name + ": no number at " + pointer + "; allowed: what tessera collage or bench scaling wrote");
+  }
+  return json.at(at).get<double>();
+}
+
+}  // namespace
+
+ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::string& name) {
+  const auto value = [&](const std::string& pointer) { return value_at(ranks, pointer, name); };
+  const auto master = [&](const std::string& stage) { return value("/master/" + stage + "/seconds"); };
+  const auto average = [&](const std::string& stage) { return value("/worker/" + stage + "/average_s"); };
+  ScalingCase c;
+  c.workers = int(value("/workers"));
+  c.shapes = shapes;
+  c.loop_s = value("/loop_s");
+  c.rounds = value("/rounds");
+  c.samples = value("/samples");
+  c.objective_s = master("objective");
+  c.merge_s = master("merge");
+  c.questions_s = master("questions");
+  c.other_s = master("other");
+  c.waiting_s = master("waiting");
+  c.master_processor_s = master("processor");
+  c.count_s = average("count");
+  c.dock_s = average("dock");
+  c.refine_s = average("refine");
+  c.field_s = average("field");
+  c.messages_s = average("messages");
+  for (const char* stage : {"count", "dock", "refine", "field", "messages"}) {
+    c.busiest_s += value(std::string("/worker/") + stage + "/max_s");
+  }
+  c.processor_s = average("processor");
+  c.greatest_processor_s = value("/worker/processor/max_s");
+  c.counts = value("/worker/counts");
+  c.docks = value("/worker/docks");
+  c.refines = value("/worker/refines");
+  c.field_messages = value("/master/sent_field_messages") / c.workers;
+  c.bytes_to_worker = value("/master/sent_bytes") / c.workers;
+  c.field_bytes_to_worker = value("/master/sent_field_bytes") / c.workers;
+  c.bytes_from_worker = value("/worker/sent_bytes");
+  return c;
+}
+
+std::vector<ScalingCase> read_scaling_cases(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw InputError(path + ": not found; allowed: the JSON file of tessera bench scaling");
+  const Json report = Json::parse(file, nullptr, false);
+  if (report.is_discarded() || !report.contains("cases") || report.at("cases").empty()) {
+    throw InputError(path + ": has no cases; allowed: the JSON file of tessera bench scaling");
+  }
+  std::vector<ScalingCase> cases;
+  for (const Json& entry : report.at("cases")) {
+    cases.push_back(scaling_case(entry.at("ranks"), std::uint32_t(value_at(entry, "/shapes", path)), path));
+  }
+  return cases;
+}
+
+}  // namespace tessera::bench

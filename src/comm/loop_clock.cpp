@@ -1,0 +1,41 @@
+#include "comm/loop_clock.h"
+
+#include "comm/worker_team.h"
+
+namespace tessera::comm {
+namespace {
+
+MessageCount difference(const TrafficCount& now, const TrafficCount& before) {
+  return {now.messages - before.messages, now.bytes - before.bytes};
+}
+
+}  // namespace
+
+LoopClock::LoopClock(Communicator& ranks)
+    : ranks_(ranks),
+      waited_before_s_(ranks.waited_s()),
+      processor_before_s_(busy_processor_s(ranks)),
+      traffic_before_(ranks.traffic()) {}
+
+MasterTimes LoopClock::master_times(const RunStatistics& run) const {
+  MasterTimes times;
+  times.objective_s = run.objective_s;
+  times.merge_s = run.merge_s;
+  times.waiting_s = ranks_.waited_s() - waited_before_s_;
+  times.questions_s = run.prune_s + run.dock_s - times.waiting_s;
+  times.loop_s = run.total_s;
+  times.other_s = times.loop_s - times.objective_s - times.merge_s - times.questions_s - times.waiting_s;
+  times.processor_s = busy_processor_s(ranks_) - processor_before_s_;
+  const Traffic& now = ranks_.traffic();
+  times.sent = difference(now.sent_in_matching(), traffic_before_.sent_in_matching());
+  times.sent_fields = difference(now.sent(Tag::update_field), traffic_before_.sent(Tag::update_field));
+  return times;
+}
+
+RankStatistics LoopClock::stop(const RunStatistics& run) {
+  if (ranks_.size() == 1) return {};
+  const MasterTimes master = master_times(run);
+  return {master, gather_times(ranks_), run.rounds, run.target_samples};
+}
+
+}  // namespace tessera::comm

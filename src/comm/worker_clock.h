@@ -1,0 +1,64 @@
+// A worker's time in the loop, by stage.
+#pragma once
+
+#include "comm/communicator.h"
+#include "core/rank_statistics.h"
+#include "core/stopwatch.h"
+
+namespace tessera::comm {
+
+class WorkerClock {
+ public:
+  explicit WorkerClock(const Communicator& ranks) : ranks_(ranks) { start(); }
+
+  /// The loop begins: what was before does not count.
+  void start() {
+    times_ = {};
+    waited_before_s_ = ranks_.waited_s();
+    processor_before_s_ = busy_processor_s(ranks_);
+    sent_before_ = ranks_.traffic().sent_in_matching();
+    loop_ = Stopwatch();
+  }
+
+  /// Runs work() on the account of `stage`.
+  template <class Work>
+  auto measure(double WorkerTimes::*stage, Work&& work) {
+    const Charge charge{times_.*stage, Stopwatch()};
+    return work();
+  }
+  /// The same for a question that is counted.
+  template <class Work>
+  auto measure(double WorkerTimes::*stage, std::uint64_t WorkerTimes::*questions, Work&& work) {
+    ++(times_.*questions);
+    return measure(stage, work);
+  }
+
+  /// Up to now.
+  WorkerTimes times() const {
+    WorkerTimes times = times_;
+    times.loop_s = loop_.seconds();
+    times.waiting_s = ranks_.waited_s() - waited_before_s_;
+    times.messages_s =
+        times.loop_s - times.waiting_s - times.count_s - times.dock_s - times.refine_s - times.field_s;
+    times.processor_s = busy_processor_s(ranks_) - processor_before_s_;
+    const TrafficCount sent = ranks_.traffic().sent_in_matching();
+    times.sent = {sent.messages - sent_before_.messages, sent.bytes - sent_before_.bytes};
+    return times;
+  }
+
+ private:
+  struct Charge {
+    double& stage_s;
+    Stopwatch watch;
+    ~Charge() { stage_s += watch.seconds(); }
+  };
+
+  const Communicator& ranks_;
+  WorkerTimes times_;
+  Stopwatch loop_;
+  double waited_before_s_ = 0;
+  double processor_before_s_ = 0;
+  TrafficCount sent_before_;
+};
+
+}  // namespace tessera::comm

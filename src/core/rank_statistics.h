@@ -1,0 +1,77 @@
+// Where the ranks of a job spent the time of the loop, and what they sent to each other. Never decides anything about
+// the picture.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace tessera {
+
+/// Messages of matching that a rank sent; the transport's own headers are not counted.
+struct MessageCount {
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;
+
+  friend bool operator==(const MessageCount&, const MessageCount&) = default;
+};
+
+/// A worker between the start of the field and the end of the loop. The stages add up to loop_s.
+struct WorkerTimes {
+  double count_s = 0;
+  double dock_s = 0;
+  double refine_s = 0;
+  double field_s = 0;      // updates
+  double messages_s = 0;   // between question and matcher, and back: reading, writing and sending
+  double waiting_s = 0;    // for the next question
+  double loop_s = 0;
+  double processor_s = 0;  // of all threads, but for waiting; what others take from a core does not count
+  std::uint64_t counts = 0;  // questions of each kind
+  std::uint64_t docks = 0;
+  std::uint64_t refines = 0;
+  MessageCount sent;
+
+  friend bool operator==(const WorkerTimes&, const WorkerTimes&) = default;
+};
+
+/// The master in the loop. The stages add up to loop_s.
+struct MasterTimes {
+  double objective_s = 0;
+  double merge_s = 0;
+  double questions_s = 0;  // asking, and joining the answers
+  double waiting_s = 0;    // for the workers
+  double other_s = 0;
+  double loop_s = 0;
+  double processor_s = 0;
+  MessageCount sent;
+  MessageCount sent_fields;  // of it: patches of the free field
+
+  /// While it lasts no worker has anything to do, unless messages cross.
+  double serial_s() const { return loop_s - waiting_s; }
+};
+
+struct RankStatistics {
+  MasterTimes master;
+  std::vector<WorkerTimes> workers;  // of rank 1, 2, ...; none: the master matched by itself
+  std::uint64_t rounds = 0;
+  std::uint64_t target_samples = 0;
+};
+
+/// The stages of a worker's and of the master's time, in the order of a round, by the names of the table and the card.
+template <class Times>
+struct TimedStage {
+  std::string_view name;
+  double Times::*seconds;
+};
+
+inline constexpr TimedStage<WorkerTimes> kWorkerStages[] = {
+    {"count", &WorkerTimes::count_s},       {"dock", &WorkerTimes::dock_s},         {"refine", &WorkerTimes::refine_s},
+    {"field", &WorkerTimes::field_s},       {"messages", &WorkerTimes::messages_s}, {"waiting", &WorkerTimes::waiting_s}};
+
+inline constexpr TimedStage<MasterTimes> kMasterStages[] = {{"objective", &MasterTimes::objective_s},
+                                                            {"merge", &MasterTimes::merge_s},
+                                                            {"questions", &MasterTimes::questions_s},
+                                                            {"waiting", &MasterTimes::waiting_s},
+                                                            {"other", &MasterTimes::other_s}};
+
+}  // namespace tessera

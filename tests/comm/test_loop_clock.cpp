@@ -1,0 +1,129 @@
+// Where the ranks' time went: each rank's stages add up to its loop, and what was sent is what the others got.
+#include "comm/loop_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "comm/matcher_server.h"
+#include "comm/worker_team.h"
+#include "core/stopwatch.h"
+#include "job_fixture.h"
+#include "on_all_ranks.h"
+
+namespace tessera::comm {
+namespace {
+
+using test::on_all_ranks;
+using test::run_job;
+
+constexpr std::chrono::milliseconds kNap{20};
+constexpr double kNap_s = 0.02;
+constexpr double kRounding_s = 1e-6;
+
+/// Takes its time to count; has nothing to dock or refine.
+class SlowCounter : public Matcher {
+ public:
+  explicit SlowCounter(ShapeRange shapes) : shapes_(shapes) {}
+  ShapeRange shapes() const override { return shapes_; }
+  void start_field(int, int, Vec2) override {}
+  void update_field(const FieldPatch&) override {}
+  void post_count(const CountRequest& request) override { samples_ = request.samples.size(); }
+  std::vector<DistanceHistogram> take_count() override {
+    std::this_thread::sleep_for(kNap);
+    return std::vector<DistanceHistogram>(samples_);
+  }
+  void post_dock(const DockRequest&) override {}
+  DockReply take_dock() override { return {}; }
+  void post_refine(const std::vector<Docking>&) override {}
+  std::vector<RefinedDocking> take_refine() override { return {}; }
+
+ private:
+  ShapeRange shapes_;
+  std::size_t samples_ = 0;
+};
+
+template <class Times, class Stages>
+double sum_of_stages(const Times& times, const Stages& stages) {
+  double sum_s = 0;
+  for (const auto& stage : stages) {
+    EXPECT_GE(times.*stage.seconds, 0) << stage.name;
+    sum_s += times.*stage.seconds;
+  }
+  return sum_s;
+}
+
+/// A loop of two rounds; counts in `run` what a master would.
+void play_loop(Matcher& team, RunStatistics& run) {
+  const Stopwatch loop;
+  team.start_field(3, 2, {});
+  for (run.rounds = 0; run.rounds < 2; ++run.rounds) {
+    Stopwatch stage;
+    team.update_field({{0, 0, 3, 2}, std::vector<float>(6)});
+    run.merge_s += stage.lap();
+    team.post_count({std::vector<TargetSample>(5), std::vector<std::uint32_t>(5, 9)});
+    team.take_count();
+    run.prune_s += stage.lap();
+    team.post_dock({});
+    team.take_dock();
+    run.dock_s += stage.lap();
+  }
+  run.total_s = loop.seconds();
+}
+
+void expect_master(const MasterTimes& master, int workers) {
+  EXPECT_NEAR(sum_of_stages(master, kMasterStages), master.loop_s, kRounding_s);
+  EXPECT_GE(master.waiting_s, 2 * kNap_s * 0.9);
+  EXPECT_EQ(master.sent.messages, std::uint64_t(workers) * (1 + 2 * 3));
+  EXPECT_EQ(master.sent_fields.messages, std::uint64_t(workers) * 2);
+  EXPECT_GE(master.sent_fields.bytes, master.sent_fields.messages * 6 * sizeof(float));
+  EXPECT_LT(master.sent_fields.bytes, master.sent.bytes);
+}
+
+void expect_worker(const WorkerTimes& worker) {
+  EXPECT_NEAR(sum_of_stages(worker, kWorkerStages), worker.loop_s, kRounding_s);
+  EXPECT_GE(worker.count_s, 2 * kNap_s * 0.99);
+  EXPECT_EQ(worker.counts, 2u);
+  EXPECT_EQ(worker.docks, 2u);
+  EXPECT_EQ(worker.refines, 0u);
+  EXPECT_EQ(worker.sent.messages, 4u);
+  EXPECT_GE(worker.sent.bytes, 2 * 5 * sizeof(DistanceHistogram));
+}
+
+TEST(LoopClock, StagesOfEveryRankAddUpLoopAfterLoop) {
+  on_all_ranks([](Communicator& ranks) {
+    if (ranks.size() == 1) return;
+    const auto outcome = run_job(
+        ranks,
+        [](Communicator& c) {
+          const auto team = gather_workers(c);
+          for (int loop = 0; loop < 2; ++loop) {
+            LoopClock clock(c);
+            RunStatistics run;
+            play_loop(*team, run);
+            const RankStatistics times = clock.stop(run);
+            EXPECT_EQ(times.rounds, 2u);
+            expect_master(times.master, c.size() - 1);
+            EXPECT_EQ(times.workers.size(), std::size_t(c.size() - 1));
+            for (const WorkerTimes& worker : times.workers) expect_worker(worker);
+          }
+          return 0;
+        },
+        [](Communicator& c) {
+          SlowCounter matcher({std::uint32_t(c.rank()), std::uint32_t(c.rank() + 1)});
+          serve(c, matcher);
+        });
+    EXPECT_EQ(outcome.result.exit_code, 0);
+  });
+}
+
+TEST(LoopClock, AMasterWithoutWorkersHasNothingToSay) {
+  on_all_ranks([](Communicator& ranks) {
+    if (ranks.size() > 1) return;
+    EXPECT_TRUE(LoopClock(ranks).stop({}).workers.empty());
+  });
+}
+
+}  // namespace
+}  // namespace tessera::comm
