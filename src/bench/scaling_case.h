@@ -36,9 +36,9 @@ struct ScalingCase {
   double counts = 0;  // questions
   double docks = 0;
   double refines = 0;
-  double field_messages = 0;        // to one worker
-  double bytes_to_worker = 0;       // to one worker
-  double field_bytes_to_worker = 0; // of them
+  double field_messages = 0;         // to one worker
+  double bytes_to_worker = 0;        // to one worker
+  double field_bytes_to_worker = 0;  // of them
   double bytes_from_worker = 0;
 
   double serial_s() const { return loop_s - waiting_s; }
