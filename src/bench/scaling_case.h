@@ -43,7 +43,7 @@ struct ScalingCase {
 
   double serial_s() const { return loop_s - waiting_s; }
   /// What the loop takes where nobody else wants the cores: the master's processor time and the busiest worker's, which
-  /// never run together.
+  /// hardly run at the same time.
   double undisturbed_s() const { return master_processor_s + greatest_processor_s; }
 };
 
