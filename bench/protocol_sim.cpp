@@ -34,7 +34,7 @@ struct Question {
   double work_s;
   double request_bytes;  // to each worker of a subtree, where `own`; else the same to all
   double reply_bytes;
-  bool own;              // a part for each worker alone
+  bool own;  // a part for each worker alone
 };
 
 std::vector<Question> questions_of(const RoundCosts& c) {
@@ -47,7 +47,9 @@ std::vector<Question> questions_of(const RoundCosts& c) {
 /// Who sends to whom. Rank 0 is the master.
 class Ranks {
  public:
-  explicit Ranks(const Scenario& scenario) : tree_(scenario.protocol == Protocol::tree), size_(scenario.costs.workers + 1) {}
+  explicit Ranks(const Scenario& scenario)
+      : tree_(scenario.protocol == Protocol::tree),
+        size_(scenario.costs.workers + 1) {}
 
   int size() const { return size_; }
   int parent(int rank) const { return tree_ ? (rank - 1) / 2 : 0; }

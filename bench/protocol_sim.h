@@ -1,5 +1,5 @@
-// The protocol of master and workers (src/comm) on a simulated cluster, by SimGrid: the same messages in the same order,
-// with measured sizes, and time that passes instead of work.
+// The protocol of master and workers (src/comm) on a cluster that SimGrid simulates: the same messages in the same
+// order, with measured sizes, and time that passes instead of work.
 #pragma once
 
 #include <vector>

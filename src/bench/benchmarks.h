@@ -49,7 +49,7 @@ Report bench_library(const Setting& setting, const LibraryOptions& options);
 
 struct ScalingOptions {
   std::string library;
-  std::uint32_t shapes = 0;         // for the most workers; beyond the library's, mirrored and stretched ones; 0 = its own
+  std::uint32_t shapes = 0;         // for the most workers; beyond the library's, varied ones; 0 = the library's
   std::vector<int> ranks = {2, 3};  // one of them the master
   int pieces = 20;
   int size_px = 600;  // of the square canvas

@@ -27,10 +27,7 @@ std::string number(double value) { return io::fixed(value, 2); }
 
 class PanelDrawing {
  public:
-  PanelDrawing(io::XmlWriter& svg, const Panel& panel, double left)
-      : svg_(svg),
-        panel_(panel),
-        left_(left + kLeft) {
+  PanelDrawing(io::XmlWriter& svg, const Panel& panel, double left) : svg_(svg), panel_(panel), left_(left + kLeft) {
     for (const Curve& curve : panel.curves) {
       for (const auto& [x, y] : curve.points) greatest_x_ = std::max(greatest_x_, x);
     }
@@ -42,8 +39,8 @@ class PanelDrawing {
     y_axis();
     int colour = 0;
     // Speed-ups leave the upper left corner free, efficiencies the lower one.
-    double legend_y = panel_.log_y ? kTop + kLegendLine
-                                   : kTop + height() - kLegendLine * (double(panel_.curves.size()) - 0.5);
+    double legend_y =
+        panel_.log_y ? kTop + kLegendLine : kTop + height() - kLegendLine * (double(panel_.curves.size()) - 0.5);
     for (const Curve& curve : panel_.curves) {
       const char* stroke = curve.ideal ? kGrey : kColours[std::size_t(colour++) % kColours.size()];
       draw_curve(curve, stroke);
@@ -59,7 +56,8 @@ class PanelDrawing {
 
   double x_at(double x) const { return left_ + width() * std::log2(x) / std::log2(greatest_x_); }
   double y_at(double y) const {
-    const double part = panel_.log_y ? std::log2(std::max(y, 1.)) / std::log2(panel_.greatest_y) : y / panel_.greatest_y;
+    const double part =
+        panel_.log_y ? std::log2(std::max(y, 1.)) / std::log2(panel_.greatest_y) : y / panel_.greatest_y;
     return kTop + height() * (1 - std::clamp(part, 0., 1.));
   }
 
@@ -95,7 +93,8 @@ class PanelDrawing {
     if (panel_.log_y) {
       for (double y = 1; y <= panel_.greatest_y; y *= 2) y_tick(y, io::fixed(y, 0));
     } else {
-      for (int step = 0; step <= 5; ++step) y_tick(panel_.greatest_y * step / 5, short_number(panel_.greatest_y * step / 5));
+      for (int step = 0; step <= 5; ++step)
+        y_tick(panel_.greatest_y * step / 5, short_number(panel_.greatest_y * step / 5));
     }
     text(left_ - kLeft + 10, kTop - 16, panel_.y_label, "start", 13);
   }

@@ -18,9 +18,7 @@ double own_shapes(const Load& job) { return double(job.shapes) / job.workers; }
 
 Values constant(const Load&) { return {1}; }
 /// The denser the library, the nearer the best pairs, and the shorter the reach within which they are looked for.
-Values by_own_shapes(const Load& job) {
-  return {1, own_shapes(job), own_shapes(job) / std::sqrt(double(job.shapes))};
-}
+Values by_own_shapes(const Load& job) { return {1, own_shapes(job), own_shapes(job) / std::sqrt(double(job.shapes))}; }
 Values by_share(const Load& job) { return {1, share(job)}; }
 /// Of so many candidates, drawn evenly, so many shapes differ: the master reads these. And it asks every worker.
 Values by_shapes_read_and_workers(const Load& job) {
@@ -72,7 +70,8 @@ std::vector<double> fit_non_negative(const std::vector<std::vector<double>>& fea
     }
     Eigen::MatrixXd a(b.size(), Eigen::Index(columns.size()));
     for (Eigen::Index row = 0; row < a.rows(); ++row) {
-      for (Eigen::Index k = 0; k < a.cols(); ++k) a(row, k) = features[std::size_t(row)][std::size_t(columns[std::size_t(k)])];
+      for (Eigen::Index k = 0; k < a.cols(); ++k)
+        a(row, k) = features[std::size_t(row)][std::size_t(columns[std::size_t(k)])];
     }
     const Eigen::VectorXd x = a.completeOrthogonalDecomposition().solve(b);
     const double error = (a * x - b).squaredNorm();

@@ -1,8 +1,8 @@
 // What a round costs each rank and each message, for any number of workers and shapes, from measured runs.
 //
-// A stage's time is a sum of parts that are known to grow with something: the shapes of a worker (every pair is tested),
-// its share of the dockings (a fixed number over the whole library), the different shapes that the master reads, or
-// nothing. How much of each, the measured runs say: least squares with no part below zero.
+// A stage's time is a sum of parts that are known to grow with something: the shapes of a worker (every pair is
+// tested), its share of the dockings (a fixed number over the whole library), the different shapes that the master
+// reads, or nothing. How much of each, the measured runs say: least squares with no part below zero.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@
 namespace tessera::bench {
 
 /// Coefficients >= 0 that bring features * coefficients nearest to `values`; rows of `features` are observations.
-std::vector<double> fit_non_negative(const std::vector<std::vector<double>>& features, const std::vector<double>& values);
+std::vector<double> fit_non_negative(const std::vector<std::vector<double>>& features,
+                                     const std::vector<double>& values);
 
 struct Load {
   int workers = 1;
@@ -27,17 +28,17 @@ enum class Clock { wall, processor };
 /// A mean round. Seconds and bytes for each question and worker, unless another word is said.
 struct RoundCosts {
   int workers = 1;
-  int counts = 1;            // questions of that kind; dock and refine are asked once
-  double master_s = 0;       // a round: merge, objective, other
-  double ask_s = 0;          // the master, for each worker it sends a question to; the field's patch counts with them
-  double join_s = 0;         // the master, for each answer it joins
+  int counts = 1;       // questions of that kind; dock and refine are asked once
+  double master_s = 0;  // a round: merge, objective, other
+  double ask_s = 0;     // the master, for each worker it sends a question to; the field's patch counts with them
+  double join_s = 0;    // the master, for each answer it joins
   double field_s = 0;
   double count_s = 0;
   double dock_s = 0;
   double refine_s = 0;
-  double messages_s = 0;     // a worker, for each question
-  double notice_s = 0;       // from the arrival of a message until the sleeping rank sees it
-  double imbalance = 0;      // a worker's times are up to this fraction longer or shorter
+  double messages_s = 0;  // a worker, for each question
+  double notice_s = 0;    // from the arrival of a message until the sleeping rank sees it
+  double imbalance = 0;   // a worker's times are up to this fraction longer or shorter
   double field_bytes = 0;
   double request_bytes = 0;  // count and dock
   double reply_bytes = 0;

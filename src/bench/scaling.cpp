@@ -52,14 +52,16 @@ void check(const ScalingOptions& options) {
                        ", one of them the master");
     }
   }
-  if (options.repeats < 1) throw InputError("--repeats: found " + std::to_string(options.repeats) + "; allowed: from 1");
+  if (options.repeats < 1)
+    throw InputError("--repeats: found " + std::to_string(options.repeats) + "; allowed: from 1");
 }
 
 /// As many shapes for the most workers as asked for, and their share for fewer: the first numbers of both scalings.
 std::vector<std::uint32_t> weak_sizes(std::uint32_t shapes, const std::vector<int>& workers) {
   std::set<std::uint32_t> sizes;
   for (const int w : workers) {
-    sizes.insert(std::max<std::uint32_t>(1, std::uint32_t(std::uint64_t(shapes) * std::uint64_t(w) / std::uint64_t(workers.back()))));
+    sizes.insert(std::max<std::uint32_t>(
+        1, std::uint32_t(std::uint64_t(shapes) * std::uint64_t(w) / std::uint64_t(workers.back()))));
   }
   return {sizes.begin(), sizes.end()};
 }
@@ -124,7 +126,9 @@ std::string file_text(const std::string& path) {
 
 void check_same_pieces(const Plan& plan) {
   for (const std::uint32_t shapes : plan.shapes) {
-    const auto pieces = [&](int workers) { return file_text(result_folder(plan, workers, shapes) + "/pieces.geojson"); };
+    const auto pieces = [&](int workers) {
+      return file_text(result_folder(plan, workers, shapes) + "/pieces.geojson");
+    };
     for (const int workers : plan.workers) {
       if (pieces(workers) != pieces(plan.workers.front())) {
         throw EnvironmentError("pieces.geojson of " + result_folder(plan, workers, shapes) + " differs from that of " +
@@ -150,7 +154,8 @@ std::vector<Repeated> run_all(const Plan& plan, const io::LibraryFile& library) 
     }
   }
   for (Repeated& c : cases) {
-    std::sort(c.runs.begin(), c.runs.end(), [](const auto& a, const auto& b) { return a.first.loop_s < b.first.loop_s; });
+    std::sort(c.runs.begin(), c.runs.end(),
+              [](const auto& a, const auto& b) { return a.first.loop_s < b.first.loop_s; });
   }
   check_same_pieces(plan);
   return cases;
@@ -171,8 +176,12 @@ double median_of(const Repeated& c, Figure figure) {
   return values[values.size() / 2];
 }
 
-double loop_s(const Repeated& c) { return median_of(c, [](const ScalingCase& run) { return run.loop_s; }); }
-double undisturbed_s(const Repeated& c) { return median_of(c, [](const ScalingCase& run) { return run.undisturbed_s(); }); }
+double loop_s(const Repeated& c) {
+  return median_of(c, [](const ScalingCase& run) { return run.loop_s; });
+}
+double undisturbed_s(const Repeated& c) {
+  return median_of(c, [](const ScalingCase& run) { return run.undisturbed_s(); });
+}
 double master_percent(const Repeated& c) {
   return median_of(c, [](const ScalingCase& run) { return 100 * run.serial_s() / run.loop_s; });
 }
@@ -267,8 +276,8 @@ std::string csv(const std::vector<Repeated>& cases) {
   for (const Repeated& c : cases) {
     const ScalingCase& t = c.typical();
     text += std::to_string(c.workers) + "," + std::to_string(c.shapes);
-    for (const double value : {t.loop_s, t.undisturbed_s(), t.serial_s(), t.count_s, t.dock_s, t.refine_s, t.messages_s,
-                               t.busiest_s}) {
+    for (const double value :
+         {t.loop_s, t.undisturbed_s(), t.serial_s(), t.count_s, t.dock_s, t.refine_s, t.messages_s, t.busiest_s}) {
       text += "," + io::fixed(value, 6);
     }
     text += "," + io::fixed(t.bytes_to_worker, 0) + "," + io::fixed(t.bytes_from_worker, 0) + "\n";

@@ -36,14 +36,14 @@ struct ScalingCase {
   double counts = 0;  // questions
   double docks = 0;
   double refines = 0;
-  double field_messages = 0;        // to one worker
-  double bytes_to_worker = 0;       // to one worker
-  double field_bytes_to_worker = 0; // of them
+  double field_messages = 0;         // to one worker
+  double bytes_to_worker = 0;        // to one worker
+  double field_bytes_to_worker = 0;  // of them
   double bytes_from_worker = 0;
 
   double serial_s() const { return loop_s - waiting_s; }
   /// What the loop takes where nobody else wants the cores: the master's processor time and the busiest worker's, which
-  /// never run together.
+  /// hardly run at the same time.
   double undisturbed_s() const { return master_processor_s + greatest_processor_s; }
 };
 

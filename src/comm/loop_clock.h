@@ -12,7 +12,7 @@ class LoopClock {
   /// The loop is about to begin; the communicator outlives the clock.
   explicit LoopClock(Communicator& ranks);
 
-  /// The loop is over, and these are its own times. Asks the workers for theirs; without workers there is nothing to say.
+  /// The loop is over, and these are its own times. Asks the workers for theirs; empty without workers.
   RankStatistics stop(const RunStatistics& run);
 
  private:

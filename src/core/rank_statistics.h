@@ -21,11 +21,11 @@ struct WorkerTimes {
   double count_s = 0;
   double dock_s = 0;
   double refine_s = 0;
-  double field_s = 0;      // updates
-  double messages_s = 0;   // between question and matcher, and back: reading, writing and sending
-  double waiting_s = 0;    // for the next question
+  double field_s = 0;     // updates
+  double messages_s = 0;  // between question and matcher, and back: reading, writing and sending
+  double waiting_s = 0;   // for the next question
   double loop_s = 0;
-  double processor_s = 0;  // of all threads, but for waiting; what others take from a core does not count
+  double processor_s = 0;    // of all threads, but for waiting; what others take from a core does not count
   std::uint64_t counts = 0;  // questions of each kind
   std::uint64_t docks = 0;
   std::uint64_t refines = 0;
@@ -34,7 +34,7 @@ struct WorkerTimes {
   friend bool operator==(const WorkerTimes&, const WorkerTimes&) = default;
 };
 
-/// The master in the loop. The stages add up to loop_s.
+/// The master in the loop. The stages add up to loop_s; the processor time includes the collage's set-up before it.
 struct MasterTimes {
   double objective_s = 0;
   double merge_s = 0;
@@ -65,8 +65,8 @@ struct TimedStage {
 };
 
 inline constexpr TimedStage<WorkerTimes> kWorkerStages[] = {
-    {"count", &WorkerTimes::count_s},       {"dock", &WorkerTimes::dock_s},         {"refine", &WorkerTimes::refine_s},
-    {"field", &WorkerTimes::field_s},       {"messages", &WorkerTimes::messages_s}, {"waiting", &WorkerTimes::waiting_s}};
+    {"count", &WorkerTimes::count_s}, {"dock", &WorkerTimes::dock_s},         {"refine", &WorkerTimes::refine_s},
+    {"field", &WorkerTimes::field_s}, {"messages", &WorkerTimes::messages_s}, {"waiting", &WorkerTimes::waiting_s}};
 
 inline constexpr TimedStage<MasterTimes> kMasterStages[] = {{"objective", &MasterTimes::objective_s},
                                                             {"merge", &MasterTimes::merge_s},

@@ -35,7 +35,8 @@ TEST(ProtocolSim, AsByHand) {
                                                               {noticed, Protocol::star}},
                                                              kSlowNetwork);
   // The worker is at the field from 1 to 4 ms, while the count is asked and comes; then it counts for 100.1 ms, and the
-  // answer takes 1 ms: 105.1. Dock: 1 ms to ask, 1 on the way, 50.1, 1 on the way; refine: 1 + 1 + 20.1 + 1. Three answers joined, 2 ms each, and 10 ms of its own.
+  // answer takes 1 ms: 105.1. Dock: 1 ms to ask, 1 on the way, 50.1, 1 on the way; refine: 1 + 1 + 20.1 + 1.
+  // Three answers joined, 2 ms each, and 10 ms of its own.
   EXPECT_NEAR(rounds[0].round_s, 0.1051 + 0.0531 + 0.0231 + 3 * 0.002 + 0.010, 1e-6);
   EXPECT_NEAR(rounds[0].master_busy_s, 3 * (0.001 + 0.002) + 0.010, 1e-9);
   // The second worker is asked 1 ms after the first and answers 1 ms after it, while the first answer is joined.

@@ -6,8 +6,8 @@
 namespace tessera::bench {
 namespace {
 
-/// A run of ten rounds as a machine would give that counts 1 ms a thousand shapes, docks 40 ms over all workers, and has
-/// a master that takes 5 ms and 0.5 ms a worker.
+/// A run of ten rounds as a machine would give that counts 1 ms a thousand shapes, docks 40 ms over all workers, and
+/// has a master that takes 5 ms and 0.5 ms a worker.
 ScalingCase made_up(int workers, std::uint32_t shapes) {
   ScalingCase c;
   c.workers = workers;

@@ -33,8 +33,8 @@ Spread spread_of(const std::vector<WorkerTimes>& workers, Figure figure) {
   return spread;
 }
 
-/// A line a stage: least, average and greatest seconds over the workers, share of the loop, imbalance; then the master's
-/// stages, then messages. Lines of less than 80 characters. Empty where there was no worker.
+/// A line a stage: least, average and greatest seconds over the workers, share of the loop, imbalance; then the
+/// master's stages, then messages. Lines of less than 80 characters. Empty where there was no worker.
 std::string ranks_text(const RankStatistics& ranks);
 
 /// The same for programs. Its keys differ from those of the card's other sections.
