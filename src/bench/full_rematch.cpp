@@ -36,7 +36,7 @@ master::CollageResult make_collage_afresh(const Canvas& canvas, const CollageSet
     }
   }
   statistics.total_s = watch.seconds();
-  return {collage.placements(), statistics};
+  return {collage.placements(), statistics, false, statistics};
 }
 
 }  // namespace tessera::bench

@@ -94,7 +94,7 @@ std::string write(const std::string& folder, const io::Job& job, const Canvas& c
 
 /// Nothing where mpirun is ending the job: it may have ended workers already, who would never answer.
 RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
-  return stop_signalled() ? RankStatistics{} : clock.stop(result.statistics);
+  return stop_signalled() ? RankStatistics{} : clock.stop(result.own_work);
 }
 
 Start start_of(const CollageArguments& arguments) {

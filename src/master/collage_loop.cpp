@@ -28,14 +28,14 @@ class Run {
     if (improving_) improve();
     statistics_.total_s = seconds();
     if (unfinished_ && keeper_) keeper_->keep(state());
-    return {collage_.placements(), statistics_, unfinished_};
+    return {collage_.placements(), statistics_, unfinished_, own_work()};
   }
 
  private:
   void restore(const CheckpointState& from) {
     collage_.restore(from);
     statistics_ = from.statistics;
-    earlier_s_ = from.statistics.total_s;
+    earlier_ = from.statistics;
     improving_ = from.improving;
   }
 
@@ -115,8 +115,20 @@ class Run {
     return true;
   }
 
+  RunStatistics own_work() const {
+    RunStatistics work = trial_work_;
+    work.total_s = watch_.seconds();
+    work.prune_s += statistics_.prune_s - earlier_.prune_s;
+    work.dock_s += statistics_.dock_s - earlier_.dock_s;
+    work.objective_s += statistics_.objective_s - earlier_.objective_s;
+    work.merge_s += statistics_.merge_s - earlier_.merge_s;
+    work.rounds += statistics_.rounds - earlier_.rounds;
+    work.target_samples += statistics_.target_samples - earlier_.target_samples;
+    return work;
+  }
+
   /// Of the run as a whole, what came before an interruption included.
-  double seconds() const { return earlier_s_ + watch_.seconds(); }
+  double seconds() const { return earlier_.total_s + watch_.seconds(); }
 
   const Canvas& canvas_;
   const CollageSettings& settings_;
@@ -128,7 +140,7 @@ class Run {
   RunStatistics trial_work_;
   Filling filling_;
   Stopwatch watch_;
-  double earlier_s_ = 0;
+  RunStatistics earlier_;  // before an interruption
   bool improving_ = false;
   bool unfinished_ = false;
 };

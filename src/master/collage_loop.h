@@ -16,6 +16,7 @@ struct CollageResult {
   std::vector<Placement> placements;
   RunStatistics statistics;
   bool unfinished = false;  // the observer asked to stop, and there was more to do
+  RunStatistics own_work;   // of this call alone, trials included: times, rounds and target samples
 };
 
 /// Where the loop starts, and where its state is kept.
