@@ -45,7 +45,7 @@ Target load_target(global const SampleRecord* sample) {
   return target;
 }
 
-// core/pad_filter.h: PadWindow, ScaleWindow and the signs that fit.
+// What the filter lets through of a target sample and one level (core/pad_filter.h).
 typedef struct FilterWindow {
   uchar low[kPadElements];
   uchar width;
@@ -56,9 +56,8 @@ typedef struct FilterWindow {
 
 void set_pad_window(FilterWindow* window, global const SampleRecord* sample) {
   window->signs = (uchar)sample->signs;
-  const uint most = ((sample->reach - 1) >> 8) + 1;
-  window->width = (uchar)min(2 * most, 255u);
-  for (int e = 0; e < kPadElements; ++e) window->low[e] = (uchar)((sample->element[e] >> 8) - most);
+  window->width = (uchar)sample->pad_width;
+  for (int e = 0; e < kPadElements; ++e) window->low[e] = (uchar)sample->pad_low[e];
 }
 
 // Bit i is set where source i of the block may be near.

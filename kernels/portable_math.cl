@@ -43,12 +43,6 @@ int any_lane(int16 mask) {
   return c.x | c.y;
 }
 
-// Bit k for lane k.
-uint lane_bits(int16 mask) {
-  const int16 bits = mask & (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
-  return (uint)any_lane(bits);
-}
-
 int count_lanes(int16 mask) {
   const int8 a = mask.lo + mask.hi;
   const int4 b = a.lo + a.hi;

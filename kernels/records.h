@@ -94,9 +94,12 @@ typedef struct SampleRecord {
   u32 held_reach;      // steps: those nearer than this are on the device already
   float scale_length;  // of the interval that estimates the scale before any alignment
   float convexity;
-  u32 element[kMaxPadElements];         // steps
-  u32 signs;                            // core/pad_filter.h
-  u32 scale_low[kSmoothingLevelCount];  // core/pad_filter.h: ScaleWindow of each level in use
+  u32 element[kMaxPadElements];  // steps
+  // core/pad_filter.h: the signs that fit, PadWindow for the reach, ScaleWindow of each level in use.
+  u32 signs;
+  u32 pad_low[kMaxPadElements];
+  u32 pad_width;
+  u32 scale_low[kSmoothingLevelCount];
   u32 scale_width[kSmoothingLevelCount];
   float keypoint_x[kMaxKeypoints];
   float keypoint_y[kMaxKeypoints];

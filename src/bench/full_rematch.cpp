@@ -1,6 +1,5 @@
 #include "bench/full_rematch.h"
 
-#include "bench/library_matcher.h"
 #include "core/stopwatch.h"
 #include "master/collage.h"
 

@@ -3,7 +3,6 @@
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
 #include "bench/formula_shapes.h"
-#include "bench/library_matcher.h"
 #include "bench/timing.h"
 #include "core/free_field.h"
 #include "core/level_curve.h"

@@ -13,10 +13,4 @@ std::unique_ptr<Matcher> library_matcher(const io::LibraryFile& library, std::si
                                      io::models_of(library, context));
 }
 
-std::uint64_t pads_per_shape(const MatchingContext& context) {
-  std::uint64_t pads = 0;
-  for (const int level : context.levels) pads += std::uint64_t(kSmoothingLevels[level].samples);
-  return pads;
-}
-
 }  // namespace tessera::bench

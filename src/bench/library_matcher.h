@@ -19,7 +19,4 @@ namespace tessera::bench {
 std::unique_ptr<Matcher> library_matcher(const io::LibraryFile& library, std::size_t shapes,
                                          const CollageSettings& settings, const std::string& devices_use);
 
-/// Of one shape, over all levels in use.
-std::uint64_t pads_per_shape(const MatchingContext& context);
-
 }  // namespace tessera::bench

@@ -4,7 +4,6 @@
 #include "bench/device_peak.h"
 #include "bench/devices.h"
 #include "bench/formula_shapes.h"
-#include "bench/library_matcher.h"
 #include "bench/timing.h"
 #include "core/free_field.h"
 #include "core/match_round.h"

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "io/atomic_file.h"
+#include "io/number_text.h"
 
 namespace tessera::bench {
 
@@ -31,7 +32,7 @@ std::string short_number(double value) {
   return text;
 }
 
-double rounded(double value) { return std::round(value * 1000) / 1000; }
+double rounded(double value) { return io::rounded(value, 3); }
 
 void write_report(const Report& report, const std::string& path) {
   io::write_file_atomically(path, report.json.dump(2) + "\n");

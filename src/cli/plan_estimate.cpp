@@ -80,12 +80,6 @@ double expected_pieces(const PlanInput& input) {
   return pieces;
 }
 
-std::size_t pads_of_a_shape(const MatchingContext& context) {
-  std::size_t pads = 0;
-  for (const int level : context.levels) pads += std::size_t(kSmoothingLevels[std::size_t(level)].samples);
-  return pads;
-}
-
 double model_bytes(const PlanEstimate& plan) {
   return double(sizeof(ShapeModel) + kMaxInteriorPoints * sizeof(Vec2)) +
          double(plan.pads_per_shape * sizeof(ModelSample));
@@ -136,7 +130,7 @@ PlanEstimate estimate(const PlanInput& input) {
   plan.workers_per_node = (plan.workers + input.nodes - 1) / input.nodes;
   plan.ranks_per_node = (input.ranks + input.nodes - 1) / input.nodes;
   plan.levels = context.levels.size();
-  plan.pads_per_shape = pads_of_a_shape(context);
+  plan.pads_per_shape = pads_per_shape(context);
   plan.shapes_per_worker = (input.shapes + std::size_t(plan.workers) - 1) / std::size_t(plan.workers);
   plan.pieces = expected_pieces(input);
   add_memory(input, context, plan);

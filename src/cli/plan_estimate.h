@@ -26,7 +26,7 @@ struct PlanEstimate {
   int ranks_per_node = 1;  // on the fullest node
   int workers_per_node = 1;
   std::size_t levels = 0;  // smoothing levels in use
-  std::size_t pads_per_shape = 0;
+  std::uint64_t pads_per_shape = 0;
   std::size_t shapes_per_worker = 0;
   double pieces = 0;
   double device_bytes = 0;  // of a worker's part of the library, the field and what is under way

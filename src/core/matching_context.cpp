@@ -6,6 +6,12 @@
 
 namespace tessera {
 
+std::uint64_t pads_per_shape(const MatchingContext& context) {
+  std::uint64_t pads = 0;
+  for (const int level : context.levels) pads += std::uint64_t(kSmoothingLevels[level].samples);
+  return pads;
+}
+
 MatchingContext make_matching_context(const CollageSettings& settings, std::uint32_t library_shapes) {
   const PieceSettings& pieces = settings.pieces;
   MatchingContext c;

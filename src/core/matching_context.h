@@ -33,6 +33,9 @@ struct MatchingContext {
   }
 };
 
+/// Over all levels in use; every shape has as many.
+std::uint64_t pads_per_shape(const MatchingContext& context);
+
 MatchingContext make_matching_context(const CollageSettings& settings, std::uint32_t library_shapes);
 
 }  // namespace tessera

@@ -14,4 +14,9 @@ std::string fixed(double value, int decimals) {
   return text.starts_with('-') && text.find_first_of("123456789") == std::string::npos ? text.substr(1) : text;
 }
 
+double rounded(double value, int decimals) {
+  const double unit = std::pow(10., decimals);
+  return std::round(value * unit) / unit;
+}
+
 }  // namespace tessera::io

@@ -17,11 +17,9 @@ Filling::Filling(Collage& collage, const MatchingContext& context, const Collage
       matcher_(matcher),
       statistics_(&statistics),
       most_empty_passes_(settings.match.tangent_dockings > 0 ? kEmptyPasses : 0) {
-  std::uint64_t pads_per_shape = 0;
-  for (const int level : context.levels) pads_per_shape += std::uint64_t(kSmoothingLevels[level].samples);
   statistics_->shapes = context.library_shapes;
-  statistics_->pads_per_shape = double(pads_per_shape);
-  library_pads_ = pads_per_shape * context.library_shapes;
+  statistics_->pads_per_shape = double(pads_per_shape(context));
+  library_pads_ = pads_per_shape(context) * context.library_shapes;
   usual_plan_ = match_plan(settings.match, library_pads_);
   const CanvasField& field = collage.free().field();
   matcher.start_field(field.value.width(), field.value.height(), field.origin);

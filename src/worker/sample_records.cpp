@@ -19,7 +19,15 @@ void put_scale_windows(SampleRecord& r, const MatchRecord& match) {
   }
 }
 
-SampleRecord make_sample_record(const TargetSample& sample, const MatchRecord& match, int pad_levels) {
+void put_reach(SampleRecord& r, const QuantisedPad& pad, std::uint32_t reach_steps) {
+  const PadWindow window = pad_window(pad, reach_steps);
+  r.reach = reach_steps;
+  std::copy(window.low.begin(), window.low.end(), r.pad_low);
+  r.pad_width = window.width;
+}
+
+SampleRecord make_sample_record(const TargetSample& sample, std::uint32_t reach_steps, const MatchRecord& match,
+                                int pad_levels) {
   SampleRecord r{};
   r.position_x = sample.position.x;
   r.position_y = sample.position.y;
@@ -31,6 +39,7 @@ SampleRecord make_sample_record(const TargetSample& sample, const MatchRecord& m
   r.convexity = sample.pyramid.convexity;
   const QuantisedPad pad = quantised(make_pad(sample.pyramid, pad_levels));
   std::copy(pad.element.begin(), pad.element.end(), r.element);
+  put_reach(r, pad, reach_steps);
   r.signs = sign_byte(r.convexity);
   put_scale_windows(r, match);
   for (int i = 0; i < kMaxKeypoints; ++i) {
@@ -43,6 +52,8 @@ SampleRecord make_sample_record(const TargetSample& sample, const MatchRecord& m
 bool same_sample(SampleRecord a, const SampleRecord& b) {
   a.reach = b.reach;
   a.held_reach = b.held_reach;
+  std::copy_n(b.pad_low, kMaxPadElements, a.pad_low);
+  a.pad_width = b.pad_width;
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
@@ -54,8 +65,8 @@ std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& s
   std::vector<SampleRecord> records;
   records.reserve(samples.size());
   for (std::size_t t = 0; t < samples.size(); ++t) {
-    records.push_back(make_sample_record(samples[t], match, pad_levels));
-    records.back().reach = reach_of_bins(bin_reach[t], match.beta_steps);
+    records.push_back(
+        make_sample_record(samples[t], reach_of_bins(bin_reach[t], match.beta_steps), match, pad_levels));
   }
   return records;
 }

@@ -1,6 +1,5 @@
 #include "io/result/card_output.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "io/number_text.h"
@@ -22,11 +21,6 @@ StageShares stage_shares(const RunStatistics& run) {
   const double sum_s = run.prune_s + run.dock_s + run.objective_s + run.merge_s;
   if (sum_s <= 0) return {};
   return {run.prune_s / sum_s, run.dock_s / sum_s, run.objective_s / sum_s, run.merge_s / sum_s};
-}
-
-double rounded(double value, int decimals) {
-  const double unit = std::pow(10., decimals);
-  return std::round(value * unit) / unit;
 }
 
 Json quality_json(const Quality& q) {

@@ -1,7 +1,6 @@
 #include "io/result/rank_table.h"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -70,11 +69,6 @@ std::string message_rows(const RankStatistics& ranks) {
                 bytes_a_round_and_worker(ranks, ranks.master.sent.bytes), messages.average, megabytes.average,
                 bytes_a_round_and_worker(ranks, sent_by_workers(ranks)));
   return text;
-}
-
-double rounded(double value, int decimals) {
-  const double unit = std::pow(10., decimals);
-  return std::round(value * unit) / unit;
 }
 
 Json spread_json(const Spread& s, double loop_s) {
