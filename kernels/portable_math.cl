@@ -57,4 +57,6 @@ float largest_lane(float16 v) {
   return max(c.x, c.y);
 }
 
+float smallest_lane(float16 v) { return -largest_lane(-v); }
+
 int16 lane_index(void) { return (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15); }

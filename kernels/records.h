@@ -143,10 +143,21 @@ typedef struct TermsRecord {
   float gap_px4;
 } TermsRecord;
 
-// What refinement makes of a docking.
+// Extent
+typedef struct ExtentRecord {
+  float low_x;
+  float low_y;
+  float high_x;
+  float high_y;
+} ExtentRecord;
+
+// What refinement makes of a docking; all but the pose of feasible ones alone.
 typedef struct RefinedRecord {
   PoseRecord canvas_from_shape;
   TermsRecord terms;
+  ExtentRecord extent;
+  float perimeter;
+  float radius;
   u32 feasible;
 } RefinedRecord;
 

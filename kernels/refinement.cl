@@ -176,6 +176,21 @@ bool refine(PoseRecord* pose, const Piece* piece) {
          scale <= piece->match->max_scale_px * 1.0001f && rotation_allowed(piece->match, s);
 }
 
+// core/extent.h, of the boundary points.
+ExtentRecord extent_of(PoseRecord s, global const float* contour) {
+  Points low = placed_points(s, contour + kFineAt, kBoundaryPoints, 0);
+  Points high = low;
+  for (int block = 1; block < kBoundaryPoints / kLanes; ++block) {
+    const Points p = placed_points(s, contour + kFineAt, kBoundaryPoints, block);
+    low.x = min(low.x, p.x);
+    low.y = min(low.y, p.y);
+    high.x = max(high.x, p.x);
+    high.y = max(high.y, p.y);
+  }
+  const ExtentRecord extent = {smallest_lane(low.x), smallest_lane(low.y), largest_lane(high.x), largest_lane(high.y)};
+  return extent;
+}
+
 // Work item: a docking, whose shape is of this shard.
 kernel void refine_dockings(constant MatchRecord* match, global const float* field_value, global const float* contours,
                             global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
@@ -185,10 +200,25 @@ kernel void refine_dockings(constant MatchRecord* match, global const float* fie
   const uint shape = dockings[i].shape - match->first_shape;
   const Field field = free_field(match, field_value);
   const Piece piece = {contours + (size_t)shape * kContourFloats, shapes + shape, &field, match};
-  RefinedRecord result = {dockings[i].canvas_from_shape, {0, 0, 0, 0, 0}, 0};
+  RefinedRecord result = {dockings[i].canvas_from_shape, {0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0};
   if (refine(&result.canvas_from_shape, &piece)) {
     result.feasible = 1;
     result.terms = docking_terms(match, piece.contour, piece.shape, result.canvas_from_shape, &field);
+    result.extent = extent_of(result.canvas_from_shape, piece.contour);
+    result.perimeter = piece.shape->perimeter;
+    result.radius = piece.shape->radius;
   }
   refined[i] = result;
+}
+
+// Work item: a docking, whose shape is of this shard.
+kernel void measure_dockings(constant MatchRecord* match, global const float* field_value, global const float* contours,
+                             global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
+                             global TermsRecord* terms) {
+  const size_t i = get_global_id(0);
+  if (i >= count) return;
+  const uint shape = dockings[i].shape - match->first_shape;
+  const Field field = free_field(match, field_value);
+  terms[i] = docking_terms(match, contours + (size_t)shape * kContourFloats, shapes + shape,
+                           dockings[i].canvas_from_shape, &field);
 }

@@ -111,9 +111,17 @@ void PaperMatcher::post_dock(const DockRequest& request) {
 void PaperMatcher::post_refine(const std::vector<Docking>& dockings) {
   refined_.clear();
   for (const Docking& docking : dockings) {
-    refined_.push_back(
-        {docking, docking_terms(docking.canvas_from_shape, models_[docking.shape], FieldView(field_), context_), true});
+    refined_.push_back(feasible_docking(docking, terms_of(docking), models_[docking.shape]));
   }
+}
+
+void PaperMatcher::post_measure(const std::vector<Docking>& dockings) {
+  measured_.clear();
+  for (const Docking& docking : dockings) measured_.push_back(terms_of(docking));
+}
+
+DockingTerms PaperMatcher::terms_of(const Docking& docking) const {
+  return docking_terms(docking.canvas_from_shape, models_[docking.shape], FieldView(field_), context_);
 }
 
 CollageSettings paper_settings(CollageSettings settings) {

@@ -23,9 +23,12 @@ class PaperMatcher : public Matcher {
   DockReply take_dock() override { return std::move(docked_); }
   void post_refine(const std::vector<Docking>& dockings) override;
   std::vector<RefinedDocking> take_refine() override { return std::move(refined_); }
+  void post_measure(const std::vector<Docking>& dockings) override;
+  std::vector<DockingTerms> take_measure() override { return std::move(measured_); }
 
  private:
   void dock_sample(const DockRequest& request, std::uint32_t t);
+  DockingTerms terms_of(const Docking& docking) const;
   float score(const ShapeModel& model, const Similarity& canvas_from_shape) const;
 
   ObjectiveSettings objective_;
@@ -35,6 +38,7 @@ class PaperMatcher : public Matcher {
   std::vector<DistanceHistogram> histograms_;
   DockReply docked_;
   std::vector<RefinedDocking> refined_;
+  std::vector<DockingTerms> measured_;
 };
 
 /// The settings that go with it: K, beta and delta of the paper, its objective, nothing settled or grown.

@@ -44,11 +44,6 @@ Shape VariedShapes::load(std::uint32_t index) {
   return shape;
 }
 
-ShapeContour VariedShapes::load_contour(std::uint32_t index) {
-  const Shape& whole = shape(index);
-  return {whole.outline, whole.perimeter, whole.radius};
-}
-
 std::vector<Shape> VariedShapes::shapes(const ShapeRange& range) const {
   std::vector<Shape> shapes(range.end - range.begin);
   io::parallel_for(shapes.size(), [&](std::size_t i) { shapes[i] = make(range.begin + std::uint32_t(i)); });

@@ -25,7 +25,6 @@ class VariedShapes : public master::CachedShapes {
 
  protected:
   Shape load(std::uint32_t index) override;
-  ShapeContour load_contour(std::uint32_t index) override;
 
  private:
   Shape make(std::uint32_t index) const;

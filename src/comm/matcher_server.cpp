@@ -30,6 +30,11 @@ std::vector<RefinedDocking> refine(Matcher& matcher, const std::vector<Docking>&
   return matcher.take_refine();
 }
 
+std::vector<DockingTerms> measure(Matcher& matcher, const std::vector<Docking>& dockings) {
+  matcher.post_measure(dockings);
+  return matcher.take_measure();
+}
+
 /// The time that `ask` takes goes on the account of `stage`.
 template <class Question, class Answer>
 Bytes measured_answer(const Message& request, Matcher& matcher, WorkerClock& clock, double WorkerTimes::*stage,
@@ -62,6 +67,10 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Worke
       ranks.send(kMaster, Tag::refine_reply,
                  measured_answer(request, matcher, clock, &Times::refine_s, &Times::refines, refine));
       break;
+    case Tag::measure_request:
+      ranks.send(kMaster, Tag::measure_reply,
+                 measured_answer(request, matcher, clock, &Times::measure_s, &Times::measures, measure));
+      break;
     case Tag::times_request: ranks.send(kMaster, Tag::times_reply, encode(clock.times())); break;
     default: throw std::logic_error("a message that is no question: " + std::string(tag_name(request.tag)));
   }
@@ -75,7 +84,7 @@ void serve(Communicator& ranks, Matcher& matcher) {
   for (;;) {
     const Message request =
         ranks.receive_any(kMaster, {Tag::start_field, Tag::update_field, Tag::count_request, Tag::dock_request,
-                                    Tag::refine_request, Tag::times_request});
+                                    Tag::refine_request, Tag::measure_request, Tag::times_request});
     // While this rank computes it cannot help a large reply along, which the master may be waiting for.
     ranks.flush();
     answer(request, ranks, matcher, clock);

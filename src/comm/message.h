@@ -23,6 +23,8 @@ enum class Tag : int {
   dock_reply,
   refine_request,
   refine_reply,
+  measure_request,
+  measure_reply,
   times_request,
   times_reply,
   broadcast,
@@ -37,8 +39,8 @@ inline constexpr std::size_t kTags = std::size_t(Tag::bye) + 1;
 
 inline constexpr std::array<std::string_view, kTags> kTagNames = {
     "hello",          "start field",  "update field", "count request", "count reply",
-    "dock request",   "dock reply",   "refine request", "refine reply", "times request",
-    "times reply",    "broadcast",    "barrier",      "turn",          "failure",
+    "dock request",   "dock reply",   "refine request", "refine reply", "measure request",
+    "measure reply",  "times request", "times reply", "broadcast",     "barrier",        "turn",         "failure",
     "end",            "bye"};
 
 inline std::string_view tag_name(Tag tag) { return kTagNames[std::size_t(tag)]; }

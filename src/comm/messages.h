@@ -37,6 +37,7 @@ TESSERA_SENT_AS_IT_LIES(tessera::TargetSample)
 TESSERA_SENT_AS_IT_LIES(tessera::DistanceHistogram)
 TESSERA_SENT_AS_IT_LIES(tessera::Docking)
 TESSERA_SENT_AS_IT_LIES(tessera::RefinedDocking)
+TESSERA_SENT_AS_IT_LIES(tessera::DockingTerms)
 TESSERA_SENT_AS_IT_LIES(tessera::WorkerTimes)
 
 #undef TESSERA_SENT_AS_IT_LIES

@@ -36,4 +36,12 @@ std::vector<RefinedDocking> RemoteMatcher::take_refine() {
   return decode<std::vector<RefinedDocking>>(ranks_.receive(worker_, Tag::refine_reply));
 }
 
+void RemoteMatcher::post_measure(const std::vector<Docking>& dockings) {
+  ranks_.send(worker_, Tag::measure_request, encode(dockings));
+}
+
+std::vector<DockingTerms> RemoteMatcher::take_measure() {
+  return decode<std::vector<DockingTerms>>(ranks_.receive(worker_, Tag::measure_reply));
+}
+
 }  // namespace tessera::comm

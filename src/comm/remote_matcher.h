@@ -22,6 +22,8 @@ class RemoteMatcher : public Matcher {
   DockReply take_dock() override;
   void post_refine(const std::vector<Docking>& dockings) override;
   std::vector<RefinedDocking> take_refine() override;
+  void post_measure(const std::vector<Docking>& dockings) override;
+  std::vector<DockingTerms> take_measure() override;
 
  private:
   Communicator& ranks_;

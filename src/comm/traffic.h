@@ -27,7 +27,7 @@ struct Traffic {
   /// Of the loop: questions to the workers and their answers.
   TrafficCount sent_in_matching() const {
     TrafficCount sum;
-    for (std::size_t tag = std::size_t(Tag::start_field); tag <= std::size_t(Tag::refine_reply); ++tag) {
+    for (std::size_t tag = std::size_t(Tag::start_field); tag <= std::size_t(Tag::measure_reply); ++tag) {
       sum.messages += sent_by_tag[tag].messages;
       sum.bytes += sent_by_tag[tag].bytes;
     }

@@ -38,7 +38,8 @@ class WorkerClock {
     WorkerTimes times = times_;
     times.loop_s = loop_.seconds();
     times.waiting_s = ranks_.waited_s() - waited_before_s_;
-    times.messages_s = times.loop_s - times.waiting_s - times.count_s - times.dock_s - times.refine_s - times.field_s;
+    times.messages_s = times.loop_s - times.waiting_s - times.count_s - times.dock_s - times.refine_s -
+                       times.measure_s - times.field_s;
     times.processor_s = busy_processor_s(ranks_) - processor_before_s_;
     const TrafficCount sent = ranks_.traffic().sent_in_matching();
     times.sent = {sent.messages - sent_before_.messages, sent.bytes - sent_before_.bytes};

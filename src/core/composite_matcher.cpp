@@ -76,7 +76,8 @@ DockReply CompositeMatcher::take_dock() {
   return joined;
 }
 
-void CompositeMatcher::post_refine(const std::vector<Docking>& dockings) {
+/// To each part the dockings of its shapes.
+void CompositeMatcher::post_divided(const std::vector<Docking>& dockings, PostTo post) {
   posted_to_.assign(parts_.size(), {});
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const ShapeRange range = parts_[p]->shapes();
@@ -86,19 +87,32 @@ void CompositeMatcher::post_refine(const std::vector<Docking>& dockings) {
       posted_to_[p].push_back(i);
       own.push_back(dockings[i]);
     }
-    parts_[p]->post_refine(own);
+    (*parts_[p].*post)(own);
   }
 }
 
-std::vector<RefinedDocking> CompositeMatcher::take_refine() {
+template <class Answer>
+std::vector<Answer> CompositeMatcher::take_divided(TakeFrom<Answer> take) {
   std::size_t total = 0;
   for (const auto& positions : posted_to_) total += positions.size();
-  std::vector<RefinedDocking> merged(total);
+  std::vector<Answer> joined(total);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const std::vector<RefinedDocking> own = parts_[p]->take_refine();
-    for (std::size_t i = 0; i < own.size(); ++i) merged.at(posted_to_[p][i]) = own[i];
+    const std::vector<Answer> own = (*parts_[p].*take)();
+    for (std::size_t i = 0; i < own.size(); ++i) joined.at(posted_to_[p][i]) = own[i];
   }
-  return merged;
+  return joined;
 }
+
+void CompositeMatcher::post_refine(const std::vector<Docking>& dockings) {
+  post_divided(dockings, &Matcher::post_refine);
+}
+
+std::vector<RefinedDocking> CompositeMatcher::take_refine() { return take_divided(&Matcher::take_refine); }
+
+void CompositeMatcher::post_measure(const std::vector<Docking>& dockings) {
+  post_divided(dockings, &Matcher::post_measure);
+}
+
+std::vector<DockingTerms> CompositeMatcher::take_measure() { return take_divided(&Matcher::take_measure); }
 
 }  // namespace tessera

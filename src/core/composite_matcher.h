@@ -22,15 +22,24 @@ class CompositeMatcher : public Matcher {
   DockReply take_dock() override;
   void post_refine(const std::vector<Docking>& dockings) override;
   std::vector<RefinedDocking> take_refine() override;
+  void post_measure(const std::vector<Docking>& dockings) override;
+  std::vector<DockingTerms> take_measure() override;
 
  protected:
   /// For who posts to all parts in a way of its own: what take_dock will join.
   void expect_docks(std::size_t samples) { samples_posted_ = std::uint32_t(samples); }
 
  private:
+  using PostTo = void (Matcher::*)(const std::vector<Docking>&);
+  template <class Answer>
+  using TakeFrom = std::vector<Answer> (Matcher::*)();
+  void post_divided(const std::vector<Docking>& dockings, PostTo post);
+  template <class Answer>
+  std::vector<Answer> take_divided(TakeFrom<Answer> take);
+
   std::vector<std::unique_ptr<Matcher>> parts_;
   std::uint32_t samples_posted_ = 0;
-  std::vector<std::vector<std::size_t>> posted_to_;  // per part: positions in the refine request
+  std::vector<std::vector<std::size_t>> posted_to_;  // per part: positions in the request that was divided
 };
 
 }  // namespace tessera

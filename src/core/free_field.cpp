@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/bit_grid.h"
+#include "core/extent.h"
 #include "core/piece_distance.h"
 #include "core/tuning.h"
 
@@ -18,15 +19,7 @@ constexpr float kDiscBand_px = 1.5f;
 }  // namespace
 
 Window piece_window(const Outline& outline, const Similarity& canvas_from_shape, Vec2 origin, float margin_px) {
-  Vec2 low{1e9f, 1e9f};
-  Vec2 high{-1e9f, -1e9f};
-  for (const Vec2& p : outline.curves.front()) {
-    const Vec2 z = canvas_from_shape.apply(p) - origin;
-    low = {std::min(low.x, z.x), std::min(low.y, z.y)};
-    high = {std::max(high.x, z.x), std::max(high.y, z.y)};
-  }
-  return {int(std::floor(low.x - margin_px)), int(std::floor(low.y - margin_px)),
-          int(std::ceil(high.x + margin_px)) + 1, int(std::ceil(high.y + margin_px)) + 1};
+  return nodes_round(extent_of(outline.curves.front(), canvas_from_shape), origin, margin_px);
 }
 
 FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)

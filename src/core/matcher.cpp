@@ -15,6 +15,10 @@ std::uint32_t bin_limit_for(const DistanceHistogram& histogram, std::uint64_t mo
   return kDistanceBins;
 }
 
+RefinedDocking feasible_docking(const Docking& docking, const DockingTerms& terms, const ShapeModel& shape) {
+  return {docking, terms, true, extent_of(shape.boundary, docking.canvas_from_shape), shape.perimeter, shape.radius};
+}
+
 void keep_shortlist(std::vector<Docking>& dockings) {
   std::sort(dockings.begin(), dockings.end(), docks_better);
   if (dockings.size() > kShortlist) dockings.resize(kShortlist);

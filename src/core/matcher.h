@@ -1,12 +1,13 @@
 // The one interface of matching: target samples in, candidates out. Implemented by a plain C++ reference, by OpenCL
 // devices, and by whatever joins several of them (devices of a rank, ranks of a job); one test suite holds for all.
 //
-// Matching is three questions. Each selects per (sample, shape) or through a threshold over the whole library, never
+// Matching is four questions. Each selects per (sample, shape) or through a threshold over the whole library, never
 // per part of it, so that the answers do not depend on how the library is divided:
 //   count   how many pairs (target sample, shape PAD) lie in each bin of the PAD distance -> the top K % threshold;
 //           only within the reach that is asked for: the shorter, the sooner
 //   dock    the best dockings of each target sample, from pairs below the threshold and from tangent dockings
-//   refine  given dockings moved to their best pose, with the terms of the objective
+//   refine  given dockings moved to their best pose, with the terms of the objective and what else scoring needs
+//   measure the terms of given poses, after the field has changed
 //
 // A question is posted, then taken: whoever joins several matchers posts to all before it takes from any.
 #pragma once
@@ -17,6 +18,7 @@
 
 #include "core/docking.h"
 #include "core/docking_terms.h"
+#include "core/extent.h"
 #include "core/field_lookup.h"
 #include "core/target_curve.h"
 #include "core/tuning.h"
@@ -58,8 +60,11 @@ struct DockReply {
 
 struct RefinedDocking {
   Docking docking;  // with the refined pose
-  DockingTerms terms;
-  bool feasible = false;
+  DockingTerms terms{};
+  bool feasible = false;  // if not, nothing but the docking counts
+  Extent extent{};        // of the boundary points
+  float perimeter = 0;    // the shape's
+  float radius = 0;
 
   friend bool operator==(const RefinedDocking&, const RefinedDocking&) = default;
 };
@@ -81,6 +86,10 @@ class Matcher {
   virtual void post_refine(const std::vector<Docking>& dockings) = 0;
   /// In the order posted.
   virtual std::vector<RefinedDocking> take_refine() = 0;
+  /// Every docking's shape must be in shapes().
+  virtual void post_measure(const std::vector<Docking>& dockings) = 0;
+  /// In the order posted.
+  virtual std::vector<DockingTerms> take_measure() = 0;
 };
 
 /// The bin of a PAD distance below beta.
@@ -96,6 +105,8 @@ inline std::uint32_t reach_of_bins(std::uint32_t bins, std::uint32_t beta_steps)
 /// The number of whole bins, counted from the best, that hold at most `most` pairs; at least the first one that is not
 /// empty, so that no sample goes without. All of them where the histogram holds no more than `most`.
 std::uint32_t bin_limit_for(const DistanceHistogram& histogram, std::uint64_t most);
+
+RefinedDocking feasible_docking(const Docking& docking, const DockingTerms& terms, const ShapeModel& shape);
 
 /// Sorts (docks_better) and keeps the best kShortlist.
 void keep_shortlist(std::vector<Docking>& dockings);

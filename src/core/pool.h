@@ -22,6 +22,8 @@ struct Candidate {
   float score = 0;        // objective along the contour; exact once `exact` is set
   bool exact = false;
   Window window;          // nodes whose change changes the score
+  float perimeter = 0;    // the shape's
+  float radius = 0;
   std::uint32_t ordinal = 0;  // among those of its target sample when they were put: the pool's
   std::uint64_t stamp = 0;    // of its latest ranking: the pool's
 };

@@ -21,6 +21,7 @@ struct WorkerTimes {
   double count_s = 0;
   double dock_s = 0;
   double refine_s = 0;
+  double measure_s = 0;
   double field_s = 0;     // updates
   double messages_s = 0;  // between question and matcher, and back: reading, writing and sending
   double waiting_s = 0;   // for the next question
@@ -29,6 +30,7 @@ struct WorkerTimes {
   std::uint64_t counts = 0;  // questions of each kind
   std::uint64_t docks = 0;
   std::uint64_t refines = 0;
+  std::uint64_t measures = 0;
   MessageCount sent;
 
   friend bool operator==(const WorkerTimes&, const WorkerTimes&) = default;
@@ -65,8 +67,9 @@ struct TimedStage {
 };
 
 inline constexpr TimedStage<WorkerTimes> kWorkerStages[] = {
-    {"count", &WorkerTimes::count_s}, {"dock", &WorkerTimes::dock_s},         {"refine", &WorkerTimes::refine_s},
-    {"field", &WorkerTimes::field_s}, {"messages", &WorkerTimes::messages_s}, {"waiting", &WorkerTimes::waiting_s}};
+    {"count", &WorkerTimes::count_s},       {"dock", &WorkerTimes::dock_s},   {"refine", &WorkerTimes::refine_s},
+    {"measure", &WorkerTimes::measure_s},   {"field", &WorkerTimes::field_s}, {"messages", &WorkerTimes::messages_s},
+    {"waiting", &WorkerTimes::waiting_s}};
 
 inline constexpr TimedStage<MasterTimes> kMasterStages[] = {{"objective", &MasterTimes::objective_s},
                                                             {"merge", &MasterTimes::merge_s},

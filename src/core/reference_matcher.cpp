@@ -90,19 +90,27 @@ void ReferenceMatcher::post_dock(const DockRequest& request) {
 
 DockReply ReferenceMatcher::take_dock() { return std::move(docked_); }
 
+DockingTerms ReferenceMatcher::terms_of(const Docking& docking) const {
+  return docking_terms(docking.canvas_from_shape, models_[docking.shape - first_shape_], FieldView(field_), context_);
+}
+
 void ReferenceMatcher::post_refine(const std::vector<Docking>& dockings) {
   refined_.clear();
   for (const Docking& docking : dockings) {
     const ShapeModel& model = models_[docking.shape - first_shape_];
-    RefinedDocking result{docking, {}, false};
-    result.feasible = refine(result.docking.canvas_from_shape, model, FieldView(field_), context_);
-    if (result.feasible) {
-      result.terms = docking_terms(result.docking.canvas_from_shape, model, FieldView(field_), context_);
-    }
-    refined_.push_back(result);
+    Docking moved = docking;
+    const bool feasible = refine(moved.canvas_from_shape, model, FieldView(field_), context_);
+    refined_.push_back(feasible ? feasible_docking(moved, terms_of(moved), model) : RefinedDocking{moved});
   }
 }
 
 std::vector<RefinedDocking> ReferenceMatcher::take_refine() { return std::move(refined_); }
+
+void ReferenceMatcher::post_measure(const std::vector<Docking>& dockings) {
+  measured_.clear();
+  for (const Docking& docking : dockings) measured_.push_back(terms_of(docking));
+}
+
+std::vector<DockingTerms> ReferenceMatcher::take_measure() { return std::move(measured_); }
 
 }  // namespace tessera

@@ -21,10 +21,13 @@ class ReferenceMatcher : public Matcher {
   DockReply take_dock() override;
   void post_refine(const std::vector<Docking>& dockings) override;
   std::vector<RefinedDocking> take_refine() override;
+  void post_measure(const std::vector<Docking>& dockings) override;
+  std::vector<DockingTerms> take_measure() override;
 
  private:
   std::vector<Docking> pad_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply) const;
   std::vector<Docking> tangent_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply) const;
+  DockingTerms terms_of(const Docking& docking) const;
 
   MatchingContext context_;
   std::uint32_t first_shape_;
@@ -33,6 +36,7 @@ class ReferenceMatcher : public Matcher {
   std::vector<DistanceHistogram> histograms_;
   DockReply docked_;
   std::vector<RefinedDocking> refined_;
+  std::vector<DockingTerms> measured_;
 };
 
 }  // namespace tessera

@@ -22,12 +22,6 @@ const Shape& CachedShapes::shape(std::uint32_t index) {
   return recent_.front().shape;
 }
 
-const ShapeContour& CachedShapes::contour(std::uint32_t index) {
-  auto known = contours_.find(index);
-  if (known == contours_.end()) known = contours_.emplace(index, load_contour(index)).first;
-  return known->second;
-}
-
 const ShapeModel& CachedShapes::model(std::uint32_t index) {
   auto known = models_.find(index);
   if (known == models_.end()) {

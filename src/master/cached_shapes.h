@@ -8,18 +8,16 @@
 
 namespace tessera::master {
 
-/// Keeps contours and models of all shapes asked for (4 KB each) and the latest few whole shapes (80 KB each): a library
+/// Keeps models of all shapes asked for (4 KB each) and the latest few whole shapes (80 KB each): a library
 /// of any size fits. What is kept never changes what is answered.
 class CachedShapes : public ShapeSource {
  public:
   const Shape& shape(std::uint32_t index) override;
-  const ShapeContour& contour(std::uint32_t index) override;
   const ShapeModel& model(std::uint32_t index) override;
 
  protected:
   /// With outline and field.
   virtual Shape load(std::uint32_t index) = 0;
-  virtual ShapeContour load_contour(std::uint32_t index) = 0;
 
  private:
   struct Kept {
@@ -28,7 +26,6 @@ class CachedShapes : public ShapeSource {
   };
   std::list<Kept> recent_;  // latest first
   std::unordered_map<std::uint32_t, std::list<Kept>::iterator> position_;
-  std::unordered_map<std::uint32_t, ShapeContour> contours_;
   std::unordered_map<std::uint32_t, ShapeModel> models_;
 };
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/exact_terms.h"
+#include "core/extent.h"
 #include "core/objective.h"
 #include "core/refinement.h"
 #include "core/tuning.h"
@@ -14,6 +15,7 @@ namespace tessera::master {
 namespace {
 
 constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists that would look the same
+constexpr float kWindowMargin_px = 3;    // round the boundary points: a px for the outline's bulges between them
 constexpr int kSettleSteps = 20;         // to come clear of neighbours that were placed since the refinement
 constexpr float kSettleShrink = 0.99f;
 
@@ -76,25 +78,20 @@ void Collage::mark_stale(const Window& window) {
   }
 }
 
-/// Neighbours lie together in the library's file: in this order they cost a fraction.
-void Collage::read_in_order(const std::vector<RefinedDocking>& dockings) {
-  std::set<std::uint32_t> wanted;
-  for (const RefinedDocking& refined : dockings) {
-    if (may_use(refined.docking.shape)) wanted.insert(refined.docking.shape);
-  }
-  for (const std::uint32_t shape : wanted) shapes_.contour(shape);
-}
-
 void Collage::add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round) {
-  read_in_order(round.refined);
   std::vector<std::vector<Candidate>> of_sample(samples.size());
   for (const RefinedDocking& refined : round.refined) {
     const Docking& docking = refined.docking;
-    Candidate candidate{docking.shape, docking.source, docking.canvas_from_shape, refined.terms, 0, false, {}};
+    Candidate candidate;
+    candidate.shape = docking.shape;
+    candidate.source = docking.source;
+    candidate.canvas_from_shape = docking.canvas_from_shape;
+    candidate.terms = refined.terms;
+    candidate.perimeter = refined.perimeter;
+    candidate.radius = refined.radius;
     if (!may_use(docking.shape) || !acceptable(candidate)) continue;
     candidate.score = score_of(candidate);
-    candidate.window = piece_window(shapes_.contour(candidate.shape).outline, candidate.canvas_from_shape,
-                                    free_.field().origin, context_.gap_px + 2);
+    candidate.window = nodes_round(refined.extent, free_.field().origin, context_.gap_px + kWindowMargin_px);
     of_sample[docking.sample].push_back(candidate);
   }
   for (std::size_t t = 0; t < samples.size(); ++t) {
@@ -111,7 +108,7 @@ float Collage::preference(const Candidate& candidate) const {
   const std::vector<Similarity>& placed = poses_[candidate.shape];
   if (placed.empty()) return 1;
   float factor = std::pow(1.f + float(placed.size()), -settings_.objective.repetition_exponent);
-  const float radius = shapes_.contour(candidate.shape).radius + 0.5f;
+  const float radius = candidate.radius + 0.5f;
   for (const Similarity& pose : placed) {
     const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
     const Vec2 apart = pose.translation() - candidate.canvas_from_shape.translation();
@@ -122,14 +119,14 @@ float Collage::preference(const Candidate& candidate) const {
 
 float Collage::score_of(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
-  const PieceSize size{scale, shapes_.contour(candidate.shape).perimeter * scale, context_.max_scale_px};
+  const PieceSize size{scale, candidate.perimeter * scale, context_.max_scale_px};
   return objective(candidate.terms, size, settings_.objective);
 }
 
 bool Collage::acceptable(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
   return candidate.terms.overlap_px2 <= kMaxOverlap * scale * scale &&
-         candidate.terms.matched_px >= kLeastMatched * shapes_.contour(candidate.shape).perimeter * scale;
+         candidate.terms.matched_px >= kLeastMatched * candidate.perimeter * scale;
 }
 
 std::vector<Pool::Ranked> Collage::finalists() {
@@ -200,7 +197,7 @@ bool Collage::choose(Candidate& best) {
   }
 }
 
-void Collage::place(const Candidate& candidate) {
+Window Collage::place(const Candidate& candidate) {
   const Shape& shape = shapes_.shape(candidate.shape);
   placements_.push_back(
       {candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
@@ -210,7 +207,8 @@ void Collage::place(const Candidate& candidate) {
   changed_nodes_ = changed_nodes_.united(changed);
   retrace(changed);
   if (!may_use(candidate.shape)) drop_shape(candidate.shape);
-  rescore(piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin, 2 + kept_distance_px(settings_.pieces)));
+  return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
+                      2 + kept_distance_px(settings_.pieces));
 }
 
 Window Collage::replace_placements(std::vector<Placement> placements) {
@@ -231,7 +229,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   retrace(restamped);
   Window window;
   for (const Placement& p : changed) {
-    window = window.united(piece_window(shapes_.contour(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
+    window = window.united(piece_window(shapes_.shape(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
   }
   return window;
 }
@@ -274,11 +272,22 @@ void Collage::drop_shape(std::uint32_t shape) {
   for (const std::uint32_t edge : edges) review(edge, [&](Candidate& c) { return c.shape != shape; });
 }
 
-void Collage::rescore(const Window& changed) {
+std::vector<Docking> Collage::touched_by(const Window& changed) const {
+  std::vector<Docking> touched;
+  for (const std::uint32_t edge : pool_.reached_by(changed)) {
+    for (const Candidate& c : pool_.entries().at(edge).candidates) {
+      if (c.window.overlaps(changed)) touched.push_back({edge, c.shape, c.source, 0, c.canvas_from_shape});
+    }
+  }
+  return touched;
+}
+
+void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& terms) {
+  auto measured = terms.begin();
   for (const std::uint32_t edge : pool_.reached_by(changed)) {
     review(edge, [&](Candidate& c) {
       if (!c.window.overlaps(changed)) return true;
-      c.terms = docking_terms(c.canvas_from_shape, shapes_.model(c.shape), free_.view(), context_);
+      c.terms = *measured++;
       if (!acceptable(c)) return false;
       c.score = score_of(c);
       c.exact = false;

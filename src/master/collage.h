@@ -38,8 +38,13 @@ class Collage {
   /// false where the pool is dry.
   bool choose(Candidate& best);
 
-  /// Merge: takes the piece out of the free region and brings target curve and pool up to date.
-  void place(const Candidate& candidate);
+  /// Merge: takes the piece out of the free region and brings the target curve up to date. Returns the nodes within
+  /// which candidates have to be measured anew.
+  Window place(const Candidate& candidate);
+  /// The candidates whose windows overlap `changed`.
+  std::vector<Docking> touched_by(const Window& changed) const;
+  /// Their terms now, in the order of touched_by(changed).
+  void rescore(const Window& changed, const std::vector<DockingTerms>& terms);
 
   /// Makes the collage one of `placements`: of the present ones some may be missing, others be new. Pool and stale
   /// samples are forgotten but for what the change renewed: what comes next follows from the placements before and
@@ -61,7 +66,6 @@ class Collage {
   std::size_t open_samples() const { return curve_.sample_count(); }
 
  private:
-  void read_in_order(const std::vector<RefinedDocking>& dockings);
   bool may_use(std::uint32_t shape) const;
   float preference(const Candidate& candidate) const;
   float score_of(const Candidate& candidate) const;
@@ -72,7 +76,6 @@ class Collage {
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
   void drop_shape(std::uint32_t shape);
-  void rescore(const Window& changed);
   template <class Keep>
   void review(std::uint32_t edge, Keep keep);
   void retrace(const Window& changed);

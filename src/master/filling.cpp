@@ -52,8 +52,7 @@ MatchPlan Filling::plan() const {
 
 void Filling::match_stale() {
   Stopwatch watch;
-  const Window changed = collage_.take_changed_nodes();
-  if (!changed.empty()) matcher_.update_field(read_patch(collage_.free().field().value, changed));
+  send_changes();
   const std::vector<TargetSample> samples = collage_.take_stale_samples();
   statistics_->merge_s += watch.lap();
   const MatchRound found = match(matcher_, samples, plan(), library_pads_, reach_, *statistics_);
@@ -71,9 +70,20 @@ bool Filling::choose(Candidate& best) {
 
 void Filling::place(const Candidate& best) {
   Stopwatch watch;
-  collage_.place(best);
+  const Window changed = collage_.place(best);
+  statistics_->merge_s += watch.lap();
+  send_changes();
+  matcher_.post_measure(collage_.touched_by(changed));
+  const std::vector<DockingTerms> terms = matcher_.take_measure();
+  statistics_->dock_s += watch.lap();
+  collage_.rescore(changed, terms);
   statistics_->merge_s += watch.lap();
   ++statistics_->rounds;
+}
+
+void Filling::send_changes() {
+  const Window changed = collage_.take_changed_nodes();
+  if (!changed.empty()) matcher_.update_field(read_patch(collage_.free().field().value, changed));
 }
 
 }  // namespace tessera::master

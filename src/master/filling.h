@@ -27,6 +27,7 @@ class Filling {
   void match_stale();
   bool choose(Candidate& best);
   void place(const Candidate& best);
+  void send_changes();
 
   Collage& collage_;
   Matcher& matcher_;

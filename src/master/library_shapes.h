@@ -12,7 +12,6 @@ class LibraryShapes : public CachedShapes {
 
  protected:
   Shape load(std::uint32_t index) override;
-  ShapeContour load_contour(std::uint32_t index) override;
 
  private:
   const io::LibraryFile& library_;

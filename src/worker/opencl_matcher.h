@@ -27,6 +27,8 @@ class OpenCLMatcher : public Matcher {
   DockReply take_dock() override { return docking_.take(); }
   void post_refine(const std::vector<Docking>& dockings) override { refinement_.post(dockings); }
   std::vector<RefinedDocking> take_refine() override { return refinement_.take(); }
+  void post_measure(const std::vector<Docking>& dockings) override { refinement_.post_measure(dockings); }
+  std::vector<DockingTerms> take_measure() override { return refinement_.take_measure(); }
 
  private:
   DeviceLibrary library_;

@@ -10,7 +10,8 @@ static_assert(sizeof(DockingTerms) == sizeof(TermsRecord) && sizeof(Similarity) 
 
 RefinedDocking refined_docking(Docking docking, const RefinedRecord& record) {
   docking.canvas_from_shape = std::bit_cast<Similarity>(record.canvas_from_shape);
-  return {docking, std::bit_cast<DockingTerms>(record.terms), record.feasible != 0};
+  return {docking,          std::bit_cast<DockingTerms>(record.terms),
+          record.feasible != 0, std::bit_cast<Extent>(record.extent), record.perimeter, record.radius};
 }
 
 }  // namespace
@@ -18,23 +19,30 @@ RefinedDocking refined_docking(Docking docking, const RefinedRecord& record) {
 RefineStage::RefineStage(const DeviceLibrary& library)
     : library_(&library),
       refine_dockings_(library.session().kernel("refine_dockings")),
+      measure_dockings_(library.session().kernel("measure_dockings")),
       dockings_(library.session()),
-      refined_(library.session()) {}
+      refined_(library.session()),
+      terms_(library.session()) {}
 
-void RefineStage::post(const std::vector<Docking>& dockings) {
+/// Gives how many there are.
+std::uint32_t RefineStage::upload(const std::vector<Docking>& dockings) {
   const MatchRecord& match = library_->match();
   std::vector<DockingRecord> records;
   records.reserve(dockings.size());
   for (const Docking& docking : dockings) {
     if (docking.shape < match.first_shape || docking.shape - match.first_shape >= match.shapes) {
-      throw std::out_of_range("a docking to refine is of a shape of another part of the library");
+      throw std::out_of_range("a docking is of a shape of another part of the library");
     }
     records.push_back(std::bit_cast<DockingRecord>(docking));
   }
-  posted_ = dockings;
   dockings_.write(records);
-  refined_.reserve(records.size());
-  const std::uint32_t count = std::uint32_t(records.size());
+  return std::uint32_t(records.size());
+}
+
+void RefineStage::post(const std::vector<Docking>& dockings) {
+  const std::uint32_t count = upload(dockings);
+  posted_ = dockings;
+  refined_.reserve(count);
   launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(), library_->field(),
          library_->contours(), library_->shapes(), count, dockings_, refined_);
   library_->session().flush();
@@ -46,6 +54,22 @@ std::vector<RefinedDocking> RefineStage::take() {
   refined.reserve(records.size());
   for (std::size_t i = 0; i < records.size(); ++i) refined.push_back(refined_docking(posted_[i], records[i]));
   return refined;
+}
+
+void RefineStage::post_measure(const std::vector<Docking>& dockings) {
+  const std::uint32_t count = upload(dockings);
+  measured_ = count;
+  terms_.reserve(count);
+  launch(library_->session(), measure_dockings_, {count}, library_->match_buffer(), library_->field(),
+         library_->contours(), library_->shapes(), count, dockings_, terms_);
+  library_->session().flush();
+}
+
+std::vector<DockingTerms> RefineStage::take_measure() {
+  std::vector<DockingTerms> measured;
+  measured.reserve(measured_);
+  for (const TermsRecord& terms : terms_.read(measured_)) measured.push_back(std::bit_cast<DockingTerms>(terms));
+  return measured;
 }
 
 }  // namespace tessera::worker

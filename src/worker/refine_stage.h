@@ -1,4 +1,4 @@
-// Refinement on a device (kernels/refinement.cl, docking_terms.cl).
+// Refinement and measuring on a device (kernels/refinement.cl, docking_terms.cl).
 #pragma once
 
 #include "worker/device_library.h"
@@ -12,13 +12,20 @@ class RefineStage {
   /// Throws std::out_of_range for a docking whose shape is not in the shard.
   void post(const std::vector<Docking>& dockings);
   std::vector<RefinedDocking> take();
+  void post_measure(const std::vector<Docking>& dockings);
+  std::vector<DockingTerms> take_measure();
 
  private:
+  std::uint32_t upload(const std::vector<Docking>& dockings);
+
   const DeviceLibrary* library_;
   cl::Kernel refine_dockings_;
+  cl::Kernel measure_dockings_;
   std::vector<Docking> posted_;
   DeviceBuffer<DockingRecord> dockings_;
   DeviceBuffer<RefinedRecord> refined_;
+  std::size_t measured_ = 0;
+  DeviceBuffer<TermsRecord> terms_;
 };
 
 }  // namespace tessera::worker

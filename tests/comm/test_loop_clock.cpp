@@ -38,6 +38,8 @@ class SlowCounter : public Matcher {
   DockReply take_dock() override { return {}; }
   void post_refine(const std::vector<Docking>&) override {}
   std::vector<RefinedDocking> take_refine() override { return {}; }
+  void post_measure(const std::vector<Docking>&) override {}
+  std::vector<DockingTerms> take_measure() override { return {}; }
 
  private:
   ShapeRange shapes_;

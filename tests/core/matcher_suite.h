@@ -209,8 +209,31 @@ TEST_P(MatcherSuite, RefinedDockingsKeepTheirOrderAndAreFeasible) {
     EXPECT_GE(pose.scale(), pieces.min_scale_px * 0.999f);
     EXPECT_LE(pose.scale(), pieces.max_scale_px * 1.001f);
     EXPECT_GE(refined.terms.matched_px, 0);
+    const ShapeModel& model = scene().models[refined.docking.shape];
+    EXPECT_EQ(refined.extent, extent_of(model.boundary, pose));
+    EXPECT_EQ(refined.perimeter, model.perimeter);
+    EXPECT_EQ(refined.radius, model.radius);
   }
   EXPECT_GT(feasible, 20);
+}
+
+/// Measuring a refined docking on the field as it was gives what refining gave; on a covered one something else.
+TEST_P(MatcherSuite, MeasuresDockingsOnTheFieldAsItIs) {
+  const auto matcher = matcher_of(scene());
+  std::vector<Docking> dockings;
+  std::vector<DockingTerms> expected;
+  for (const RefinedDocking& refined : run_round(*matcher, scene()).refined) {
+    if (!refined.feasible) continue;
+    dockings.push_back(refined.docking);
+    expected.push_back(refined.terms);
+  }
+  ASSERT_GT(dockings.size(), 20u);
+  matcher->post_measure(dockings);
+  EXPECT_EQ(matcher->take_measure(), expected);
+  const Grid<float> covered(scene().field.value.width(), scene().field.value.height(), -50.f);
+  matcher->update_field(read_patch(covered, covered.bounds()));
+  matcher->post_measure(dockings);
+  for (const DockingTerms& terms : matcher->take_measure()) EXPECT_GT(terms.overlap_px2, 0);
 }
 
 TEST_P(MatcherSuite, SeesWhatIsWrittenIntoTheField) {
@@ -264,6 +287,8 @@ TEST_P(MatcherSuite, EmptyRequestsGiveEmptyReplies) {
   EXPECT_TRUE(matcher->take_dock().dockings.empty());
   matcher->post_refine({});
   EXPECT_TRUE(matcher->take_refine().empty());
+  matcher->post_measure({});
+  EXPECT_TRUE(matcher->take_measure().empty());
 }
 
 }  // namespace tessera::test

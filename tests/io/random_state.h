@@ -48,7 +48,9 @@ class RandomState {
            {number(), number(), number(), number(), number()},
            number(),
            below(2) == 1,
-           {int(below(900)) - 100, int(below(900)), int(below(900)), int(below(900))}};
+           {int(below(900)) - 100, int(below(900)), int(below(900)), int(below(900))},
+           number(),
+           number()};
     }
     return list;
   }

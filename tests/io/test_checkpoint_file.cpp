@@ -28,7 +28,8 @@ Checkpoint random_checkpoint(std::uint32_t seed) {
 
 bool same(const Candidate& a, const Candidate& b) {
   return a.shape == b.shape && a.source == b.source && a.canvas_from_shape == b.canvas_from_shape &&
-         a.terms == b.terms && a.score == b.score && a.exact == b.exact && a.window == b.window;
+         a.terms == b.terms && a.score == b.score && a.exact == b.exact && a.window == b.window &&
+         a.perimeter == b.perimeter && a.radius == b.radius;
 }
 
 bool same(const PooledSample& a, const PooledSample& b) {
@@ -212,7 +213,7 @@ TEST_F(DamagedCheckpoint, OtherFiles) {
 
 TEST_F(DamagedCheckpoint, AnotherVersionNamesBothAndTheCure) {
   std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out).seekp(27).put('7');
-  expect_complaint("format version 7, this program reads version 1; continue with the program that wrote it");
+  expect_complaint("format version 7, this program reads version 2; continue with the program that wrote it");
 }
 
 TEST_F(DamagedCheckpoint, AHugeHoleIsNotRead) {

@@ -19,6 +19,7 @@ struct Round {
   std::vector<DistanceHistogram> histograms;
   DockReply docked;
   std::vector<RefinedDocking> refined;  // of all docked
+  std::vector<DockingTerms> measured;   // of all docked, where docking left them
 };
 
 inline CountRequest count_all(const std::vector<TargetSample>& samples) {
@@ -42,6 +43,8 @@ inline Round run_round(Matcher& matcher, const MatchingScene& scene) {
   round.docked = matcher.take_dock();
   matcher.post_refine(round.docked.dockings);
   round.refined = matcher.take_refine();
+  matcher.post_measure(round.docked.dockings);
+  round.measured = matcher.take_measure();
   return round;
 }
 
@@ -87,6 +90,8 @@ inline void expect_same_round(const Round& found, const Round& expected) {
   EXPECT_EQ(found.docked.evaluated, expected.docked.evaluated);
   expect_same_dockings(found.docked.dockings, expected.docked.dockings);
   expect_same_refined(found.refined, expected.refined);
+  EXPECT_EQ(found.measured.size(), expected.measured.size());
+  EXPECT_TRUE(found.measured == expected.measured);
 }
 
 }  // namespace tessera::test

@@ -51,17 +51,14 @@ class VectorShapes : public ShapeSource {
   explicit VectorShapes(const std::vector<Shape>& shapes) : shapes_(shapes) {
     for (const Shape& shape : shapes) {
       models_.push_back(make_shape_model(shape, PadParameters{}, PadParameters{}, {}));
-      contours_.push_back({shape.outline, shape.perimeter, shape.radius});
     }
   }
   const Shape& shape(std::uint32_t index) override { return shapes_.at(index); }
-  const ShapeContour& contour(std::uint32_t index) override { return contours_.at(index); }
   const ShapeModel& model(std::uint32_t index) override { return models_.at(index); }
 
  private:
   const std::vector<Shape>& shapes_;
   std::vector<ShapeModel> models_;
-  std::vector<ShapeContour> contours_;
 };
 
 }  // namespace tessera::test

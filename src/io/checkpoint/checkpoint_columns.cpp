@@ -38,6 +38,7 @@ void append_candidate(CheckpointColumns& to, const Candidate& c) {
   to.score.push_back(c.score);
   to.exact.push_back(c.exact);
   to.window.insert(to.window.end(), {c.window.x0, c.window.y0, c.window.x1, c.window.y1});
+  to.shape_size.insert(to.shape_size.end(), {c.perimeter, c.radius});
 }
 
 Candidate candidate_at(const CheckpointColumns& from, std::size_t row) {
@@ -51,6 +52,8 @@ Candidate candidate_at(const CheckpointColumns& from, std::size_t row) {
   c.exact = from.exact[row] != 0;
   const std::int32_t* w = from.window.data() + 4 * row;
   c.window = {w[0], w[1], w[2], w[3]};
+  c.perimeter = from.shape_size[2 * row];
+  c.radius = from.shape_size[2 * row + 1];
   return c;
 }
 
@@ -110,7 +113,7 @@ void check_values(const CheckpointColumns& c) {
   require_finite(c.measures, "/statistics/measures");
   for (const auto* column : {&c.placed_pose, &c.placed_score, &c.placed_matched})
     require_finite(*column, "/placements");
-  for (const auto* column : {&c.pose, &c.terms, &c.score}) require_finite(*column, "/candidates");
+  for (const auto* column : {&c.pose, &c.terms, &c.score, &c.shape_size}) require_finite(*column, "/candidates");
   require_finite(c.matched_pad, "/samples/matched_pad");
   require_flags(c.improving, "/improving");
   require_flags(c.pool_truncated, "/pool/truncated");
@@ -132,7 +135,8 @@ void check_rows(const CheckpointColumns& c) {
           "/pool: columns of different length");
   const std::size_t rows = c.shape.size();
   require(c.source.size() == rows && c.pose.size() == 4 * rows && c.terms.size() == 5 * rows &&
-              c.score.size() == rows && c.exact.size() == rows && c.window.size() == 4 * rows,
+              c.score.size() == rows && c.exact.size() == rows && c.window.size() == 4 * rows &&
+              c.shape_size.size() == 2 * rows,
           "/candidates: columns of different length");
   require(c.matched_pad.size() == kMatchedRow * c.matched_edge.size(), "/samples: columns of different length");
   std::uint64_t candidates = 0;

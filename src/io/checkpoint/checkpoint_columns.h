@@ -23,6 +23,7 @@ struct CheckpointColumns {
   std::vector<float> pose, terms, score;
   std::vector<std::uint8_t> exact;
   std::vector<std::int32_t> window;
+  std::vector<float> shape_size;
   std::vector<std::uint32_t> stale, passes;
   std::vector<std::uint32_t> matched_edge;
   std::vector<float> matched_pad;
@@ -52,6 +53,7 @@ void each_column(Columns& c, Visit visit) {
   visit("/candidates/score", c.score, 1, "", "");
   visit("/candidates/exact", c.exact, 1, "", "1: the score is the exact one");
   visit("/candidates/window", c.window, 4, "nodes", "x0 y0 x1 y1: nodes whose change changes the score");
+  visit("/candidates/shape_size", c.shape_size, 2, "shape units", "the shape's perimeter, radius");
   visit("/samples/stale", c.stale, 1, "", "target samples to be matched, ascending");
   visit("/samples/passes", c.passes, 2, "", "target sample, ascending, and how often it was matched");
   visit("/samples/matched_edge", c.matched_edge, 1, "", "target samples whose PAD changed since, ascending");

@@ -90,6 +90,7 @@ Json workers_json(const RankStatistics& ranks) {
   json["counts"] = average([](const WorkerTimes& w) { return double(w.counts); });
   json["docks"] = average([](const WorkerTimes& w) { return double(w.docks); });
   json["refines"] = average([](const WorkerTimes& w) { return double(w.refines); });
+  json["measures"] = average([](const WorkerTimes& w) { return double(w.measures); });
   json["sent_messages"] = average([](const WorkerTimes& w) { return double(w.sent.messages); });
   json["sent_bytes"] = average([](const WorkerTimes& w) { return double(w.sent.bytes); });
   return json;
