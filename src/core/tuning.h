@@ -60,7 +60,7 @@ inline float kept_distance_px(const PieceSettings& p) {
 // Candidates.
 inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, estimated along the contour
 inline constexpr float kLeastMatched = 0.03f;  // of the piece's boundary: it must touch something
-inline constexpr int kFinalists = 24;          // candidates checked exactly in a round
+inline constexpr int kFinalists = 8;          // candidates checked exactly in a round
 inline constexpr float kGrowStep = 1.015f;
 inline constexpr int kGrowSteps = 12;
 inline constexpr int kRefillBelow = 2;  // a target sample with fewer candidates left is matched again
