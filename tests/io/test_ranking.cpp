@@ -6,15 +6,16 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/error.h"
 #include "io/result/card_output.h"
 #include "io/result/ranking.h"
 #include "io/scratch_folder.h"
+#include "support/input_error.h"
 
 namespace tessera::io {
 namespace {
 
 namespace fs = std::filesystem;
+using test::message_of;
 
 ResultCard card(const std::string& folder, double coverage, double overlap = 0) {
   ResultCard result;
@@ -25,15 +26,6 @@ ResultCard card(const std::string& folder, double coverage, double overlap = 0) 
   result.quality.distinct_shapes = 1;
   result.stopped_by = "full";
   return result;
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 std::vector<std::string> order_of(const std::vector<RankedResult>& results) {

@@ -2,11 +2,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <functional>
 #include <set>
 
-#include "core/error.h"
 #include "io/job/variations.h"
+#include "support/input_error.h"
 
 namespace tessera::io {
 namespace {
@@ -17,15 +16,6 @@ Texts names(const std::vector<Variation>& variations) {
   Texts all;
   for (const Variation& variation : variations) all.push_back(variation.name);
   return all;
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Variations, every_seed_with_every_value) {
