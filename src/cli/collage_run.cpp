@@ -21,7 +21,7 @@
 #include "io/job/canvas_file.h"
 #include "io/result/collage_files.h"
 #include "io/job/job_file.h"
-#include "io/library/library_file.h"
+#include "io/job/job_library.h"
 #include "io/library/shape_models.h"
 #include "io/result/rank_table.h"
 #include "master/collage_loop.h"
@@ -51,7 +51,7 @@ void share_cores(const comm::Communicator& ranks) {
 
 [[noreturn]] void work(comm::Communicator& ranks) {
   const io::Job job = io::job_from_toml(to_text(ranks.broadcast({})), "the master's job");
-  const io::LibraryFile library(job.library);
+  const io::LibraryFile library = io::open_library_of(job);
   const ShapeRange part = library_part(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
   share_cores(ranks);
@@ -124,7 +124,7 @@ struct Input {
       : job(io::load_job(arguments.job, arguments.overrides)),
         folder(output_folder(arguments)),
         checkpoints(checked_start(folder, start)),
-        library(job.library),
+        library(io::open_library_of(job)),
         canvas(io::load_canvas(job.canvas)) {
     io::check_picture_height(job.output, canvas);
     io::prepare_output_directory(folder);
