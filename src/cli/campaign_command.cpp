@@ -25,7 +25,8 @@ void add_campaign_command(CLI::App& app, Command& selected) {
       app.add_subcommand("campaign", "Make a job's collage with several seeds and values, and rank them");
   campaign->footer(kExamples);
   campaign->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
-  campaign->add_option("--seeds", arguments->seeds, "Seeds and ranges of them")->type_name("1-8,12");
+  campaign->add_option("--seeds", arguments->seeds, "Seeds and ranges of them; 7 is the seed 7, not seven of them")
+      ->type_name("1-8,12");
   campaign->add_option("--set", arguments->sets, "Use each of these values; may be repeated")
       ->type_name("SECTION.KEY=VALUE,..")
       ->allow_extra_args(false)
