@@ -41,6 +41,17 @@ TEST(Ranking, best_first_and_equal_ones_by_folder) {
   EXPECT_NEAR(results.front().score, 90 + 0.05 * 25, 1e-9);
 }
 
+TEST(Ranking, equal_scores_share_a_rank) {
+  const RankingWeights weights = ranking_weights({});
+  const auto results = ranked({card("c", 0.9), card("a", 0.9), card("first", 0.95), card("last", 0.8)}, weights);
+  std::vector<std::size_t> ranks;
+  for (const RankedResult& result : results) ranks.push_back(result.rank);
+  EXPECT_EQ(ranks, (std::vector<std::size_t>{1, 2, 2, 4}));
+  EXPECT_NE(ranking_csv(results).find("\n2,a,91.250,"), std::string::npos) << ranking_csv(results);
+  EXPECT_NE(ranking_csv(results).find("\n2,c,91.250,"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(ranking_json(results, weights))["ranking"][2]["rank"], 2);
+}
+
 TEST(Ranking, weights_change_the_order) {
   const RankingWeights weights = ranking_weights({"overlap=0", "coverage=-1"});
   EXPECT_EQ(order_of(ranked({card("high", 0.9), card("low", 0.1)}, weights)),
