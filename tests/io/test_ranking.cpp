@@ -97,7 +97,7 @@ class ResultFolders : public testing::Test {
     RunStatistics run;
     run.total_s = 12.5;
     run.stopped_by = "full";
-    scratch_.write(name + "/card.json", card_json(quality, run));
+    scratch_.write(name + "/card.json", card_json(quality, run, {}));
   }
 
   test::ScratchFolder scratch_;
