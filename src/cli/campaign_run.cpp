@@ -106,7 +106,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   io::prepare_output_directory(campaign_folder(arguments));
   const int exit_code = make_all(arguments, tasks, ranks);
   if (stop_signalled() || exit_code != 0) {
-    std::printf("ended early; the same command goes on where this one was\n");
+    std::fprintf(stderr, "tessera: unfinished: the same command goes on where this one was\n");
     return kUnfinishedExitCode;
   }
   RankingArguments ranking{.folders = {}, .out = campaign_folder(arguments), .weights = arguments.weights};
