@@ -96,9 +96,8 @@ void add_library_build_command(CLI::App& library, Command& selected) {
   build->add_option("--processes", settings.pool.processes, "How many files are traced at a time; default: all cores")
       ->check(CLI::Range(1, 1024));
   build
-      ->add_option(
-          "--pad-levels", settings.pad.levels,
-          "Levels n of the stored arclength descriptors; for jobs with another match.levels they are computed anew")
+      ->add_option("--pad-levels", settings.pad.levels,
+                   "Levels n of the stored PADs; for jobs with another match.levels they are computed anew")
       ->check(CLI::Range(2, kMaxPadLevels))
       ->capture_default_str();
   build

@@ -124,7 +124,7 @@ std::string end_text(const RunStatistics& run, const ImproveSettings& improve) {
 
 std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
   const StageShares share = stage_shares(run);
-  return std::string("Run (the paper's Table 2)\n") + line("candidates", grouped(run.shapes)) +
+  return std::string("Run (the paper's Table 2)\n") + line("candidates", grouped(run.shapes) + "  (shapes in the library)") +
          line("PADs per shape", fixed(run.pads_per_shape, 1)) +
          line("iterations", grouped(run.rounds)) +
          line("docking choices", grouped(run.docking_choices)) +
