@@ -12,9 +12,10 @@ constexpr const char* kExamples =
     "  tessera campaign jobs/animals.toml --seeds 1-3 --set objective.gap_weight=0.5,1,2 --out out/gaps\n"
     "  tessera campaign jobs/animals.toml --set 'pieces.scale_px=[20, 160],[14, 90]' --set improve.trials=0\n"
     "  tessera campaign jobs/animals.toml --seeds 1-8 --list\n"
-    "Every seed with every value. Collages that are finished are not made again; at the end all are ranked (see\n"
-    "tessera rank). --list prints, for scripts, a line a collage: finished or open, its folder, its values, with tabs\n"
-    "between them. One process; slurm/campaign.sh makes an array of jobs of any number of ranks.";
+    "Every seed with every value. Collages that are finished are not made again, and those of another job in DIR are\n"
+    "not overwritten; at the end all are ranked (see tessera rank). --list prints, for scripts, a line a collage:\n"
+    "finished or open, its folder, its values, with tabs between them. One process; slurm/campaign.sh makes an array\n"
+    "of jobs of any number of ranks.";
 
 }  // namespace
 
@@ -24,7 +25,8 @@ void add_campaign_command(CLI::App& app, Command& selected) {
       app.add_subcommand("campaign", "Make a job's collage with several seeds and values, and rank them");
   campaign->footer(kExamples);
   campaign->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
-  campaign->add_option("--seeds", arguments->seeds, "Seeds and ranges of them")->type_name("1-8,12");
+  campaign->add_option("--seeds", arguments->seeds, "Seeds and ranges of them; 7 is the seed 7, not seven of them")
+      ->type_name("1-8,12");
   campaign->add_option("--set", arguments->sets, "Use each of these values; may be repeated")
       ->type_name("SECTION.KEY=VALUE,..")
       ->allow_extra_args(false)

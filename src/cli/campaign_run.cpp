@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "cli/collage_run.h"
 #include "cli/ranking_run.h"
@@ -29,14 +30,23 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
+/// Throws InputError where the folder holds the finished result of another job, which would be lost.
+bool is_finished(const std::string& folder, const io::Job& job) {
+  const std::optional<io::Job> then = io::job_of_finished_result(folder);
+  if (!then) return false;
+  const std::string differences = io::result_differences(*then, job);
+  if (differences.empty()) return true;
+  throw InputError(folder + ": holds the finished result of another job" + differences +
+                   "; give what it was then, another --out, or remove that folder");
+}
+
 /// All jobs are read before the first is begun, so that a mistake in the last shows at once.
 std::vector<Task> tasks_of(const CampaignArguments& arguments) {
   std::vector<Task> tasks;
   for (io::Variation& variation : io::make_variations(arguments.seeds, arguments.sets)) {
     const io::Job job = io::load_job(arguments.job, variation.overrides);
     const std::string folder = (std::filesystem::path(campaign_folder(arguments)) / variation.name).string();
-    const bool finished = io::holds_finished_result(folder, job);
-    tasks.push_back({std::move(variation), folder, finished});
+    tasks.push_back({std::move(variation), folder, is_finished(folder, job)});
   }
   return tasks;
 }
@@ -96,7 +106,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   io::prepare_output_directory(campaign_folder(arguments));
   const int exit_code = make_all(arguments, tasks, ranks);
   if (stop_signalled() || exit_code != 0) {
-    std::printf("ended early; the same command goes on where this one was\n");
+    std::fprintf(stderr, "tessera: unfinished: the same command goes on where this one was\n");
     return kUnfinishedExitCode;
   }
   RankingArguments ranking{.folders = {}, .out = campaign_folder(arguments), .weights = arguments.weights};

@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <memory>
 
 #include "cli/collage_run.h"
@@ -15,7 +16,20 @@ constexpr const char* kExamples =
     "  tessera collage jobs/animals.toml --resume                 goes on where it stopped, or was killed\n"
     "The result (collage.png and .svg, pieces.geojson, quality card, effective job) is the same on any number of ranks,\n"
     "and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and what is placed so far\n"
-    "are written. Every key of a job: docs/job-format.md";
+    "are written. A finished result in DIR is replaced; where it is of another job, a line on stderr says so.\n"
+    "Every key of a job: docs/job-format.md. Every file of a result: docs/result-format.md";
+
+std::string how_to_go_on(const CollageArguments& arguments) {
+  const std::string text = "unfinished: go on with the same command and --resume";
+  if (arguments.restart) return text + " instead of --restart";
+  return arguments.resume == "previous" ? text + " instead of --resume=previous" : text;
+}
+
+int run(const CollageArguments& arguments, comm::Communicator& ranks) {
+  const int exit_code = run_collage(arguments, ranks);
+  if (exit_code == kUnfinishedExitCode) std::fprintf(stderr, "tessera: %s\n", how_to_go_on(arguments).c_str());
+  return exit_code;
+}
 
 }  // namespace
 
@@ -30,7 +44,7 @@ void add_collage_command(CLI::App& app, Command& selected) {
       ->type_name("SECTION.KEY=VALUE")
       ->allow_extra_args(false)
       ->take_all();
-  collage->add_flag("--quiet", arguments->quiet, "Print neither progress nor the quality card");
+  collage->add_flag("--quiet", arguments->quiet, "Print neither progress nor the quality card, only warnings");
   CLI::Option* resume =
       collage->add_flag("--resume{latest}", arguments->resume,
                         "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5")
@@ -41,7 +55,7 @@ void add_collage_command(CLI::App& app, Command& selected) {
                    "Stop so early that all is written by then; default: the end of the Slurm job")
       ->type_name("SECONDS|HH:MM:SS");
   collage->callback([arguments, &selected] {
-    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run_collage(*arguments, ranks); };
+    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };
   });
 }
 

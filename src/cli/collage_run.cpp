@@ -10,6 +10,7 @@
 
 #include "cli/collage_checkpoints.h"
 #include "cli/collage_progress.h"
+#include "cli/collage_warnings.h"
 #include "cli/library_part.h"
 #include "cli/stop_signal.h"
 #include "comm/loop_clock.h"
@@ -21,7 +22,7 @@
 #include "io/job/canvas_file.h"
 #include "io/result/collage_files.h"
 #include "io/job/job_file.h"
-#include "io/library/library_file.h"
+#include "io/job/job_library.h"
 #include "io/library/shape_models.h"
 #include "io/result/rank_table.h"
 #include "master/collage_loop.h"
@@ -51,7 +52,7 @@ void share_cores(const comm::Communicator& ranks) {
 
 [[noreturn]] void work(comm::Communicator& ranks) {
   const io::Job job = io::job_from_toml(to_text(ranks.broadcast({})), "the master's job");
-  const io::LibraryFile library(job.library);
+  const io::LibraryFile library = io::open_library_of(job);
   const ShapeRange part = library_part(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
   share_cores(ranks);
@@ -107,11 +108,10 @@ void say(const CollageArguments& arguments, const std::string& line) {
   if (!arguments.quiet) std::printf("%s\n", line.c_str());
 }
 
-/// The checkpoints go, or the user hears how to go on. Returns the exit code.
-int conclude(const CollageArguments& arguments, bool unfinished, const CollageCheckpoints& checkpoints) {
+/// A finished run needs its checkpoints no more. Returns the exit code.
+int conclude(bool unfinished, const CollageCheckpoints& checkpoints) {
   if (unfinished) {
     checkpoints.require_one();
-    say(arguments, "unfinished: go on with the same command and --resume");
     return kUnfinishedExitCode;
   }
   checkpoints.remove();
@@ -124,7 +124,7 @@ struct Input {
       : job(io::load_job(arguments.job, arguments.overrides)),
         folder(output_folder(arguments)),
         checkpoints(checked_start(folder, start)),
-        library(job.library),
+        library(io::open_library_of(job)),
         canvas(io::load_canvas(job.canvas)) {
     io::check_picture_height(job.output, canvas);
     io::prepare_output_directory(folder);
@@ -158,6 +158,8 @@ int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
       time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr))));
   const Start start = start_of(arguments);
   const Input input(arguments, start);
+  // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
+  print_warning(replaced_result_warning(input.folder, input.job));
   ranks.broadcast(to_bytes(io::to_toml(input.job)));
   const std::unique_ptr<Matcher> matcher =
       ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library);
@@ -170,7 +172,8 @@ int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
   const std::string card =
       write(input.folder, input.job, input.canvas, input.library, result, times) + io::ranks_text(times);
   say(arguments, card + "\nwritten to " + input.folder);
-  return conclude(arguments, result.unfinished, checkpoints);
+  print_warning(empty_result_warning(input.folder, input.job, result));
+  return conclude(result.unfinished, checkpoints);
 }
 
 }  // namespace

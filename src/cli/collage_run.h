@@ -10,20 +10,20 @@
 namespace tessera::cli {
 
 struct CollageArguments {
-  std::string job;                      // the file
-  std::string out;                      // the folder; empty = out/<name of the job file>
-  std::vector<std::string> overrides;   // "section.key=value"
-  bool quiet = false;                   // neither progress nor card
-  std::string resume;                   // "latest" or "previous": from that checkpoint; empty = from the start
-  bool restart = false;                 // even where there is a checkpoint
-  std::string time_limit;               // time_limit.h; empty = none but Slurm's
+  std::string job;                     // the file
+  std::string out;                     // the folder; empty = out/<name of the job file>
+  std::vector<std::string> overrides;  // "section.key=value"
+  bool quiet = false;                  // neither progress nor card; warnings all the same
+  std::string resume;                  // "latest" or "previous": from that checkpoint; empty = from the start
+  bool restart = false;                // even where there is a checkpoint
+  std::string time_limit;              // time_limit.h; empty = none but Slurm's
 };
 
 /// There is more to do, and a checkpoint to go on from: sysexits.h calls it a temporary failure.
 inline constexpr int kUnfinishedExitCode = 75;
 
-/// On every rank. Returns the exit code, 0 or kUnfinishedExitCode; throws InputError and EnvironmentError (rank_program.h turns those of the
-/// workers into the master's). A worker leaves by JobEnded.
+/// On every rank. Returns the exit code, 0 or kUnfinishedExitCode: then the caller says how to go on. Throws InputError
+/// and EnvironmentError (rank_program.h turns those of the workers into the master's). A worker leaves by JobEnded.
 int run_collage(const CollageArguments& arguments, comm::Communicator& ranks);
 
 }  // namespace tessera::cli

@@ -13,6 +13,7 @@
 #include "cli/progress_bar.h"
 #include "cli/stop_signal.h"
 #include "core/error.h"
+#include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
 
 namespace tessera::cli {
@@ -24,7 +25,7 @@ constexpr char kExamples[] =
     "  tessera library build logos/ letters/a.png --glob '*.svg' --embed -o mine.h5\n"
     "Reads SVG and SVGZ, PNG, WebP and TIFF with transparency, and two-colour masks (PNG, BMP, JPEG). Files that "
     "cannot\n"
-    "be used are skipped and listed at the end with the reason.";
+    "be used are skipped: the first are named at the end, all of them, with the reasons, in LIB.left_out.txt.";
 
 struct BuildArguments {
   std::vector<std::string> sources;
@@ -64,6 +65,10 @@ int run(const BuildArguments& arguments) {
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   std::fputs(build_summary(report).c_str(), stdout);
   throw_if_not_written(arguments, report);
+  io::write_left_out_list(arguments.output, report);
+  if (!io::left_out_list(report).empty()) {
+    std::printf("all that was left out: %s\n", io::left_out_path(arguments.output).c_str());
+  }
   const std::chrono::duration<double> elapsed_s = std::chrono::steady_clock::now() - start;
   std::printf("%s: %zu shapes from %zu files, %.1f MB, %.1f s\n", arguments.output.c_str(), report.shapes, report.files,
               double(std::filesystem::file_size(arguments.output)) * 1e-6, elapsed_s.count());
@@ -90,12 +95,14 @@ void add_library_build_command(CLI::App& library, Command& selected) {
   build->add_flag("--strict", settings.strict, "Write nothing where a file cannot be used; exit code 2");
   build->add_option("--processes", settings.pool.processes, "How many files are traced at a time; default: all cores")
       ->check(CLI::Range(1, 1024));
-  build->add_option("--pad-levels", settings.pad.levels, "Levels n of the arclength descriptor; jobs must agree")
+  build
+      ->add_option("--pad-levels", settings.pad.levels,
+                   "Levels n of the stored PADs; for jobs with another match.levels they are computed anew")
       ->check(CLI::Range(2, kMaxPadLevels))
       ->capture_default_str();
   build
       ->add_option("--delta-tau", settings.pad.delta_tau,
-                   "Its base interval of integral curvature, rad; jobs must agree")
+                   "Their base interval of integral curvature, rad; the same goes for match.delta_tau")
       ->check(CLI::Range(0.05, 1.0))
       ->capture_default_str();
   build->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });

@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_file.h"
-#include "io/library/library_file.h"
+#include "io/job/job_library.h"
 
 namespace tessera::cli {
 namespace {
@@ -33,7 +33,7 @@ struct PlanArguments {
 
 PlanInput plan_input(const PlanArguments& arguments) {
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
-  const io::LibraryFile library(job.library);
+  const io::LibraryFile library = io::open_library_of(job);
   const Canvas canvas = io::load_canvas(job.canvas);
   const double width_px = job.output.width_px;
   return {.settings = job.settings,

@@ -12,8 +12,9 @@ constexpr const char* kExamples =
     "  tessera rank out/a out/b --out out/a_or_b\n"
     "  tessera rank out/campaign --weight variety=0.2 --weight overlap=-5\n"
     "The score is the sum of weight times measure, in percent. By default coverage counts 1, overlap and outside -2,\n"
-    "shared_boundary 0.1, variety (different shapes by pieces) 0.05. The table is written as ranking.csv and\n"
-    "ranking.json, the pictures, best first, as ranking.png.";
+    "shared_boundary 0.1, variety (different shapes by pieces) 0.05. Equal scores share a rank and stand in the order\n"
+    "of their folders' names. The table is written as ranking.csv and ranking.json, the pictures, best first, as\n"
+    "ranking.png.";
 
 }  // namespace
 

@@ -26,13 +26,12 @@ std::vector<io::ResultCard> cards_of(const std::vector<std::string>& arguments) 
 std::string table_text(const std::vector<io::RankedResult>& results) {
   bench::Table table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces", "shapes",
                       "gap px", "time s"});
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const Quality& q = results[i].card.quality;
+  for (const io::RankedResult& result : results) {
+    const Quality& q = result.card.quality;
     const auto percent = [](double fraction, int decimals) { return io::fixed(100 * fraction, decimals); };
-    table.add({results[i].card.folder, std::to_string(i + 1), io::fixed(results[i].score, 2), percent(q.coverage, 2),
+    table.add({result.card.folder, std::to_string(result.rank), io::fixed(result.score, 2), percent(q.coverage, 2),
                percent(q.overlap, 3), percent(q.outside, 3), percent(q.shared_boundary, 1), std::to_string(q.pieces),
-               std::to_string(q.distinct_shapes), io::fixed(q.largest_gap_px, 1),
-               io::fixed(results[i].card.total_s, 1)});
+               std::to_string(q.distinct_shapes), io::fixed(q.largest_gap_px, 1), io::fixed(result.card.total_s, 1)});
   }
   return table.text();
 }

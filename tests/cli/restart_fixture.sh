@@ -3,6 +3,8 @@
 # Needs: $tessera, $mpirun, $folder (new).
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 unset SLURM_JOB_END_TIME
+# shellcheck source=tests/support/drawings.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
 
 fail() {
   echo "FAILED $*"
@@ -10,21 +12,12 @@ fail() {
   exit 1
 }
 
-draw() { # NAME PATH
-  echo "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><path fill='teal' d='$2'/></svg>" \
-    >"drawings/$1.svg"
-}
-
 # Folder, drawings, library, job, and the pieces of a run without interruption: expected.geojson; it took $run_ms.
 make_job() {
   rm -rf "$folder"
-  mkdir -p "$folder/drawings"
+  mkdir -p "$folder"
   cd "$folder" || exit 1
-  draw bean "M10 50 C10 10 90 10 90 50 C90 90 70 60 50 60 C30 60 10 90 10 50Z"
-  draw star "M50 5 L61 38 L95 38 L67 59 L78 93 L50 72 L22 93 L33 59 L5 38 L39 38Z"
-  draw corner "M10 10 H90 V45 H45 V90 H10Z"
-  draw leaf "M10 90 C10 30 50 10 90 10 C90 60 60 90 10 90Z"
-  draw drop "M50 5 C60 40 85 50 85 70 A35 25 0 0 1 15 70 C15 50 40 40 50 5Z"
+  make_drawings drawings
   "$tessera" library build drawings -o own.h5 >output 2>errors || fail "library"
   cat >job.toml <<END
 [library]

@@ -46,7 +46,7 @@ while :; do
   [[ $code == 0 ]] && break
   [[ $code == 75 ]] || fail "often: exit code $code"
   [[ -s often/collage.png && -s often/checkpoint.h5 ]] || fail "often: no picture or no checkpoint"
-  grep -q 'go on with the same command and --resume' output || fail "often: no hint"
+  grep -q 'go on with the same command and --resume' errors || fail "often: no hint"
   grep -q 'stopped by *signal' often/card.txt || fail "often: another end"
   grep -q 'of it improving' often/card.txt || greedy=$((greedy + 1))
   sessions=$((sessions + 1))

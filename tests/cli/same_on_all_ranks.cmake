@@ -6,15 +6,6 @@ set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
 file(REMOVE_RECURSE ${FOLDER})
 file(MAKE_DIRECTORY ${FOLDER})
 
-function(draw name path)
-  file(WRITE ${FOLDER}/drawings/${name}.svg
-       "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><path fill='teal' d='${path}'/></svg>")
-endfunction()
-draw(bean "M10 50 C10 10 90 10 90 50 C90 90 70 60 50 60 C30 60 10 90 10 50Z")
-draw(star "M50 5 L61 38 L95 38 L67 59 L78 93 L50 72 L22 93 L33 59 L5 38 L39 38Z")
-draw(corner "M10 10 H90 V45 H45 V90 H10Z")
-draw(leaf "M10 90 C10 30 50 10 90 10 C90 60 60 90 10 90Z")
-draw(drop "M50 5 C60 40 85 50 85 70 A35 25 0 0 1 15 70 C15 50 40 40 50 5Z")
 file(WRITE ${FOLDER}/small.toml
      "[library]\nfile = 'own.h5'\n[canvas]\nsize_px = [160, 120]\n"
      "[pieces]\nscale_px = [14, 60]\n[improve]\ntrials = 12\n[output]\nwidth_px = 160\n")
@@ -27,6 +18,7 @@ function(run)
   endif()
 endfunction()
 
+run(bash -c ". ${CMAKE_CURRENT_LIST_DIR}/../support/drawings.sh && make_drawings drawings")
 run(${TESSERA} library build drawings -o own.h5)
 run(${TESSERA} collage small.toml --out first)
 foreach(ranks 2 3 4)

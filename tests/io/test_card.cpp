@@ -39,7 +39,7 @@ RunStatistics sample_run() {
 }
 
 TEST(Card, JsonHasEveryMeasureWithItsUnit) {
-  const auto card = nlohmann::json::parse(card_json(sample_quality(), sample_run()));
+  const auto card = nlohmann::json::parse(card_json(sample_quality(), sample_run(), {}));
   const auto& quality = card["quality"];
   EXPECT_EQ(quality["coverage_fraction"], 0.912346);
   EXPECT_EQ(quality["overlap_fraction"], 0.00412);
@@ -52,7 +52,7 @@ TEST(Card, JsonHasEveryMeasureWithItsUnit) {
 }
 
 TEST(Card, JsonHasTheColumnsOfTable2) {
-  const auto run = nlohmann::json::parse(card_json(sample_quality(), sample_run()))["run"];
+  const auto run = nlohmann::json::parse(card_json(sample_quality(), sample_run(), {}))["run"];
   EXPECT_EQ(run["candidates"], 120);
   EXPECT_EQ(run["pads_per_shape"], 512);
   EXPECT_EQ(run["iterations"], 230);
@@ -67,20 +67,50 @@ TEST(Card, JsonHasTheColumnsOfTable2) {
 }
 
 TEST(Card, TextIsATableThatFitsATerminal) {
-  const std::string text = card_text(sample_quality(), sample_run());
-  for (const char* part : {"91.23 %", "0.412 %", "0.010 %", "1,234 of 118", "68.3 %", "12,345,678", "90.00 %", "12.5 s",
-                           "10.0 % / 20.0 %", "40.0 % / 30.0 %", "full"}) {
+  const std::string text = card_text(sample_quality(), sample_run(), {});
+  for (const char* part : {"91.23 %", "0.412 %", "0.010 %", "1,234 of 118", "120  (shapes in the library)", "68.3 %",
+                           "12,345,678", "90.00 %", "12.5 s", "10.0 % / 20.0 %", "40.0 % / 30.0 %", "full"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 80u) << line;
 }
 
+/// The value beside a label of the table.
+std::string value_of(const std::string& label, const RunStatistics& run, const CollageSettings& settings) {
+  const std::string text = card_text(sample_quality(), run, settings);
+  const std::size_t begin = text.find_first_not_of(' ', text.find("  " + label + " ") + 2 + label.size());
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+TEST(Card, TellsWhatEndedFillingAndHowFarImprovingCame) {
+  CollageSettings settings;
+  RunStatistics run = sample_run();
+  EXPECT_EQ(value_of("stopped by", run, settings), "full");
+  run.trials = 1200;
+  EXPECT_EQ(value_of("stopped by", run, settings), "full, then 1,200 trials") << "improve.seconds alone limits them";
+  settings.improve.trials = 1500;
+  EXPECT_EQ(value_of("stopped by", run, settings), "full, then 1,200 of 1,500 trials");
+  run.stopped_by = "signal";
+  EXPECT_EQ(value_of("stopped by", run, settings), "signal after 1,200 of 1,500 trials");
+  const auto json = nlohmann::json::parse(card_json(sample_quality(), run, settings))["run"];
+  EXPECT_EQ(json["stopped_by"], "signal");
+  EXPECT_EQ(json["trials"], 1200);
+  EXPECT_EQ(json["trials_limit"], 1500);
+}
+
+TEST(Card, SaysWherePaddingLeavesNoBoundaryToShare) {
+  CollageSettings settings;
+  EXPECT_EQ(value_of("shared boundary", sample_run(), settings), "68.3 %  (within 2 px)");
+  settings.pieces.padding_px = 5;
+  EXPECT_EQ(value_of("shared boundary", sample_run(), settings), "68.3 %  (within 2 px; padding keeps 5.0 px)");
+}
+
 TEST(Card, ARunThatDidNothing) {
-  const auto card = nlohmann::json::parse(card_json({}, {}));
+  const auto card = nlohmann::json::parse(card_json({}, {}, {}));
   EXPECT_EQ(card["run"]["prune_share_percent"], 0);
   EXPECT_EQ(card["run"]["pruned_percent"], 0);
-  EXPECT_FALSE(card_text({}, {}).empty());
+  EXPECT_FALSE(card_text({}, {}, {}).empty());
 }
 
 }  // namespace

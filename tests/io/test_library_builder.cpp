@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "io/library/contact_sheet.h"
+#include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
@@ -239,6 +240,24 @@ TEST(LibraryNames, ArePrintableAndShort) {
   EXPECT_EQ(printable_utf8(second), second);
   EXPECT_NE(first, second);
   EXPECT_LT(second.size(), layout::kNameBytes);
+}
+
+TEST(LeftOutList, is_beside_the_library) {
+  EXPECT_EQ(left_out_path("out/animals.h5"), "out/animals.left_out.txt");
+  EXPECT_EQ(left_out_path("v1.2"), "v1.2.left_out.txt");
+}
+
+TEST(LeftOutList, has_a_line_a_file_whatever_its_name) {
+  LibraryBuildReport report;
+  EXPECT_EQ(left_out_list(report), "");
+  report.skipped = {{"/a/x\ty.svg", "not a readable SVG file: line 3:\n no"}, {"/a/b.svg", "hairlines"}};
+  report.merged = {{"/a/red.svg", "blue"}};
+  report.with_specks = {"/a/deer.svg"};
+  EXPECT_EQ(left_out_list(report),
+            "skipped\t/a/x_y.svg\tnot a readable SVG file: line 3:_ no\n"
+            "skipped\t/a/b.svg\thairlines\n"
+            "merged\t/a/red.svg\tthe silhouette of blue\n"
+            "specks\t/a/deer.svg\tsmall parts beside the largest\n");
 }
 
 }  // namespace

@@ -79,8 +79,8 @@ TEST(RankTable, TextFitsATerminal) {
 
 TEST(RankTable, IsASectionOfTheCardWhereThereWereWorkers) {
   EXPECT_EQ(ranks_text({}), "");
-  EXPECT_FALSE(nlohmann::json::parse(card_json({}, {})).contains("ranks"));
-  EXPECT_EQ(nlohmann::json::parse(card_json({}, {}, sample_ranks()))["ranks"]["workers"], 2);
+  EXPECT_FALSE(nlohmann::json::parse(card_json({}, {}, {})).contains("ranks"));
+  EXPECT_EQ(nlohmann::json::parse(card_json({}, {}, {}, sample_ranks()))["ranks"]["workers"], 2);
 }
 
 TEST(RankTable, ALoopOfNoTime) {

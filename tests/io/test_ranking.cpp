@@ -6,15 +6,16 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/error.h"
 #include "io/result/card_output.h"
 #include "io/result/ranking.h"
 #include "io/scratch_folder.h"
+#include "support/input_error.h"
 
 namespace tessera::io {
 namespace {
 
 namespace fs = std::filesystem;
+using test::message_of;
 
 ResultCard card(const std::string& folder, double coverage, double overlap = 0) {
   ResultCard result;
@@ -25,15 +26,6 @@ ResultCard card(const std::string& folder, double coverage, double overlap = 0) 
   result.quality.distinct_shapes = 1;
   result.stopped_by = "full";
   return result;
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 std::vector<std::string> order_of(const std::vector<RankedResult>& results) {
@@ -47,6 +39,17 @@ TEST(Ranking, best_first_and_equal_ones_by_folder) {
       ranked({card("b", 0.9), card("worse", 0.8), card("a", 0.9), card("laps", 0.91, 0.1)}, ranking_weights({}));
   EXPECT_EQ(order_of(results), (std::vector<std::string>{"a", "b", "worse", "laps"}));
   EXPECT_NEAR(results.front().score, 90 + 0.05 * 25, 1e-9);
+}
+
+TEST(Ranking, equal_scores_share_a_rank) {
+  const RankingWeights weights = ranking_weights({});
+  const auto results = ranked({card("c", 0.9), card("a", 0.9), card("first", 0.95), card("last", 0.8)}, weights);
+  std::vector<std::size_t> ranks;
+  for (const RankedResult& result : results) ranks.push_back(result.rank);
+  EXPECT_EQ(ranks, (std::vector<std::size_t>{1, 2, 2, 4}));
+  EXPECT_NE(ranking_csv(results).find("\n2,a,91.250,"), std::string::npos) << ranking_csv(results);
+  EXPECT_NE(ranking_csv(results).find("\n2,c,91.250,"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(ranking_json(results, weights))["ranking"][2]["rank"], 2);
 }
 
 TEST(Ranking, weights_change_the_order) {
@@ -94,7 +97,7 @@ class ResultFolders : public testing::Test {
     RunStatistics run;
     run.total_s = 12.5;
     run.stopped_by = "full";
-    scratch_.write(name + "/card.json", card_json(quality, run));
+    scratch_.write(name + "/card.json", card_json(quality, run, {}));
   }
 
   test::ScratchFolder scratch_;

@@ -2,30 +2,21 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <functional>
 #include <set>
 
-#include "core/error.h"
 #include "io/job/variations.h"
+#include "support/input_error.h"
 
 namespace tessera::io {
 namespace {
 
+using test::message_of;
 using Texts = std::vector<std::string>;
 
 Texts names(const std::vector<Variation>& variations) {
   Texts all;
   for (const Variation& variation : variations) all.push_back(variation.name);
   return all;
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Variations, every_seed_with_every_value) {
@@ -41,6 +32,13 @@ TEST(Variations, a_single_value_is_the_same_in_all) {
   EXPECT_EQ(variations[0].overrides, (Texts{"seed=4", "library.file=\"a,b.h5\""}));
 }
 
+TEST(Variations, a_single_seed_is_in_the_names) {
+  const auto one = make_variations("4", {"a.b=1"});
+  EXPECT_EQ(names(one), Texts{"seed_4"});
+  EXPECT_EQ(one[0].overrides, (Texts{"seed=4", "a.b=1"}));
+  EXPECT_EQ(names(make_variations("4", {"a.b=1,2"})), (Texts{"seed_4-b_1", "seed_4-b_2"}));
+}
+
 TEST(Variations, commas_in_brackets_belong_to_a_value) {
   const auto variations = make_variations("", {"pieces.scale_px=[20, 160],[14,90]"});
   EXPECT_EQ(variations[0].overrides, Texts{"pieces.scale_px=[20, 160]"});
@@ -54,7 +52,7 @@ TEST(Variations, names_stay_different) {
 
 TEST(Variations, mistakes_name_the_argument) {
   EXPECT_EQ(message_of([] { make_variations("8-1", {}); }),
-            "--seeds 8-1: found \"8-1\", allowed: whole numbers and ranges of at most 10000 like 1-8,12");
+            "--seeds 8-1: found \"8-1\", allowed: seeds and ranges of at most 10000 like 7 or 1-8,12");
   for (const char* seeds : {"x", "1-", "-1", "1,,2", "1.5", "1-99999999999999999999", "0-10000"}) {
     EXPECT_NE(message_of([&] { make_variations(seeds, {}); }), "") << seeds;
   }
@@ -63,7 +61,7 @@ TEST(Variations, mistakes_name_the_argument) {
   EXPECT_NE(message_of([] { make_variations("1-2", {"a.b=1,,2"}); }).find("empty value"), std::string::npos);
   EXPECT_NE(message_of([] { make_variations("1-2", {"seed=3,4"}); }).find("seed is given twice"), std::string::npos);
   EXPECT_NE(message_of([] { make_variations("1,2,1", {}); }).find("1 twice"), std::string::npos);
-  EXPECT_NE(message_of([] { make_variations("1", {"a.b=1"}); }).find("nothing varies"), std::string::npos);
+  EXPECT_NE(message_of([] { make_variations("", {"a.b=1"}); }).find("nothing varies"), std::string::npos);
   EXPECT_NE(
       message_of([] {
         make_variations(

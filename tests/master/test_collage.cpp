@@ -1,15 +1,13 @@
 // Whole collages of synthetic shapes, with the plain C++ matcher.
 #include <gtest/gtest.h>
 
-#include "core/composite_matcher.h"
 #include "core/field_lookup.h"
 #include "core/level_curve.h"
 #include "core/piece_distance.h"
 #include "core/quality.h"
-#include "core/reference_matcher.h"
 #include "master/collage.h"
 #include "master/collage_loop.h"
-#include "support/synthetic_library.h"
+#include "support/divided_matcher.h"
 
 namespace tessera::master {
 namespace {
@@ -28,20 +26,11 @@ CollageSettings settings() {
   return s;
 }
 
-std::unique_ptr<Matcher> reference(const MatchingContext& context, std::uint32_t begin, std::uint32_t end) {
-  return std::make_unique<ReferenceMatcher>(context, begin, test::models_of(library(), context, begin, end));
-}
-
 /// The library divided at `cuts`.
 CollageResult run(const Canvas& canvas, const CollageSettings& s, std::vector<std::uint32_t> cuts,
                   Observer& observer) {
-  const std::uint32_t count = std::uint32_t(library().size());
-  const MatchingContext context = make_matching_context(s, count);
-  cuts.insert(cuts.begin(), 0);
-  cuts.push_back(count);
-  std::vector<std::unique_ptr<Matcher>> parts;
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) parts.push_back(reference(context, cuts[i], cuts[i + 1]));
-  CompositeMatcher matcher(std::move(parts));
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+  CompositeMatcher matcher = test::divided_matcher(library(), context, std::move(cuts));
   test::VectorShapes shapes(library());
   return make_collage(canvas, s, matcher, shapes, observer);
 }

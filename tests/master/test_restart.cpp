@@ -2,11 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "core/composite_matcher.h"
 #include "core/error.h"
-#include "core/reference_matcher.h"
 #include "master/collage_loop.h"
-#include "support/synthetic_library.h"
+#include "support/divided_matcher.h"
 
 namespace tessera::master {
 namespace {
@@ -78,18 +76,8 @@ class KeepLatest : public CheckpointKeeper {
 };
 
 CollageResult run(const CollageSettings& s, const Cuts& cuts, Observer& observer, const Checkpoints& checkpoints = {}) {
-  const std::uint32_t count = std::uint32_t(library().size());
-  const MatchingContext context = make_matching_context(s, count);
-  std::vector<std::uint32_t> ends = cuts;
-  ends.push_back(count);
-  std::vector<std::unique_ptr<Matcher>> parts;
-  std::uint32_t begin = 0;
-  for (const std::uint32_t end : ends) {
-    parts.push_back(
-        std::make_unique<ReferenceMatcher>(context, begin, test::models_of(library(), context, begin, end)));
-    begin = end;
-  }
-  CompositeMatcher matcher(std::move(parts));
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+  CompositeMatcher matcher = test::divided_matcher(library(), context, cuts);
   test::VectorShapes shapes(library());
   return make_collage(canvas(), s, matcher, shapes, observer, checkpoints);
 }

@@ -5,6 +5,8 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source-path=SCRIPTDIR source=cluster.sh
 source "$here/cluster.sh"
+# shellcheck source=tests/support/drawings.sh
+source "$here/../support/drawings.sh"
 
 if [[ ${1-} != --inside ]]; then
   reason=$(reason_against_cluster)
@@ -42,18 +44,8 @@ submit() {
   sbatch --parsable "${options[@]}" "$template" "$@" || fail "sbatch of $template"
 }
 
-draw() {  # NAME PATH
-  echo "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><path fill='teal' d='$2'/></svg>" \
-    >"drawings/$1.svg"
-}
-
 make_inputs() {
-  mkdir drawings
-  draw bean "M10 50 C10 10 90 10 90 50 C90 90 70 60 50 60 C30 60 10 90 10 50Z"
-  draw star "M50 5 L61 38 L95 38 L67 59 L78 93 L50 72 L22 93 L33 59 L5 38 L39 38Z"
-  draw corner "M10 10 H90 V45 H45 V90 H10Z"
-  draw leaf "M10 90 C10 30 50 10 90 10 C90 60 60 90 10 90Z"
-  draw drop "M50 5 C60 40 85 50 85 70 A35 25 0 0 1 15 70 C15 50 40 40 50 5Z"
+  make_drawings drawings
   cat >small.toml <<'END'
 [library]
 file = "own.h5"

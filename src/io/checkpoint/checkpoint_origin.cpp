@@ -2,8 +2,7 @@
 
 #include "core/digest.h"
 #include "core/error.h"
-#include "io/job/job_keys.h"
-#include "io/job/job_value.h"
+#include "io/job/job_difference.h"
 
 namespace tessera::io {
 namespace {
@@ -16,15 +15,8 @@ std::uint64_t digest_of(const Canvas& canvas) {
   return digest.value();
 }
 
-/// "; KEY: then A, now B" for each that differs. Files go by their content.
-std::string differing_keys(const Job& then, const Job& now) {
-  std::string text;
-  for (const JobKey& key : job_keys()) {
-    if (!key.decides || key.kind == JobKind::file || key.get(then) == key.get(now)) continue;
-    text += "; " + key.full_name() + ": then " + job_value_to_toml(key, then) + ", now " + job_value_to_toml(key, now);
-  }
-  return text;
-}
+/// Files go by their content.
+bool counts(const JobKey& key) { return key.decides && key.kind != JobKind::file; }
 
 std::string differing_file(const char* key, const std::string& then, const std::string& now) {
   const std::string same_name = then == now ? ", which has changed since" : "";
@@ -43,7 +35,7 @@ Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState
 
 void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now) {
   const Job then = job_from_toml(checkpoint.job, checkpoint.state.name + ", its job");
-  std::string differences = differing_keys(then, *now.job);
+  std::string differences = job_differences(then, *now.job, counts);
   if (checkpoint.library_digest != now.library_digest) {
     differences += differing_file("library.file", then.library, now.job->library);
   }

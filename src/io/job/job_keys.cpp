@@ -181,6 +181,7 @@ void add_checkpoint_keys(std::vector<JobKey>& keys) {
                               "time between two checkpoints; 0 = only where the run is interrupted"},
                              FIELD(checkpoint.every_s)));
   keys.back().decides = false;
+  keys.back().in_result = false;
 }
 
 /// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
@@ -190,6 +191,7 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_text({"devices", "use", devices, "", 0, kMaxDeviceIndex, {"all", "cpu", "gpu"},
                             "the OpenCL devices each rank works on, by kind or by index"},
                            FIELD(devices)));
+  keys.back().in_result = false;
   keys.push_back(with_number({"output", "width_px", integer, "px", 64, 20000, {},
                               "width of collage.png; its height follows from the canvas"},
                              FIELD(output.width_px)));

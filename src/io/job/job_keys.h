@@ -44,6 +44,7 @@ struct JobKey {
   std::function<void(Job&, const JobValue&)> set = {};
   bool required = false;  // the default, an empty text, will not do
   bool decides = true;    // about the collage; false: may be another one when an interrupted run goes on
+  bool in_result = true;  // shows in the files of the result; false: only in its job.toml
 
   /// "section.name", or the name alone at top level.
   std::string full_name() const { return section.empty() ? name : section + "." + name; }

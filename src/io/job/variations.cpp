@@ -1,5 +1,6 @@
 #include "io/job/variations.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cstdint>
@@ -15,6 +16,7 @@ namespace {
 struct Axis {
   std::string key;
   std::vector<std::string> values;
+  bool in_name;  // of each variation
 };
 
 /// At commas outside brackets and quotes.
@@ -45,17 +47,17 @@ std::optional<std::uint64_t> whole_number(const std::string& text) {
   return value;
 }
 
-/// "3" or "3-7".
+/// "3" or "3-7". Even a single one is in the names: a campaign with more seeds then finds it.
 Axis seed_axis(const std::string& seeds) {
-  Axis axis{"seed", {}};
+  Axis axis{"seed", {}, true};
   for (const std::string& part : split(seeds)) {
     const auto dash = part.find('-');
     const auto first = whole_number(part.substr(0, dash));
     const auto last = dash == std::string::npos ? first : whole_number(part.substr(dash + 1));
     if (!first || !last || *first > *last || *last - *first >= kMaxVariations) {
       throw InputError("--seeds " + printable(seeds) + ": found \"" + printable(part) +
-                       "\", allowed: whole numbers and ranges of at most " + std::to_string(kMaxVariations) +
-                       " like 1-8,12");
+                       "\", allowed: seeds and ranges of at most " + std::to_string(kMaxVariations) +
+                       " like 7 or 1-8,12");
     }
     for (std::uint64_t seed = *first; seed <= *last; ++seed) axis.values.push_back(std::to_string(seed));
   }
@@ -67,13 +69,20 @@ Axis set_axis(const std::string& text) {
   if (equals == std::string::npos || equals == 0) {
     throw InputError("--set " + printable(text) + ": allowed: section.key=value or section.key=value,value,...");
   }
-  Axis axis{text.substr(0, equals), split(text.substr(equals + 1))};
+  Axis axis{text.substr(0, equals), split(text.substr(equals + 1)), false};
+  axis.in_name = axis.values.size() > 1;
   for (const std::string& value : axis.values) {
     if (value.empty() && axis.values.size() > 1) {
       throw InputError("--set " + printable(text) + ": found an empty value, allowed: section.key=value,value,...");
     }
   }
   return axis;
+}
+
+void check_varied(const std::vector<Axis>& axes) {
+  if (std::any_of(axes.begin(), axes.end(), [](const Axis& axis) { return axis.in_name; })) return;
+  throw InputError(
+      "campaign: nothing varies; allowed: --seeds 1-8 or a single seed, --set section.key=value,value,...");
 }
 
 void check_distinct(const std::vector<Axis>& axes) {
@@ -100,7 +109,6 @@ std::size_t checked_count(const std::vector<Axis>& axes) {
       throw InputError("campaign: more than " + std::to_string(kMaxVariations) + " variations, the most allowed");
     }
   }
-  if (count == 1) throw InputError("campaign: nothing varies; allowed: --seeds 1-8, --set section.key=value,value,...");
   return count;
 }
 
@@ -128,7 +136,7 @@ Variation variation(const std::vector<Axis>& axes, std::size_t index, std::size_
     count /= axis.values.size();
     const std::string& value = axis.values[index / count % axis.values.size()];
     result.overrides.push_back(axis.key + "=" + value);
-    if (axis.values.size() > 1) result.name += (result.name.empty() ? "" : "-") + name_part(axis, value);
+    if (axis.in_name) result.name += (result.name.empty() ? "" : "-") + name_part(axis, value);
   }
   return result;
 }
@@ -139,6 +147,7 @@ std::vector<Variation> make_variations(const std::string& seeds, const std::vect
   std::vector<Axis> axes;
   if (!seeds.empty()) axes.push_back(seed_axis(seeds));
   for (const std::string& text : sets) axes.push_back(set_axis(text));
+  check_varied(axes);
   check_distinct(axes);
   const std::size_t count = checked_count(axes);
   std::vector<Variation> variations;

@@ -15,8 +15,8 @@ struct Variation {
 };
 
 /// Every seed with every combination of values, the last key running fastest. `seeds`: "1-8,12" or empty for that of the
-/// job. `sets`: "section.key=value,value"; commas in brackets and quotes belong to a value; a single value is the same in
-/// all variations and not part of their names. Throws InputError that names the argument, what was found and what is
+/// job. `sets`: "section.key=value,value"; commas in brackets and quotes belong to a value; a single value of a key is the
+/// same in all variations and not part of their names; a single seed is. Throws InputError that names the argument, what was found and what is
 /// allowed; whether the job takes the values is for load_job to say.
 std::vector<Variation> make_variations(const std::string& seeds, const std::vector<std::string>& sets);
 

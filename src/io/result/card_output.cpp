@@ -41,7 +41,7 @@ Json quality_json(const Quality& q) {
           {"largest_gap_radius_px", px(q.largest_gap_px)}};
 }
 
-Json run_json(const RunStatistics& run) {
+Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
   const StageShares share = stage_shares(run);
   const auto seconds = [](double v) { return rounded(v, 3); };
   const auto percent = [](double fraction) { return rounded(100 * fraction, 3); };
@@ -56,6 +56,7 @@ Json run_json(const RunStatistics& run) {
           {"total_s", seconds(run.total_s)},
           {"improve_s", seconds(run.improve_s)},
           {"trials", run.trials},
+          {"trials_limit", improve.trials},
           {"trials_kept", run.trials_kept},
           {"prune_s", seconds(run.prune_s)},
           {"dock_s", seconds(run.dock_s)},
@@ -91,12 +92,18 @@ std::string scales_text(const Quality& q) {
   return text + " px";
 }
 
-std::string quality_text(const Quality& q) {
+/// What keeps pieces further apart leaves nothing to share.
+std::string shared_boundary_text(const Quality& q, const PieceSettings& pieces) {
+  const std::string text = percent_text(q.shared_boundary, 1) + "  (within 2 px";
+  return text + (pieces.padding_px > 0 ? "; padding keeps " + fixed(pieces.padding_px, 1) + " px)" : ")");
+}
+
+std::string quality_text(const Quality& q, const PieceSettings& pieces) {
   return std::string("Quality\n") + line("coverage", percent_text(q.coverage)) +
          line("overlap", percent_text(q.overlap, 3)) +
          line("outside", percent_text(q.outside, 3)) +
          line("pieces", grouped(q.pieces) + " of " + grouped(q.distinct_shapes) + " distinct shapes") +
-         line("shared boundary", percent_text(q.shared_boundary, 1) + "  (within 2 px)") +
+         line("shared boundary", shared_boundary_text(q, pieces)) +
          line("scale", scales_text(q)) +
          line("", "(min / 10 % / median / 90 % / max)") +
          line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)");
@@ -108,9 +115,16 @@ std::string improvement_text(const RunStatistics& run) {
                                        grouped(run.trials) + " trials kept");
 }
 
-std::string run_text(const RunStatistics& run) {
+/// "full", "full, then 12 of 12 trials" or "coverage after 3 of 12 trials": improving begins when the canvas is full.
+std::string end_text(const RunStatistics& run, const ImproveSettings& improve) {
+  if (run.trials == 0) return run.stopped_by;
+  const std::string limit = improve.trials > 0 ? " of " + grouped(std::uint64_t(improve.trials)) : "";
+  return run.stopped_by + (run.stopped_by == "full" ? ", then " : " after ") + grouped(run.trials) + limit + " trials";
+}
+
+std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
   const StageShares share = stage_shares(run);
-  return std::string("Run (the paper's Table 2)\n") + line("candidates", grouped(run.shapes)) +
+  return std::string("Run (the paper's Table 2)\n") + line("candidates", grouped(run.shapes) + "  (shapes in the library)") +
          line("PADs per shape", fixed(run.pads_per_shape, 1)) +
          line("iterations", grouped(run.rounds)) +
          line("docking choices", grouped(run.docking_choices)) +
@@ -118,19 +132,20 @@ std::string run_text(const RunStatistics& run) {
          line("total time", fixed(run.total_s, 1) + " s") + improvement_text(run) +
          line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
          line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1)) +
-         line("stopped by", run.stopped_by);
+         line("stopped by", end_text(run, improve));
 }
 
 }  // namespace
 
-std::string card_json(const Quality& quality, const RunStatistics& run, const RankStatistics& ranks) {
-  Json card{{"quality", quality_json(quality)}, {"run", run_json(run)}};
+std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
+                      const RankStatistics& ranks) {
+  Json card{{"quality", quality_json(quality)}, {"run", run_json(run, settings.improve)}};
   if (!ranks.workers.empty()) card["ranks"] = ranks_json(ranks);
   return card.dump(2) + "\n";
 }
 
-std::string card_text(const Quality& quality, const RunStatistics& run) {
-  return quality_text(quality) + run_text(run);
+std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings) {
+  return quality_text(quality, settings.pieces) + run_text(run, settings.improve);
 }
 
 }  // namespace tessera::io

@@ -6,14 +6,16 @@
 #include "core/placement.h"
 #include "core/quality.h"
 #include "core/rank_statistics.h"
+#include "core/settings.h"
 
 namespace tessera::io {
 
-/// card.json. Units stand in the keys; shares and percentages say so. Stage shares are of the four stages' sum. Section
-/// "ranks" (rank_table.h) is there where there were workers.
-std::string card_json(const Quality& quality, const RunStatistics& run, const RankStatistics& ranks = {});
+/// card.json (docs/result-format.md). Units stand in the keys; shares and percentages say so. Stage shares are of the four
+/// stages' sum. Section "ranks" (rank_table.h) is there where there were workers.
+std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
+                      const RankStatistics& ranks = {});
 
 /// The same for people: a table of two columns, lines of less than 80 characters.
-std::string card_text(const Quality& quality, const RunStatistics& run);
+std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings);
 
 }  // namespace tessera::io

@@ -89,9 +89,9 @@ void write_collage_sheet(const std::vector<RankedResult>& results, const std::st
   for (std::size_t k = 0; k < shown; ++k) {
     const RankedResult& result = results[k];
     if (!pictures[k].empty()) draw_picture(sheet, k, pictures[k]);
-    sheet.caption(
-        k, 0,
-        std::to_string(k + 1) + ". " + printable_utf8(last_name(result.card.folder)) + ": " + fixed(result.score, 2));
+    sheet.caption(k, 0,
+                  std::to_string(result.rank) + ". " + printable_utf8(last_name(result.card.folder)) + ": " +
+                      fixed(result.score, 2));
     sheet.caption(k, 1, measures(result.card.quality));
   }
   write_file_atomically(path, sheet.png(path));

@@ -1,21 +1,15 @@
 #include "io/result/finished_result.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "core/error.h"
+#include "io/job/job_difference.h"
 #include "io/result/card_input.h"
 
 namespace tessera::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// The picture is written last: one that is older belongs to the run before.
 bool picture_is_newest(const fs::path& dir) {
@@ -24,16 +18,22 @@ bool picture_is_newest(const fs::path& dir) {
   return !error && picture >= fs::last_write_time(dir / "job.toml", error) && !error;
 }
 
+bool ended_early(const ResultCard& card) { return card.stopped_by == "signal" || card.stopped_by == "time_limit"; }
+
 }  // namespace
 
-bool holds_finished_result(const std::string& dir, const Job& job) {
-  if (!picture_is_newest(dir) || bytes_of(fs::path(dir) / "job.toml") != to_toml(job)) return false;
+std::optional<Job> job_of_finished_result(const std::string& dir) {
+  if (!picture_is_newest(dir)) return {};
   try {
-    const std::string stopped_by = read_card(dir).stopped_by;
-    return stopped_by != "signal" && stopped_by != "time_limit";
-  } catch (const InputError&) {  // no card, or not one of ours: the run makes a new one
-    return false;
+    if (ended_early(read_card(dir))) return {};
+    return load_job((fs::path(dir) / "job.toml").string(), {});
+  } catch (const InputError&) {  // no card or job, or not one of ours: the run makes a new one
+    return {};
   }
+}
+
+std::string result_differences(const Job& then, const Job& now) {
+  return job_differences(then, now, [](const JobKey& key) { return key.in_result; });
 }
 
 }  // namespace tessera::io

@@ -1,13 +1,19 @@
-// Whether a folder already holds what a job would give.
+// What a folder already holds, compared with what a job would give.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "io/job/job_file.h"
 
 namespace tessera::io {
 
-/// `dir` has every file of a collage of exactly this job, and it was not ended early by a signal.
-bool holds_finished_result(const std::string& dir, const Job& job);
+/// The job whose finished collage `dir` holds: every file is there, and no signal or time limit ended it early. Nothing
+/// where there is none, or none that this version of the program reads.
+std::optional<Job> job_of_finished_result(const std::string& dir);
+
+/// "; KEY: then A, now B" for each key that makes the result of `now` another one than that of `then`. Empty where they
+/// are the same.
+std::string result_differences(const Job& then, const Job& now);
 
 }  // namespace tessera::io

@@ -47,9 +47,9 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-nlohmann::ordered_json result_json(const RankedResult& result, std::size_t rank) {
+nlohmann::ordered_json result_json(const RankedResult& result) {
   const Quality& q = result.card.quality;
-  return {{"rank", rank},
+  return {{"rank", result.rank},
           {"folder", result.card.folder},
           {"score", std::round(1000 * result.score) / 1000},
           {"coverage_fraction", q.coverage},
@@ -99,11 +99,15 @@ std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWei
   for (ResultCard& card : cards) {
     double score = 0;
     for (std::size_t i = 0; i < kRankingTerms; ++i) score += 100 * weights[i] * ranking_terms()[i].value(card.quality);
-    results.push_back({std::move(card), score});
+    results.push_back({std::move(card), score, 0});
   }
   std::sort(results.begin(), results.end(), [](const RankedResult& a, const RankedResult& b) {
     return a.score != b.score ? a.score > b.score : a.card.folder < b.card.folder;
   });
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const bool tied = i > 0 && results[i].score == results[i - 1].score;
+    results[i].rank = tied ? results[i - 1].rank : i + 1;
+  }
   return results;
 }
 
@@ -124,10 +128,10 @@ std::string ranking_csv(const std::vector<RankedResult>& results) {
   std::string text =
       "rank,folder,score,coverage_fraction,overlap_fraction,outside_fraction,shared_boundary_fraction,pieces,"
       "distinct_shapes,largest_gap_radius_px,total_s,stopped_by\n";
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const ResultCard& card = results[i].card;
+  for (const RankedResult& result : results) {
+    const ResultCard& card = result.card;
     const Quality& q = card.quality;
-    text += std::to_string(i + 1) + "," + csv_field(card.folder) + "," + fixed(results[i].score, 3) + "," +
+    text += std::to_string(result.rank) + "," + csv_field(card.folder) + "," + fixed(result.score, 3) + "," +
             fixed(q.coverage, 6) + "," + fixed(q.overlap, 6) + "," + fixed(q.outside, 6) + "," +
             fixed(q.shared_boundary, 6) + "," + std::to_string(q.pieces) + "," + std::to_string(q.distinct_shapes) +
             "," + fixed(q.largest_gap_px, 3) + "," + fixed(card.total_s, 3) + "," + csv_field(card.stopped_by) + "\n";
@@ -139,7 +143,7 @@ std::string ranking_json(const std::vector<RankedResult>& results, const Ranking
   nlohmann::ordered_json json;
   for (std::size_t i = 0; i < kRankingTerms; ++i) json["weights"][ranking_terms()[i].name] = weights[i];
   json["ranking"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < results.size(); ++i) json["ranking"].push_back(result_json(results[i], i + 1));
+  for (const RankedResult& result : results) json["ranking"].push_back(result_json(result));
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

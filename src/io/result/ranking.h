@@ -29,10 +29,11 @@ RankingWeights ranking_weights(const std::vector<std::string>& changes);
 
 struct RankedResult {
   ResultCard card;
-  double score = 0;  // points
+  double score = 0;      // points
+  std::size_t rank = 0;  // from 1; equal scores have the same, and the one after two firsts is 3
 };
 
-/// Best first, equal ones by folder. The score is the sum over the terms of weight · value in percent.
+/// Best first; equal ones share a rank and stand in the order of their folders' names. The score is the sum over the terms of weight · value in percent.
 std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWeights& weights);
 
 /// "score = coverage - 2 overlap ...": the weights that are not 0, in words.

@@ -1,0 +1,20 @@
+// What tessera collage says on stderr, --quiet or not, where it does as it was told and somebody may be sorry.
+#pragma once
+
+#include <string>
+
+#include "io/job/job_file.h"
+#include "master/collage_loop.h"
+
+namespace tessera::cli {
+
+/// Empty where `folder` holds no finished result, or that of the same job.
+std::string replaced_result_warning(const std::string& folder, const io::Job& job);
+
+/// Empty where there are pieces, or where the run may still go on to some.
+std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result);
+
+/// Nothing where it is empty.
+void print_warning(const std::string& warning);
+
+}  // namespace tessera::cli

@@ -1,0 +1,16 @@
+#include "io/job/job_difference.h"
+
+#include "io/job/job_value.h"
+
+namespace tessera::io {
+
+std::string job_differences(const Job& then, const Job& now, const std::function<bool(const JobKey&)>& counts) {
+  std::string text;
+  for (const JobKey& key : job_keys()) {
+    if (!counts(key) || key.get(then) == key.get(now)) continue;
+    text += "; " + key.full_name() + ": then " + job_value_to_toml(key, then) + ", now " + job_value_to_toml(key, now);
+  }
+  return text;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,47 @@
+#include "io/library/left_out_list.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "core/error.h"
+#include "io/atomic_file.h"
+#include "io/library/library_names.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Paths and reasons with control characters, tabs among them, would break the columns.
+std::string line(const char* what, const std::string& path, const std::string& why) {
+  return std::string(what) + "\t" + printable_utf8(path) + "\t" + printable_utf8(why) + "\n";
+}
+
+}  // namespace
+
+std::string left_out_path(const std::string& library) {
+  fs::path path(library);
+  if (path.extension() == ".h5") path.replace_extension();
+  return path.string() + ".left_out.txt";
+}
+
+std::string left_out_list(const LibraryBuildReport& report) {
+  std::string text;
+  for (const UnusedFile& file : report.skipped) text += line("skipped", file.path, file.reason);
+  for (const LibraryBuildReport::Merged& file : report.merged) {
+    text += line("merged", file.path, "the silhouette of " + file.name);
+  }
+  for (const std::string& path : report.with_specks) text += line("specks", path, "small parts beside the largest");
+  return text;
+}
+
+void write_left_out_list(const std::string& library, const LibraryBuildReport& report) {
+  const std::string path = left_out_path(library);
+  const std::string text = left_out_list(report);
+  if (!text.empty()) return write_file_atomically(path, text);
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw EnvironmentError("cannot remove " + path + ": " + error.message());
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,21 @@
+// The list beside a library of what its artwork did not bring into it: NAME.left_out.txt beside NAME.h5
+// (docs/library-format.md).
+#pragma once
+
+#include <string>
+
+#include "io/library/library_builder.h"
+
+namespace tessera::io {
+
+/// "animals.h5" has "animals.left_out.txt".
+std::string left_out_path(const std::string& library);
+
+/// A line a file: what happened, the path, why, with tabs between them. Empty where nothing was left out.
+std::string left_out_list(const LibraryBuildReport& report);
+
+/// The list of `library`, which was just written; where it is empty, that of the library before it goes. Throws
+/// EnvironmentError.
+void write_left_out_list(const std::string& library, const LibraryBuildReport& report);
+
+}  // namespace tessera::io

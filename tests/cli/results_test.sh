@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# results_test.sh TESSERA NEW_FOLDER: runs into folders that hold a result already, runs without a result, and what is
+# said about both.
+set -uo pipefail
+tessera=$1
+folder=$2
+# shellcheck source=tests/support/drawings.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
+unset SLURM_JOB_END_TIME
+
+fail() {
+  echo "FAILED $*"
+  cat output errors
+  exit 1
+}
+
+# run CODE COMMAND...: tessera's exit code; what it says goes to the files output and errors.
+run() {
+  local expected=$1 code
+  shift
+  "$tessera" "$@" >output 2>errors
+  code=$?
+  [[ $code == "$expected" ]] || fail "exit code $code, not $expected: $*"
+}
+expect_silence() { [[ ! -s errors ]] || fail "$1"; }
+expect_word() { grep -qF -- "$1" errors || fail "not on stderr: $1"; }
+
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
+make_drawings drawings
+run 0 library build drawings -o own.h5
+[[ ! -e own.left_out.txt ]] || fail "a list of what was left out, and nothing was"
+
+# What was left out is listed beside the library, every file of it; a list does not outlive its library.
+for i in 1 2 3 4 5; do echo "<svg/>" >"drawings/empty$i.svg"; done
+cp drawings/bean.svg drawings/bean_again.svg
+run 0 library build drawings -o own.h5
+grep -qF 'all that was left out: own.left_out.txt' output || fail "does not say where the list is"
+[[ $(wc -l <own.left_out.txt) == 6 && $(grep -c $'^skipped\t/.*/drawings/empty.\.svg\t.' own.left_out.txt) == 5 ]] ||
+  fail "another list: $(cat own.left_out.txt)"
+grep -q $'^merged\t/.*/drawings/bean_again.svg\tthe silhouette of bean$' own.left_out.txt || fail "no copy in the list"
+rm drawings/empty?.svg drawings/bean_again.svg
+run 0 library build drawings -o own.h5
+[[ ! -e own.left_out.txt ]] || fail "the list of the library before is still there"
+echo "ok what a library left out"
+
+cat >job.toml <<'END_OF_JOB'
+[library]
+file = 'own.h5'
+[canvas]
+size_px = [120, 90]
+[pieces]
+scale_px = [14, 60]
+[stop]
+pieces = 2
+[output]
+width_px = 120
+END_OF_JOB
+
+# The same job may be run again; another one is a word on stderr, even of a quiet run.
+run 0 collage job.toml --out result --quiet
+run 0 collage job.toml --out result --quiet --set devices.use=cpu --set checkpoint.every_s=9
+expect_silence "a warning about the same job"
+run 0 collage job.toml --out result --quiet --set seed=3 --set output.width_px=64
+expect_word 'tessera: warning: result: this run replaces the finished result of another job; seed: then 1, now 3; '
+expect_word 'output.width_px: then 120, now 64; another --out keeps it'
+[[ $(wc -l <errors) == 1 ]] || fail "not one line"
+echo "ok another job's result"
+
+run 0 collage job.toml --out empty --quiet --set 'pieces.scale_px=[200, 300]'
+expect_word 'tessera: warning: empty: the collage is empty: nothing fits; try smaller pieces, pieces.scale_px (now [200'
+[[ -s empty/collage.png ]] || fail "no picture"
+echo "ok nothing fits"
+
+# More work than time: how to go on is said to quiet users, too, and as the command was.
+forever=(--quiet --time-limit 4 --set stop.pieces=0 --set improve.seconds=1000)
+run 75 collage job.toml --out long "${forever[@]}"
+expect_word 'tessera: unfinished: go on with the same command and --resume'
+run 75 collage job.toml --out long "${forever[@]}" --restart
+expect_word 'tessera: unfinished: go on with the same command and --resume instead of --restart'
+echo "ok unfinished"
+
+# A campaign keeps what is finished, and does not lose what is another job's.
+run 0 campaign job.toml --seeds 1-2 --out campaign
+touch -d '1 hour ago' campaign/seed_*/*
+run 0 campaign job.toml --seeds 1-2 --out campaign --set devices.use=cpu
+[[ $(grep -c 'finished before' output) == 2 ]] || fail "made again"
+cp campaign/seed_1/job.toml before.toml
+refused='campaign/seed_1: holds the finished result of another job; pieces.uses: then 0, now 1; give what it was then,'
+for list in "" --list; do
+  # shellcheck disable=SC2086
+  run 2 campaign job.toml --seeds 1-2 --out campaign --set pieces.uses=1 $list
+  expect_word "tessera: $refused another --out, or remove that folder"
+done
+cmp before.toml campaign/seed_1/job.toml || fail "overwritten"
+run 0 campaign job.toml --seeds 2-3 --out campaign
+[[ $(grep -c 'finished before' output) == 1 ]] || fail "not one of two was there"
+echo "ok campaigns"
+
+# One seed is a campaign, too, which a larger one takes over.
+run 0 campaign job.toml --seeds 4 --out campaign
+[[ -s campaign/seed_4/collage.png && -s campaign/ranking.csv ]] || fail "no campaign of one seed"
+run 0 campaign job.toml --seeds 4-5 --out campaign
+[[ $(grep -c 'finished before' output) == 1 ]] || fail "the single seed was made again"
+echo "ok a single seed"

@@ -1,0 +1,42 @@
+// What tessera collage says on stderr beside errors.
+#include <gtest/gtest.h>
+
+#include "cli/collage_warnings.h"
+
+namespace tessera::cli {
+namespace {
+
+TEST(EmptyResultWarning, says_what_keeps_pieces_out) {
+  io::Job job;
+  EXPECT_EQ(empty_result_warning("out/a", job, {}),
+            "out/a: the collage is empty: nothing fits; try smaller pieces, pieces.scale_px (now [20, 160]); a larger "
+            "canvas.size_px (now [1000, 1000])");
+  job.settings.pieces.padding_px = 80;
+  job.settings.pieces.max_rotation_rad = 0;
+  job.settings.match.tangent_dockings = 0;
+  EXPECT_EQ(empty_result_warning("out/a", job, {}),
+            "out/a: the collage is empty: nothing fits; try smaller pieces, pieces.scale_px (now [20, 160]); less "
+            "pieces.padding_px (now 80); a wider pieces.rotation_deg (now [-180, 0]); more match.tangent_dockings (now "
+            "0): without, nothing docks along straight sides; a larger canvas.size_px (now [1000, 1000])");
+}
+
+TEST(EmptyResultWarning, names_a_time_that_was_too_short) {
+  io::Job job;
+  job.settings.stop.seconds = 0.001;
+  master::CollageResult result;
+  result.statistics.stopped_by = "seconds";
+  EXPECT_EQ(empty_result_warning("out/a", job, result),
+            "out/a: the collage is empty: stop.seconds (now 0.001) ended it before the first piece");
+}
+
+TEST(EmptyResultWarning, is_none_where_there_are_pieces_or_may_be_later) {
+  master::CollageResult result;
+  result.unfinished = true;
+  EXPECT_EQ(empty_result_warning("out/a", io::Job(), result), "");
+  result.unfinished = false;
+  result.placements.resize(1);
+  EXPECT_EQ(empty_result_warning("out/a", io::Job(), result), "");
+}
+
+}  // namespace
+}  // namespace tessera::cli

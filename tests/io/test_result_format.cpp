@@ -1,0 +1,80 @@
+// docs/result-format.md leaves no field of a result out.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "io/result/card_output.h"
+#include "io/result/geojson_output.h"
+#include "io/result/ranking.h"
+#include "sample_collage.h"
+
+namespace tessera::io {
+namespace {
+
+using nlohmann::json;
+
+/// From a heading, "## ..." or "### ...", to the next one of any level.
+std::string documented_section(const std::string& heading) {
+  std::ifstream file(std::string(TESSERA_SOURCE_DIR) + "/docs/result-format.md");
+  const std::string all = "\n" + std::string{std::istreambuf_iterator<char>(file), {}};
+  const auto begin = all.find("\n" + heading + "\n");
+  return begin == std::string::npos ? "" : all.substr(begin, all.find("\n#", begin + 1) - begin);
+}
+
+/// Alone in backticks, or as a part of a name with dots.
+bool names(const std::string& text, const std::string& key) {
+  for (const char* before : {"`", "."}) {
+    for (const char* after : {"`", "."}) {
+      if (text.find(before + key + after) != std::string::npos) return true;
+    }
+  }
+  return false;
+}
+
+void expect_all_named(const json& object, const std::string& section) {
+  for (const auto& [key, value] : object.items()) {
+    EXPECT_TRUE(names(section, key)) << "docs/result-format.md lacks " << key;
+    if (value.is_object()) expect_all_named(value, section);
+  }
+}
+
+TEST(ResultFormat, has_every_key_of_the_card) {
+  RankStatistics ranks;
+  ranks.workers.resize(2);
+  const json card = json::parse(card_json({}, {}, {}, ranks));
+  ASSERT_EQ(card.size(), 3u);
+  for (const auto& [name, section] : card.items()) expect_all_named(section, documented_section("### " + name));
+}
+
+TEST(ResultFormat, has_every_property_of_a_piece) {
+  const test::SampleCollage sample;
+  const json pieces = json::parse(geojson_text(sample.report));
+  expect_all_named(pieces["features"][0]["properties"], documented_section("## pieces.geojson"));
+}
+
+TEST(ResultFormat, has_every_file) {
+  for (const char* name : {"pieces.geojson", "card.json", "card.txt", "job.toml", "collage.svg", "collage.png"}) {
+    EXPECT_TRUE(names(documented_section("# The result"), name)) << name;
+  }
+}
+
+TEST(ResultFormat, has_every_reason_for_the_end) {
+  for (const char* reason : {"full", "pieces", "coverage", "seconds", "signal", "time_limit"}) {
+    EXPECT_NE(documented_section("### run").find("\n| `" + std::string(reason) + "` | "), std::string::npos) << reason;
+  }
+}
+
+TEST(ResultFormat, has_every_column_of_a_ranking) {
+  const std::string text = documented_section("## A ranking") + documented_section("### quality");
+  std::istringstream header(ranking_csv({}));
+  for (std::string column; std::getline(header, column, ',');) {
+    while (column.ends_with('\n')) column.pop_back();
+    EXPECT_TRUE(names(text, column)) << column;
+  }
+}
+
+}  // namespace
+}  // namespace tessera::io

@@ -1,0 +1,27 @@
+// The plain C++ matcher over a library that is divided among several parts, as it is among ranks.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/composite_matcher.h"
+#include "core/reference_matcher.h"
+#include "support/synthetic_library.h"
+
+namespace tessera::test {
+
+/// A part ends at each of `cuts`, which do not fall, and at the library's end.
+inline CompositeMatcher divided_matcher(const std::vector<Shape>& library, const MatchingContext& context,
+                                        std::vector<std::uint32_t> cuts) {
+  cuts.push_back(std::uint32_t(library.size()));
+  std::vector<std::unique_ptr<Matcher>> parts;
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : cuts) {
+    parts.push_back(std::make_unique<ReferenceMatcher>(context, begin, models_of(library, context, begin, end)));
+    begin = end;
+  }
+  return CompositeMatcher(std::move(parts));
+}
+
+}  // namespace tessera::test
