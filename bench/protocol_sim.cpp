@@ -38,54 +38,34 @@ struct Question {
 };
 
 std::vector<Question> questions_of(const RoundCosts& c) {
-  std::vector<Question> questions(std::size_t(c.counts), {c.count_s, c.request_bytes, c.reply_bytes, false});
+  std::vector<Question> questions{{c.measure_s, 1, 1, true}};  // its bytes are counted with those of refine
+  questions.insert(questions.end(), std::size_t(c.counts), {c.count_s, c.request_bytes, c.reply_bytes, false});
   questions.push_back({c.dock_s, c.request_bytes, c.reply_bytes, false});
   questions.push_back({c.refine_s, c.refine_request_bytes, c.refine_reply_bytes, true});
   return questions;
 }
 
-/// Who sends to whom. Rank 0 is the master.
-class Ranks {
- public:
-  explicit Ranks(const Scenario& scenario)
-      : tree_(scenario.protocol == Protocol::tree),
-        size_(scenario.costs.workers + 1) {}
-
-  int size() const { return size_; }
-  int parent(int rank) const { return tree_ ? (rank - 1) / 2 : 0; }
-  std::vector<int> children(int rank) const {
-    std::vector<int> ranks;
-    if (tree_) {
-      for (int child = 2 * rank + 1; child <= 2 * rank + 2 && child < size_; ++child) ranks.push_back(child);
-    } else if (rank == 0) {
-      for (int child = 1; child < size_; ++child) ranks.push_back(child);
-    }
-    return ranks;
+/// The rank and all below it.
+int subtree(int rank, const Scenario& scenario) {
+  int ranks = 1;
+  for (const int child : place_in_tree(rank, scenario.costs.workers + 1, scenario.fan_out).children) {
+    ranks += subtree(child, scenario);
   }
-  /// Itself and all below it.
-  int subtree(int rank) const {
-    int ranks = 1;
-    for (const int child : children(rank)) ranks += subtree(child);
-    return ranks;
-  }
-
- private:
-  bool tree_;
-  int size_;
-};
+  return ranks;
+}
 
 /// What one rank does in a scenario.
 class RankPlay {
  public:
   RankPlay(const Scenario& scenario, int rank)
       : costs_(scenario.costs),
-        ranks_(scenario),
         rank_(rank),
-        children_(ranks_.children(rank)) {
-    for (const int child : children_) subtrees_.push_back(ranks_.subtree(child));
+        children_(place_in_tree(rank, scenario.costs.workers + 1, scenario.fan_out).children),
+        below_(subtree(rank, scenario)) {
+    for (const int child : children_) subtrees_.push_back(subtree(child, scenario));
     // Deterministic, from -1 to 1: who is slower than others and by how much.
     const double random = double(mix_bits(std::uint64_t(rank)) >> 11) / double(1ull << 53);
-    slowness_ = ranks_.size() > 2 ? 1 + costs_.imbalance * (2 * random - 1) : 1;
+    slowness_ = costs_.workers > 1 ? 1 + costs_.imbalance * (2 * random - 1) : 1;
     inbox(rank_)->set_receiver(sg4::Actor::self());
     for (const int child : children_) outbox(child)->set_receiver(sg4::Actor::self());
   }
@@ -112,7 +92,7 @@ class RankPlay {
         pass_on(question, costs_.ask_s);
         compute(question.work_s * slowness_ + costs_.messages_s);
         join();
-        send(outbox(rank_), question.reply_bytes * (question.own ? ranks_.subtree(rank_) : 1));
+        send(outbox(rank_), question.reply_bytes * (question.own ? below_ : 1));
       }
     }
   }
@@ -167,9 +147,9 @@ class RankPlay {
   }
 
   const RoundCosts& costs_;
-  Ranks ranks_;
   int rank_;
   std::vector<int> children_;
+  int below_;  // itself included
   std::vector<int> subtrees_;
   double slowness_ = 1;
   double busy_s_ = 0;

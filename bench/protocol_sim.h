@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/round_model.h"
+#include "core/worker_tree.h"
 
 namespace tessera::bench {
 
@@ -14,15 +15,10 @@ struct Cluster {
   double bytes_per_s = 10e9;  // of a link, each way
 };
 
-/// How a question comes to all workers and the answers back.
-enum class Protocol {
-  star,  // as src/comm does: the master sends to each and joins the answers of each
-  tree,  // a rank passes on to two others and joins their answers with its own
-};
-
+/// Questions go down the tree of src/core/worker_tree.h, and the answers up.
 struct Scenario {
   RoundCosts costs;
-  Protocol protocol = Protocol::star;
+  int fan_out = kFanOut;
 };
 
 struct SimulatedRound {

@@ -24,6 +24,7 @@ struct Options {
   std::string out = "out/scaling_sim";
   std::vector<int> hosts = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512};
   std::vector<std::uint64_t> shapes = {10'000, 100'000, 1'000'000};
+  int fan_out = kFanOut;
   double latency_us = 2;
   double gigabytes_per_s = 10;
   double worker_speed = 1;
@@ -38,8 +39,8 @@ struct Job {
 
 struct Prediction {
   Job job;
-  SimulatedRound star;
-  SimulatedRound tree;
+  SimulatedRound tree;  // as it is
+  SimulatedRound star;  // if the master asked all itself
 };
 
 Options parsed(int argc, char** argv) {
@@ -51,6 +52,7 @@ Options parsed(int argc, char** argv) {
   app.add_option("--out", options.out, "Names of the CSV and the plot, without ending")->capture_default_str();
   app.add_option("--hosts", options.hosts, "Numbers of workers, a host each")->delimiter(',')->capture_default_str();
   app.add_option("--shapes", options.shapes, "Sizes of the library")->delimiter(',')->capture_default_str();
+  app.add_option("--fan-out", options.fan_out, "Workers that a rank asks itself")->capture_default_str();
   app.add_option("--latency-us", options.latency_us, "From host to host")->capture_default_str();
   app.add_option("--gigabytes-per-s", options.gigabytes_per_s, "Of a link, each way")->capture_default_str();
   app.add_option("--worker-speed", options.worker_speed, "A host's devices, in workers as they were measured")
@@ -92,7 +94,7 @@ std::vector<ScalingCase> cases_of(const std::vector<std::string>& reports) {
 RoundCosts costs_of(const RoundModel& model, const Job& job, const Options& options) {
   RoundCosts costs = model.costs(job.workers, job.shapes);
   costs.master_s /= options.master_speed;
-  for (double* stage_s : {&costs.field_s, &costs.count_s, &costs.dock_s, &costs.refine_s}) {
+  for (double* stage_s : {&costs.field_s, &costs.count_s, &costs.dock_s, &costs.refine_s, &costs.measure_s}) {
     *stage_s /= options.worker_speed;
   }
   return costs;
@@ -110,24 +112,24 @@ std::string validation(const RoundModel& model, const std::vector<SimulatedRound
 }
 
 std::string prediction_table(const std::vector<Prediction>& predictions) {
-  Table table({"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "efficiency by a tree"});
+  Table table({"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "asking all itself"});
   const Prediction* one = nullptr;
   for (const Prediction& p : predictions) {
     if (p.job.workers == 1) one = &p;
-    const double e = efficiency(one->star, p.star, p.job.workers);
-    table.add({std::to_string(p.job.shapes), std::to_string(p.job.workers), io::fixed(1000 * p.star.round_s, 2),
+    const double e = efficiency(one->tree, p.tree, p.job.workers);
+    table.add({std::to_string(p.job.shapes), std::to_string(p.job.workers), io::fixed(1000 * p.tree.round_s, 2),
                io::fixed(e * p.job.workers, 1), io::fixed(e, 3),
-               io::fixed(100 * p.star.master_busy_s / p.star.round_s, 1),
-               io::fixed(efficiency(one->star, p.tree, p.job.workers), 3)});
+               io::fixed(100 * p.tree.master_busy_s / p.tree.round_s, 1),
+               io::fixed(efficiency(one->tree, p.star, p.job.workers), 3)});
   }
   return table.text();
 }
 
 std::string csv(const std::vector<Prediction>& predictions) {
-  std::string text = "shapes,hosts,star_round_s,star_master_busy_s,tree_round_s,tree_master_busy_s\n";
+  std::string text = "shapes,hosts,round_s,master_busy_s,asking_all_round_s,asking_all_master_busy_s\n";
   for (const Prediction& p : predictions) {
     text += std::to_string(p.job.shapes) + "," + std::to_string(p.job.workers);
-    for (const double s : {p.star.round_s, p.star.master_busy_s, p.tree.round_s, p.tree.master_busy_s}) {
+    for (const double s : {p.tree.round_s, p.tree.master_busy_s, p.star.round_s, p.star.master_busy_s}) {
       text += "," + io::fixed(s, 9);
     }
     text += "\n";
@@ -148,7 +150,7 @@ void plot(const std::vector<Prediction>& predictions, const Options& options) {
     Curve efficient{name, {}, false};
     for (; i < predictions.size() && predictions[i].job.shapes == one.job.shapes; ++i) {
       const int hosts = predictions[i].job.workers;
-      const double e = efficiency(one.star, predictions[i].star, hosts);
+      const double e = efficiency(one.tree, predictions[i].tree, hosts);
       faster.points.emplace_back(hosts, e * hosts);
       efficient.points.emplace_back(hosts, e);
     }
@@ -163,13 +165,13 @@ void run(const Options& options) {
   const Cluster cluster{options.latency_us * 1e-6, options.gigabytes_per_s * 1e9};
   std::vector<Scenario> scenarios;
   for (const ScalingCase& c : model.cases()) {
-    scenarios.push_back({model.costs(c.workers, c.shapes), Protocol::star});
+    scenarios.push_back({model.costs(c.workers, c.shapes)});
   }
   const std::vector<Job> jobs = jobs_of(options);
   for (const Job& job : jobs) {
-    for (const Protocol protocol : {Protocol::star, Protocol::tree}) {
-      scenarios.push_back({costs_of(model, job, options), protocol});
-    }
+    const RoundCosts costs = costs_of(model, job, options);
+    scenarios.push_back({costs, options.fan_out});
+    scenarios.push_back({costs, job.workers});
   }
   const std::vector<SimulatedRound> rounds = simulate_rounds(scenarios, cluster);
 

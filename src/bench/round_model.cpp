@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/tuning.h"
+#include "core/worker_tree.h"
 
 namespace tessera::bench {
 namespace {
@@ -20,21 +20,20 @@ Values constant(const Load&) { return {1}; }
 /// The denser the library, the nearer the best pairs, and the shorter the reach within which they are looked for.
 Values by_own_shapes(const Load& job) { return {1, own_shapes(job), own_shapes(job) / std::sqrt(double(job.shapes))}; }
 Values by_share(const Load& job) { return {1, share(job)}; }
-/// Of so many candidates, drawn evenly, so many shapes differ: the master reads these. And it asks every worker.
-Values by_shapes_read_and_workers(const Load& job) {
-  const double shapes = double(job.shapes);
-  return {1, shapes * (1 - std::exp(-kRefined * job.samples / shapes)), double(job.workers)};
-}
+/// What the master does itself is the same for any library; and it asks some workers.
+Values by_asked(const Load& job) { return {1, double(place_in_tree(0, job.workers + 1).children.size())}; }
 Values by_share_and_own_shapes(const Load& job) { return {1, share(job), own_shapes(job)}; }
 
 Load job_of(const ScalingCase& c) { return {c.workers, c.shapes, c.samples}; }
 
-double worker_stages_s(const ScalingCase& c) { return c.count_s + c.dock_s + c.refine_s + c.field_s + c.messages_s; }
+double worker_stages_s(const ScalingCase& c) {
+  return c.count_s + c.dock_s + c.refine_s + c.measure_s + c.field_s + c.messages_s;
+}
 
 /// All times of the run shortened to what its ranks had of their processors.
 ScalingCase on_processor_time(ScalingCase c) {
   const double worker = c.processor_s / std::max(1e-9, worker_stages_s(c));
-  for (double* stage : {&c.count_s, &c.dock_s, &c.refine_s, &c.field_s, &c.messages_s}) *stage *= worker;
+  for (double* stage : {&c.count_s, &c.dock_s, &c.refine_s, &c.measure_s, &c.field_s, &c.messages_s}) *stage *= worker;
   c.busiest_s = c.greatest_processor_s;
   c.loop_s = c.undisturbed_s();
   c.waiting_s = c.busiest_s;
@@ -53,7 +52,7 @@ double median_over(const std::vector<ScalingCase>& cases, Figure figure) {
   return median(values);
 }
 
-double questions(const ScalingCase& c) { return c.counts + c.docks + c.refines; }
+double questions(const ScalingCase& c) { return c.counts + c.docks + c.refines + c.measures; }
 
 }  // namespace
 
@@ -110,10 +109,11 @@ RoundModel::RoundModel(std::vector<ScalingCase> cases, Clock clock) : cases_(std
                   ? kRoundTrip_s
                   : std::max(0., median_over(cases_, [](C c) { return (c.waiting_s - c.busiest_s) / questions(c); }));
   imbalance_ = median_over(cases_, [](C c) { return c.busiest_s / std::max(1e-9, worker_stages_s(c)) - 1; });
-  master_ = fit([](C c) { return c.serial_s(); }, by_shapes_read_and_workers);
+  master_ = fit([](C c) { return c.serial_s(); }, by_asked);
   count_ = fit([](C c) { return c.count_s; }, by_own_shapes);
   dock_ = fit([](C c) { return c.dock_s; }, by_share_and_own_shapes);
   refine_ = fit([](C c) { return c.refine_s; }, by_share);
+  measure_ = fit([](C c) { return c.measure_s; }, by_share);
   field_ = fit([](C c) { return c.field_s; }, constant);
   messages_ = fit([](C c) { return c.messages_s; }, constant);
   field_bytes_ = fit([](C c) { return c.field_bytes_to_worker; }, constant);
@@ -127,13 +127,14 @@ RoundCosts RoundModel::costs(int workers, std::uint64_t shapes) const {
   costs.workers = job.workers;
   costs.counts = int(counts_);
   const double asked = costs.questions();
-  const double for_a_worker_s = master_.coefficients[2];
-  costs.master_s = master_.at(job) - for_a_worker_s * workers;
+  const double for_a_worker_s = master_.coefficients[1];
+  costs.master_s = master_.coefficients[0];
   costs.ask_s = costs.join_s = for_a_worker_s / asked / 2;
   costs.field_s = field_.at(job);
   costs.count_s = count_.at(job) / counts_;
   costs.dock_s = dock_.at(job);
   costs.refine_s = refine_.at(job);
+  costs.measure_s = measure_.at(job);
   costs.messages_s = messages_.at(job) / asked;
   costs.notice_s = notice_s_ / 2;  // once on the worker, once on the master
   costs.imbalance = imbalance_;

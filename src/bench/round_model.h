@@ -1,8 +1,8 @@
 // What a round costs each rank and each message, for any number of workers and shapes, from measured runs.
 //
 // A stage's time is a sum of parts that are known to grow with something: the shapes of a worker (every pair is
-// tested), its share of the dockings (a fixed number over the whole library), the different shapes that the master
-// reads, or nothing. How much of each, the measured runs say: least squares with no part below zero.
+// tested), its share of the dockings (a fixed number over the whole library), the workers that are asked by the
+// master itself, or nothing. How much of each, the measured runs say: least squares with no part below zero.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ enum class Clock { wall, processor };
 /// A mean round. Seconds and bytes for each question and worker, unless another word is said.
 struct RoundCosts {
   int workers = 1;
-  int counts = 1;       // questions of that kind; dock and refine are asked once
+  int counts = 1;       // questions of that kind; dock, refine and measure are asked once
   double master_s = 0;  // a round: merge, objective, other
   double ask_s = 0;     // the master, for each worker it sends a question to; the field's patch counts with them
   double join_s = 0;    // the master, for each answer it joins
@@ -36,6 +36,7 @@ struct RoundCosts {
   double count_s = 0;
   double dock_s = 0;
   double refine_s = 0;
+  double measure_s = 0;
   double messages_s = 0;  // a worker, for each question
   double notice_s = 0;    // from the arrival of a message until the sleeping rank sees it
   double imbalance = 0;   // a worker's times are up to this fraction longer or shorter
@@ -45,7 +46,7 @@ struct RoundCosts {
   double refine_request_bytes = 0;
   double refine_reply_bytes = 0;
 
-  int questions() const { return counts + 2; }
+  int questions() const { return counts + 3; }
 };
 
 class RoundModel {
@@ -74,7 +75,7 @@ class RoundModel {
   double notice_s_ = 0;
   double imbalance_ = 0;
   double counts_ = 1;
-  Part master_, count_, dock_, refine_, field_, messages_, field_bytes_, to_worker_, from_worker_;
+  Part master_, count_, dock_, refine_, measure_, field_, messages_, field_bytes_, to_worker_, from_worker_;
 };
 
 }  // namespace tessera::bench

@@ -23,6 +23,7 @@ ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::str
   const auto average = [&](const std::string& stage) { return value("/worker/" + stage + "/average_s"); };
   ScalingCase c;
   c.workers = int(value("/workers"));
+  c.asked = int(value("/asked_by_master"));
   c.shapes = shapes;
   c.loop_s = value("/loop_s");
   c.rounds = value("/rounds");
@@ -36,9 +37,10 @@ ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::str
   c.count_s = average("count");
   c.dock_s = average("dock");
   c.refine_s = average("refine");
+  c.measure_s = average("measure");
   c.field_s = average("field");
   c.messages_s = average("messages");
-  for (const char* stage : {"count", "dock", "refine", "field", "messages"}) {
+  for (const char* stage : {"count", "dock", "refine", "measure", "field", "messages"}) {
     c.busiest_s += value(std::string("/worker/") + stage + "/max_s");
   }
   c.processor_s = average("processor");
@@ -46,9 +48,10 @@ ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::str
   c.counts = value("/worker/counts");
   c.docks = value("/worker/docks");
   c.refines = value("/worker/refines");
-  c.field_messages = value("/master/sent_field_messages") / c.workers;
-  c.bytes_to_worker = value("/master/sent_bytes") / c.workers;
-  c.field_bytes_to_worker = value("/master/sent_field_bytes") / c.workers;
+  c.measures = value("/worker/measures");
+  c.field_messages = value("/master/sent_field_messages") / c.asked;
+  c.bytes_to_worker = value("/master/sent_bytes") / c.asked;
+  c.field_bytes_to_worker = value("/master/sent_field_bytes") / c.asked;
   c.bytes_from_worker = value("/worker/sent_bytes");
   return c;
 }

@@ -12,6 +12,7 @@ namespace tessera::bench {
 /// Of the workers' times the average over the workers; all of the whole loop.
 struct ScalingCase {
   int workers = 1;
+  int asked = 1;  // of them by the master itself
   std::uint32_t shapes = 0;
   double loop_s = 0;
   double rounds = 0;
@@ -27,6 +28,7 @@ struct ScalingCase {
   double count_s = 0;  // a worker's
   double dock_s = 0;
   double refine_s = 0;
+  double measure_s = 0;
   double field_s = 0;
   double messages_s = 0;
   double busiest_s = 0;  // sum over the stages of the slowest worker's time
@@ -36,6 +38,7 @@ struct ScalingCase {
   double counts = 0;  // questions
   double docks = 0;
   double refines = 0;
+  double measures = 0;
   double field_messages = 0;         // to one worker
   double bytes_to_worker = 0;        // to one worker
   double field_bytes_to_worker = 0;  // of them

@@ -57,7 +57,7 @@ void share_cores(const comm::Communicator& ranks) {
   const MatchingContext context = context_of(job, library);
   share_cores(ranks);
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
-  comm::serve(ranks, *worker::make_device_matcher(job.devices, context, part, io::models_of(library, context)));
+  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context)));
 }
 
 /// The whole library on this rank's devices.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "comm/encode.h"
 #include "comm/idle_wait.h"
@@ -65,11 +66,9 @@ void Communicator::send_shared(int to, Tag tag, SharedBytes bytes) {
 
 void Communicator::send(int to, Tag tag, Bytes bytes) { send_shared(to, tag, shared(std::move(bytes))); }
 
-void Communicator::send_to_others(Tag tag, Bytes bytes) {
+void Communicator::send(const std::vector<int>& to, Tag tag, Bytes bytes) {
   const SharedBytes content = shared(std::move(bytes));
-  for (int to = 0; to < size(); ++to) {
-    if (to != rank()) send_shared(to, tag, content);
-  }
+  for (const int rank : to) send_shared(rank, tag, content);
 }
 
 Message Communicator::receive_any(int from, std::initializer_list<Tag> tags) {
@@ -98,7 +97,9 @@ void Communicator::flush() {
 
 Bytes Communicator::broadcast(Bytes bytes) {
   if (rank() != 0) return receive(0, Tag::broadcast);
-  send_to_others(Tag::broadcast, bytes);
+  std::vector<int> others(std::size_t(size()) - 1);
+  std::iota(others.begin(), others.end(), 1);
+  send(others, Tag::broadcast, bytes);
   return bytes;
 }
 

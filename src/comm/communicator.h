@@ -55,8 +55,8 @@ class Communicator {
   /// Returns without waiting for the receiver, unless kMostUnderWay bytes are already under way. Messages of one tag
   /// from one rank to another arrive in order. At most 2^31 - 1 bytes.
   void send(int to, Tag tag, Bytes bytes);
-  /// The same to every other rank.
-  void send_to_others(Tag tag, Bytes bytes);
+  /// The same to several ranks.
+  void send(const std::vector<int>& to, Tag tag, Bytes bytes);
   /// The next message of that tag from rank `from`.
   Bytes receive(int from, Tag tag);
   /// The next message of any of the tags from rank `from`, in the order in which they were sent.

@@ -1,6 +1,7 @@
 #include "comm/loop_clock.h"
 
 #include "comm/worker_team.h"
+#include "core/worker_tree.h"
 
 namespace tessera::comm {
 namespace {
@@ -35,7 +36,8 @@ MasterTimes LoopClock::master_times(const RunStatistics& run) const {
 RankStatistics LoopClock::stop(const RunStatistics& run) {
   if (ranks_.size() == 1) return {};
   const MasterTimes master = master_times(run);
-  return {master, gather_times(ranks_), run.rounds, run.target_samples};
+  const int asked = int(place_in_tree(0, ranks_.size()).children.size());
+  return {master, gather_times(ranks_), asked, run.rounds, run.target_samples};
 }
 
 }  // namespace tessera::comm

@@ -5,11 +5,11 @@
 #include "comm/encode.h"
 #include "comm/messages.h"
 #include "comm/worker_clock.h"
+#include "comm/worker_team.h"
+#include "core/worker_tree.h"
 
 namespace tessera::comm {
 namespace {
-
-constexpr int kMaster = 0;
 
 void start_field(Matcher& matcher, const FieldStart& start) {
   matcher.start_field(start.width, start.height, start.origin);
@@ -43,8 +43,17 @@ Bytes measured_answer(const Message& request, Matcher& matcher, WorkerClock& clo
   return encode(clock.measure(stage, questions, [&] { return ask(matcher, question); }));
 }
 
+/// Of the workers below and of this one: in the order of the ranks.
+std::vector<WorkerTimes> times_of(Communicator& ranks, const WorkerClock& clock) {
+  const WorkerTimes own = clock.times();
+  std::vector<WorkerTimes> times = gather_times(ranks);
+  times.push_back(own);
+  return times;
+}
+
 void answer(const Message& request, Communicator& ranks, Matcher& matcher, WorkerClock& clock) {
   using Times = WorkerTimes;
+  const int asker = request.from;
   switch (request.tag) {
     case Tag::start_field:
       clock.start();
@@ -56,38 +65,40 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Worke
       break;
     }
     case Tag::count_request:
-      ranks.send(kMaster, Tag::count_reply,
+      ranks.send(asker, Tag::count_reply,
                  measured_answer(request, matcher, clock, &Times::count_s, &Times::counts, count));
       break;
     case Tag::dock_request:
-      ranks.send(kMaster, Tag::dock_reply,
+      ranks.send(asker, Tag::dock_reply,
                  measured_answer(request, matcher, clock, &Times::dock_s, &Times::docks, dock));
       break;
     case Tag::refine_request:
-      ranks.send(kMaster, Tag::refine_reply,
+      ranks.send(asker, Tag::refine_reply,
                  measured_answer(request, matcher, clock, &Times::refine_s, &Times::refines, refine));
       break;
     case Tag::measure_request:
-      ranks.send(kMaster, Tag::measure_reply,
+      ranks.send(asker, Tag::measure_reply,
                  measured_answer(request, matcher, clock, &Times::measure_s, &Times::measures, measure));
       break;
-    case Tag::times_request: ranks.send(kMaster, Tag::times_reply, encode(clock.times())); break;
+    case Tag::times_request: ranks.send(asker, Tag::times_reply, encode(times_of(ranks, clock))); break;
     default: throw std::logic_error("a message that is no question: " + std::string(tag_name(request.tag)));
   }
 }
 
 }  // namespace
 
-void serve(Communicator& ranks, Matcher& matcher) {
-  ranks.send(kMaster, Tag::hello, encode(matcher.shapes()));
+void serve(Communicator& ranks, std::unique_ptr<Matcher> own) {
+  const std::unique_ptr<Matcher> matcher = gather_workers(ranks, std::move(own));
+  const int asker = place_in_tree(ranks.rank(), ranks.size()).parent;
+  ranks.send(asker, Tag::hello, encode(matcher->shapes()));
   WorkerClock clock(ranks);
   for (;;) {
     const Message request =
-        ranks.receive_any(kMaster, {Tag::start_field, Tag::update_field, Tag::count_request, Tag::dock_request,
-                                    Tag::refine_request, Tag::measure_request, Tag::times_request});
-    // While this rank computes it cannot help a large reply along, which the master may be waiting for.
+        ranks.receive_any(asker, {Tag::start_field, Tag::update_field, Tag::count_request, Tag::dock_request,
+                                  Tag::refine_request, Tag::measure_request, Tag::times_request});
+    // While this rank computes it cannot help a large reply along, which others may be waiting for.
     ranks.flush();
-    answer(request, ranks, matcher, clock);
+    answer(request, ranks, *matcher, clock);
   }
 }
 

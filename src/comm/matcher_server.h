@@ -1,14 +1,16 @@
-// A worker's life: it answers the master's questions from its own part of the library, and keeps nothing but that part,
-// the field, and how long the answers took.
+// A worker's life: it answers questions from its own part of the library and those of the workers below it, and keeps
+// nothing but its part, the field, and how long the answers took.
 #pragma once
+
+#include <memory>
 
 #include "comm/communicator.h"
 #include "core/matcher.h"
 
 namespace tessera::comm {
 
-/// Tells rank 0 which shapes these are, then answers in the order of the questions, until the job ends: leaves by
-/// JobEnded, or by what the matcher throws.
-[[noreturn]] void serve(Communicator& ranks, Matcher& matcher);
+/// Tells who asks this rank (core/worker_tree.h) which shapes these are, then answers in the order of the questions, until
+/// the job ends: leaves by JobEnded, or by what the matcher throws.
+[[noreturn]] void serve(Communicator& ranks, std::unique_ptr<Matcher> matcher);
 
 }  // namespace tessera::comm

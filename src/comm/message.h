@@ -14,8 +14,8 @@ using Bytes = std::vector<char>;
 using SharedBytes = std::shared_ptr<const Bytes>;
 
 enum class Tag : int {
-  hello,          // worker -> master: its part of the library
-  start_field,    // master -> worker, as are the requests below; replies carry the request's name
+  hello,          // worker -> who asks it: its part of the library, with those below it
+  start_field,    // down the tree of ranks (worker_tree.h), as are the requests below; replies carry the request's name
   update_field,
   count_request,
   count_reply,

@@ -20,10 +20,10 @@ class WorkerClock {
     loop_ = Stopwatch();
   }
 
-  /// Runs work() on the account of `stage`.
+  /// Runs work() on the account of `stage`, but for the time that it waits for other ranks.
   template <class Work>
   auto measure(double WorkerTimes::*stage, Work&& work) {
-    const Charge charge{times_.*stage, Stopwatch()};
+    const Charge charge{times_.*stage, ranks_, ranks_.waited_s(), Stopwatch()};
     return work();
   }
   /// The same for a question that is counted.
@@ -49,8 +49,10 @@ class WorkerClock {
  private:
   struct Charge {
     double& stage_s;
+    const Communicator& ranks;
+    double waited_before_s;
     Stopwatch watch;
-    ~Charge() { stage_s += watch.seconds(); }
+    ~Charge() { stage_s += watch.seconds() - (ranks.waited_s() - waited_before_s); }
   };
 
   const Communicator& ranks_;

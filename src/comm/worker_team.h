@@ -1,4 +1,4 @@
-// All workers of a job as one matcher.
+// The workers below a rank as one matcher (worker_tree.h).
 #pragma once
 
 #include <memory>
@@ -10,11 +10,15 @@
 
 namespace tessera::comm {
 
-/// On rank 0, with at least one other rank: waits until every worker has told its shapes (serve), which takes as long
-/// as the slowest one's start. Throws what a worker failed of. The communicator outlives the matcher.
+/// On rank 0, with at least one other rank: all workers of the job. Waits until every one has told its shapes (serve),
+/// which takes as long as the slowest one's start. Throws what a worker failed of. The communicator outlives the matcher.
 std::unique_ptr<Matcher> gather_workers(Communicator& ranks);
 
-/// On rank 0, when the workers have answered everything: how each spent its time since the field was started.
+/// On a worker: its own part and those of the workers below it; `own` alone where there are none.
+std::unique_ptr<Matcher> gather_workers(Communicator& ranks, std::unique_ptr<Matcher> own);
+
+/// How each worker below this rank spent its time since the field was started, in the order of the ranks. When they have
+/// answered everything.
 std::vector<WorkerTimes> gather_times(Communicator& ranks);
 
 }  // namespace tessera::comm

@@ -24,7 +24,7 @@ struct WorkerTimes {
   double measure_s = 0;
   double field_s = 0;     // updates
   double messages_s = 0;  // between question and matcher, and back: reading, writing and sending
-  double waiting_s = 0;   // for the next question
+  double waiting_s = 0;   // for questions, and for the answers of workers below
   double loop_s = 0;
   double processor_s = 0;    // of all threads, but for waiting; what others take from a core does not count
   std::uint64_t counts = 0;  // questions of each kind
@@ -55,6 +55,7 @@ struct MasterTimes {
 struct RankStatistics {
   MasterTimes master;
   std::vector<WorkerTimes> workers;  // of rank 1, 2, ...; none: the master matched by itself
+  int asked = 0;                     // those of them that the master asks itself
   std::uint64_t rounds = 0;
   std::uint64_t target_samples = 0;
 };

@@ -10,19 +10,20 @@ namespace {
 /// has a master that takes 5 ms and 0.5 ms a worker.
 ScalingCase made_up(int workers, std::uint32_t shapes) {
   ScalingCase c;
-  c.workers = workers;
+  c.workers = c.asked = workers;
   c.shapes = shapes;
   c.rounds = 10;
   c.samples = 500;
-  c.counts = c.docks = c.refines = 10;
+  c.counts = c.docks = c.refines = c.measures = 10;
   c.count_s = 0.010 * shapes / 1000. / workers;
   c.dock_s = 0.400 / workers;
+  c.measure_s = 0.020 / workers;
   c.merge_s = 0.050;  // whatever the number of shapes
   c.questions_s = 0.005 * workers;
   c.field_bytes_to_worker = 1000;
   c.bytes_to_worker = 1000 + 4000 + 600. / workers;
   c.bytes_from_worker = 8000 + 1200. / workers;
-  c.busiest_s = c.waiting_s = c.count_s + c.dock_s;
+  c.busiest_s = c.waiting_s = c.count_s + c.dock_s + c.measure_s;
   c.loop_s = c.waiting_s + c.merge_s + c.questions_s;
   return c;
 }
@@ -37,8 +38,9 @@ TEST(RoundModel, FindsWhatTheRunsWereMadeOf) {
   EXPECT_NEAR(costs.count_s, 0.010, 1e-9);
   EXPECT_NEAR(costs.dock_s, 0.004, 1e-9);
   EXPECT_NEAR(costs.refine_s, 0, 1e-9);
+  EXPECT_NEAR(costs.measure_s, 0.0002, 1e-9);
   EXPECT_NEAR(costs.master_s, 0.005, 1e-6);
-  EXPECT_NEAR(3 * (costs.ask_s + costs.join_s), 0.0005, 1e-6) << "three questions";
+  EXPECT_NEAR(4 * (costs.ask_s + costs.join_s), 0.0005, 1e-6) << "four questions";
   EXPECT_NEAR(costs.notice_s, 0, 1e-9);
   EXPECT_NEAR(costs.imbalance, 0, 1e-9);
   EXPECT_NEAR(costs.field_bytes, 100, 1e-6);
@@ -50,7 +52,7 @@ TEST(RoundModel, FindsWhatTheRunsWereMadeOf) {
 
 TEST(RoundModel, ProcessorTimeLeavesOutWhatOthersTook) {
   ScalingCase disturbed = made_up(1, 1000);
-  disturbed.processor_s = disturbed.greatest_processor_s = (disturbed.count_s + disturbed.dock_s) / 2;
+  disturbed.processor_s = disturbed.greatest_processor_s = (disturbed.count_s + disturbed.dock_s + disturbed.measure_s) / 2;
   disturbed.master_processor_s = 0.05;
   const RoundModel model({disturbed}, Clock::processor);
   EXPECT_NEAR(model.cases()[0].loop_s, disturbed.processor_s + 0.05, 1e-9);

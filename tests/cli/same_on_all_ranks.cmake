@@ -1,6 +1,6 @@
 # cmake -DTESSERA=binary -DMPIRUN=mpirun -DFOLDER=new-folder -P same_on_all_ranks.cmake
-# The whole way, as a user goes it: drawings, library, job, collage; and the same pieces on 1, 2, 3 and 4 ranks, on two
-# devices in one rank, and from the effective job.
+# The whole way, as a user goes it: drawings, library, job, collage; and the same pieces on 1, 2, 3, 4, 8 and 16 ranks (16:
+# a tree, as the master asks 8), on 2 and 8 devices in one rank and 2 in each of 3, and from the effective job.
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
 set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
 file(REMOVE_RECURSE ${FOLDER})
@@ -21,11 +21,14 @@ endfunction()
 run(bash -c ". ${CMAKE_CURRENT_LIST_DIR}/../support/drawings.sh && make_drawings drawings")
 run(${TESSERA} library build drawings -o own.h5)
 run(${TESSERA} collage small.toml --out first)
-foreach(ranks 2 3 4)
+foreach(ranks 2 3 4 8 16)
   run(${MPIRUN} --oversubscribe --bind-to none -n ${ranks} ${TESSERA} collage small.toml --out ranks_${ranks})
 endforeach()
 set(ENV{POCL_DEVICES} "pthread pthread")
-run(${TESSERA} collage small.toml --out two_devices)
+run(${TESSERA} collage small.toml --out devices_2)
+run(${MPIRUN} --oversubscribe --bind-to none -n 3 ${TESSERA} collage small.toml --out ranks_3_devices_2)
+set(ENV{POCL_DEVICES} "pthread pthread pthread pthread pthread pthread pthread pthread")
+run(${TESSERA} collage small.toml --out devices_8)
 unset(ENV{POCL_DEVICES})
 run(${TESSERA} collage first/job.toml --out again)
 
@@ -36,7 +39,7 @@ endif()
 if(NOT card MATCHES "of it improving[^\n]* [1-9][0-9]* of 12 ")
   message(FATAL_ERROR "no trial was kept, or not 12 were made:\n${card}")
 endif()
-foreach(other ranks_2 ranks_3 ranks_4 two_devices again)
+foreach(other ranks_2 ranks_3 ranks_4 ranks_8 ranks_16 devices_2 ranks_3_devices_2 devices_8 again)
   foreach(name pieces.geojson job.toml collage.png)
     file(SHA256 ${FOLDER}/first/${name} expected)
     file(SHA256 ${FOLDER}/${other}/${name} found)

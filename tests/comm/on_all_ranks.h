@@ -7,7 +7,8 @@
 
 namespace tessera::comm::test {
 
-/// Runs `body` once on each rank of a job: over threads for jobs of 1, 2, 3 and 4 ranks in turn, over MPI on the ranks
+/// Runs `body` once on each rank of a job: over threads for jobs of 1, 2, 3, 4 and 12 ranks in turn (of 12, the
+/// master asks only some itself), over MPI on the ranks
 /// that mpirun started. A failed expectation on any rank ends the job's other ranks too.
 void on_all_ranks(const std::function<void(Communicator&)>& body);
 

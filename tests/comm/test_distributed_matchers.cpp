@@ -21,9 +21,10 @@ class ThreadedJob {
       : network_(workers + 1), master_(network_.connect(0)) {
     const std::vector<ShapeRange> parts = balanced_ranges(std::vector<std::uint64_t>(models.size(), 1), workers);
     for (int w = 0; w < workers; ++w) {
-      ReferenceMatcher part(context, first + parts[w].begin,
-                            {models.begin() + parts[w].begin, models.begin() + parts[w].end});
-      threads_.emplace_back([this, w, part = std::move(part)]() mutable { work(w + 1, part); });
+      auto part = std::make_unique<ReferenceMatcher>(
+          context, first + parts[w].begin,
+          std::vector<ShapeModel>{models.begin() + parts[w].begin, models.begin() + parts[w].end});
+      threads_.emplace_back([this, w, part = std::move(part)]() mutable { work(w + 1, std::move(part)); });
     }
   }
 
@@ -37,9 +38,9 @@ class ThreadedJob {
   }
 
  private:
-  void work(int rank, Matcher& part) {
+  void work(int rank, std::unique_ptr<Matcher> part) {
     const std::unique_ptr<Communicator> ranks = network_.connect(rank);
-    run_rank(*ranks, {.run = [&](Communicator& c) -> int { serve(c, part); }, .report_error = {}});
+    run_rank(*ranks, {.run = [&](Communicator& c) -> int { serve(c, std::move(part)); }, .report_error = {}});
   }
 
   InProcessNetwork network_;
@@ -60,7 +61,7 @@ MatcherKind team_of(int workers) {
           }};
 }
 
-INSTANTIATE_TEST_SUITE_P(Distributed, MatcherSuite, testing::Values(team_of(1), team_of(2), team_of(3)),
+INSTANTIATE_TEST_SUITE_P(Distributed, MatcherSuite, testing::Values(team_of(1), team_of(2), team_of(3), team_of(11), team_of(30)),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace

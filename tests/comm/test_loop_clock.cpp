@@ -9,6 +9,7 @@
 #include "comm/matcher_server.h"
 #include "comm/worker_team.h"
 #include "core/stopwatch.h"
+#include "core/worker_tree.h"
 #include "job_fixture.h"
 #include "on_all_ranks.h"
 
@@ -74,24 +75,27 @@ void play_loop(Matcher& team, RunStatistics& run) {
   run.total_s = loop.seconds();
 }
 
-void expect_master(const MasterTimes& master, int workers) {
+void expect_master(const MasterTimes& master, int asked) {
   EXPECT_NEAR(sum_of_stages(master, kMasterStages), master.loop_s, kRounding_s);
   EXPECT_GE(master.waiting_s, 2 * kNap_s * 0.9);
-  EXPECT_EQ(master.sent.messages, std::uint64_t(workers) * (1 + 2 * 3));
-  EXPECT_EQ(master.sent_fields.messages, std::uint64_t(workers) * 2);
+  EXPECT_EQ(master.sent.messages, std::uint64_t(asked) * (1 + 2 * 3));
+  EXPECT_EQ(master.sent_fields.messages, std::uint64_t(asked) * 2);
   EXPECT_GE(master.sent_fields.bytes, master.sent_fields.messages * 6 * sizeof(float));
   EXPECT_LT(master.sent_fields.bytes, master.sent.bytes);
 }
 
-void expect_worker(const WorkerTimes& worker) {
+/// With so many workers below it.
+void expect_worker(const WorkerTimes& worker, int asked) {
   EXPECT_NEAR(sum_of_stages(worker, kWorkerStages), worker.loop_s, kRounding_s);
   EXPECT_GE(worker.count_s, 2 * kNap_s * 0.99);
   EXPECT_EQ(worker.counts, 2u);
   EXPECT_EQ(worker.docks, 2u);
   EXPECT_EQ(worker.refines, 0u);
-  EXPECT_EQ(worker.sent.messages, 4u);
+  EXPECT_EQ(worker.sent.messages, 4u + std::uint64_t(asked) * (1 + 2 * 3));
   EXPECT_GE(worker.sent.bytes, 2 * 5 * sizeof(DistanceHistogram));
 }
+
+int asked_by(int rank, const Communicator& ranks) { return int(place_in_tree(rank, ranks.size()).children.size()); }
 
 TEST(LoopClock, StagesOfEveryRankAddUpLoopAfterLoop) {
   on_all_ranks([](Communicator& ranks) {
@@ -106,15 +110,17 @@ TEST(LoopClock, StagesOfEveryRankAddUpLoopAfterLoop) {
             play_loop(*team, run);
             const RankStatistics times = clock.stop(run);
             EXPECT_EQ(times.rounds, 2u);
-            expect_master(times.master, c.size() - 1);
+            EXPECT_EQ(times.asked, asked_by(0, c));
+            expect_master(times.master, asked_by(0, c));
             EXPECT_EQ(times.workers.size(), std::size_t(c.size() - 1));
-            for (const WorkerTimes& worker : times.workers) expect_worker(worker);
+            for (int worker = 1; worker < c.size(); ++worker) {
+              expect_worker(times.workers[std::size_t(worker) - 1], asked_by(worker, c));
+            }
           }
           return 0;
         },
         [](Communicator& c) {
-          SlowCounter matcher({std::uint32_t(c.rank()), std::uint32_t(c.rank() + 1)});
-          serve(c, matcher);
+          serve(c, std::make_unique<SlowCounter>(ShapeRange{std::uint32_t(c.rank()), std::uint32_t(c.rank() + 1)}));
         });
     EXPECT_EQ(outcome.result.exit_code, 0);
   });

@@ -106,8 +106,7 @@ void with_team(const std::function<void(Matcher&)>& master, MakeMatcher make_mat
           return 0;
         },
         [&](Communicator& c) {
-          auto matcher = make_matcher(c);
-          serve(c, matcher);
+          serve(c, make_matcher(c));
         });
     EXPECT_EQ(outcome.result.exit_code, 0);
     EXPECT_TRUE(outcome.reported.empty()) << outcome.reported[0];
@@ -118,7 +117,7 @@ void with_team(const std::function<void(Matcher&)>& master, MakeMatcher make_mat
 constexpr std::uint32_t kEchoShapes = 2;
 
 void with_echo_team(const std::function<void(Matcher&)>& master) {
-  with_team(master, [](Communicator& c) { return EchoMatcher(part_of(kEchoShapes, c)); });
+  with_team(master, [](Communicator& c) { return std::make_unique<EchoMatcher>(part_of(kEchoShapes, c)); });
 }
 
 TEST(RemoteMatcher, KnowsTheWorkersShapes) {
@@ -201,8 +200,7 @@ TEST(RemoteMatcher, LargeMessagesBothWaysDoNotLockUp) {
           return 0;
         },
         [](Communicator& c) {
-          EchoMatcher matcher({0, kShapes});
-          serve(c, matcher);
+          serve(c, std::make_unique<EchoMatcher>(ShapeRange{0, kShapes}));
         });
   });
 }
@@ -229,8 +227,7 @@ TEST(RemoteMatcher, AWorkersErrorReachesWhoeverTakes) {
           return 0;
         },
         [](Communicator& c) {
-          FailingMatcher matcher(part_of(kEchoShapes, c));
-          serve(c, matcher);
+          serve(c, std::make_unique<FailingMatcher>(part_of(kEchoShapes, c)));
         });
     if (ranks.rank() != 0) return;
     EXPECT_EQ(outcome.result.exit_code, 1);
@@ -250,8 +247,7 @@ TEST(RemoteMatcher, AWorkerThatCannotStartEndsTheJob) {
         },
         [](Communicator& c) {
           if (c.rank() == c.size() - 1) throw InputError("library.h5: not a library");
-          EchoMatcher matcher(part_of(kEchoShapes, c));
-          serve(c, matcher);
+          serve(c, std::make_unique<EchoMatcher>(part_of(kEchoShapes, c)));
         });
     EXPECT_EQ(outcome.result.exit_code, ranks.rank() == 0 ? 2 : 0);
   });
@@ -274,7 +270,7 @@ TEST(RemoteMatcher, PartsOfTheLibraryOnAnyNumberOfRanksAnswerAsTheWhole) {
         set_field(team, scene.field);
         expect_same_round(run_round(team, scene), expected);
       },
-      [&](Communicator& c) { return reference_matcher(scene, part_of(shapes, c)); });
+      [&](Communicator& c) { return std::make_unique<ReferenceMatcher>(reference_matcher(scene, part_of(shapes, c))); });
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 /// Two workers: one counts for 1 s, the other for 3 s of 10 s.
 RankStatistics sample_ranks() {
   RankStatistics ranks;
+  ranks.asked = 2;
   ranks.rounds = 50;
   ranks.target_samples = 700;
   ranks.master.objective_s = 1;
@@ -49,6 +50,14 @@ TEST(RankTable, HasLeastAverageGreatestShareAndImbalance) {
   EXPECT_EQ(json["worker"]["dock"]["imbalance_percent"], 0);
   EXPECT_EQ(json["bytes_to_a_worker_a_round"], 20000);
   EXPECT_EQ(json["bytes_from_a_worker_a_round"], 10000);
+}
+
+TEST(RankTable, OfATreeSaysHowManyTheMasterAsks) {
+  RankStatistics ranks = sample_ranks();
+  ranks.asked = 1;
+  EXPECT_EQ(ranks_json(ranks)["asked_by_master"], 1);
+  EXPECT_EQ(ranks_json(ranks)["bytes_to_a_worker_a_round"], 40000);
+  EXPECT_NE(ranks_text(ranks).find("a master and 2 workers, 1 asked by it, 50 rounds"), std::string::npos);
 }
 
 TEST(RankTable, SharesAddUp) {

@@ -13,8 +13,12 @@ using Json = nlohmann::ordered_json;
 
 double percent(double part, double whole) { return whole > 0 ? 100 * part / whole : 0; }
 
-double bytes_a_round_and_worker(const RankStatistics& ranks, std::uint64_t bytes) {
-  return double(bytes) / double(std::max<std::uint64_t>(1, ranks.rounds)) / double(ranks.workers.size());
+double bytes_a_round(const RankStatistics& ranks, std::uint64_t bytes, std::size_t workers) {
+  return double(bytes) / double(std::max<std::uint64_t>(1, ranks.rounds)) / double(std::max<std::size_t>(1, workers));
+}
+
+double bytes_to_a_worker(const RankStatistics& ranks) {
+  return bytes_a_round(ranks, ranks.master.sent.bytes, std::size_t(ranks.asked));
 }
 
 std::uint64_t sent_by_workers(const RankStatistics& ranks) {
@@ -66,8 +70,8 @@ std::string message_rows(const RankStatistics& ranks) {
                 "  master sends    %9.0f messages  %9.3f MB  %9.0f B/round/worker\n"
                 "  a worker sends  %9.0f messages  %9.3f MB  %9.0f B/round/worker\n",
                 double(ranks.master.sent.messages), double(ranks.master.sent.bytes) / 1e6,
-                bytes_a_round_and_worker(ranks, ranks.master.sent.bytes), messages.average, megabytes.average,
-                bytes_a_round_and_worker(ranks, sent_by_workers(ranks)));
+                bytes_to_a_worker(ranks), messages.average, megabytes.average,
+                bytes_a_round(ranks, sent_by_workers(ranks), ranks.workers.size()));
   return text;
 }
 
@@ -116,20 +120,22 @@ Json master_json(const MasterTimes& master) {
 std::string ranks_text(const RankStatistics& ranks) {
   if (ranks.workers.empty()) return "";
   return "Ranks: a master and " + std::to_string(ranks.workers.size()) + " worker" +
-         (ranks.workers.size() == 1 ? "" : "s") + ", " + std::to_string(ranks.rounds) + " rounds, " +
+         (ranks.workers.size() == 1 ? "" : "s") +
+         (std::size_t(ranks.asked) < ranks.workers.size() ? ", " + std::to_string(ranks.asked) + " asked by it" : "") + ", " + std::to_string(ranks.rounds) + " rounds, " +
          fixed(ranks.master.loop_s, 3) + " s\n" + row("", {"min s", "average s", "max s", "share", "imbalance"}) +
          worker_rows(ranks) + master_rows(ranks.master) + message_rows(ranks);
 }
 
 Json ranks_json(const RankStatistics& ranks) {
   return {{"workers", ranks.workers.size()},
+          {"asked_by_master", ranks.asked},
           {"rounds", ranks.rounds},
           {"samples", ranks.target_samples},
           {"loop_s", rounded(ranks.master.loop_s, 6)},
           {"worker", workers_json(ranks)},
           {"master", master_json(ranks.master)},
-          {"bytes_to_a_worker_a_round", rounded(bytes_a_round_and_worker(ranks, ranks.master.sent.bytes), 1)},
-          {"bytes_from_a_worker_a_round", rounded(bytes_a_round_and_worker(ranks, sent_by_workers(ranks)), 1)}};
+          {"bytes_to_a_worker_a_round", rounded(bytes_to_a_worker(ranks), 1)},
+          {"bytes_from_a_worker_a_round", rounded(bytes_a_round(ranks, sent_by_workers(ranks), ranks.workers.size()), 1)}};
 }
 
 }  // namespace tessera::io
