@@ -47,12 +47,18 @@ void each_node(std::uint64_t word, int k, int y, F f) {
 
 }  // namespace
 
+Window exact_window(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
+                    const PieceSettings& pieces) {
+  const CanvasField& field = free.field();
+  return piece_window(shape.outline, canvas_from_shape, field.origin, 2 * reachable_radius_px(pieces) + 3)
+      .intersected(field.value.bounds());
+}
+
 ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
                        const OpenedField& opened, const PieceSettings& pieces) {
   const CanvasField& field = free.field();
   const float reach_px = reachable_radius_px(pieces);
-  const Window window =
-      piece_window(shape.outline, canvas_from_shape, field.origin, 2 * reach_px + 3).intersected(field.value.bounds());
+  const Window window = exact_window(shape, canvas_from_shape, free, pieces);
   if (window.width() <= 2 * kRim || window.height() <= 2 * kRim) return {};
 
   const PieceNodes piece({shape, canvas_from_shape, kept_distance_px(pieces)}, field.origin, window, reach_px);

@@ -18,4 +18,8 @@ struct ExactAreas {
 ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
                        const OpenedField& opened, const PieceSettings& pieces);
 
+/// The nodes that they are counted from.
+Window exact_window(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
+                    const PieceSettings& pieces);
+
 }  // namespace tessera

@@ -18,12 +18,15 @@ PairReach next_reach(std::vector<std::uint32_t> limits) {
 
 /// Per sample: the bins of the pairs that are docked.
 std::vector<std::uint32_t> bin_limits(Matcher& matcher, const std::vector<TargetSample>& samples,
-                                      std::uint64_t pairs_per_sample, PairReach& reach) {
+                                      std::uint64_t pairs_per_sample, PairReach& reach,
+                                      const std::function<void()>& meanwhile) {
   std::vector<std::uint32_t> limits(samples.size(), 0);
   if (pairs_per_sample == 0) return limits;
   CountRequest request{samples, std::vector<std::uint32_t>(samples.size(), reach.bins)};
-  for (bool enough = false; !enough;) {
+  bool first = true;
+  for (bool enough = false; !enough; first = false) {
     matcher.post_count(request);
+    if (first) meanwhile();
     const std::vector<DistanceHistogram> histograms = matcher.take_count();
     enough = true;
     for (std::size_t t = 0; t < samples.size(); ++t) {
@@ -74,17 +77,20 @@ MatchPlan match_plan(const MatchSettings& settings, std::uint64_t library_pads) 
 }
 
 MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan,
-                 std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics) {
+                 std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics,
+                 const std::function<void()>& meanwhile) {
   Stopwatch watch;
   MatchRound round;
   round.truncated.assign(samples.size(), plan.tangent_dockings > 0);
   if (samples.empty()) return round;
-  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample, reach), plan.tangent_dockings};
+  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample, reach, meanwhile),
+                      plan.tangent_dockings};
   statistics.prune_s += watch.lap();
   for (std::size_t t = 0; t < samples.size(); ++t) {
     if (request.bin_limit[t] > 0 && request.bin_limit[t] < kDistanceBins) round.truncated[t] = true;
   }
   matcher.post_dock(request);
+  if (plan.pairs_per_sample == 0) meanwhile();
   const DockReply docked = matcher.take_dock();
   const std::vector<Docking> chosen = distinct(docked.dockings, round.truncated);
   matcher.post_refine(chosen);

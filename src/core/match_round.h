@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/matcher.h"
@@ -29,9 +30,10 @@ struct MatchRound {
   std::vector<bool> truncated;
 };
 
-/// Adds to the counters and times of `statistics`.
+/// Adds to the counters and times of `statistics`. Calls `meanwhile` once where the matcher has a question to work on.
 MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan,
-                 std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics);
+                 std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics,
+                 const std::function<void()>& meanwhile = [] {});
 
 /// Two poses of one shape that would look the same: closer than `tolerance` of their scale in place and in size.
 bool near_copy(const Similarity& a, const Similarity& b, float tolerance);

@@ -41,6 +41,7 @@ struct MasterTimes {
   double objective_s = 0;
   double merge_s = 0;
   double questions_s = 0;  // asking, and joining the answers
+  double ahead_s = 0;      // checking candidates while the workers count
   double waiting_s = 0;    // for the workers
   double other_s = 0;
   double loop_s = 0;
@@ -49,7 +50,7 @@ struct MasterTimes {
   MessageCount sent_fields;  // of it: patches of the free field
 
   /// While it lasts no worker has anything to do, unless messages cross.
-  double serial_s() const { return loop_s - waiting_s; }
+  double serial_s() const { return loop_s - waiting_s - ahead_s; }
 };
 
 struct RankStatistics {
@@ -75,6 +76,7 @@ inline constexpr TimedStage<WorkerTimes> kWorkerStages[] = {
 inline constexpr TimedStage<MasterTimes> kMasterStages[] = {{"objective", &MasterTimes::objective_s},
                                                             {"merge", &MasterTimes::merge_s},
                                                             {"questions", &MasterTimes::questions_s},
+                                                            {"ahead", &MasterTimes::ahead_s},
                                                             {"waiting", &MasterTimes::waiting_s},
                                                             {"other", &MasterTimes::other_s}};
 

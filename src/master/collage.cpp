@@ -5,7 +5,6 @@
 #include <iterator>
 #include <tuple>
 
-#include "core/exact_terms.h"
 #include "core/extent.h"
 #include "core/objective.h"
 #include "core/refinement.h"
@@ -50,6 +49,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       free_(canvas, settings.pieces),
       opened_(free_, settings.pieces),
       curve_(settings.pieces, settings.match.pad),
+      checks_(shapes, free_, opened_, settings_.pieces),
       poses_(context.library_shapes),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
@@ -148,8 +148,7 @@ std::vector<Pool::Ranked> Collage::finalists() {
 }
 
 void Collage::check_exactly(Candidate& candidate) {
-  const ExactAreas areas =
-      exact_areas(shapes_.shape(candidate.shape), candidate.canvas_from_shape, free_, opened_, settings_.pieces);
+  const ExactAreas areas = checks_.areas(candidate);
   DockingTerms exact = candidate.terms;
   exact.overlap_px2 = areas.overlap_px2;
   exact.gap_px2 = areas.gap_px2;
@@ -157,6 +156,13 @@ void Collage::check_exactly(Candidate& candidate) {
   measured.terms = exact;
   candidate.score = score_of(measured);
   candidate.exact = true;
+}
+
+void Collage::check_ahead() {
+  for (const Pool::Ranked& ranked : finalists()) {
+    const Candidate& candidate = pool_.at(ranked);
+    if (!candidate.exact) checks_.compute_ahead(candidate);
+  }
 }
 
 /// What was placed since may reach into the candidate: push it free, or give it up. Then it grows.
@@ -255,6 +261,7 @@ Window Collage::stamp_window(const Placement& p) { return free_.stamp_window(sha
 
 void Collage::retrace(const Window& changed) {
   const Window window = opened_.update(free_, changed);
+  checks_.forget(window);
   const TargetCurve::Change change = curve_.retrace(opened_, free_.field().origin, window);
   for (const std::uint32_t edge : change.removed) {
     pool_.erase(edge);

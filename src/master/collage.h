@@ -16,6 +16,7 @@
 #include "core/settings.h"
 #include "core/shape_source.h"
 #include "core/target_curve.h"
+#include "master/exact_checks.h"
 
 namespace tessera::master {
 
@@ -33,6 +34,10 @@ class Collage {
   /// The random dockings of a sample that has not been matched yet are those of this pass.
   void set_first_pass(std::uint32_t pass) { first_pass_ = pass; }
   void add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round);
+
+  /// Checks those candidates exactly that would be finalists now. Never changes what choose() finds, only how long that
+  /// takes: for while the workers match.
+  void check_ahead();
 
   /// The best candidate of the pool after the finalists were checked exactly, made clear of its neighbours and grown;
   /// false where the pool is dry.
@@ -90,6 +95,7 @@ class Collage {
   OpenedField opened_;
   TargetCurve curve_;
   Pool pool_;
+  ExactChecks checks_;
   std::set<std::uint32_t> stale_;           // edges of samples to be matched
   std::map<std::uint32_t, std::uint32_t> passes_;  // how often a sample was matched
   std::uint32_t first_pass_ = 0;

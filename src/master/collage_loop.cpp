@@ -120,6 +120,7 @@ class Run {
     work.total_s = watch_.seconds();
     work.prune_s += statistics_.prune_s - earlier_.prune_s;
     work.dock_s += statistics_.dock_s - earlier_.dock_s;
+    work.ahead_s += statistics_.ahead_s - earlier_.ahead_s;
     work.objective_s += statistics_.objective_s - earlier_.objective_s;
     work.merge_s += statistics_.merge_s - earlier_.merge_s;
     work.rounds += statistics_.rounds - earlier_.rounds;

@@ -55,10 +55,16 @@ void Filling::match_stale() {
   send_changes();
   const std::vector<TargetSample> samples = collage_.take_stale_samples();
   statistics_->merge_s += watch.lap();
-  const MatchRound found = match(matcher_, samples, plan(), library_pads_, reach_, *statistics_);
+  const MatchRound found = match(matcher_, samples, plan(), library_pads_, reach_, *statistics_, [this] { check_ahead(); });
   watch.lap();
   collage_.add_candidates(samples, found);
   statistics_->objective_s += watch.lap();
+}
+
+void Filling::check_ahead() {
+  const Stopwatch watch;
+  collage_.check_ahead();
+  statistics_->ahead_s += watch.seconds();
 }
 
 bool Filling::choose(Candidate& best) {

@@ -25,6 +25,7 @@ class Filling {
  private:
   MatchPlan plan() const;
   void match_stale();
+  void check_ahead();
   bool choose(Candidate& best);
   void place(const Candidate& best);
   void send_changes();

@@ -70,8 +70,10 @@ Hdf5Handle creation_properties(const Column& column) {
   Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), what);
   const auto chunk = dims_of(column, std::max<std::size_t>(1, kChunkBytes / layout::row_bytes(column)));
   hdf5_checked(H5Pset_chunk(properties.get(), int(chunk.size()), chunk.data()), what);
-  hdf5_checked(H5Pset_shuffle(properties.get()), what);
-  hdf5_checked(H5Pset_deflate(properties.get(), kDeflateLevel), what);
+  if (layout::row_bytes(column) < kChunkBytes) {  // fields shrink by a third only: inflating was most of reading a shape
+    hdf5_checked(H5Pset_shuffle(properties.get()), what);
+    hdf5_checked(H5Pset_deflate(properties.get(), kDeflateLevel), what);
+  }
   hdf5_checked(H5Pset_fletcher32(properties.get()), what);
   hdf5_checked(H5Pset_obj_track_times(properties.get(), false), what);  // the same input gives the same bytes
   return properties;

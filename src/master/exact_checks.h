@@ -1,0 +1,44 @@
+// Exact areas of candidates on the free field as it is, some of them computed before they are asked for.
+#pragma once
+
+#include <map>
+#include <tuple>
+
+#include "core/exact_terms.h"
+#include "core/pool.h"
+#include "core/shape_source.h"
+
+namespace tessera::master {
+
+class ExactChecks {
+ public:
+  /// All of them outlive the checks.
+  ExactChecks(ShapeSource& shapes, const FreeField& free, const OpenedField& opened, const PieceSettings& pieces)
+      : shapes_(shapes),
+        free_(free),
+        opened_(opened),
+        pieces_(pieces) {}
+
+  ExactAreas areas(const Candidate& candidate);
+  /// Never changes what areas() says, only how long that takes.
+  void compute_ahead(const Candidate& candidate);
+  /// The fields have changed within this window.
+  void forget(const Window& changed);
+
+ private:
+  using Key = std::tuple<std::uint32_t, float, float, float, float>;  // shape and pose
+  struct Known {
+    Window window;  // of the nodes that the areas depend on
+    ExactAreas areas;
+  };
+  static Key key_of(const Candidate& candidate);
+  ExactAreas compute(const Candidate& candidate);
+
+  ShapeSource& shapes_;
+  const FreeField& free_;
+  const OpenedField& opened_;
+  const PieceSettings& pieces_;
+  std::map<Key, Known> ahead_;
+};
+
+}  // namespace tessera::master
