@@ -34,14 +34,16 @@ struct Question {
   double work_s;
   double request_bytes;  // to each worker of a subtree, where `own`; else the same to all
   double reply_bytes;
-  bool own;  // a part for each worker alone
+  bool own;        // a part for each worker alone
+  double ahead_s;  // what the master does before it waits for the answers
 };
 
 std::vector<Question> questions_of(const RoundCosts& c) {
-  std::vector<Question> questions{{c.measure_s, 1, 1, true}};  // its bytes are counted with those of refine
-  questions.insert(questions.end(), std::size_t(c.counts), {c.count_s, c.request_bytes, c.reply_bytes, false});
-  questions.push_back({c.dock_s, c.request_bytes, c.reply_bytes, false});
-  questions.push_back({c.refine_s, c.refine_request_bytes, c.refine_reply_bytes, true});
+  std::vector<Question> questions{{c.measure_s, 1, 1, true, 0}};  // its bytes are counted with those of refine
+  questions.insert(questions.end(), std::size_t(c.counts), {c.count_s, c.request_bytes, c.reply_bytes, false, 0});
+  questions[1].ahead_s = c.ahead_s;
+  questions.push_back({c.dock_s, c.request_bytes, c.reply_bytes, false, 0});
+  questions.push_back({c.refine_s, c.refine_request_bytes, c.refine_reply_bytes, true, 0});
   return questions;
 }
 
@@ -75,6 +77,7 @@ class RankPlay {
       send_field();
       for (const Question& question : questions_of(costs_)) {
         pass_on(question, costs_.ask_s);
+        compute(question.ahead_s);
         join();
       }
       compute(costs_.master_s);

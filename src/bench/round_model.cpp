@@ -36,7 +36,7 @@ ScalingCase on_processor_time(ScalingCase c) {
   for (double* stage : {&c.count_s, &c.dock_s, &c.refine_s, &c.measure_s, &c.field_s, &c.messages_s}) *stage *= worker;
   c.busiest_s = c.greatest_processor_s;
   c.loop_s = c.undisturbed_s();
-  c.waiting_s = c.busiest_s;
+  c.waiting_s = c.busiest_s - c.ahead_s;
   return c;
 }
 
@@ -110,6 +110,7 @@ RoundModel::RoundModel(std::vector<ScalingCase> cases, Clock clock) : cases_(std
                   : std::max(0., median_over(cases_, [](C c) { return (c.waiting_s - c.busiest_s) / questions(c); }));
   imbalance_ = median_over(cases_, [](C c) { return c.busiest_s / std::max(1e-9, worker_stages_s(c)) - 1; });
   master_ = fit([](C c) { return c.serial_s(); }, by_asked);
+  ahead_ = fit([](C c) { return c.ahead_s; }, constant);
   count_ = fit([](C c) { return c.count_s; }, by_own_shapes);
   dock_ = fit([](C c) { return c.dock_s; }, by_share_and_own_shapes);
   refine_ = fit([](C c) { return c.refine_s; }, by_share);
@@ -130,6 +131,7 @@ RoundCosts RoundModel::costs(int workers, std::uint64_t shapes) const {
   const double for_a_worker_s = master_.coefficients[1];
   costs.master_s = master_.coefficients[0];
   costs.ask_s = costs.join_s = for_a_worker_s / asked / 2;
+  costs.ahead_s = ahead_.at(job);
   costs.field_s = field_.at(job);
   costs.count_s = count_.at(job) / counts_;
   costs.dock_s = dock_.at(job);

@@ -30,6 +30,7 @@ struct RoundCosts {
   int workers = 1;
   int counts = 1;       // questions of that kind; dock, refine and measure are asked once
   double master_s = 0;  // a round: merge, objective, other
+  double ahead_s = 0;   // a round: while the workers count
   double ask_s = 0;     // the master, for each worker it sends a question to; the field's patch counts with them
   double join_s = 0;    // the master, for each answer it joins
   double field_s = 0;
@@ -75,7 +76,7 @@ class RoundModel {
   double notice_s_ = 0;
   double imbalance_ = 0;
   double counts_ = 1;
-  Part master_, count_, dock_, refine_, measure_, field_, messages_, field_bytes_, to_worker_, from_worker_;
+  Part master_, count_, dock_, refine_, measure_, field_, messages_, ahead_, field_bytes_, to_worker_, from_worker_;
 };
 
 }  // namespace tessera::bench

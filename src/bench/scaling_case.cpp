@@ -32,6 +32,7 @@ ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::str
   c.merge_s = master("merge");
   c.questions_s = master("questions");
   c.other_s = master("other");
+  c.ahead_s = master("ahead");
   c.waiting_s = master("waiting");
   c.master_processor_s = master("processor");
   c.count_s = average("count");

@@ -22,6 +22,7 @@ struct ScalingCase {
   double merge_s = 0;
   double questions_s = 0;
   double other_s = 0;
+  double ahead_s = 0;  // while the workers count
   double waiting_s = 0;
   double master_processor_s = 0;
 
@@ -44,10 +45,10 @@ struct ScalingCase {
   double field_bytes_to_worker = 0;  // of them
   double bytes_from_worker = 0;
 
-  double serial_s() const { return loop_s - waiting_s; }
-  /// What the loop takes where nobody else wants the cores: the master's processor time and the busiest worker's, which
-  /// hardly run at the same time.
-  double undisturbed_s() const { return master_processor_s + greatest_processor_s; }
+  double serial_s() const { return loop_s - waiting_s - ahead_s; }
+  /// What the loop takes where nobody else wants the cores: the processor time of the busiest worker, and the master's
+  /// but for what it does while the workers count.
+  double undisturbed_s() const { return master_processor_s - ahead_s + greatest_processor_s; }
 };
 
 /// From section "ranks" of a card.json. Throws InputError that names the missing key.

@@ -27,9 +27,11 @@ RoundCosts by_hand(int workers) {
 constexpr Cluster kSlowNetwork{0.001, 1e12};
 
 TEST(ProtocolSim, AsByHand) {
+  RoundCosts ahead = by_hand(1);
+  ahead.ahead_s = 0.04;
   RoundCosts noticed = by_hand(1);
   noticed.notice_s = 0.0002;
-  const std::vector<SimulatedRound> rounds = simulate_rounds({{by_hand(1)}, {by_hand(2)}, {by_hand(4), 2}, {by_hand(4), 4}, {noticed}},
+  const std::vector<SimulatedRound> rounds = simulate_rounds({{by_hand(1)}, {by_hand(2)}, {by_hand(4), 2}, {by_hand(4), 4}, {noticed}, {ahead}},
                                                              kSlowNetwork);
   // The worker is at the field from 1 to 4 ms, while the measure is asked and comes; then it measures for 5.1 ms, and the
   // answer takes 1 ms: 10.1. Count: 1 ms to ask, 1 on the way, 100.1, 1 on the way; dock, refine: 50.1, 20.1.
@@ -45,6 +47,8 @@ TEST(ProtocolSim, AsByHand) {
   EXPECT_NEAR(rounds[3].master_busy_s, 4 * 4 * 0.003 + 0.010, 1e-9);
   // The master sleeps once a question, the worker once a question where it is idle when it comes: not at the measure.
   EXPECT_NEAR(rounds[4].round_s - rounds[0].round_s, 0.0002 * 8, 2.1e-4);
+  EXPECT_NEAR(rounds[5].round_s, rounds[0].round_s, 1e-6) << "it is done before the count comes back";
+  EXPECT_NEAR(rounds[5].master_busy_s, rounds[0].master_busy_s + 0.04, 1e-9);
 }
 
 }  // namespace

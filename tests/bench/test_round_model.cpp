@@ -24,7 +24,9 @@ ScalingCase made_up(int workers, std::uint32_t shapes) {
   c.bytes_to_worker = 1000 + 4000 + 600. / workers;
   c.bytes_from_worker = 8000 + 1200. / workers;
   c.busiest_s = c.waiting_s = c.count_s + c.dock_s + c.measure_s;
-  c.loop_s = c.waiting_s + c.merge_s + c.questions_s;
+  c.ahead_s = 0.010;
+  c.waiting_s -= c.ahead_s;
+  c.loop_s = c.waiting_s + c.ahead_s + c.merge_s + c.questions_s;
   return c;
 }
 
@@ -40,6 +42,7 @@ TEST(RoundModel, FindsWhatTheRunsWereMadeOf) {
   EXPECT_NEAR(costs.refine_s, 0, 1e-9);
   EXPECT_NEAR(costs.measure_s, 0.0002, 1e-9);
   EXPECT_NEAR(costs.master_s, 0.005, 1e-6);
+  EXPECT_NEAR(costs.ahead_s, 0.001, 1e-6);
   EXPECT_NEAR(4 * (costs.ask_s + costs.join_s), 0.0005, 1e-6) << "four questions";
   EXPECT_NEAR(costs.notice_s, 0, 1e-9);
   EXPECT_NEAR(costs.imbalance, 0, 1e-9);
@@ -53,9 +56,10 @@ TEST(RoundModel, FindsWhatTheRunsWereMadeOf) {
 TEST(RoundModel, ProcessorTimeLeavesOutWhatOthersTook) {
   ScalingCase disturbed = made_up(1, 1000);
   disturbed.processor_s = disturbed.greatest_processor_s = (disturbed.count_s + disturbed.dock_s + disturbed.measure_s) / 2;
-  disturbed.master_processor_s = 0.05;
+  disturbed.master_processor_s = 0.05 + disturbed.ahead_s;
   const RoundModel model({disturbed}, Clock::processor);
   EXPECT_NEAR(model.cases()[0].loop_s, disturbed.processor_s + 0.05, 1e-9);
+  EXPECT_NEAR(model.cases()[0].serial_s(), 0.05, 1e-9) << "nor what is done while the workers count";
   EXPECT_NEAR(model.cases()[0].dock_s, disturbed.dock_s / 2, 1e-9);
 }
 
