@@ -52,8 +52,15 @@ class TimedRounds {
     Candidate best;
     if (!collage_.choose(best)) return false;
     choosing_s += watch.lap();
-    collage_.place(best);
-    merging_s_.push_back(watch.lap());
+    const Window touched = collage_.place(best);
+    double merging_s = watch.lap();
+    matcher_.update_field(read_patch(collage_.free().field().value, collage_.take_changed_nodes()));
+    matcher_.post_measure(collage_.touched_by(touched));
+    const std::vector<DockingTerms> terms = matcher_.take_measure();
+    watch.lap();
+    collage_.rescore(touched, terms);
+    merging_s += watch.lap();
+    merging_s_.push_back(merging_s);
     choosing_s_.push_back(choosing_s);
     return true;
   }

@@ -28,7 +28,7 @@ MasterTimes LoopClock::master_times(const RunStatistics& run) const {
   times.loop_s = run.total_s;
   times.other_s = times.loop_s - times.objective_s - times.merge_s - times.questions_s - times.ahead_s -
                   times.waiting_s;
-  times.processor_s = busy_processor_s(ranks_) - processor_before_s_;
+  times.processor_s = busy_processor_s(ranks_) - processor_before_s_ - run.setup_processor_s;
   const Traffic& now = ranks_.traffic();
   times.sent = difference(now.sent_in_matching(), traffic_before_.sent_in_matching());
   times.sent_fields = difference(now.sent(Tag::update_field), traffic_before_.sent(Tag::update_field));

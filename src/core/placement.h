@@ -36,7 +36,8 @@ struct RunStatistics {
   double objective_s = 0;
   double merge_s = 0;
   double improve_s = 0;                // of total_s; nothing else here counts what trials do
-  double total_s = 0;
+  double total_s = 0;                  // of the loop, without the set-up of canvas and collage
+  double setup_processor_s = 0;        // of this process, before the loop
   std::string stopped_by;              // "full", "pieces", "coverage", "seconds"; unfinished: "signal" or "time_limit"
 
   double pruned_fraction() const {

@@ -36,7 +36,7 @@ struct WorkerTimes {
   friend bool operator==(const WorkerTimes&, const WorkerTimes&) = default;
 };
 
-/// The master in the loop. The stages add up to loop_s; the processor time includes the collage's set-up before it.
+/// The master in the loop. The stages add up to loop_s.
 struct MasterTimes {
   double objective_s = 0;
   double merge_s = 0;

@@ -1,5 +1,6 @@
 #include "master/collage_loop.h"
 
+#include "core/processor_time.h"
 #include "core/stopwatch.h"
 #include "master/collage.h"
 #include "master/filling.h"
@@ -19,7 +20,8 @@ class Run {
         keeper_(checkpoints.keeper),
         context_(make_matching_context(settings, matcher.shapes().end)),
         collage_(canvas, settings, context_, shapes),
-        filling_(collage_, context_, settings, matcher, statistics_) {
+        filling_(collage_, context_, settings, matcher, statistics_),
+        setup_processor_s_(processor_time_s() - processor_before_s_) {
     if (checkpoints.from) restore(*checkpoints.from);
   }
 
@@ -117,6 +119,7 @@ class Run {
 
   RunStatistics own_work() const {
     RunStatistics work = trial_work_;
+    work.setup_processor_s = setup_processor_s_;
     work.total_s = watch_.seconds();
     work.prune_s += statistics_.prune_s - earlier_.prune_s;
     work.dock_s += statistics_.dock_s - earlier_.dock_s;
@@ -131,6 +134,7 @@ class Run {
   /// Of the run as a whole, what came before an interruption included.
   double seconds() const { return earlier_.total_s + watch_.seconds(); }
 
+  const double processor_before_s_ = processor_time_s();
   const Canvas& canvas_;
   const CollageSettings& settings_;
   Observer& observer_;
@@ -140,6 +144,7 @@ class Run {
   RunStatistics statistics_;  // of the greedy part, with the number of trials
   RunStatistics trial_work_;
   Filling filling_;
+  const double setup_processor_s_;
   Stopwatch watch_;
   RunStatistics earlier_;  // before an interruption
   bool improving_ = false;
