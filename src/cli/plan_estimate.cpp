@@ -11,9 +11,9 @@
 namespace tessera::cli {
 namespace {
 
-// Measured with release builds on two cores of a shared Xeon (2.0 GHz, PoCL 3.1, other work beside it): libraries of 5,
-// 232 and 815 shapes, canvases of 500, 1000 and 1500 px, pieces of 14-90, 20-160 and 30-240 px, one process, 14 runs;
-// and one canvas of 3000 px with 1,642 pieces. Between the runs of a constant lie factors of 1.5 to 2.
+// Measured with release builds on two cores of a Xeon (2.0 GHz, PoCL 3.1, hardly any other work beside it): libraries of
+// 120 to 10,000 shapes, canvases of 500 to 1500 px, pieces of 14-90, 20-160 and 30-240 px, one process, 12 runs. The
+// ranges say how far the constants of single runs lie apart.
 
 // Pieces: canvas area by pieces, in products of the smallest and the largest scale: 1.4 (5 shapes) to 2.9 (815).
 constexpr double kAreaOfAPiece = 1.8;
@@ -22,21 +22,23 @@ constexpr double kSamplesOfAPiece = 80;
 // The most samples that were open at a time, by the pieces of the whole collage: 10.3 to 11.6 (four runs).
 constexpr double kOpenSamplesOfAPiece = 11;
 
-// prune_s by samples and PADs of the library: 0.9e-9 to 1.5e-9.
-constexpr double kPairs_s = 1.1e-9;
-// dock_s by samples, a line through 5 shapes (100 to 200 us), 232 (120 to 360) and 815 (265 to 380).
-constexpr double kDocking_s = 170e-6;
-constexpr double kDockingOfAShape_s = 0.28e-6;
-// objective_s + merge_s: 2 to 9 ms a piece, and for reading shapes when they are first seen.
-constexpr double kMasterOfAPiece_s = 5e-3;
-constexpr double kReadingAShape_s = 0.9e-3;
-// improve_s by trials (50 trials): about 95 samples are matched anew; what is left of 45 and 69 ms.
-constexpr double kSamplesOfATrial = 95;
-constexpr double kMasterOfATrial_s = 8e-3;
+// prune_s by samples: a line through PADs of the library and their square root, as the best pairs are nearer in a denser
+// library. Measured 0.5 to 1.2 times what it says.
+constexpr double kPairs_s = 0.16e-9;
+constexpr double kPairsOfRoot_s = 0.27e-6;
+// dock_s by samples: 80 us (120 shapes) to 280 (10,000), by the square root of shapes; 0.8 to 1.5 times what it says.
+constexpr double kDocking_s = 85e-6;
+constexpr double kDockingOfRoot_s = 2e-6;
+// objective_s + merge_s: 1.9 to 4.2 ms a piece.
+constexpr double kMasterOfAPiece_s = 2.5e-3;
+// improve_s by trials: 19 ms (185 shapes) and 30 ms (1,138).
+constexpr double kSamplesOfATrial = 60;
+constexpr double kMasterOfATrial_s = 7e-3;
 // From the start to the first round and from the last to the files: kernels (0.1 s, or 1 to 8 when they are compiled
-// for the first time), library, card, pictures (1 s for one of 2000 px); 20 s in all with 1,642 pieces.
-constexpr double kOverhead_s = 3;
-constexpr double kWritingAPiece_s = 10e-3;
+// for the first time), card, pictures (1 s for one of 2000 px); and a worker's part of the library.
+constexpr double kOverhead_s = 2;
+constexpr double kLoadingAShape_s = 0.45e-3;
+constexpr double kWritingAPiece_s = 5e-3;
 
 // Peak resident memory of the ranks of 3-rank runs and of single processes, /proc's maximum.
 constexpr double kMasterProcess_bytes = 95e6;
@@ -55,9 +57,12 @@ constexpr double kFinePicture_px2 = 16e6;
 constexpr double kDrawnNode_bytes = 5;
 // Worker, by canvas px: the field on the host and on the device.
 constexpr double kFieldNode_bytes = 10;
-// Beyond models and shards, which are counted: reading, allocator, staging. 135 KB a shape were seen (815 shapes beside
-// 232) where 90 are counted.
-constexpr double kLibraryExcess = 1.5;
+// Whole shapes: the latest that the master keeps, and those on their way to a worker's device, so many at most.
+constexpr double kWholeShape_bytes = 80e3;
+constexpr double kKeptShapes = 1024;
+constexpr double kPassingShapes = 512;
+// Lists of pairs on a device, by shapes, for as many samples as are matched at a time.
+constexpr double kPairsOfAShape_bytes = 15e3;
 
 // The checkpoint's format, not a measurement: bytes of a piece, of an open target sample with as many candidates as the
 // pool keeps of it, of a sample that was matched; the empty file.
@@ -80,22 +85,20 @@ double expected_pieces(const PlanInput& input) {
   return pieces;
 }
 
-double model_bytes(const PlanEstimate& plan) {
-  return double(sizeof(ShapeModel) + kMaxInteriorPoints * sizeof(Vec2)) +
-         double(plan.pads_per_shape * sizeof(ModelSample));
-}
-
-/// While the library is loaded: models, the shard on its way, and the shard on a device that is the host itself.
+/// A device that is the host itself holds its part of the library, and the lists of pairs, in the worker's memory.
 void add_memory(const PlanInput& input, const MatchingContext& context, PlanEstimate& plan) {
   const double shapes = double(plan.shapes_per_worker);
   const double shard = double(worker::shard_bytes(context, plan.shapes_per_worker));
+  const double lists = std::min(double(worker::kStageBytes), shapes * kPairsOfAShape_bytes);
+  const double passing = kWholeShape_bytes * std::min(shapes, kPassingShapes);
   const double field = kFieldNode_bytes * input.canvas_nodes;
   plan.device_bytes = shard + sizeof(float) * input.canvas_nodes + 2 * double(worker::kStageBytes);
-  const double library = kLibraryExcess * (shapes * model_bytes(plan) + shard * (input.host_devices ? 2 : 1));
+  const double library = passing + (input.host_devices ? shard + lists : 0);
+  const double kept = kWholeShape_bytes * std::min(double(input.shapes), kKeptShapes);
   const double counting = priced(input.canvas_nodes, kFineCanvas_px2, kCountedNode_bytes, kCoarseNode_bytes);
   const double drawing = kDrawnNode_bytes * input.canvas_nodes +
                          priced(input.picture_px2, kFinePicture_px2, kPicture_bytes, kFarPicture_bytes);
-  const double master = std::max(counting, drawing);  // one after the other
+  const double master = kept + std::max(counting, drawing);  // counted and drawn one after the other
   plan.worker_bytes = kWorkerProcess_bytes + field + library;
   plan.master_bytes = kMasterProcess_bytes + master;
   if (input.ranks == 1) plan.worker_bytes = plan.master_bytes = kBothProcess_bytes + field + library + master;
@@ -108,17 +111,19 @@ double limited(double seconds, double limit_s) { return limit_s > 0 ? std::min(s
 void add_times(const PlanInput& input, PlanEstimate& plan) {
   const CollageSettings& s = input.settings;
   const double shapes = double(input.shapes);
-  const double sample_s = kPairs_s * shapes * double(plan.pads_per_shape) + kDocking_s + kDockingOfAShape_s * shapes;
+  const double pads = shapes * double(plan.pads_per_shape);
+  const double sample_s = kPairs_s * pads + kPairsOfRoot_s * std::sqrt(pads) + kDocking_s +
+                          kDockingOfRoot_s * std::sqrt(shapes);
   const double filling_s = plan.pieces * kSamplesOfAPiece * sample_s;
   const double trial_s = kSamplesOfATrial * sample_s;
   const double trials = s.improve.trials > 0    ? double(s.improve.trials)
                         : s.improve.seconds > 0 ? s.improve.seconds / (trial_s / plan.workers + kMasterOfATrial_s)
                                                 : 0;
   plan.matching_s = filling_s + trials * trial_s;
-  plan.master_s = plan.pieces * kMasterOfAPiece_s + shapes * kReadingAShape_s + trials * kMasterOfATrial_s;
+  plan.master_s = plan.pieces * kMasterOfAPiece_s + trials * kMasterOfATrial_s;
   const double improving_s = limited(trials * (trial_s / plan.workers + kMasterOfATrial_s), s.improve.seconds);
-  const double loop_s = filling_s / plan.workers + plan.pieces * kMasterOfAPiece_s + shapes * kReadingAShape_s;
-  plan.total_s = kOverhead_s + plan.pieces * kWritingAPiece_s + limited(loop_s + improving_s, s.stop.seconds);
+  const double loop_s = filling_s / plan.workers + plan.pieces * kMasterOfAPiece_s;
+  plan.total_s = kOverhead_s + double(plan.shapes_per_worker) * kLoadingAShape_s + plan.pieces * kWritingAPiece_s + limited(loop_s + improving_s, s.stop.seconds);
 }
 
 }  // namespace
