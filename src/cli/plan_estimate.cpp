@@ -61,7 +61,7 @@ constexpr double kFieldNode_bytes = 10;
 constexpr double kWholeShape_bytes = 80e3;
 constexpr double kKeptShapes = 1024;
 constexpr double kPassingShapes = 512;
-// Lists of pairs on a device, by shapes, for as many samples as are matched at a time.
+// Lists of pairs on a device, by shapes, for as many samples as are matched at a time; those of dockings take no more.
 constexpr double kPairsOfAShape_bytes = 15e3;
 
 // The checkpoint's format, not a measurement: bytes of a piece, of an open target sample with as many candidates as the
@@ -92,7 +92,7 @@ void add_memory(const PlanInput& input, const MatchingContext& context, PlanEsti
   const double lists = std::min(double(worker::kStageBytes), shapes * kPairsOfAShape_bytes);
   const double passing = kWholeShape_bytes * std::min(shapes, kPassingShapes);
   const double field = kFieldNode_bytes * input.canvas_nodes;
-  plan.device_bytes = shard + sizeof(float) * input.canvas_nodes + 2 * double(worker::kStageBytes);
+  plan.device_bytes = shard + sizeof(float) * input.canvas_nodes + 2 * lists;
   const double library = passing + (input.host_devices ? shard + lists : 0);
   const double kept = kWholeShape_bytes * std::min(double(input.shapes), kKeptShapes);
   const double counting = priced(input.canvas_nodes, kFineCanvas_px2, kCountedNode_bytes, kCoarseNode_bytes);
