@@ -45,9 +45,11 @@ MatchingContext context_of(const io::Job& job, const io::LibraryFile& library) {
 }
 
 /// A worker's devices share its node with those of the other workers.
-void share_cores(const comm::Communicator& ranks) {
+worker::DeviceShare share_node(const comm::Communicator& ranks, const io::Job& job) {
   const bool with_master = ranks.node_ranks().front() == 0;
-  worker::limit_cpu_threads(int(std::thread::hardware_concurrency()) / (ranks.local_size() - with_master));
+  const int workers = ranks.local_size() - with_master;
+  worker::limit_cpu_threads(int(std::thread::hardware_concurrency()) / workers);
+  return {ranks.local_rank() - with_master, workers, job.devices_per_worker};
 }
 
 [[noreturn]] void work(comm::Communicator& ranks) {
@@ -55,16 +57,17 @@ void share_cores(const comm::Communicator& ranks) {
   const io::LibraryFile library = io::open_library_of(job);
   const ShapeRange part = library_part(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
-  share_cores(ranks);
+  const worker::DeviceShare share = share_node(ranks, job);
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
-  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context)));
+  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share));
 }
 
 /// The whole library on this rank's devices.
 std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library) {
   const MatchingContext context = context_of(job, library);
   const ShapeRange all = library_part(library.size(), 0, 1);
-  return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context));
+  return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context),
+                                     {.per_worker = job.devices_per_worker});
 }
 
 /// Of the shapes that were placed, all that the files need.

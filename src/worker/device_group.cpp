@@ -16,8 +16,9 @@ void limit_cpu_threads(int threads) {
 }
 
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
-                                             const ShapeRange& shapes, const ModelSource& models) {
-  const std::vector<cl::Device> devices = chosen_devices(devices_use);
+                                             const ShapeRange& shapes, const ModelSource& models,
+                                             const DeviceShare& share) {
+  const std::vector<cl::Device> devices = chosen_devices(devices_use, share);
   const std::size_t count = shapes.end - shapes.begin;
   const std::vector<std::uint64_t> weights(count, 1);
   const int used = int(std::clamp<std::size_t>(count, 1, devices.size()));

@@ -8,6 +8,7 @@
 
 #include "core/matching_context.h"
 #include "core/model_source.h"
+#include "worker/opencl_devices.h"
 
 namespace tessera::worker {
 
@@ -19,7 +20,8 @@ void limit_cpu_threads(int threads);
 /// devices the first devices are used. `devices_use`: job key devices.use. Throws InputError or EnvironmentError
 /// where the devices are not there (opencl_devices.h) or fail.
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
-                                             const ShapeRange& shapes, const ModelSource& models);
+                                             const ShapeRange& shapes, const ModelSource& models,
+                                             const DeviceShare& share = {});
 
 /// Compiles the kernels for the job's devices where they are not in the cache on disk.
 void compile_kernels(const std::string& devices_use, const MatchingContext& context);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <numeric>
 #include <sstream>
 
 #include "worker/opencl_runtime.h"
@@ -94,11 +95,30 @@ std::vector<cl::Device> opencl_devices() {
   return all;
 }
 
-std::vector<cl::Device> chosen_devices(const std::string& use) {
+std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& share) {
+  const std::size_t count = share.per_worker > 0 ? std::size_t(share.per_worker) : devices;
+  const std::size_t first = share.per_worker > 0 ? count * std::size_t(share.worker) : 0;
+  const std::size_t wanted = share.per_worker > 0 ? count * std::size_t(share.workers) : devices;
+  if (wanted > devices) {
+    throw InputError("devices.per_worker = " + std::to_string(share.per_worker) + ": " +
+                     std::to_string(share.workers) + " workers of this node need " + std::to_string(wanted) +
+                     " devices, and it has " + std::to_string(devices) +
+                     "; allowed: fewer ranks on a node (--ntasks-per-node, mpirun -N), or devices.per_worker = 0, "
+                     "where all workers share all devices");
+  }
+  std::vector<std::size_t> own(count);
+  std::iota(own.begin(), own.end(), first);
+  return own;
+}
+
+std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share) {
   const std::vector<cl::Device> all = opencl_devices();
-  if (use == "all") return all;
-  if (use == "cpu" || use == "gpu") return devices_of_kind(all, use);
-  return devices_by_index(all, use);
+  const std::vector<cl::Device> named = use == "all"                    ? all
+                                        : use == "cpu" || use == "gpu" ? devices_of_kind(all, use)
+                                                                       : devices_by_index(all, use);
+  std::vector<cl::Device> own;
+  for (const std::size_t i : own_devices(named.size(), share)) own.push_back(named[i]);
+  return own;
 }
 
 }  // namespace tessera::worker

@@ -1,4 +1,4 @@
-// The OpenCL devices of this machine, and which of them a job uses (job key devices.use).
+// The OpenCL devices of this machine, and which of them a worker uses (job keys devices.use, devices.per_worker).
 #pragma once
 
 #include <CL/opencl.hpp>
@@ -10,8 +10,18 @@ namespace tessera::worker {
 /// All devices, platform by platform as `clinfo -l` lists them. Throws EnvironmentError where there are none.
 std::vector<cl::Device> opencl_devices();
 
+/// One of the workers of a node. Each takes `per_worker` devices of its own; 0: each takes all.
+struct DeviceShare {
+  int worker = 0;  // among the node's workers
+  int workers = 1;
+  int per_worker = 0;
+};
+
+/// Which of the node's `devices` are this worker's. Throws InputError where there are too few.
+std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& share);
+
 /// `use`: "all", "cpu", "gpu" or indices into opencl_devices() like "0,2". Throws EnvironmentError where the machine
-/// has no device of that kind, InputError for anything else that does not fit; both say which devices there are.
-std::vector<cl::Device> chosen_devices(const std::string& use);
+/// has no device of that kind, InputError for anything else that does not fit; both say which devices there are. Of these, the worker's share.
+std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share = {});
 
 }  // namespace tessera::worker

@@ -50,6 +50,27 @@ TEST(ChosenDevices, ByKind) {
   }
 }
 
+TEST(OwnDevices, AllOfThemUnlessSharesAreAskedFor) {
+  EXPECT_EQ(own_devices(3, {}), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(own_devices(3, {1, 2, 0}), (std::vector<std::size_t>{0, 1, 2}));
+}
+
+TEST(OwnDevices, SharesAreNeighboursAndDoNotOverlap) {
+  EXPECT_EQ(own_devices(4, {0, 2, 2}), (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(own_devices(4, {1, 2, 2}), (std::vector<std::size_t>{2, 3}));
+  EXPECT_EQ(own_devices(4, {2, 3, 1}), (std::vector<std::size_t>{2})) << "one is left over";
+}
+
+TEST(OwnDevices, TooFewAreRefusedWithTheCure) {
+  try {
+    own_devices(2, {0, 3, 1});
+    FAIL() << "three workers had two devices";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(has(error.what(), "devices.per_worker = 1: 3 workers of this node need 3 devices, and it has 2; allowed"))
+        << error.what();
+  }
+}
+
 TEST(ChosenDevices, RefusalsSayWhatThereIs) {
   for (const std::string use : {"7", "0,7", "0,0", "x", "-1", "", "0 1", "99999999999999999999", "CPU"}) {
     const std::string message = refusal<InputError>(use);

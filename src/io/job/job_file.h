@@ -31,6 +31,7 @@ struct Job {
   std::string library;   // absolute path
   CanvasSpec canvas;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
+  int devices_per_worker = 0;   // 0 = each worker of a node uses all of them
   OutputSpec output;
   CheckpointSpec checkpoint;
   CollageSettings settings;

@@ -192,6 +192,10 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
                             "the OpenCL devices each rank works on, by kind or by index"},
                            FIELD(devices)));
   keys.back().in_result = false;
+  keys.push_back(with_number({"devices", "per_worker", integer, "", 0, kMaxDeviceIndex + 1, {},
+                              "devices that each worker of a node takes for itself; 0 = all, shared with the others"},
+                             FIELD(devices_per_worker)));
+  keys.back().in_result = false;
   keys.push_back(with_number({"output", "width_px", integer, "px", 64, 20000, {},
                               "width of collage.png; its height follows from the canvas"},
                              FIELD(output.width_px)));
