@@ -35,6 +35,7 @@ void Communicator::take_in_arrivals() {
         break;
       case Tag::end: end_ = decode<Ending>(message->bytes); break;
       case Tag::bye: ++byes_; break;
+      case Tag::leave: may_leave_ = true; break;
       default: inbox_.push_back(std::move(*message));
     }
   }
@@ -129,8 +130,10 @@ bool Communicator::wait_patiently(Done done, double patience_s) {
   return true;
 }
 
-bool Communicator::wait_for_byes(double patience_s) {
-  return wait_patiently([this] { return byes_ == size() - 1 && under_way() == 0; }, patience_s);
+bool Communicator::see_off(double patience_s) {
+  if (!wait_patiently([this] { return byes_ == size() - 1 && under_way() == 0; }, patience_s)) return false;
+  for (int to = 1; to < size(); ++to) post(to, Tag::leave, shared({}));
+  return wait_until_sent(patience_s);
 }
 
 bool Communicator::wait_until_sent(double patience_s) {
@@ -141,8 +144,9 @@ Ending Communicator::wait_for_end() {
   constexpr double kForEver = std::numeric_limits<double>::infinity();
   wait_patiently([this] { return end_.has_value(); }, kForEver);
   if (*end_ == Ending::orderly) {
-    post(0, Tag::bye, shared({}));
     wait_until_sent(kForEver);
+    post(0, Tag::bye, shared({}));
+    wait_patiently([this] { return may_leave_ && under_way() == 0; }, kForEver);
   }
   return *end_;
 }

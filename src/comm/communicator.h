@@ -83,11 +83,12 @@ class Communicator {
   void report_failure(const Failure& failure);
   /// Rank 0: tells all others to leave.
   void tell_end(Ending ending);
-  /// Rank 0: waits until all others said goodbye; false: some did not within `patience_s`.
-  bool wait_for_byes(double patience_s);
+  /// Rank 0: waits until all others said goodbye, then lets them go; false: some did not within `patience_s`.
+  bool see_off(double patience_s);
   /// Waits until all that was sent has left; false: not within `patience_s`.
   bool wait_until_sent(double patience_s);
-  /// Another rank: waits for tell_end and, unless that is `at_once`, says goodbye.
+  /// Another rank: waits for tell_end and, unless that is `at_once`, says goodbye and waits to be let go: until all have
+  /// said it, a large message of theirs may need this rank's help to arrive.
   Ending wait_for_end();
 
   static constexpr std::size_t kMostUnderWay = std::size_t(128) << 20;
@@ -115,6 +116,7 @@ class Communicator {
   std::optional<Failure> failure_;  // rank 0: the first that was reported
   std::optional<Ending> end_;       // others: as told by rank 0
   int byes_ = 0;
+  bool may_leave_ = false;
   std::function<bool()> interrupt_;
   Traffic traffic_;
   double waited_s_ = 0;

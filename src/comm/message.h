@@ -32,16 +32,17 @@ enum class Tag : int {
   turn,           // worker -> worker of the same node: it is your turn
   failure,        // any rank -> rank 0: this rank cannot go on
   end,            // rank 0 -> all: leave
-  bye,            // any rank -> rank 0: leaving; nothing more comes from here
+  bye,            // any rank -> rank 0: nothing more comes from here
+  leave,          // rank 0 -> all: nothing more comes from anywhere
 };
 
-inline constexpr std::size_t kTags = std::size_t(Tag::bye) + 1;
+inline constexpr std::size_t kTags = std::size_t(Tag::leave) + 1;
 
 inline constexpr std::array<std::string_view, kTags> kTagNames = {
     "hello",          "start field",  "update field", "count request", "count reply",
     "dock request",   "dock reply",   "refine request", "refine reply", "measure request",
     "measure reply",  "times request", "times reply", "broadcast",     "barrier",        "turn",         "failure",
-    "end",            "bye"};
+    "end",            "bye",          "leave"};
 
 inline std::string_view tag_name(Tag tag) { return kTagNames[std::size_t(tag)]; }
 

@@ -23,7 +23,7 @@ RankResult end_job(Communicator& ranks, int exit_code, Ending ending) {
   ranks.tell_end(ending);
   if (ending == Ending::at_once) {
     ranks.wait_until_sent(kAtOncePatience_s);
-  } else if (!ranks.wait_for_byes(kLeavePatience_s)) {
+  } else if (!ranks.see_off(kLeavePatience_s)) {
     ranks.abort(exit_code);
   }
   return {exit_code, ending};

@@ -18,6 +18,7 @@ volatile std::sig_atomic_t stopped = 0;
 
 int lead(Communicator& ranks, const std::string& how, const std::string& file) {
   if (how == "rank_0_input_error") throw tessera::InputError("job.toml:3: bad key");
+  if (how == "late_message") throw tessera::InputError("nothing to do");
   if (how == "rank_0_environment_error") throw tessera::EnvironmentError("disk full");
   if (how == "interrupted") {
     std::signal(SIGTERM, [](int) { stopped = 1; });
@@ -34,7 +35,16 @@ int lead(Communicator& ranks, const std::string& how, const std::string& file) {
   return 0;
 }
 
+/// Rank 1 is told to leave before rank 2 has sent it what cannot leave without rank 1's help.
+int exchange(Communicator& ranks) {
+  if (ranks.rank() == 1) ranks.receive(2, Tag::turn);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  ranks.send(1, Tag::turn, tessera::comm::Bytes(1'000'000));
+  return 0;
+}
+
 int work(Communicator& ranks, const std::string& how) {
+  if (how == "late_message") return exchange(ranks);
   if (ranks.rank() == 1) {
     if (how == "worker_input_error") throw tessera::InputError("library.h5 is damaged");
     if (how == "worker_bug") throw std::logic_error("oops");

@@ -37,6 +37,8 @@ expect rank_0_environment_error 1 'disk full'
 expect worker_input_error 2 'rank 1 on .*: library.h5 is damaged'
 expect worker_bug 1 'rank 1 on .*: internal error: oops'
 
+expect late_message 2 'nothing to do'
+
 start worker_dies
 [[ $? == 137 ]] || fail "worker_dies: exit code"
 echo "ok worker_dies"

@@ -28,7 +28,10 @@ class ThreadedJob {
     }
   }
 
-  ~ThreadedJob() { master_->tell_end(Ending::orderly); }
+  ~ThreadedJob() {
+    master_->tell_end(Ending::orderly);
+    EXPECT_TRUE(master_->see_off(60));
+  }
 
  protected:
   std::vector<std::unique_ptr<Matcher>> gathered() {
