@@ -78,13 +78,13 @@ Message Communicator::receive_any(int from, std::initializer_list<Tag> tags) {
   };
   auto found = inbox_.end();
   const Stopwatch watch;
-  const double processor_before_s = processor_time_s();
+  const double processor_before_s = thread_processor_time_s();
   wait_until([&] {
     found = std::find_if(inbox_.begin(), inbox_.end(), wanted);
     return found != inbox_.end();
   });
   waited_s_ += watch.seconds();
-  waited_processor_s_ += processor_time_s() - processor_before_s;
+  waited_processor_s_ += thread_processor_time_s() - processor_before_s;
   Message message = std::move(*found);
   inbox_.erase(found);
   return message;

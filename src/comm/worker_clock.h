@@ -15,15 +15,16 @@ class WorkerClock {
   void start() {
     times_ = {};
     waited_before_s_ = ranks_.waited_s();
+    waited_in_stages_s_ = 0;
     processor_before_s_ = busy_processor_s(ranks_);
     sent_before_ = ranks_.traffic().sent_in_matching();
     loop_ = Stopwatch();
   }
 
-  /// Runs work() on the account of `stage`, but for the time that it waits for other ranks.
+  /// Runs work() on the account of `stage`. That of a rank with workers below it lasts until these have answered, too.
   template <class Work>
   auto measure(double WorkerTimes::*stage, Work&& work) {
-    const Charge charge{times_.*stage, ranks_, ranks_.waited_s(), Stopwatch()};
+    const Charge charge{times_.*stage, waited_in_stages_s_, ranks_, ranks_.waited_s(), Stopwatch()};
     return work();
   }
   /// The same for a question that is counted.
@@ -37,7 +38,7 @@ class WorkerClock {
   WorkerTimes times() const {
     WorkerTimes times = times_;
     times.loop_s = loop_.seconds();
-    times.waiting_s = ranks_.waited_s() - waited_before_s_;
+    times.waiting_s = ranks_.waited_s() - waited_before_s_ - waited_in_stages_s_;
     times.messages_s = times.loop_s - times.waiting_s - times.count_s - times.dock_s - times.refine_s -
                        times.measure_s - times.field_s;
     times.processor_s = busy_processor_s(ranks_) - processor_before_s_;
@@ -49,16 +50,21 @@ class WorkerClock {
  private:
   struct Charge {
     double& stage_s;
+    double& waited_in_stages_s;
     const Communicator& ranks;
     double waited_before_s;
     Stopwatch watch;
-    ~Charge() { stage_s += watch.seconds() - (ranks.waited_s() - waited_before_s); }
+    ~Charge() {
+      stage_s += watch.seconds();
+      waited_in_stages_s += ranks.waited_s() - waited_before_s;
+    }
   };
 
   const Communicator& ranks_;
   WorkerTimes times_;
   Stopwatch loop_;
   double waited_before_s_ = 0;
+  double waited_in_stages_s_ = 0;
   double processor_before_s_ = 0;
   TrafficCount sent_before_;
 };

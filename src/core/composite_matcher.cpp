@@ -79,6 +79,9 @@ DockReply CompositeMatcher::take_dock() {
 /// To each part the dockings of its shapes.
 void CompositeMatcher::post_divided(const std::vector<Docking>& dockings, PostTo post) {
   posted_to_.assign(parts_.size(), {});
+  for (const Docking& d : dockings) {
+    if (d.shape < shapes().begin || d.shape >= shapes().end) throw std::out_of_range("a docking of a shape of no part");
+  }
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const ShapeRange range = parts_[p]->shapes();
     std::vector<Docking> own;

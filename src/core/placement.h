@@ -32,7 +32,7 @@ struct RunStatistics {
   std::uint64_t trials_kept = 0;
   double prune_s = 0;
   double dock_s = 0;                   // docking, refining, and measuring candidates whose surroundings changed
-  double ahead_s = 0;                  // of prune_s and dock_s: checking candidates while the matcher was at work
+  double ahead_s = 0;                  // processor time of prune_s and dock_s: checking candidates while the matcher worked
   double objective_s = 0;
   double merge_s = 0;
   double improve_s = 0;                // of total_s; nothing else here counts what trials do

@@ -16,7 +16,8 @@ struct MessageCount {
   friend bool operator==(const MessageCount&, const MessageCount&) = default;
 };
 
-/// A worker between the start of the field and the end of the loop. The stages add up to loop_s.
+/// A worker between the start of the field and the end of the loop. The stages add up to loop_s; those of a worker that
+/// passes questions on last until the workers below it have answered.
 struct WorkerTimes {
   double count_s = 0;
   double dock_s = 0;
@@ -24,7 +25,7 @@ struct WorkerTimes {
   double measure_s = 0;
   double field_s = 0;     // updates
   double messages_s = 0;  // between question and matcher, and back: reading, writing and sending
-  double waiting_s = 0;   // for questions, and for the answers of workers below
+  double waiting_s = 0;   // for the next question
   double loop_s = 0;
   double processor_s = 0;    // of all threads, but for waiting; what others take from a core does not count
   std::uint64_t counts = 0;  // questions of each kind

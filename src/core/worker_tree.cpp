@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <stdexcept>
 
 namespace tessera {
 
 TreePlace place_in_tree(int rank, int size, int fan_out) {
+  if (rank < 0 || rank >= size || fan_out < 1) throw std::logic_error("there is no such place in a tree of ranks");
   TreePlace place;
   int node = 0;
   int begin = 1;  // the ranks below `node` are [begin, end)

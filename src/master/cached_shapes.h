@@ -8,7 +8,7 @@
 
 namespace tessera::master {
 
-/// Keeps models of all shapes asked for (4 KB each) and the latest few whole shapes (80 KB each): a library
+/// Keeps the models of shapes asked for (4 KB each) and the latest few whole shapes (80 KB each): a library
 /// of any size fits. What is kept never changes what is answered.
 class CachedShapes : public ShapeSource {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 #include <tuple>
 
 #include "core/extent.h"
@@ -227,6 +228,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
     covered_px2_ += area_px2(p);
   }
   pool_ = {};
+  checks_.forget_all();
   stale_.clear();
   passes_.clear();
   curve_.set_matched_pads({});
@@ -294,6 +296,7 @@ void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& te
   for (const std::uint32_t edge : pool_.reached_by(changed)) {
     review(edge, [&](Candidate& c) {
       if (!c.window.overlaps(changed)) return true;
+      if (measured == terms.end()) throw std::logic_error("fewer candidates were measured than touched");
       c.terms = *measured++;
       if (!acceptable(c)) return false;
       c.score = score_of(c);

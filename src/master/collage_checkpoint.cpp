@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kScaleSlack = 2;     // pieces leave the allowed scales by a rounding at most
 constexpr float kFarAway_px = 1e6f;  // beyond any canvas
+constexpr float kLongestContour = 1e4f;
 
 [[noreturn]] void fail(const CheckpointState& state, const std::string& what) {
   throw InputError(state.name + ": not a checkpoint of this canvas and library: " + what +
@@ -21,6 +22,11 @@ bool sane(const Similarity& pose, const PieceSettings& pieces) {
   const auto near = [](float at_px) { return std::abs(at_px) < kFarAway_px; };  // not NaN either
   return near(pose.tx) && near(pose.ty) && pose.scale() * kScaleSlack >= pieces.min_scale_px &&
          pose.scale() <= kScaleSlack * pieces.max_scale_px;
+}
+
+/// Of a shape of area 1: no disc has less of either.
+bool sane(float perimeter, float radius) {
+  return perimeter >= 3.4f && perimeter <= kLongestContour && radius >= 0.55f && radius <= kLongestContour;
 }
 
 /// No larger than the canvas and as much again on each side: the pool looks at all tiles of the largest window.
@@ -65,7 +71,9 @@ void Collage::check_pieces(const CheckpointState& state) const {
   for (const PooledSample& sample : state.pool) {
     for (const Candidate& c : sample.candidates) {
       check(c.shape, c.canvas_from_shape);
-      if (!sane(c.window, free_.field().value.bounds())) fail(state, "a candidate out of all proportion");
+      if (!sane(c.window, free_.field().value.bounds()) || !sane(c.perimeter, c.radius)) {
+        fail(state, "a candidate out of all proportion");
+      }
     }
   }
 }

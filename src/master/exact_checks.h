@@ -24,6 +24,7 @@ class ExactChecks {
   void compute_ahead(const Candidate& candidate);
   /// The fields have changed within this window.
   void forget(const Window& changed);
+  void forget_all() { ahead_.clear(); }
 
  private:
   using Key = std::tuple<std::uint32_t, float, float, float, float>;  // shape and pose

@@ -1,5 +1,6 @@
 #include "master/filling.h"
 
+#include "core/processor_time.h"
 #include "core/stopwatch.h"
 #include "core/tuning.h"
 
@@ -62,9 +63,9 @@ void Filling::match_stale() {
 }
 
 void Filling::check_ahead() {
-  const Stopwatch watch;
+  const double before_s = thread_processor_time_s();
   collage_.check_ahead();
-  statistics_->ahead_s += watch.seconds();
+  statistics_->ahead_s += thread_processor_time_s() - before_s;
 }
 
 bool Filling::choose(Candidate& best) {
@@ -77,9 +78,10 @@ bool Filling::choose(Candidate& best) {
 void Filling::place(const Candidate& best) {
   Stopwatch watch;
   const Window changed = collage_.place(best);
-  statistics_->merge_s += watch.lap();
   send_changes();
-  matcher_.post_measure(collage_.touched_by(changed));
+  const std::vector<Docking> touched = collage_.touched_by(changed);
+  statistics_->merge_s += watch.lap();
+  matcher_.post_measure(touched);
   const std::vector<DockingTerms> terms = matcher_.take_measure();
   statistics_->dock_s += watch.lap();
   collage_.rescore(changed, terms);

@@ -31,6 +31,12 @@ TEST(WorkerTree, FewWorkersAreAllAskedByTheMaster) {
   EXPECT_TRUE(place_in_tree(0, 1, 8).children.empty());
 }
 
+TEST(WorkerTree, HasNoPlaceForOthers) {
+  EXPECT_THROW(place_in_tree(5, 5, 8), std::logic_error);
+  EXPECT_THROW(place_in_tree(-1, 5, 8), std::logic_error);
+  EXPECT_THROW(place_in_tree(1, 5, 0), std::logic_error);
+}
+
 TEST(WorkerTree, TenWorkersAndThreeAskedByEach) {
   EXPECT_EQ(place_in_tree(0, 11, 3).children, (std::vector<int>{3, 6, 10}));
   EXPECT_EQ(place_in_tree(3, 11, 3).children, (std::vector<int>{1, 2}));

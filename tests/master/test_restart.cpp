@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <limits>
+
 #include "core/error.h"
 #include "master/collage_loop.h"
 #include "support/divided_matcher.h"
@@ -283,6 +285,19 @@ TEST_F(ForeignState, AbsurdWindows) {
       for (Candidate& c : sample.candidates) c.window.x0 = absurd;
     }
     expect_complaint("a candidate out of all proportion");
+  }
+}
+
+TEST_F(ForeignState, AbsurdShapeSizes) {
+  for (const float size : {0.f, -5.f, 1e30f, std::numeric_limits<float>::quiet_NaN()}) {
+    for (float Candidate::*member : {&Candidate::perimeter, &Candidate::radius}) {
+      const CheckpointState whole = state_;
+      for (PooledSample& sample : state_.pool) {
+        for (Candidate& c : sample.candidates) c.*member = size;
+      }
+      expect_complaint("a candidate out of all proportion");
+      state_ = whole;
+    }
   }
 }
 

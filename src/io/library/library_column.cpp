@@ -70,7 +70,7 @@ Hdf5Handle creation_properties(const Column& column) {
   Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), what);
   const auto chunk = dims_of(column, std::max<std::size_t>(1, kChunkBytes / layout::row_bytes(column)));
   hdf5_checked(H5Pset_chunk(properties.get(), int(chunk.size()), chunk.data()), what);
-  if (layout::row_bytes(column) < kChunkBytes) {  // fields shrink by a third only: inflating was most of reading a shape
+  if (column.compressed) {
     hdf5_checked(H5Pset_shuffle(properties.get()), what);
     hdf5_checked(H5Pset_deflate(properties.get(), kDeflateLevel), what);
   }

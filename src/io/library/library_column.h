@@ -11,7 +11,7 @@
 
 namespace tessera::io {
 
-/// Creates the data set: chunked, with checksums, units and description; shuffled and deflated, but for large rows.
+/// Creates the data set: chunked, with checksums, units and description; shuffled and deflated where the column says so.
 class ColumnWriter {
  public:
   ColumnWriter(hid_t file, const layout::Column& column);

@@ -80,7 +80,8 @@ Columns library_columns(int pad_levels) {
                          0,
                          {kFieldNodes, kFieldNodes},
                          "scale[i] shape units",
-                         "signed distance to the outline, positive outside; row y, column x, node 0 at -extent[i]"},
+                         "signed distance to the outline, positive outside; row y, column x, node 0 at -extent[i]",
+                         false},  // shrinks by a third only, and inflating would be most of reading a shape
       .field_scale = floats("/field/scale", {}, kShapeUnits, "one step of /field/distance"),
       .field_extent = floats("/field/extent", {}, kShapeUnits, "the field spans [-extent, extent] both ways"),
       .artwork_path = text("/artwork/path", kPathBytes, "absolute path of the artwork when the library was built"),

@@ -48,6 +48,7 @@ struct Column {
   std::vector<std::size_t> row_dims;  // empty: one number a row
   std::string units;
   std::string description;
+  bool compressed = true;
 };
 
 std::size_t element_bytes(const Column& column);

@@ -60,6 +60,7 @@ Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
           {"trials_kept", run.trials_kept},
           {"prune_s", seconds(run.prune_s)},
           {"dock_s", seconds(run.dock_s)},
+          {"ahead_s", seconds(run.ahead_s)},
           {"objective_s", seconds(run.objective_s)},
           {"merge_s", seconds(run.merge_s)},
           {"prune_share_percent", percent(share.prune)},
