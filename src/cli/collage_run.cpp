@@ -85,7 +85,8 @@ void add_placed_shapes(const io::LibraryFile& library, bool with_originals, io::
 /// Returns the text of the card.
 std::string write(const std::string& folder, const io::Job& job, const Canvas& canvas, const io::LibraryFile& library,
                   const master::CollageResult& result, const RankStatistics& ranks) {
-  const bool quick = stop_signalled();  // mpirun kills all ranks two seconds after Ctrl-C
+  // mpirun kills all ranks two seconds after Ctrl-C, and a time limit has little room for a picture.
+  const bool quick = result.unfinished || stop_signalled();
   io::CollageReport report;
   report.job = &job;
   report.canvas = &canvas;

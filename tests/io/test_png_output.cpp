@@ -49,6 +49,13 @@ TEST(Png, ArtworkLiesWhereItIsPlaced) {
   EXPECT_EQ(at(picture, 200, 58), kBackground);
 }
 
+TEST(Png, OfARunWithWorkLeftIsNotLarge) {
+  OneSquare sample(0);
+  sample.job.output.width_px = 5000;
+  EXPECT_EQ(draw_collage(sample.report, true).size(), cv::Size(2000, 1000));
+  EXPECT_EQ(draw_collage(sample.report, false).size(), cv::Size(5000, 2500));
+}
+
 TEST(Png, RotationTurnsFromXToY) {
   const OneSquare sample(std::numbers::pi_v<float> / 2);
   const cv::Mat picture = draw_collage(sample.report, false);

@@ -32,14 +32,15 @@ cv::Vec3b parse_colour(const std::string& hex) {
   return {std::uint8_t(rgb), std::uint8_t(rgb >> 8), std::uint8_t(rgb >> 16)};
 }
 
-double picture_px_per_canvas_px(const CollageReport& report) {
-  return double(report.job->output.width_px) / report.canvas->width_px;
+int picture_width_px(const CollageReport& report, bool quick) {
+  const int wanted_px = report.job->output.width_px;
+  return quick ? std::min(wanted_px, kQuickWidth_px) : wanted_px;
 }
 
 /// The background colour fades over one pixel of the picture at the canvas' edge.
-cv::Mat draw_canvas(const CollageReport& report) {
-  const double px = picture_px_per_canvas_px(report);
-  cv::Mat picture(std::max(1, cvRound(report.canvas->height_px * px)), report.job->output.width_px, CV_8UC3);
+cv::Mat draw_canvas(const CollageReport& report, int width_px) {
+  const double px = double(width_px) / report.canvas->width_px;
+  cv::Mat picture(std::max(1, cvRound(report.canvas->height_px * px)), width_px, CV_8UC3);
   const cv::Vec3b colour = parse_colour(report.job->output.background);
   const FieldView distance(report.canvas->distance);
   parallel_for(std::size_t(picture.rows), [&](std::size_t y) {
@@ -129,10 +130,11 @@ int sprite_side(const Artwork& artwork, double picture_px_per_artwork_px) {
 void draw_shape(const CollageReport& report, std::size_t slot, const std::vector<std::size_t>& uses, const cv::Rect& band,
                 SpriteSource source, std::vector<Tile>& tiles) {
   const Shape& shape = report.shapes[slot];
+  const double px = double(band.width) / report.canvas->width_px;  // a band is as wide as the picture
   std::vector<std::pair<std::size_t, Similarity>> visible;
   float largest = 0;
   for (const std::size_t i : uses) {
-    const Similarity t = picture_from_artwork(report.placements[i], shape.artwork, picture_px_per_canvas_px(report));
+    const Similarity t = picture_from_artwork(report.placements[i], shape.artwork, px);
     if ((page_box(shape.artwork, t) & band).empty()) continue;
     visible.emplace_back(i, t);
     largest = std::max(largest, t.scale());
@@ -145,7 +147,7 @@ void draw_shape(const CollageReport& report, std::size_t slot, const std::vector
 }  // namespace
 
 cv::Mat draw_collage(const CollageReport& report, bool quick) {
-  cv::Mat picture = draw_canvas(report);
+  cv::Mat picture = draw_canvas(report, picture_width_px(report, quick));
   const auto by_shape = placements_by_shape(report);
   const SpriteSource source = quick ? SpriteSource::thumbnail : SpriteSource::original;
   const int band_rows = std::max(1, int(kBandPixels / picture.cols));
