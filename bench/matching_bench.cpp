@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/free_field.h"
-#include "core/reference_matcher.h"
+#include "core/field/free_field.h"
+#include "core/matching/reference_matcher.h"
 #include "support/synthetic_library.h"
 #include "worker/device_group.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/reference_matcher.h"
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
+#include "core/matching/reference_matcher.h"
 #include "master/collage.h"
 #include "support/synthetic_library.h"
 

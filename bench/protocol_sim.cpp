@@ -4,7 +4,7 @@
 #include <simgrid/s4u.hpp>
 #include <string>
 
-#include "core/portable_math.h"
+#include "core/base/portable_math.h"
 
 namespace tessera::bench {
 namespace {

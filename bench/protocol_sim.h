@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/round_model.h"
-#include "core/worker_tree.h"
+#include "core/ranks/worker_tree.h"
 
 namespace tessera::bench {
 
@@ -15,7 +15,7 @@ struct Cluster {
   double bytes_per_s = 10e9;  // of a link, each way
 };
 
-/// Questions go down the tree of src/core/worker_tree.h, and the answers up.
+/// Questions go down the tree of src/core/ranks/worker_tree.h, and the answers up.
 struct Scenario {
   RoundCosts costs;
   int fan_out = kFanOut;

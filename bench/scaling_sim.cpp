@@ -10,7 +10,7 @@
 #include "bench/line_plot.h"
 #include "bench/report.h"
 #include "bench/round_model.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/result/collage_files.h"

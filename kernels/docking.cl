@@ -1,4 +1,4 @@
-// core/docking.cpp in OpenCL C (paper section 3.3): from a pair, or from random bits, to a similarity, and how well it
+// core/matching/docking.cpp in OpenCL C (paper section 3.3): from a pair, or from random bits, to a similarity, and how well it
 // looks on a few points of the free field.
 
 #define NO_DOCKING (-1.f)

@@ -1,4 +1,4 @@
-// core/docking_terms.cpp in OpenCL C (paper section 4: L, O_i, G_i), estimated along the piece's contour.
+// core/matching/docking_terms.cpp in OpenCL C (paper section 4: L, O_i, G_i), estimated along the piece's contour.
 
 enum Run { NO_RUN, OVERLAP_RUN, GAP_RUN };
 

@@ -1,4 +1,4 @@
-// core/field_lookup.h in OpenCL C, 16 points at once: bilinear look-up in the free field.
+// core/field/field_lookup.h in OpenCL C, 16 points at once: bilinear look-up in the free field.
 
 typedef struct Field {
   global const float* value;

@@ -1,7 +1,7 @@
-// core/pair_selection.cpp in OpenCL C (paper section 3.3; design, method 4): scale window, sign, PAD distance, local
+// core/matching/pair_selection.cpp in OpenCL C (paper section 3.3; design, method 4): scale window, sign, PAD distance, local
 // minima along the shape's curve, the best few of each (target sample, shape).
 //
-// First an exact filter of bytes (core/pad_filter.h), then the distance itself where a pair may be near. The filter's
+// First an exact filter of bytes (core/pad/pad_filter.h), then the distance itself where a pair may be near. The filter's
 // loop over kFilterLanes sources is left to the compiler: it knows how many bytes the device handles at once.
 
 enum PairSizes { kPadElements = 2 * (kPadLevels - 1), kFilterRows = kPadElements + 2 };
@@ -45,7 +45,7 @@ Target load_target(global const SampleRecord* sample) {
   return target;
 }
 
-// What the filter lets through of a target sample and one level (core/pad_filter.h).
+// What the filter lets through of a target sample and one level (core/pad/pad_filter.h).
 typedef struct FilterWindow {
   uchar low[kPadElements];
   uchar width;

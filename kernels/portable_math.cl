@@ -1,4 +1,4 @@
-// core/portable_math.h in OpenCL C, bit for bit, and reductions over the lanes of a vector.
+// core/base/portable_math.h in OpenCL C, bit for bit, and reductions over the lanes of a vector.
 //
 // All kernels together: only + - * / sqrt floor fabs min max and comparisons, in the order in which the reference does
 // them; no built-in whose rounding may differ (mad, fma, native_*, dot, length). Tunables come from the host under

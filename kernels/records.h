@@ -10,8 +10,8 @@ typedef ulong u64;
 #else
 #include <cstdint>
 
-#include "core/pad.h"
-#include "core/shape_model.h"
+#include "core/pad/pad.h"
+#include "core/shape/shape_model.h"
 
 namespace tessera::worker {
 using u32 = std::uint32_t;
@@ -95,7 +95,7 @@ typedef struct SampleRecord {
   float scale_length;  // of the interval that estimates the scale before any alignment
   float convexity;
   u32 element[kMaxPadElements];  // steps
-  // core/pad_filter.h: the signs that fit, PadWindow for the reach, ScaleWindow of each level in use.
+  // core/pad/pad_filter.h: the signs that fit, PadWindow for the reach, ScaleWindow of each level in use.
   u32 signs;
   u32 pad_low[kMaxPadElements];
   u32 pad_width;

@@ -1,4 +1,4 @@
-// core/refinement.cpp in OpenCL C (design, method 6): Gauss-Newton on the free field, then push until no point is too
+// core/matching/refinement.cpp in OpenCL C (design, method 6): Gauss-Newton on the free field, then push until no point is too
 // deep. The points of a piece are looked up 16 at once and added up one after the other, as the reference does.
 
 // A symmetric 4 x 4 system; unknowns: shift x, shift y, growth, rotation, the last two as movements at `arm_px`.
@@ -176,7 +176,7 @@ bool refine(PoseRecord* pose, const Piece* piece) {
          scale <= piece->match->max_scale_px * 1.0001f && rotation_allowed(piece->match, s);
 }
 
-// core/extent.h, of the boundary points.
+// core/geometry/extent.h, of the boundary points.
 ExtentRecord extent_of(PoseRecord s, global const float* contour) {
   Points low = placed_points(s, contour + kFineAt, kBoundaryPoints, 0);
   Points high = low;

@@ -1,4 +1,4 @@
-// core/similarity.h in OpenCL C, and the points of a shape under it.
+// core/geometry/similarity.h in OpenCL C, and the points of a shape under it.
 
 float scale_of(PoseRecord s) { return sqrt(s.a * s.a + s.b * s.b); }
 

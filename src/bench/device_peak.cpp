@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
 #include "worker/opencl_devices.h"
 #include "worker/opencl_runtime.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/portable_math.h"
-#include "core/shape_builder.h"
+#include "core/base/portable_math.h"
+#include "core/shape/shape_builder.h"
 #include "io/parallel_for.h"
 
 namespace tessera::bench {

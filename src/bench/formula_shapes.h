@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/matching_context.h"
-#include "core/outline.h"
+#include "core/matching/matching_context.h"
+#include "core/shape/outline.h"
 
 namespace tessera::bench {
 

@@ -1,6 +1,6 @@
 #include "bench/full_rematch.h"
 
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
 #include "master/collage.h"
 
 namespace tessera::bench {

@@ -1,6 +1,6 @@
 #include "bench/library_matcher.h"
 
-#include "core/matcher.h"
+#include "core/matching/matcher.h"
 #include "io/library/shape_models.h"
 #include "worker/device_group.h"
 

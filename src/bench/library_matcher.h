@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "core/matching_context.h"
+#include "core/matching/matching_context.h"
 #include "core/settings.h"
 #include "io/library/library_file.h"
 

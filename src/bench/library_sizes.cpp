@@ -5,7 +5,7 @@
 #include "bench/library_matcher.h"
 #include "bench/process_memory.h"
 #include "bench/varied_shapes.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/number_text.h"
 #include "master/collage_loop.h"
 #include "worker/device_group.h"

@@ -5,9 +5,9 @@
 #include "bench/devices.h"
 #include "bench/formula_shapes.h"
 #include "bench/timing.h"
-#include "core/free_field.h"
-#include "core/match_round.h"
-#include "core/target_curve.h"
+#include "core/field/free_field.h"
+#include "core/field/target_curve.h"
+#include "core/matching/match_round.h"
 #include "worker/device_group.h"
 
 namespace tessera::bench {

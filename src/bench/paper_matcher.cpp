@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/objective.h"
+#include "core/collage/objective.h"
 
 namespace tessera::bench {
 namespace {

@@ -5,7 +5,7 @@
 // serves, and the terms of the objective along the contour.
 #pragma once
 
-#include "core/matcher.h"
+#include "core/matching/matcher.h"
 
 namespace tessera::bench {
 

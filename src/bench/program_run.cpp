@@ -9,7 +9,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace tessera::bench {
 namespace {

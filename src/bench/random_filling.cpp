@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "core/free_field.h"
-#include "core/refinement.h"
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
+#include "core/field/free_field.h"
+#include "core/matching/refinement.h"
 #include "core/tuning.h"
 
 namespace tessera::bench {

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "core/canvas.h"
-#include "core/placement.h"
+#include "core/collage/placement.h"
+#include "core/field/canvas.h"
 #include "core/settings.h"
-#include "core/shape_source.h"
+#include "core/shape/shape_source.h"
 
 namespace tessera::bench {
 

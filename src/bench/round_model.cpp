@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/worker_tree.h"
+#include "core/ranks/worker_tree.h"
 
 namespace tessera::bench {
 namespace {

@@ -12,7 +12,7 @@
 #include "bench/line_plot.h"
 #include "bench/program_run.h"
 #include "bench/scaling_case.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/result/collage_files.h"

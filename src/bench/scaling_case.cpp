@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace tessera::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
 
 namespace tessera::bench {
 

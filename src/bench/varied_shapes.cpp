@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
 #include "io/parallel_for.h"
 
 namespace tessera::bench {

@@ -1,8 +1,8 @@
 // A library larger than its file: its shapes, then the same mirrored, then stretched and mirrored in other ways.
 #pragma once
 
-#include "core/matcher.h"
-#include "core/shape_variation.h"
+#include "bench/shape_variation.h"
+#include "core/matching/matcher.h"
 #include "io/library/library_file.h"
 #include "master/cached_shapes.h"
 

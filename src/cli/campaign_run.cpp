@@ -7,7 +7,7 @@
 #include "cli/collage_run.h"
 #include "cli/ranking_run.h"
 #include "cli/stop_signal.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/job/job_file.h"
 #include "io/job/variations.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/checkpoint/checkpoint_origin.h"
 #include "master/checkpoint_keeper.h"

@@ -12,7 +12,7 @@
 #include "cli/build_summary.h"
 #include "cli/progress_bar.h"
 #include "cli/stop_signal.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/partition.h"
+#include "core/ranks/partition.h"
 
 namespace tessera::cli {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/matcher.h"
+#include "core/matching/matcher.h"
 
 namespace tessera::cli {
 

@@ -12,7 +12,7 @@
 #include "comm/in_process_communicator.h"
 #include "comm/mpi_guard.h"
 #include "comm/rank_program.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace tessera::cli {
 namespace {

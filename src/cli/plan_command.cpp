@@ -6,7 +6,7 @@
 #include "cli/commands.h"
 #include "cli/plan_estimate.h"
 #include "cli/plan_text.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/matching_context.h"
+#include "core/matching/matching_context.h"
 #include "core/tuning.h"
 #include "worker/opencl_matcher.h"
 #include "worker/shard.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
 
 namespace tessera::cli {
 

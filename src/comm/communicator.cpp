@@ -7,7 +7,7 @@
 #include "comm/encode.h"
 #include "comm/idle_wait.h"
 #include "comm/messages.h"
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
 
 namespace tessera::comm {
 namespace {

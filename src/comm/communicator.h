@@ -17,7 +17,7 @@
 #include "comm/failure.h"
 #include "comm/message.h"
 #include "comm/traffic.h"
-#include "core/processor_time.h"
+#include "core/base/processor_time.h"
 
 namespace tessera::comm {
 

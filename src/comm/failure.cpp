@@ -3,7 +3,7 @@
 #include <exception>
 #include <new>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace tessera::comm {
 

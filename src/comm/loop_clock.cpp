@@ -1,7 +1,7 @@
 #include "comm/loop_clock.h"
 
 #include "comm/worker_team.h"
-#include "core/worker_tree.h"
+#include "core/ranks/worker_tree.h"
 
 namespace tessera::comm {
 namespace {

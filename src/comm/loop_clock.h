@@ -2,8 +2,8 @@
 #pragma once
 
 #include "comm/communicator.h"
-#include "core/placement.h"
-#include "core/rank_statistics.h"
+#include "core/base/run_statistics.h"
+#include "core/ranks/rank_statistics.h"
 
 namespace tessera::comm {
 

@@ -6,7 +6,7 @@
 #include "comm/messages.h"
 #include "comm/worker_clock.h"
 #include "comm/worker_team.h"
-#include "core/worker_tree.h"
+#include "core/ranks/worker_tree.h"
 
 namespace tessera::comm {
 namespace {

@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "comm/communicator.h"
-#include "core/matcher.h"
+#include "core/matching/matcher.h"
 
 namespace tessera::comm {
 
-/// Tells who asks this rank (core/worker_tree.h) which shapes these are, then answers in the order of the questions, until
+/// Tells who asks this rank (core/ranks/worker_tree.h) which shapes these are, then answers in the order of the questions, until
 /// the job ends: leaves by JobEnded, or by what the matcher throws.
 [[noreturn]] void serve(Communicator& ranks, std::unique_ptr<Matcher> matcher);
 

@@ -10,8 +10,8 @@
 #include <type_traits>
 
 #include "comm/failure.h"
-#include "core/matcher.h"
-#include "core/rank_statistics.h"
+#include "core/matching/matcher.h"
+#include "core/ranks/rank_statistics.h"
 
 namespace tessera::comm {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "comm/communicator.h"
-#include "core/matcher.h"
+#include "core/matching/matcher.h"
 
 namespace tessera::comm {
 

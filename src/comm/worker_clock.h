@@ -2,8 +2,8 @@
 #pragma once
 
 #include "comm/communicator.h"
-#include "core/rank_statistics.h"
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
+#include "core/ranks/rank_statistics.h"
 
 namespace tessera::comm {
 

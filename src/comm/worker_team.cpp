@@ -3,8 +3,8 @@
 #include "comm/encode.h"
 #include "comm/messages.h"
 #include "comm/remote_matcher.h"
-#include "core/composite_matcher.h"
-#include "core/worker_tree.h"
+#include "core/matching/composite_matcher.h"
+#include "core/ranks/worker_tree.h"
 
 namespace tessera::comm {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "comm/communicator.h"
-#include "core/matcher.h"
-#include "core/rank_statistics.h"
+#include "core/matching/matcher.h"
+#include "core/ranks/rank_statistics.h"
 
 namespace tessera::comm {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/pad.h"
+#include "core/pad/pad.h"
 
 namespace tessera {
 

@@ -4,7 +4,7 @@
 #include <list>
 #include <unordered_map>
 
-#include "core/shape_source.h"
+#include "core/shape/shape_source.h"
 
 namespace tessera::master {
 

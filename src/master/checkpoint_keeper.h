@@ -1,7 +1,7 @@
 // Where the loop's state is kept for a restart, and when: injected, so that the loop knows neither files nor clocks.
 #pragma once
 
-#include "core/checkpoint_state.h"
+#include "core/collage/checkpoint_state.h"
 
 namespace tessera::master {
 

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "core/extent.h"
-#include "core/objective.h"
-#include "core/refinement.h"
+#include "core/collage/objective.h"
+#include "core/geometry/extent.h"
+#include "core/matching/refinement.h"
 #include "core/tuning.h"
 
 namespace tessera::master {

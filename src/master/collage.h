@@ -6,16 +6,16 @@
 #include <set>
 #include <vector>
 
-#include "core/canvas.h"
-#include "core/checkpoint_state.h"
-#include "core/free_field.h"
-#include "core/matching_context.h"
-#include "core/match_round.h"
-#include "core/placement.h"
-#include "core/pool.h"
+#include "core/collage/checkpoint_state.h"
+#include "core/collage/placement.h"
+#include "core/collage/pool.h"
+#include "core/field/canvas.h"
+#include "core/field/free_field.h"
+#include "core/field/target_curve.h"
+#include "core/matching/match_round.h"
+#include "core/matching/matching_context.h"
 #include "core/settings.h"
-#include "core/shape_source.h"
-#include "core/target_curve.h"
+#include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
 
 namespace tessera::master {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/digest.h"
-#include "core/error.h"
+#include "core/base/digest.h"
+#include "core/base/error.h"
 #include "master/collage.h"
 
 namespace tessera::master {

@@ -1,7 +1,7 @@
 #include "master/collage_loop.h"
 
-#include "core/processor_time.h"
-#include "core/stopwatch.h"
+#include "core/base/processor_time.h"
+#include "core/base/stopwatch.h"
 #include "master/collage.h"
 #include "master/filling.h"
 #include "master/ruin_and_recreate.h"

@@ -1,12 +1,13 @@
 // The loop of the paper (section 4, Fig. 15): match, choose, merge, until nothing fits.
 #pragma once
 
-#include "core/canvas.h"
-#include "core/checkpoint_state.h"
-#include "core/matcher.h"
-#include "core/placement.h"
+#include "core/base/run_statistics.h"
+#include "core/collage/checkpoint_state.h"
+#include "core/collage/placement.h"
+#include "core/field/canvas.h"
+#include "core/matching/matcher.h"
 #include "core/settings.h"
-#include "core/shape_source.h"
+#include "core/shape/shape_source.h"
 #include "master/checkpoint_keeper.h"
 #include "master/progress.h"
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
-#include "core/exact_terms.h"
-#include "core/pool.h"
-#include "core/shape_source.h"
+#include "core/collage/exact_terms.h"
+#include "core/collage/pool.h"
+#include "core/shape/shape_source.h"
 
 namespace tessera::master {
 

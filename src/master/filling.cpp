@@ -1,7 +1,7 @@
 #include "master/filling.h"
 
-#include "core/processor_time.h"
-#include "core/stopwatch.h"
+#include "core/base/processor_time.h"
+#include "core/base/stopwatch.h"
 #include "core/tuning.h"
 
 namespace tessera::master {

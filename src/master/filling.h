@@ -1,7 +1,7 @@
 // Filling the free region greedily: match what is stale, place the best candidate, again (paper section 4, Fig. 15).
 #pragma once
 
-#include "core/matcher.h"
+#include "core/matching/matcher.h"
 #include "master/collage.h"
 
 namespace tessera::master {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/portable_math.h"
+#include "core/base/portable_math.h"
 
 namespace tessera::master {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/composite_matcher.h"
-#include "core/partition.h"
+#include "core/matching/composite_matcher.h"
+#include "core/ranks/partition.h"
 #include "worker/opencl_devices.h"
 #include "worker/opencl_matcher.h"
 

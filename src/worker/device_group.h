@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/matching_context.h"
-#include "core/model_source.h"
+#include "core/matching/matching_context.h"
+#include "core/matching/model_source.h"
 #include "worker/opencl_devices.h"
 
 namespace tessera::worker {

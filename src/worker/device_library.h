@@ -1,8 +1,8 @@
 // What stays on a device from request to request: the shard and the free field.
 #pragma once
 
-#include "core/matching_context.h"
-#include "core/model_source.h"
+#include "core/matching/matching_context.h"
+#include "core/matching/model_source.h"
 #include "worker/opencl_runtime.h"
 #include "worker/shard.h"
 

@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
-#include "core/docking.h"
-#include "core/field_lookup.h"
-#include "core/shape_model.h"
+#include "core/field/field_lookup.h"
+#include "core/matching/docking.h"
+#include "core/shape/shape_model.h"
 #include "core/tuning.h"
 #include "worker/shard.h"
 

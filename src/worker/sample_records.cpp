@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/matcher.h"
-#include "core/pad_filter.h"
+#include "core/matching/matcher.h"
+#include "core/pad/pad_filter.h"
 
 namespace tessera::worker {
 namespace {

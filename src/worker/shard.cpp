@@ -4,7 +4,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "core/pad_filter.h"
+#include "core/pad/pad_filter.h"
 
 namespace tessera::worker {
 namespace {

@@ -4,15 +4,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/matcher.h"
-#include "core/matching_context.h"
-#include "core/shape_model.h"
+#include "core/matching/matcher.h"
+#include "core/matching/matching_context.h"
+#include "core/shape/shape_model.h"
 #include "records.h"
 
 namespace tessera::worker {
 
 struct Shard {
-  /// The filter (core/pad_filter.h), by shape and block of kFilterLanes sources: a row for each element of the PADs, then
+  /// The filter (core/pad/pad_filter.h), by shape and block of kFilterLanes sources: a row for each element of the PADs, then
   /// one for the lengths that estimate the scale, one for the signs.
   std::vector<std::uint8_t> pad_bytes;
   /// By shape and source: the PAD's elements, steps, and zeros up to pad_row().

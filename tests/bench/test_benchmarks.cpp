@@ -8,7 +8,7 @@
 
 #include "bench/formula_library.h"
 #include "bench/scaling_case.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace tessera::bench {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/objective.h"
+#include "core/collage/objective.h"
 #include "support/matcher_round.h"
 
 namespace tessera::bench {

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "bench/formula_library.h"
-#include "core/matching_context.h"
-#include "core/polygon.h"
+#include "core/geometry/polygon.h"
+#include "core/matching/matching_context.h"
 
 namespace tessera::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "cli/library_part.h"
-#include "core/matching_context.h"
+#include "core/matching/matching_context.h"
 #include "io/library/shape_models.h"
 #include "io/scratch_folder.h"
 #include "support/matching_scene.h"

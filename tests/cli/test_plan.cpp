@@ -4,7 +4,7 @@
 
 #include "cli/plan_estimate.h"
 #include "cli/plan_text.h"
-#include "core/matching_context.h"
+#include "core/matching/matching_context.h"
 #include "worker/shard.h"
 
 namespace tessera::cli {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "cli/time_limit.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace tessera::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "comm/mpi_guard.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace {
 

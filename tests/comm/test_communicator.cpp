@@ -6,7 +6,7 @@
 #include <random>
 
 #include "comm/node_turn.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "on_all_ranks.h"
 
 namespace tessera::comm {

@@ -5,8 +5,8 @@
 #include "comm/matcher_server.h"
 #include "comm/rank_program.h"
 #include "comm/worker_team.h"
-#include "core/partition.h"
 #include "core/matcher_suite.h"
+#include "core/ranks/partition.h"
 
 namespace tessera::comm {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "comm/matcher_server.h"
 #include "comm/worker_team.h"
-#include "core/stopwatch.h"
-#include "core/worker_tree.h"
+#include "core/base/stopwatch.h"
+#include "core/ranks/worker_tree.h"
 #include "job_fixture.h"
 #include "on_all_ranks.h"
 

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "comm/encode.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace tessera::comm {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "comm/matcher_server.h"
 #include "comm/worker_team.h"
-#include "core/error.h"
-#include "core/reference_matcher.h"
+#include "core/base/error.h"
+#include "core/matching/reference_matcher.h"
 #include "job_fixture.h"
 #include "on_all_ranks.h"
 #include "support/matcher_round.h"

@@ -8,10 +8,10 @@
 #include <memory>
 #include <string>
 
-#include "core/composite_matcher.h"
-#include "core/match_round.h"
-#include "core/reference_matcher.h"
-#include "core/refinement.h"
+#include "core/matching/composite_matcher.h"
+#include "core/matching/match_round.h"
+#include "core/matching/reference_matcher.h"
+#include "core/matching/refinement.h"
 #include "support/matcher_round.h"
 
 namespace tessera::test {

@@ -1,12 +1,12 @@
 // The bits against one node after the other.
-#include "core/bit_grid.h"
+#include "core/geometry/bit_grid.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <limits>
 
-#include "core/distance_transform.h"
+#include "core/geometry/distance_transform.h"
 
 namespace tessera {
 namespace {

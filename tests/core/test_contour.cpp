@@ -1,12 +1,12 @@
 // Contours close, keep the larger values on their left, and lie where the interpolation says.
-#include "core/contour.h"
+#include "core/geometry/contour.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <numbers>
 
-#include "core/polygon.h"
+#include "core/geometry/polygon.h"
 
 namespace tessera {
 namespace {

@@ -1,5 +1,5 @@
 // The transform against brute force.
-#include "core/distance_transform.h"
+#include "core/geometry/distance_transform.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,13 +1,14 @@
-#include "core/docking.h"
+#include "core/matching/docking.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "core/free_field.h"
-#include "core/matcher.h"
-#include "core/pair_selection.h"
-#include "core/portable_math.h"
-#include "core/refinement.h"
+#include "core/geometry/closed_curve.h"
+#include "core/base/portable_math.h"
+#include "core/field/free_field.h"
+#include "core/matching/matcher.h"
+#include "core/matching/pair_selection.h"
+#include "core/matching/refinement.h"
 #include "support/random_curves.h"
 #include "support/synthetic_library.h"
 

@@ -1,4 +1,4 @@
-#include "core/partition.h"
+#include "core/ranks/partition.h"
 #include "matcher_suite.h"
 
 namespace tessera::test {

@@ -1,8 +1,8 @@
-#include "core/objective.h"
+#include "core/collage/objective.h"
 
 #include <gtest/gtest.h>
 
-#include "core/exact_terms.h"
+#include "core/collage/exact_terms.h"
 #include "core/tuning.h"
 #include "support/synthetic_shapes.h"
 

@@ -1,5 +1,5 @@
 // Which silhouettes become outlines, what of them is kept, and why others are skipped.
-#include "core/outline.h"
+#include "core/shape/outline.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "core/polygon.h"
+#include "core/geometry/polygon.h"
 
 namespace tessera {
 namespace {

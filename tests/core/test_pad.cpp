@@ -1,5 +1,5 @@
 // Properties of the descriptor that the paper states (section 3).
-#include "core/pad.h"
+#include "core/pad/pad.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/level_curve.h"
-#include "core/similarity.h"
+#include "core/geometry/closed_curve.h"
+#include "core/geometry/similarity.h"
+#include "core/shape/level_curve.h"
 #include "support/random_curves.h"
 
 namespace tessera {

@@ -1,5 +1,5 @@
 // The filter of bytes loses no pair: whatever is near passes.
-#include "core/pad_filter.h"
+#include "core/pad/pad_filter.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

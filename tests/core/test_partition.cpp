@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "core/partition.h"
+#include "core/ranks/partition.h"
 
 namespace tessera {
 namespace {

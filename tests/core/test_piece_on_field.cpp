@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "core/distance_transform.h"
-#include "core/exact_terms.h"
-#include "core/piece_distance.h"
+#include "core/collage/exact_terms.h"
+#include "core/field/piece_distance.h"
+#include "core/geometry/distance_transform.h"
 #include "core/tuning.h"
 #include "support/synthetic_shapes.h"
 

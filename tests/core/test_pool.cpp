@@ -1,5 +1,5 @@
 // The pool's order and its spatial index, against looking at every candidate.
-#include "core/pool.h"
+#include "core/collage/pool.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

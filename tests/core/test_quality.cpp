@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/quality.h"
-#include "core/rasterise.h"
+#include "core/collage/quality.h"
+#include "core/geometry/rasterise.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera {

@@ -1,6 +1,6 @@
 // PADs and key points in whole steps: as near to the real ones as rounding allows, and safe with what a damaged library
 // holds.
-#include "core/quantised_pad.h"
+#include "core/pad/quantised_pad.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/model_sample.h"
+#include "core/shape/model_sample.h"
 
 namespace tessera {
 namespace {

@@ -1,14 +1,14 @@
 // A traced outline in the shape frame.
-#include "core/shape_builder.h"
+#include "core/shape/shape_builder.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "core/level_curve.h"
-#include "core/polygon.h"
-#include "core/shape_model.h"
-#include "core/stopwatch.h"
+#include "core/base/stopwatch.h"
+#include "core/geometry/closed_curve.h"
+#include "core/geometry/polygon.h"
+#include "core/shape/shape_model.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera {

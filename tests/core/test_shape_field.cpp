@@ -1,5 +1,5 @@
 // The field against brute force.
-#include "core/shape_field.h"
+#include "core/shape/shape_field.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

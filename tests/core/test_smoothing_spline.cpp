@@ -1,12 +1,13 @@
 // The spline takes out what is finer than its width and keeps the rest.
-#include "core/smoothing_spline.h"
+#include "core/geometry/smoothing_spline.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <numbers>
 
-#include "core/polygon.h"
+#include "core/geometry/closed_curve.h"
+#include "core/geometry/polygon.h"
 #include "support/random_curves.h"
 
 namespace tessera {

@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "core/edge_table.h"
-#include "core/tile_index.h"
+#include "core/field/edge_table.h"
+#include "core/geometry/tile_index.h"
 
 namespace tessera {
 namespace {

@@ -1,5 +1,5 @@
 // Cut and paste: a curve kept up to date placement by placement equals one traced afresh, to the bit.
-#include "core/target_curve.h"
+#include "core/field/target_curve.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "core/worker_tree.h"
+#include "core/ranks/worker_tree.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "core/shape.h"
+#include "core/shape/shape.h"
 #include "io/library/library_layout.h"
 
 namespace tessera::test {

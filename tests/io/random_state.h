@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "core/checkpoint_state.h"
+#include "core/collage/checkpoint_state.h"
 #include "core/tuning.h"
 
 namespace tessera::test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "artwork_samples.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
 #include "scratch_folder.h"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "file_size_limit.h"
 #include "io/atomic_file.h"
 #include "scratch_folder.h"

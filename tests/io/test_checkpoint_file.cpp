@@ -8,7 +8,7 @@
 #include <iterator>
 #include <random>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/checkpoint/checkpoint_file.h"
 #include "io/checkpoint/checkpoint_seal.h"

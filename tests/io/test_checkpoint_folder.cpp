@@ -6,7 +6,7 @@
 #include <iterator>
 #include <set>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "file_size_limit.h"
 #include "io/atomic_file.h"
 #include "io/checkpoint/checkpoint_folder.h"

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <set>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 

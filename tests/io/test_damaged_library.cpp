@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <random>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/library/library_file.h"
 #include "random_shape.h"
 #include "scratch_folder.h"

@@ -4,8 +4,8 @@
 #include <clocale>
 #include <nlohmann/json.hpp>
 
-#include "io/result/geojson_output.h"
 #include "io/number_text.h"
+#include "io/result/geojson_output.h"
 #include "sample_collage.h"
 
 namespace tessera::io {

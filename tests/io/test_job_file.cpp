@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/job/job_file.h"
 #include "io/job/job_keys.h"
 #include "scratch_folder.h"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/library/contact_sheet.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/library/library_file.h"
 #include "random_shape.h"
 #include "scratch_folder.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "artwork_samples.h"
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/artwork/artwork_page.h"
 #include "io/artwork/artwork_render.h"
 #include "io/artwork/artwork_shape.h"

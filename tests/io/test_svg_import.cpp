@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/result/svg_import.h"
 #include "io/result/svg_style.h"
 #include "scratch_folder.h"

@@ -1,10 +1,10 @@
 // Whole collages of synthetic shapes, with the plain C++ matcher.
 #include <gtest/gtest.h>
 
-#include "core/field_lookup.h"
-#include "core/level_curve.h"
-#include "core/piece_distance.h"
-#include "core/quality.h"
+#include "core/collage/quality.h"
+#include "core/field/field_lookup.h"
+#include "core/field/piece_distance.h"
+#include "core/geometry/closed_curve.h"
 #include "master/collage.h"
 #include "master/collage_loop.h"
 #include "support/divided_matcher.h"

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "master/collage_loop.h"
 #include "support/divided_matcher.h"
 

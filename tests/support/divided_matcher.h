@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/composite_matcher.h"
-#include "core/reference_matcher.h"
+#include "core/matching/composite_matcher.h"
+#include "core/matching/reference_matcher.h"
 #include "support/synthetic_library.h"
 
 namespace tessera::test {

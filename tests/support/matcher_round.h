@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/matcher.h"
+#include "core/matching/matcher.h"
 #include "support/matching_scene.h"
 
 namespace tessera::test {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "core/free_field.h"
-#include "core/matching_context.h"
-#include "core/shape_builder.h"
-#include "core/target_curve.h"
+#include "core/field/free_field.h"
+#include "core/field/target_curve.h"
+#include "core/matching/matching_context.h"
+#include "core/shape/shape_builder.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera::test {

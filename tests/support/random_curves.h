@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "core/level_curve.h"
+#include "core/geometry/closed_curve.h"
 
 namespace tessera::test {
 

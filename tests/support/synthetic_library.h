@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "core/level_curve.h"
-#include "core/matching_context.h"
-#include "core/shape_source.h"
+#include "core/geometry/closed_curve.h"
+#include "core/matching/matching_context.h"
+#include "core/shape/level_curve.h"
+#include "core/shape/shape_source.h"
 #include "support/synthetic_shapes.h"
 
 namespace tessera::test {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/shape.h"
+#include "core/shape/shape.h"
 
 namespace tessera::test {
 

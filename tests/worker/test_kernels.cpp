@@ -6,8 +6,8 @@
 #include <memory>
 #include <random>
 
-#include "core/portable_math.h"
-#include "core/reference_matcher.h"
+#include "core/base/portable_math.h"
+#include "core/matching/reference_matcher.h"
 #include "support/matcher_round.h"
 #include "worker/kernel_options.h"
 #include "worker/opencl_devices.h"

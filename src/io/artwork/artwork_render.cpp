@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/artwork/alpha.h"
 #include "io/artwork/artwork_page.h"
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "core/shape_builder.h"
+#include "core/shape/shape_builder.h"
 #include "io/artwork/silhouette.h"
 
 namespace tessera::io {

@@ -6,8 +6,8 @@
 #include <string>
 #include <variant>
 
-#include "core/outline.h"
-#include "core/shape.h"
+#include "core/shape/outline.h"
+#include "core/shape/shape.h"
 
 namespace tessera::io {
 

@@ -4,7 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/artwork/alpha.h"
 #include "io/artwork/image_header.h"
 #include "io/artwork/mask.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/grid.h"
-#include "core/vec2.h"
+#include "core/geometry/grid.h"
+#include "core/geometry/vec2.h"
 
 namespace tessera::io {
 

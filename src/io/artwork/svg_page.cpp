@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/artwork/gunzip.h"
 
 namespace tessera::io {

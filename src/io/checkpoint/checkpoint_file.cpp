@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/checkpoint/checkpoint_arrays.h"
 #include "io/checkpoint/checkpoint_columns.h"
 #include "io/checkpoint/checkpoint_seal.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/checkpoint_state.h"
+#include "core/collage/checkpoint_state.h"
 
 namespace tessera::io {
 

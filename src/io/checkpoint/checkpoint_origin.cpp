@@ -1,7 +1,7 @@
 #include "io/checkpoint/checkpoint_origin.h"
 
-#include "core/digest.h"
-#include "core/error.h"
+#include "core/base/digest.h"
+#include "core/base/error.h"
 #include "io/job/job_difference.h"
 
 namespace tessera::io {

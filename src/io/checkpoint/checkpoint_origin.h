@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/canvas.h"
+#include "core/field/canvas.h"
 #include "io/checkpoint/checkpoint_file.h"
 #include "io/job/job_file.h"
 #include "io/library/library_file.h"

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/digest.h"
-#include "core/error.h"
+#include "core/base/digest.h"
+#include "core/base/error.h"
 
 namespace tessera::io {
 namespace {

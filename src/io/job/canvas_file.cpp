@@ -4,10 +4,10 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
-#include "io/job/job_keys.h"
 #include "io/artwork/mask.h"
+#include "io/job/job_keys.h"
 
 namespace tessera::io {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/canvas.h"
-#include "core/grid.h"
+#include "core/field/canvas.h"
+#include "core/geometry/grid.h"
 #include "io/job/job_file.h"
 
 namespace tessera::io {

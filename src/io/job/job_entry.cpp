@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/job/job_keys.h"
 #include "io/job/job_value.h"
 #include "io/job/nearest_name.h"

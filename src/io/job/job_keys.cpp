@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/objective.h"
+#include "core/collage/objective.h"
 
 namespace tessera::io {
 namespace {

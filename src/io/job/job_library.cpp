@@ -1,6 +1,6 @@
 #include "io/job/job_library.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace tessera::io {
 

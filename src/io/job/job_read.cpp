@@ -4,7 +4,7 @@
 #include <fstream>
 #include <utility>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/job/job_entry.h"
 #include "io/job/job_keys.h"
 

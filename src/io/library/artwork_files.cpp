@@ -9,7 +9,7 @@
 #include <map>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 namespace tessera::io {
 namespace {

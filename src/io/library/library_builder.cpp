@@ -5,7 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"

@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/outline.h"
+#include "core/shape/outline.h"
+#include "io/artwork/artwork_shape.h"
 #include "io/library/artwork_files.h"
 #include "io/library/artwork_pool.h"
-#include "io/artwork/artwork_shape.h"
 
 namespace tessera::io {
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "core/shape.h"
+#include "core/shape/shape.h"
 
 namespace tessera::io {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/error.h"
-#include "core/shape.h"
+#include "core/base/error.h"
+#include "core/shape/shape.h"
 #include "io/atomic_file.h"
 #include "io/library/hdf5_attributes.h"
 #include "io/library/library_layout.h"

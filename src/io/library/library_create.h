@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/pad.h"
+#include "core/pad/pad.h"
 #include "io/library/hdf5_handles.h"
 
 namespace tessera::io {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/library/hdf5_attributes.h"
 #include "io/library/library_check.h"
 #include "io/library/library_layout.h"

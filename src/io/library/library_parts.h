@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/shape.h"
+#include "core/shape/shape.h"
 #include "io/library/library_column.h"
 
 namespace tessera::io {

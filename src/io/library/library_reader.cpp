@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/digest.h"
-#include "core/error.h"
+#include "core/base/digest.h"
+#include "core/base/error.h"
 #include "io/library/library_file.h"
 #include "io/library/library_open.h"
 #include "io/library/library_parts.h"

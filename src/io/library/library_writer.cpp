@@ -4,7 +4,7 @@
 #include <cstring>
 #include <optional>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/library/library_check.h"
 #include "io/library/library_column.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/matching_context.h"
+#include "core/matching/matching_context.h"
 
 namespace tessera::io {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/model_source.h"
+#include "core/matching/model_source.h"
 #include "io/library/library_file.h"
 
 namespace tessera::io {

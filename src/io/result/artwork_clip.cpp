@@ -1,6 +1,6 @@
 #include "io/result/artwork_clip.h"
 
-#include "core/contour.h"
+#include "core/geometry/contour.h"
 
 namespace tessera::io {
 namespace {

@@ -2,7 +2,7 @@
 // neighbours, or outside the canvas.
 #pragma once
 
-#include "core/shape.h"
+#include "core/shape/shape.h"
 
 namespace tessera::io {
 

@@ -1,6 +1,6 @@
 #include "io/result/artwork_original.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
 
 namespace tessera::io {

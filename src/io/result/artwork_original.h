@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/shape.h"
-#include "core/similarity.h"
+#include "core/geometry/similarity.h"
+#include "core/shape/shape.h"
 
 namespace tessera::io {
 

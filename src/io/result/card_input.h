@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/quality.h"
+#include "core/collage/quality.h"
 
 namespace tessera::io {
 

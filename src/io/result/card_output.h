@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "core/placement.h"
-#include "core/quality.h"
-#include "core/rank_statistics.h"
+#include "core/base/run_statistics.h"
+#include "core/collage/quality.h"
+#include "core/ranks/rank_statistics.h"
 #include "core/settings.h"
 
 namespace tessera::io {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "core/error.h"
-#include "core/quality.h"
+#include "core/base/error.h"
+#include "core/collage/quality.h"
 #include "io/atomic_file.h"
 #include "io/result/card_output.h"
 #include "io/result/geojson_output.h"

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/canvas.h"
-#include "core/placement.h"
-#include "core/rank_statistics.h"
-#include "core/shape.h"
+#include "core/base/run_statistics.h"
+#include "core/collage/placement.h"
+#include "core/field/canvas.h"
+#include "core/ranks/rank_statistics.h"
+#include "core/shape/shape.h"
 #include "io/job/job_file.h"
 
 namespace tessera::io {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/job/job_difference.h"
 #include "io/result/card_input.h"
 

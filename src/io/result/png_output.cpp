@@ -5,10 +5,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/field_lookup.h"
-#include "core/rasterise.h"
-#include "io/result/artwork_original.h"
+#include "core/field/field_lookup.h"
+#include "core/geometry/rasterise.h"
 #include "io/parallel_for.h"
+#include "io/result/artwork_original.h"
 #include "io/result/sprite.h"
 
 namespace tessera::io {

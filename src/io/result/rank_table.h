@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/rank_statistics.h"
+#include "core/ranks/rank_statistics.h"
 
 namespace tessera::io {
 

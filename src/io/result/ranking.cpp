@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/result/collage_sheet.h"

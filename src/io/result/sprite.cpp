@@ -4,12 +4,12 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/error.h"
-#include "core/rasterise.h"
+#include "core/base/error.h"
+#include "core/geometry/rasterise.h"
 #include "io/artwork/alpha.h"
+#include "io/artwork/artwork_render.h"
 #include "io/result/artwork_clip.h"
 #include "io/result/artwork_original.h"
-#include "io/artwork/artwork_render.h"
 
 namespace tessera::io {
 namespace {

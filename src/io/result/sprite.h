@@ -3,7 +3,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/shape.h"
+#include "core/shape/shape.h"
 
 namespace tessera::io {
 

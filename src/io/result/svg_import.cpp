@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "io/artwork/gunzip.h"
-#include "io/number_text.h"
 #include "io/artwork/svg_page.h"
+#include "io/number_text.h"
 #include "io/result/svg_style.h"
 #include "io/result/xml_writer.h"
 

@@ -6,18 +6,18 @@
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/contour.h"
-#include "core/error.h"
-#include "core/rasterise.h"
-#include "io/result/artwork_clip.h"
-#include "io/result/artwork_original.h"
+#include "core/base/error.h"
+#include "core/geometry/contour.h"
+#include "core/geometry/rasterise.h"
 #include "io/artwork/artwork_page.h"
 #include "io/artwork/artwork_render.h"
+#include "io/artwork/svg_page.h"
 #include "io/number_text.h"
 #include "io/parallel_for.h"
+#include "io/result/artwork_clip.h"
+#include "io/result/artwork_original.h"
 #include "io/result/sprite.h"
 #include "io/result/svg_import.h"
-#include "io/artwork/svg_page.h"
 #include "io/result/xml_writer.h"
 
 namespace tessera::io {

@@ -1,0 +1,35 @@
+// What a run counted and how long its stages took. Never decides anything.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace tessera {
+
+/// Counters and times of one run, with the columns of the paper's Table 2.
+struct RunStatistics {
+  std::uint64_t shapes = 0;            // "No. of candidates"
+  double pads_per_shape = 0;
+  std::uint64_t rounds = 0;            // "No. of iterations"
+  std::uint64_t docking_choices = 0;   // pairs (target sample, shape sample) plus tangent dockings drawn
+  std::uint64_t dockings_evaluated = 0;// those that reached the field
+  std::uint64_t refined = 0;
+  std::uint64_t target_samples = 0;    // matched, repeats included
+  std::uint64_t trials = 0;            // of ruin and recreate
+  std::uint64_t trials_kept = 0;
+  double prune_s = 0;
+  double dock_s = 0;                   // docking, refining, and measuring candidates whose surroundings changed
+  double ahead_s = 0;                  // processor time of prune_s and dock_s: checking candidates while the matcher worked
+  double objective_s = 0;
+  double merge_s = 0;
+  double improve_s = 0;                // of total_s; nothing else here counts what trials do
+  double total_s = 0;                  // of the loop, without the set-up of canvas and collage
+  double setup_processor_s = 0;        // of this process, before the loop
+  std::string stopped_by;              // "full", "pieces", "coverage", "seconds"; unfinished: "signal" or "time_limit"
+
+  double pruned_fraction() const {
+    return docking_choices ? 1.0 - double(dockings_evaluated) / double(docking_choices) : 0.0;
+  }
+};
+
+}  // namespace tessera

@@ -1,0 +1,44 @@
+// The state of the collage's loop between two rounds or trials: what does not follow from job, library and canvas.
+// Free field, target curve, poses and covered area are rebuilt from the placements and are not in here.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/run_statistics.h"
+#include "core/collage/placement.h"
+#include "core/collage/pool.h"
+#include "core/field/target_curve.h"
+
+namespace tessera {
+
+/// What the pool holds of one target sample. Of the candidates everything counts but `ordinal` and `stamp`, which are
+/// the pool's own and are given anew.
+struct PooledSample {
+  std::uint32_t edge = 0;
+  bool truncated = false;
+  std::vector<Candidate> candidates;  // in the order of the pool's entry
+};
+
+/// How often a target sample was matched: its next random dockings go by it, even if it was gone meanwhile.
+struct SamplePasses {
+  std::uint32_t edge = 0;
+  std::uint32_t passes = 0;
+
+  friend bool operator==(const SamplePasses&, const SamplePasses&) = default;
+};
+
+struct CheckpointState {
+  std::string name;                   // for messages: the file that it came from
+  bool improving = false;             // else still filling
+  std::vector<Placement> placements;  // in the order in which they were placed
+  std::vector<PooledSample> pool;     // ascending edges, as in the lists below
+  std::vector<std::uint32_t> stale;   // target samples to be matched
+  std::vector<SamplePasses> passes;
+  std::vector<MatchedPad> matched;
+  RunStatistics statistics;          // so far; stopped_by is empty
+  std::uint64_t rebuilt_digest = 0;  // of the free field and the target samples, to see that they came back
+};
+
+}  // namespace tessera

@@ -1,0 +1,25 @@
+// The exact areas of the objective's terms, for the finalists of a round.
+#pragma once
+
+#include "core/field/free_field.h"
+#include "core/geometry/similarity.h"
+#include "core/settings.h"
+#include "core/shape/shape.h"
+
+namespace tessera {
+
+struct ExactAreas {
+  float overlap_px2 = 0;  // covered twice, or outside the canvas
+  float gap_px2 = 0;      // free, and out of reach of the smallest piece from now on
+};
+
+/// Counts nodes in the piece's window. A gap node could be reached by a disc of reachable_radius_px before the piece
+/// is placed, and cannot afterwards.
+ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
+                       const OpenedField& opened, const PieceSettings& pieces);
+
+/// The nodes that they are counted from.
+Window exact_window(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
+                    const PieceSettings& pieces);
+
+}  // namespace tessera

@@ -1,0 +1,41 @@
+// The objective function (paper section 4) and what may stand in its place. Only the master calls it.
+//
+// A new one is a file of its own (objective_NAME.cpp), a word in enum Objective (settings.h) and a row of the table in
+// objective.cpp; the job key objective.kind knows it by its name.
+#pragma once
+
+#include <array>
+
+#include "core/matching/docking_terms.h"
+#include "core/settings.h"
+
+namespace tessera {
+
+/// A candidate's size as the objective sees it.
+struct PieceSize {
+  float scale_px;
+  float perimeter_px;
+  float max_scale_px;
+};
+
+/// The larger, the better; at least 0.
+using ObjectiveFunction = float (*)(const DockingTerms&, const PieceSize&, const ObjectiveSettings&);
+
+/// Z = L / sqrt(w2 sum O_i² + w3 sum G_i²) of the paper; w1 cancels in a ranking.
+float paper_objective(const DockingTerms& terms, const PieceSize& piece, const ObjectiveSettings& settings);
+
+/// (L / perimeter)^length_exponent / (1 + 5 (w2 O + w3 G) / area) (design, method 7).
+float scale_aware_objective(const DockingTerms& terms, const PieceSize& piece, const ObjectiveSettings& settings);
+
+struct ObjectiveKind {
+  const char* name;  // in a job
+  ObjectiveFunction function;
+};
+
+/// In the order of enum class Objective.
+const std::array<ObjectiveKind, 2>& objective_kinds();
+
+/// The function of the kind that the settings name, times (s / s_max)^scale_exponent.
+float objective(const DockingTerms& terms, const PieceSize& piece, const ObjectiveSettings& settings);
+
+}  // namespace tessera

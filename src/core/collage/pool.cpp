@@ -1,0 +1,100 @@
+#include "core/collage/pool.h"
+
+#include <algorithm>
+
+#include "core/tuning.h"
+
+namespace tessera {
+
+bool ranks_before(const Candidate& a, const Candidate& b) {
+  if (a.score != b.score) return a.score > b.score;
+  if (a.shape != b.shape) return a.shape < b.shape;
+  return a.source < b.source;
+}
+
+void Pool::put(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated) {
+  std::sort(candidates.begin(), candidates.end(), ranks_before);
+  if (candidates.size() > kPoolPerSample) {
+    candidates.resize(kPoolPerSample);
+    truncated = true;
+  }
+  put_back(edge, std::move(candidates), truncated);
+}
+
+void Pool::put_back(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated) {
+  erase(edge);
+  Entry& entry = entries_[edge];
+  entry.candidates = std::move(candidates);
+  entry.truncated = truncated;
+  for (Candidate& c : entry.candidates) {
+    c.ordinal = std::uint32_t(&c - entry.candidates.data());
+    rank(edge, c);
+    entry.reach = entry.reach.united(c.window);
+  }
+  index_.insert(TileIndex::tile_at(entry.reach.x0, entry.reach.y0), edge);
+  widest_ = std::max(widest_, entry.reach.width());
+  highest_ = std::max(highest_, entry.reach.height());
+}
+
+void Pool::erase(std::uint32_t edge) {
+  const auto found = entries_.find(edge);
+  if (found == entries_.end()) return;
+  index_.erase(TileIndex::tile_at(found->second.reach.x0, found->second.reach.y0), edge);
+  entries_.erase(found);
+}
+
+void Pool::erase(const Ranked& ranked) {
+  std::vector<Candidate>& candidates = entries_.at(ranked.edge).candidates;
+  candidates.erase(candidates.begin() + (find(ranked) - candidates.data()));
+}
+
+std::vector<std::uint32_t> Pool::reached_by(const Window& changed) const {
+  std::vector<std::uint32_t> edges;
+  const Window corners{changed.x0 - widest_, changed.y0 - highest_, changed.x1, changed.y1};
+  index_.each(corners, [&](std::uint32_t edge) {
+    if (entries_.at(edge).reach.overlaps(changed)) edges.push_back(edge);
+  });
+  return edges;
+}
+
+void Pool::rank_again(Ranked& ranked) {
+  Candidate& candidate = at(ranked);
+  rank(ranked.edge, candidate);
+  ranked.stamp = candidate.stamp;
+}
+
+Candidate* Pool::find(const Ranked& ranked) {
+  const auto entry = entries_.find(ranked.edge);
+  if (entry == entries_.end()) return nullptr;
+  for (Candidate& c : entry->second.candidates) {
+    if (c.stamp == ranked.stamp) return &c;
+  }
+  return nullptr;
+}
+
+void Pool::rank(std::uint32_t edge, Candidate& candidate) {
+  candidate.stamp = ++last_stamp_;
+  push({candidate.score, edge, candidate.ordinal, candidate.stamp});
+}
+
+void Pool::push(const Ranked& ranked) {
+  queue_.push_back(ranked);
+  std::push_heap(queue_.begin(), queue_.end(), ranks_after);
+}
+
+Pool::Ranked Pool::pop() {
+  std::pop_heap(queue_.begin(), queue_.end(), ranks_after);
+  const Ranked first = queue_.back();
+  queue_.pop_back();
+  return first;
+}
+
+/// Takes out what is outdated once it may be the most of the queue.
+void Pool::sweep() {
+  if (queue_.size() < 2 * swept_ + 1024) return;
+  std::erase_if(queue_, [&](const Ranked& ranked) { return find(ranked) == nullptr; });
+  std::make_heap(queue_.begin(), queue_.end(), ranks_after);
+  swept_ = queue_.size();
+}
+
+}  // namespace tessera

@@ -1,0 +1,134 @@
+// The pool of candidates: for each target sample the best few of the whole library. It lives on the master.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "core/geometry/grid.h"
+#include "core/geometry/similarity.h"
+#include "core/geometry/tile_index.h"
+#include "core/matching/docking_terms.h"
+
+namespace tessera {
+
+/// A docking that was refined, found feasible and scored.
+struct Candidate {
+  std::uint32_t shape = 0;
+  std::uint32_t source = 0;
+  Similarity canvas_from_shape;
+  DockingTerms terms;
+  float score = 0;        // objective along the contour; exact once `exact` is set
+  bool exact = false;
+  Window window;          // nodes whose change changes the score
+  float perimeter = 0;    // the shape's
+  float radius = 0;
+  std::uint32_t ordinal = 0;  // among those of its target sample when they were put: the pool's
+  std::uint64_t stamp = 0;    // of its latest ranking: the pool's
+};
+
+class Pool {
+ public:
+  struct Entry {
+    std::vector<Candidate> candidates;  // best first when they were put
+    bool truncated = false;             // there was more than was kept
+    Window reach;                       // of the windows of all that were put
+  };
+
+  /// A candidate by name, and what it is worth.
+  struct Ranked {
+    float value;
+    std::uint32_t edge;
+    std::uint32_t ordinal;
+    std::uint64_t stamp;
+
+    /// A total order: the same candidates in the same order on any machine.
+    bool operator<(const Ranked& o) const {
+      if (value != o.value) return value > o.value;
+      return edge != o.edge ? edge < o.edge : ordinal < o.ordinal;
+    }
+  };
+
+  /// Takes the best kPoolPerSample; ties by shape, then source.
+  void put(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated);
+  /// What entries() said of a target sample: the same candidates in the same order, not sorted again.
+  void put_back(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated);
+  void erase(std::uint32_t edge);
+  void erase(const Ranked& ranked);
+
+  Candidate& at(const Ranked& ranked) { return *find(ranked); }
+  const std::unordered_map<std::uint32_t, Entry>& entries() const { return entries_; }  // by target sample's edge
+  /// Target samples that may have candidates whose windows overlap `changed`.
+  std::vector<std::uint32_t> reached_by(const Window& changed) const;
+
+  /// Drops the candidates of a target sample for which keep(candidate) is false; it may change scores. True where some
+  /// were dropped.
+  template <class Keep>
+  bool review(std::uint32_t edge, Keep keep);
+
+  /// After the candidate's score changed.
+  void rank_again(Ranked& ranked);
+
+  /// Calls visit(ranked, candidate) from the largest worth(candidate) down while it returns true. A candidate's worth
+  /// is at most its score, and may only fall while its score stays: the order is mended where it is looked at.
+  template <class Worth, class Visit>
+  void best_first(Worth worth, Visit visit);
+
+ private:
+  static bool ranks_after(const Ranked& a, const Ranked& b) { return b < a; }  // the order of the queue's heap
+
+  Candidate* find(const Ranked& ranked);
+  void rank(std::uint32_t edge, Candidate& candidate);
+  void push(const Ranked& ranked);
+  Ranked pop();
+  void sweep();
+
+  std::unordered_map<std::uint32_t, Entry> entries_;
+  TileIndex index_;  // edges, by the upper left corner of their entry's reach
+  int widest_ = 0;   // of all reaches so far, nodes
+  int highest_ = 0;
+  std::vector<Ranked> queue_;  // a heap of upper bounds of worth; those with an outdated stamp count no more
+  std::size_t swept_ = 0;      // size of the queue when those were last taken out
+  std::uint64_t last_stamp_ = 0;
+};
+
+template <class Keep>
+bool Pool::review(std::uint32_t edge, Keep keep) {
+  std::vector<Candidate>& candidates = entries_.at(edge).candidates;
+  std::size_t kept = 0;
+  for (Candidate& c : candidates) {
+    const float before = c.score;
+    if (!keep(c)) continue;
+    if (c.score != before) rank(edge, c);
+    candidates[kept++] = c;
+  }
+  const bool dropped = kept < candidates.size();
+  candidates.resize(kept);
+  return dropped;
+}
+
+template <class Worth, class Visit>
+void Pool::best_first(Worth worth, Visit visit) {
+  sweep();
+  std::vector<Ranked> visited;
+  for (bool more = true; more && !queue_.empty();) {
+    Ranked first = pop();
+    const Candidate* candidate = find(first);
+    if (candidate == nullptr) continue;
+    const float value = worth(*candidate);
+    if (value < first.value) {
+      first.value = value;
+      push(first);
+      continue;
+    }
+    visited.push_back(first);
+    more = visit(first, *candidate);
+  }
+  for (const Ranked& ranked : visited) push(ranked);
+}
+
+/// The total order of candidates of equal target sample: score, shape, source.
+bool ranks_before(const Candidate& a, const Candidate& b);
+
+}  // namespace tessera

@@ -1,0 +1,164 @@
+#include "core/collage/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/collage/shared_boundary.h"
+#include "core/field/field_lookup.h"
+#include "core/geometry/distance_transform.h"
+#include "core/geometry/rasterise.h"
+
+namespace tessera {
+namespace {
+
+constexpr float kSharedWithin_px = 2;
+constexpr std::size_t kMaxCells = std::size_t(1) << 26;     // 64 MiB of counters
+constexpr std::size_t kMaxGapNodes = std::size_t(1) << 23;  // two float grids of 32 MiB
+constexpr int kMaxGapSides = 32768;                         // width + height that the distance transform takes
+
+/// How many pieces cover each cell, and which cells belong to the region to fill.
+struct CellCounts {
+  int per_px = 1;
+  Window cells;  // node (0, 0) of the grids is its upper left cell
+  Grid<std::uint8_t> pieces;
+  Grid<std::uint8_t> region;
+};
+
+int cells_per_px(const Canvas& canvas) {
+  const std::size_t px = std::size_t(canvas.width_px) * canvas.height_px;
+  return px * 16 <= kMaxCells ? 4 : px * 4 <= kMaxCells ? 2 : 1;
+}
+
+Outline in_canvas_frame(const Outline& outline, const Similarity& canvas_from_shape) {
+  Outline placed = outline;
+  for (std::vector<Vec2>& curve : placed.curves) {
+    for (Vec2& p : curve) p = canvas_from_shape.apply(p);
+  }
+  return placed;
+}
+
+/// The canvas, with a rim that is no region, and all pieces.
+Window counted_cells(const Canvas& canvas, const std::vector<Outline>& pieces_px, const Similarity& cells_from_canvas) {
+  const int n = int(cells_from_canvas.a);
+  Window all = Window{0, 0, canvas.width_px * n, canvas.height_px * n}.grown(1);
+  for (const Outline& piece : pieces_px) all = all.united(bounding_window(piece, cells_from_canvas));
+  return all;
+}
+
+void count_piece(const Outline& piece_px, const Similarity& cells_from_canvas, CellCounts& counts) {
+  for (const Span& span : fill_spans(piece_px, cells_from_canvas, counts.cells)) {
+    std::uint8_t* row = counts.pieces.row(span.y - counts.cells.y0) - counts.cells.x0;
+    for (int x = span.x0; x < span.x1; ++x) row[x] = std::uint8_t(std::min(255, row[x] + 1));
+  }
+}
+
+void mark_region(const Canvas& canvas, CellCounts& counts) {
+  const FieldView edge(canvas.distance);
+  const float cell_px = 1.f / float(counts.per_px);
+  for (int y = 0; y < counts.region.height(); ++y) {
+    const float y_px = (float(y + counts.cells.y0) + 0.5f) * cell_px;
+    for (int x = 0; x < counts.region.width(); ++x) {
+      counts.region(x, y) = field_value(edge, {(float(x + counts.cells.x0) + 0.5f) * cell_px, y_px}) > 0;
+    }
+  }
+}
+
+CellCounts count_cells(const Canvas& canvas, const std::vector<Outline>& pieces_px) {
+  CellCounts counts;
+  counts.per_px = cells_per_px(canvas);
+  const Similarity cells_from_canvas{float(counts.per_px), 0, 0, 0};
+  counts.cells = counted_cells(canvas, pieces_px, cells_from_canvas);
+  counts.pieces = Grid<std::uint8_t>(counts.cells.width(), counts.cells.height(), 0);
+  counts.region = Grid<std::uint8_t>(counts.cells.width(), counts.cells.height(), 0);
+  for (const Outline& piece : pieces_px) count_piece(piece, cells_from_canvas, counts);
+  mark_region(canvas, counts);
+  return counts;
+}
+
+void measure_areas(const CellCounts& counts, double canvas_area_px2, Quality& quality) {
+  std::size_t covered = 0;
+  std::size_t again = 0;
+  std::size_t outside = 0;
+  for (std::size_t i = 0; i < counts.pieces.data().size(); ++i) {
+    const std::uint8_t pieces = counts.pieces.data()[i];
+    const std::uint8_t region = counts.region.data()[i];
+    covered += region && pieces;
+    again += region && pieces ? pieces - 1u : 0u;
+    outside += !region && pieces;
+  }
+  const double cells = canvas_area_px2 * counts.per_px * counts.per_px;
+  quality.coverage = double(covered) / cells;
+  quality.overlap = double(again) / cells;
+  quality.outside = double(outside) / cells;
+}
+
+/// Every `step`-th cell both ways: enough for a distance, and 4 to 16 times less to transform.
+int gap_step(const CellCounts& counts) {
+  int step = std::max(1, counts.per_px / 2);
+  while (counts.cells.width() / step * std::size_t(counts.cells.height() / step) > kMaxGapNodes ||
+         (counts.cells.width() + counts.cells.height()) / step + 2 > kMaxGapSides) {
+    ++step;
+  }
+  return step;
+}
+
+double largest_gap_px(const CellCounts& counts) {
+  const int step = gap_step(counts);
+  // One node more on every side, never free: the rim of one cell may fall between the nodes.
+  Grid<std::uint8_t> taken(counts.cells.width() / step + 2, counts.cells.height() / step + 2, 1);
+  bool any_free = false;
+  for (int y = 1; y + 1 < taken.height(); ++y) {
+    for (int x = 1; x + 1 < taken.width(); ++x) {
+      const bool free = counts.region((x - 1) * step, (y - 1) * step) && !counts.pieces((x - 1) * step, (y - 1) * step);
+      taken(x, y) = !free;
+      any_free |= free;
+    }
+  }
+  if (!any_free) return 0;
+  const Grid<float> squared = squared_distance_to(taken);
+  const double nodes = std::sqrt(double(*std::max_element(squared.data().begin(), squared.data().end())));
+  // The edge runs, on average, midway between the last free node and the first taken one.
+  return (nodes - 0.5) * step / counts.per_px;
+}
+
+/// Linear between the sorted values.
+double quantile(const std::vector<double>& sorted, double q) {
+  const double at = q * double(sorted.size() - 1);
+  const std::size_t below = std::size_t(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (sorted[above] - sorted[below]) * (at - double(below));
+}
+
+std::array<double, 5> scale_quantiles(const std::vector<Placement>& placements) {
+  if (placements.empty()) return {};
+  std::vector<double> scales;
+  for (const Placement& p : placements) scales.push_back(p.canvas_from_shape.scale());
+  std::sort(scales.begin(), scales.end());
+  return {scales.front(), quantile(scales, 0.1), quantile(scales, 0.5), quantile(scales, 0.9), scales.back()};
+}
+
+std::size_t count_distinct_shapes(const std::vector<Placement>& placements) {
+  std::set<std::uint32_t> shapes;
+  for (const Placement& p : placements) shapes.insert(p.shape);
+  return shapes.size();
+}
+
+}  // namespace
+
+Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& placements,
+                        const std::function<const Shape&(std::uint32_t)>& shape) {
+  std::vector<Outline> pieces_px;
+  for (const Placement& p : placements) pieces_px.push_back(in_canvas_frame(shape(p.shape).outline, p.canvas_from_shape));
+  const CellCounts counts = count_cells(canvas, pieces_px);
+  Quality quality;
+  measure_areas(counts, canvas.area_px2, quality);
+  quality.shared_boundary = shared_boundary_fraction(canvas, pieces_px, kSharedWithin_px);
+  quality.pieces = placements.size();
+  quality.distinct_shapes = count_distinct_shapes(placements);
+  quality.scale_px_quantiles = scale_quantiles(placements);
+  quality.largest_gap_px = largest_gap_px(counts);
+  return quality;
+}
+
+}  // namespace tessera

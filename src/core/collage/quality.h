@@ -1,0 +1,32 @@
+// The quality of a finished collage, measured on the exact outlines, independent of the fields that built it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/collage/placement.h"
+#include "core/field/canvas.h"
+#include "core/shape/shape.h"
+
+namespace tessera {
+
+struct Quality {
+  double coverage = 0;         // covered area / canvas area
+  double overlap = 0;          // sum over the canvas of (covering pieces - 1), / canvas area
+  double outside = 0;          // covered area outside the canvas / canvas area
+  double shared_boundary = 0;  // share of the pieces' boundary within 2 px of another's boundary or the canvas' edge
+  std::size_t pieces = 0;
+  std::size_t distinct_shapes = 0;
+  std::array<double, 5> scale_px_quantiles{};  // minimum, 10 %, median, 90 %, maximum
+  double largest_gap_px = 0;   // radius of the largest disc that still fits into the free region
+};
+
+/// `shape(i)` gives library shape i with its outline. Areas are counted on cells of a quarter px (of half or a whole px
+/// on canvases above 4 and 16 Mpx); the boundary is sampled every half px.
+Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& placements,
+                        const std::function<const Shape&(std::uint32_t)>& shape);
+
+}  // namespace tessera

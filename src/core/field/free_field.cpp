@@ -1,0 +1,133 @@
+#include "core/field/free_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/field/piece_distance.h"
+#include "core/geometry/bit_grid.h"
+#include "core/geometry/extent.h"
+#include "core/tuning.h"
+
+namespace tessera {
+namespace {
+
+/// A rejected node of the contour field: a little below zero, so that the traced line stays close to the last good node.
+constexpr float kClosed = -0.3f;
+/// Discs are centred on nodes whose distance is the radius or up to this much more.
+constexpr float kDiscBand_px = 1.5f;
+
+}  // namespace
+
+Window piece_window(const Outline& outline, const Similarity& canvas_from_shape, Vec2 origin, float margin_px) {
+  return nodes_round(extent_of(outline.curves.front(), canvas_from_shape), origin, margin_px);
+}
+
+FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
+    : field_(canvas.distance), padding_px_(kept_distance_px(pieces)), band_px_(stamp_band_px(pieces)) {
+  for (float& d : field_.value.data()) d -= padding_px_;
+  empty_ = field_.value;
+  for (const float d : field_.value.data()) free_256ths_px2_ += node_256ths_px2(d);
+}
+
+std::int64_t FreeField::node_256ths_px2(float distance_px) const {
+  return std::int64_t(256 * std::clamp(distance_px + padding_px_ + 0.5f, 0.f, 1.f));
+}
+
+Window FreeField::stamp_window(const Shape& shape, const Similarity& canvas_from_shape) const {
+  return piece_window(shape.outline, canvas_from_shape, field_.origin, band_px_).intersected(field_.value.bounds());
+}
+
+void FreeField::clear(const Window& window) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      float& d = field_.value(x, y);
+      free_256ths_px2_ += node_256ths_px2(empty_(x, y)) - node_256ths_px2(d);
+      d = empty_(x, y);
+    }
+  }
+}
+
+Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape) {
+  return stamp(shape, canvas_from_shape, stamp_window(shape, canvas_from_shape));
+}
+
+Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window) {
+  const PieceDistance piece(shape, canvas_from_shape, padding_px_);
+  Window changed;
+  for (int y = window.y0; y < window.y1; ++y) {
+    float* row = field_.value.row(y);
+    int first = window.x1;
+    int end = window.x0;
+    for (int x = window.x0; x < window.x1;) {
+      const float d = piece.at({field_.origin.x + float(x), field_.origin.y + float(y)});
+      if (d < row[x]) {
+        free_256ths_px2_ += node_256ths_px2(d) - node_256ths_px2(row[x]);
+        row[x] = d;
+        first = std::min(first, x);
+        end = x + 1;
+      }
+      // On to the next node that the piece may be nearer to than what is there.
+      const int here = x++;
+      while (x < window.x1 && d - PieceDistance::most_change_px(float(x - here)) >= row[x]) ++x;
+    }
+    if (first < end) changed = changed.united({first, y, end, y + 1});
+  }
+  return changed;
+}
+
+OpenedField::OpenedField(const FreeField& free, const PieceSettings& pieces)
+    : opening_px_(opening_radius_px(pieces)),
+      reachable_px_(reachable_radius_px(pieces)),
+      contour_(free.field().value.width(), free.field().value.height(), kClosed),
+      reachable_(contour_.width(), contour_.height(), 0) {
+  update(free, contour_.bounds());
+}
+
+Window OpenedField::update(const FreeField& free, const Window& changed) {
+  const Grid<float>& distance = free.field().value;
+  const int reach = int(2 * std::max(opening_px_, reachable_px_)) + 5;
+  const Window window = changed.grown(reach).intersected(distance.bounds());
+  open(distance, window);
+  mark_reachable(distance, window);
+  return window;
+}
+
+void OpenedField::open(const Grid<float>& distance, const Window& window) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      const float d = distance(x, y);
+      contour_(x, y) = d > opening_px_ + kDiscBand_px ? d : std::min(d, kClosed);
+    }
+  }
+  // The union of discs round all nodes at least opening_px deep is that round the shallowest of them, plus the core.
+  const int reach = int(opening_px_ + kDiscBand_px) + 2;
+  const Window centres = window.grown(reach).intersected(distance.bounds());
+  for (int y = centres.y0; y < centres.y1; ++y) {
+    for (int x = centres.x0; x < centres.x1; ++x) {
+      const float d = distance(x, y);
+      if (d < opening_px_ || d > opening_px_ + kDiscBand_px) continue;
+      const int r = int(d) + 2;
+      const Window disc = Window{x - r, y - r, x + r + 1, y + r + 1}.intersected(window);
+      for (int b = disc.y0; b < disc.y1; ++b) {
+        for (int a = disc.x0; a < disc.x1; ++a) {
+          const float inside = d - std::sqrt(float((a - x) * (a - x) + (b - y) * (b - y)));
+          contour_(a, b) = std::max(contour_(a, b), inside);
+        }
+      }
+    }
+  }
+}
+
+void OpenedField::mark_reachable(const Grid<float>& distance, const Window& window) {
+  const int reach = int(reachable_px_) + 3;
+  const Window around = window.grown(reach).intersected(distance.bounds());
+  const float limit = (reachable_px_ + 1) * (reachable_px_ + 1);
+  const BitGrid near = dilated_by_disc(nodes_above(distance, around, reachable_px_), limit);
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      reachable_(x, y) = near.test(x - around.x0, y - around.y0) && distance(x, y) > -1;
+    }
+  }
+}
+
+}  // namespace tessera

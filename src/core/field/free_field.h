@@ -1,0 +1,72 @@
+// The free region: what of the canvas is not yet covered (design, "One case instead of four").
+#pragma once
+
+#include <cstdint>
+
+#include "core/field/canvas.h"
+#include "core/field/field_lookup.h"
+#include "core/geometry/similarity.h"
+#include "core/settings.h"
+#include "core/shape/shape.h"
+
+namespace tessera {
+
+/// Canvas nodes (see CanvasField) whose pixels the piece and a rim of `margin_px` around it can touch; not clipped.
+Window piece_window(const Outline& outline, const Similarity& canvas_from_shape, Vec2 origin, float margin_px);
+
+/// Signed distance to the free region's boundary, px, positive inside. Exact up to stamp_band_px from a piece and
+/// everywhere near the canvas' edge; beyond, a bound that says "far".
+class FreeField {
+ public:
+  FreeField(const Canvas& canvas, const PieceSettings& pieces);
+
+  const CanvasField& field() const { return field_; }
+  FieldView view() const { return FieldView(field_); }
+
+  /// Takes the piece out of the region: d = min(d, distance to the piece - padding). Returns the nodes that changed.
+  Window stamp(const Shape& shape, const Similarity& canvas_from_shape);
+
+  /// Nodes that stamp() may change.
+  Window stamp_window(const Shape& shape, const Similarity& canvas_from_shape) const;
+  /// As stamp(), of the nodes in `window` alone. With clear(), for taking pieces back out: clear their windows, then
+  /// stamp what remains there.
+  Window stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window);
+  void clear(const Window& window);
+
+  /// Area of the free region, padding included: the same whole number whatever came and went before.
+  std::int64_t free_256ths_px2() const { return free_256ths_px2_; }
+
+ private:
+  std::int64_t node_256ths_px2(float distance_px) const;
+
+  Grid<float> empty_;  // of the canvas without pieces
+  CanvasField field_;
+  float padding_px_;
+  float band_px_;
+  std::int64_t free_256ths_px2_ = 0;
+};
+
+/// What the target curve is traced on, and where target samples are worth having.
+class OpenedField {
+ public:
+  OpenedField(const FreeField& free, const PieceSettings& pieces);
+
+  /// Recomputes all that depends on the nodes of `changed`; returns the nodes of the result that may have changed.
+  Window update(const FreeField& free, const Window& changed);
+
+  /// The free field opened by discs of opening_radius_px: positive where such a disc fits over the node.
+  const Grid<float>& contour() const { return contour_; }
+  /// A disc of reachable_radius_px fits over the node or touches it.
+  bool reachable(int x, int y) const { return reachable_(x, y) != 0; }
+
+ private:
+  void open(const Grid<float>& distance, const Window& window);
+  void mark_reachable(const Grid<float>& distance, const Window& window);
+
+  float opening_px_;
+  float reachable_px_;
+  Grid<float> contour_;
+  Grid<std::uint8_t> reachable_;
+};
+
+}  // namespace tessera

@@ -1,0 +1,88 @@
+#include "core/geometry/bit_grid.h"
+
+#include <algorithm>
+
+namespace tessera {
+namespace {
+
+constexpr std::uint64_t kAllBits = ~std::uint64_t(0);
+
+/// Every run of nodes longer by one at both ends.
+void widen(BitGrid& set) {
+  const int last = set.words() - 1;
+  const std::uint64_t within = kAllBits >> (63 & -set.width());
+  for (int y = 0; y < set.height(); ++y) {
+    std::uint64_t* row = set.row(y);
+    std::uint64_t before = 0;
+    for (int k = 0; k <= last; ++k) {
+      const std::uint64_t here = row[k];
+      const std::uint64_t after = k < last ? row[k + 1] : 0;
+      row[k] = here | here << 1 | before >> 63 | here >> 1 | after << 63;
+      before = here;
+    }
+    row[last] &= within;
+  }
+}
+
+/// Adds the rows of `set`, moved by `down` rows.
+void add_moved(BitGrid& sum, const BitGrid& set, int down) {
+  const int begin = std::max(0, down);
+  const int end = std::min(sum.height(), sum.height() + down);
+  for (int y = begin; y < end; ++y) {
+    const std::uint64_t* from = set.row(y - down);
+    std::uint64_t* to = sum.row(y);
+    for (int k = 0; k < sum.words(); ++k) to[k] |= from[k];
+  }
+}
+
+/// One bit for each of `count` values, 64 at most. In two steps, of which the compiler does the first for many at once.
+std::uint64_t bits_above(const float* value, int count, float threshold) {
+  std::uint8_t above[64];
+  for (int i = 0; i < count; ++i) above[i] = value[i] > threshold;
+  std::uint64_t bits = 0;
+  for (int i = 0; i < count; ++i) bits |= std::uint64_t(above[i]) << i;
+  return bits;
+}
+
+}  // namespace
+
+BitGrid::BitGrid(int width, int height)
+    : width_(width), height_(height), words_((width + 63) / 64), bits_(std::size_t(words_) * height, 0) {}
+
+void BitGrid::set_run(int y, int x0, int x1) {
+  std::uint64_t* words = row(y);
+  for (int x = x0; x < x1;) {
+    const int end = std::min(x1, (x | 63) + 1);
+    words[x >> 6] |= kAllBits >> (64 - (end - x)) << (x & 63);
+    x = end;
+  }
+}
+
+BitGrid nodes_above(const Grid<float>& field, const Window& window, float threshold) {
+  BitGrid above(window.width(), window.height());
+  for (int y = 0; y < above.height(); ++y) {
+    const float* value = field.row(window.y0 + y) + window.x0;
+    for (int x = 0; x < above.width(); x += 64) {
+      above.row(y)[x >> 6] = bits_above(value + x, std::min(64, above.width() - x), threshold);
+    }
+  }
+  return above;
+}
+
+BitGrid dilated_by_disc(const BitGrid& set, float squared_radius) {
+  const auto within = [&](int dx, int dy) { return float(dx * dx + dy * dy) <= squared_radius; };
+  int dy = 0;
+  while (within(0, dy + 1)) ++dy;
+  BitGrid dilated(set.width(), set.height());
+  if (set.words() == 0) return dilated;
+  // The disc's rows from its rim to its middle: each as wide as the one before, or wider.
+  BitGrid widened = set;
+  for (int half_width = 0; dy >= 0; --dy) {
+    for (; within(half_width + 1, dy); ++half_width) widen(widened);
+    add_moved(dilated, widened, dy);
+    if (dy > 0) add_moved(dilated, widened, -dy);
+  }
+  return dilated;
+}
+
+}  // namespace tessera

@@ -1,0 +1,48 @@
+// Elementary measures of closed polygons, the last point joined to the first.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/geometry/vec2.h"
+
+namespace tessera {
+
+/// Closed polygons, the last point joined to the first. curve[0] is the outer boundary, the others are holes.
+/// Every curve has the shape's interior on its left: positive shoelace area for the outer one, negative for holes.
+struct Outline {
+  std::vector<std::vector<Vec2>> curves;
+
+  friend bool operator==(const Outline&, const Outline&) = default;
+};
+
+/// Shoelace area and its first moment; signed, so that the sums over an outer curve and its holes are the shape's.
+struct AreaMoment {
+  double area = 0;
+  double x = 0;  // integral of x over the area
+  double y = 0;
+
+  AreaMoment& operator+=(const AreaMoment& o) {
+    area += o.area;
+    x += o.x;
+    y += o.y;
+    return *this;
+  }
+};
+
+struct Box {
+  Vec2 low;
+  Vec2 high;
+
+  float width() const { return high.x - low.x; }
+  float height() const { return high.y - low.y; }
+};
+
+AreaMoment area_moment(const std::vector<Vec2>& polygon);
+double signed_area(const std::vector<Vec2>& polygon);
+Box bounding_box(const std::vector<Vec2>& polygon);  // of at least one point
+
+/// Even-odd rule; points on the boundary may count either way.
+bool contains(const std::vector<Vec2>& polygon, Vec2 p);
+
+}  // namespace tessera

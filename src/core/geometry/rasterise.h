@@ -1,0 +1,39 @@
+// Scanline fill of an outline on a grid: which cells have their centre inside.
+//
+// Grid frame: cell (i, j) is [i, i + 1) x [j, j + 1), its centre (i + 0.5, j + 0.5). Supersampling is a matter of the
+// similarity: a grid with n cells per canvas px is n times canvas_from_shape.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/grid.h"
+#include "core/geometry/similarity.h"
+#include "core/geometry/polygon.h"
+
+namespace tessera {
+
+/// Cells [x0, x1) of row y.
+struct Span {
+  int y = 0;
+  int x0 = 0;
+  int x1 = 0;
+
+  friend bool operator==(const Span&, const Span&) = default;
+};
+
+/// `t` followed by a uniform scaling about the origin.
+Similarity scaled(const Similarity& t, float factor);
+
+/// The smallest window that holds every cell the outline reaches.
+Window bounding_window(const Outline& outline, const Similarity& grid_from_shape);
+
+/// Even-odd fill of the outline (holes stay free), clipped to `window`; spans in order of y, then x. A centre that two
+/// outlines with a common edge could both claim goes to exactly one of them.
+std::vector<Span> fill_spans(const Outline& outline, const Similarity& grid_from_shape, const Window& window);
+
+/// 1 in each cell whose centre is inside, 0 elsewhere, on a grid of `window`'s size whose node (0, 0) is the window's
+/// upper left cell.
+Grid<std::uint8_t> rasterise(const Outline& outline, const Similarity& grid_from_shape, const Window& window);
+
+}  // namespace tessera

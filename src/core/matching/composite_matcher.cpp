@@ -1,0 +1,121 @@
+#include "core/matching/composite_matcher.h"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+
+namespace tessera {
+namespace {
+
+/// Both best first. Of many parts most have nothing that belongs into the list: then one comparison tells.
+void join_shortlist(std::vector<Docking>& list, std::span<const Docking> more) {
+  if (list.size() == kShortlist && !docks_better(more.front(), list.back())) return;
+  const auto middle = std::ptrdiff_t(list.size());
+  list.insert(list.end(), more.begin(), more.end());
+  std::inplace_merge(list.begin(), list.begin() + middle, list.end(), docks_better);
+  if (list.size() > kShortlist) list.resize(kShortlist);
+}
+
+}  // namespace
+
+CompositeMatcher::CompositeMatcher(std::vector<std::unique_ptr<Matcher>> parts) : parts_(std::move(parts)) {
+  if (parts_.empty()) throw std::logic_error("a composite matcher needs at least one part");
+  for (std::size_t i = 1; i < parts_.size(); ++i) {
+    if (parts_[i]->shapes().begin != parts_[i - 1]->shapes().end) {
+      throw std::logic_error("the shape ranges of a composite matcher's parts leave a gap");
+    }
+  }
+}
+
+ShapeRange CompositeMatcher::shapes() const { return {parts_.front()->shapes().begin, parts_.back()->shapes().end}; }
+
+void CompositeMatcher::start_field(int width, int height, Vec2 origin) {
+  for (const auto& part : parts_) part->start_field(width, height, origin);
+}
+
+void CompositeMatcher::update_field(const FieldPatch& patch) {
+  for (const auto& part : parts_) part->update_field(patch);
+}
+
+void CompositeMatcher::post_count(const CountRequest& request) {
+  for (const auto& part : parts_) part->post_count(request);
+}
+
+std::vector<DistanceHistogram> CompositeMatcher::take_count() {
+  std::vector<DistanceHistogram> sum = parts_.front()->take_count();
+  for (std::size_t p = 1; p < parts_.size(); ++p) {
+    const std::vector<DistanceHistogram> more = parts_[p]->take_count();
+    for (std::size_t t = 0; t < sum.size(); ++t) {
+      for (int bin = 0; bin < kDistanceBins; ++bin) sum[t][bin] += more[t][bin];
+    }
+  }
+  return sum;
+}
+
+void CompositeMatcher::post_dock(const DockRequest& request) {
+  expect_docks(request.samples.size());
+  for (const auto& part : parts_) part->post_dock(request);
+}
+
+DockReply CompositeMatcher::take_dock() {
+  std::vector<std::vector<Docking>> of_sample(samples_posted_);
+  DockReply joined;
+  for (const auto& part : parts_) {
+    const DockReply reply = part->take_dock();
+    joined.evaluated += reply.evaluated;
+    for (auto first = reply.dockings.begin(); first != reply.dockings.end();) {
+      const auto other_sample = [&](const Docking& d) { return d.sample != first->sample; };
+      const auto last = std::find_if(first, reply.dockings.end(), other_sample);
+      join_shortlist(of_sample.at(first->sample), std::span(first, last));
+      first = last;
+    }
+  }
+  for (const std::vector<Docking>& dockings : of_sample) {
+    joined.dockings.insert(joined.dockings.end(), dockings.begin(), dockings.end());
+  }
+  return joined;
+}
+
+/// To each part the dockings of its shapes.
+void CompositeMatcher::post_divided(const std::vector<Docking>& dockings, PostTo post) {
+  posted_to_.assign(parts_.size(), {});
+  for (const Docking& d : dockings) {
+    if (d.shape < shapes().begin || d.shape >= shapes().end) throw std::out_of_range("a docking of a shape of no part");
+  }
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const ShapeRange range = parts_[p]->shapes();
+    std::vector<Docking> own;
+    for (std::size_t i = 0; i < dockings.size(); ++i) {
+      if (dockings[i].shape < range.begin || dockings[i].shape >= range.end) continue;
+      posted_to_[p].push_back(i);
+      own.push_back(dockings[i]);
+    }
+    (*parts_[p].*post)(own);
+  }
+}
+
+template <class Answer>
+std::vector<Answer> CompositeMatcher::take_divided(TakeFrom<Answer> take) {
+  std::size_t total = 0;
+  for (const auto& positions : posted_to_) total += positions.size();
+  std::vector<Answer> joined(total);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const std::vector<Answer> own = (*parts_[p].*take)();
+    for (std::size_t i = 0; i < own.size(); ++i) joined.at(posted_to_[p][i]) = own[i];
+  }
+  return joined;
+}
+
+void CompositeMatcher::post_refine(const std::vector<Docking>& dockings) {
+  post_divided(dockings, &Matcher::post_refine);
+}
+
+std::vector<RefinedDocking> CompositeMatcher::take_refine() { return take_divided(&Matcher::take_refine); }
+
+void CompositeMatcher::post_measure(const std::vector<Docking>& dockings) {
+  post_divided(dockings, &Matcher::post_measure);
+}
+
+std::vector<DockingTerms> CompositeMatcher::take_measure() { return take_divided(&Matcher::take_measure); }
+
+}  // namespace tessera

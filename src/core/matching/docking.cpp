@@ -1,0 +1,111 @@
+#include "core/matching/docking.h"
+
+#include <cmath>
+
+#include "core/base/portable_math.h"
+#include "core/tuning.h"
+
+namespace tessera {
+namespace {
+
+constexpr float kRejected = -1.f;
+
+}  // namespace
+
+Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales) {
+  const int least_level = levels > 2 ? levels - 3 : 0;
+  for (int level = levels - 1; level >= least_level; --level) {
+    const int begin = levels - 1 - level;
+    const int end = levels + 2 + level;
+    const float count = float(end - begin);
+    Vec2 shape_sum;
+    Vec2 target_sum;
+    for (int i = begin; i < end; ++i) {
+      shape_sum = shape_sum + shape[i];
+      target_sum = target_sum + target.keypoint[i];
+    }
+    const Vec2 shape_mean = shape_sum * (1 / count);
+    const Vec2 target_mean = target_sum * (1 / count);
+    float real = 0;
+    float imaginary = 0;
+    float shape_spread = 1e-12f;
+    float target_spread = 0;
+    for (int i = begin; i < end; ++i) {
+      const Vec2 q = shape[i] - shape_mean;
+      const Vec2 t = target.keypoint[i] - target_mean;
+      real += dot(q, t);
+      imaginary += cross(q, t);
+      shape_spread += dot(q, q);
+      target_spread += dot(t, t);
+    }
+    const float residual = (target_spread - (real * real + imaginary * imaginary) / shape_spread) / count;
+    if (residual > kAlignmentTolerance * 4.f * std::sqrt(target_spread / count)) continue;
+    Similarity s;
+    s.a = real / shape_spread;
+    s.b = imaginary / shape_spread;
+    const float scale = s.scale();
+    if (scale < scales.low || scale > scales.high) continue;
+    s.tx = target_mean.x - (s.a * shape_mean.x - s.b * shape_mean.y);
+    s.ty = target_mean.y - (s.b * shape_mean.x + s.a * shape_mean.y);
+    return {s, true};
+  }
+  return {};
+}
+
+TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw) {
+  const std::uint64_t key =
+      mix_bits(context.seed ^ mix_bits(mix_bits((std::uint64_t(sample.edge) << 32) | sample.pass) ^ draw));
+  const std::uint64_t more = mix_bits(key);
+  TangentDraw result;
+  result.shape = std::uint32_t(((key >> 32) * context.library_shapes) >> 32);
+  result.boundary_point = std::uint32_t(((key & 0xffffffffull) * kBoundaryPoints) >> 32);
+  result.scale_px =
+      context.min_scale_px * portable_exp2(unit_float(std::uint32_t(more >> 32)) * context.log2_scale_ratio);
+  return result;
+}
+
+Similarity tangent_docking(const ShapeModel& shape, const TangentDraw& draw, const TargetSample& sample) {
+  const Vec2 u = shape.tangent[draw.boundary_point];
+  const Vec2 p = shape.boundary[draw.boundary_point];
+  Similarity s;
+  // target tangent times the conjugate of the shape's: the rotation from one to the other.
+  s.a = dot(u, sample.tangent) * draw.scale_px;
+  s.b = cross(u, sample.tangent) * draw.scale_px;
+  s.tx = sample.position.x - (s.a * p.x - s.b * p.y);
+  s.ty = sample.position.y - (s.b * p.x + s.a * p.y);
+  return s;
+}
+
+float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, const FieldView& field,
+                  float max_scale_px) {
+  const float scale = canvas_from_shape.scale();
+  const float hopeless_px = std::max(5.f, 0.12f * scale);
+  const float near_px = std::max(4.f, 0.06f * scale);
+  // One look-up settles most: where the disc does not fit, the piece does not.
+  if (field_value(field, canvas_from_shape.apply(shape.disc_centre)) < shape.disc_radius * scale - hopeless_px) {
+    return kRejected;
+  }
+  constexpr int kPoints = kBoundaryPoints / kCoarseStride;
+  constexpr int kMaxBad = 4;
+  int hits = 0;
+  int bad = 0;
+  for (int i = 0; i < kBoundaryPoints; i += kCoarseStride) {
+    const float d = field_value(field, canvas_from_shape.apply(shape.boundary[i]));
+    if (d < -hopeless_px) return kRejected;
+    if (d < -near_px) {
+      if (++bad > kMaxBad) return kRejected;
+    } else if (d < near_px) {
+      ++hits;
+    }
+  }
+  int covered = 0;
+  for (std::size_t i = 0; i < shape.interior.size(); i += 3) {
+    if (field_value(field, canvas_from_shape.apply(shape.interior[i])) < 0) ++covered;
+  }
+  const float interior = shape.interior.empty() ? 0.f : 9.f * float(covered) / float(shape.interior.size());
+  const float fit = (float(hits) - 1.5f * float(bad)) / float(kPoints) - interior;
+  // Large pieces first: they are harder to place later.
+  return fit * std::sqrt(std::sqrt(scale / max_scale_px));
+}
+
+}  // namespace tessera

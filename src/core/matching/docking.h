@@ -1,0 +1,58 @@
+// Dockings: (target sample, shape sample) and the similarity that it implies (paper section 3.3), with the early reject.
+// kernels/docking.cl does the same for many at once, bit for bit.
+#pragma once
+
+#include <cstdint>
+
+#include "core/field/field_lookup.h"
+#include "core/field/target_curve.h"
+#include "core/matching/matching_context.h"
+#include "core/shape/shape_model.h"
+
+namespace tessera {
+
+/// Larger is better; ties by shape, then source: a total order that no partition of the library changes.
+struct Docking {
+  std::uint32_t sample = 0;  // index into the request's target samples
+  std::uint32_t shape = 0;   // index in the library
+  /// PAD docking: index of the shape's PAD, counted over the levels in use. Tangent docking: kTangentSource + draw.
+  std::uint32_t source = 0;
+  float key = 0;
+  Similarity canvas_from_shape;
+
+  friend bool operator==(const Docking&, const Docking&) = default;
+};
+
+inline constexpr std::uint32_t kTangentSource = 1u << 31;
+
+inline bool docks_better(const Docking& a, const Docking& b) {
+  if (a.key != b.key) return a.key > b.key;
+  if (a.shape != b.shape) return a.shape < b.shape;
+  return a.source < b.source;
+}
+
+struct Alignment {
+  Similarity canvas_from_shape;
+  bool valid = false;
+};
+
+/// Aligns the key points of both pyramids in the least squares sense, at the longest level at which they agree within
+/// kAlignmentTolerance; invalid where none does or the scale leaves `scales`. The paper aligns the ends of level 0 only;
+/// using all ends of the matched intervals averages the noise away.
+Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales);
+
+/// The tangent docking number `draw` of a target sample: shape, boundary point and log-uniform scale from counter-based
+/// random bits keyed by (seed, edge, pass, draw).
+struct TangentDraw {
+  std::uint32_t shape;
+  std::uint32_t boundary_point;
+  float scale_px;
+};
+TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw);
+Similarity tangent_docking(const ShapeModel& shape, const TangentDraw& draw, const TargetSample& sample);
+
+/// Early reject on a few boundary and interior points; the key ranks what is left. Below kLeastDockingKey: rejected.
+float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, const FieldView& field,
+                  float max_scale_px);
+
+}  // namespace tessera

@@ -1,0 +1,69 @@
+#include "core/matching/docking_terms.h"
+
+#include <cmath>
+
+namespace tessera {
+namespace {
+
+constexpr float kNoise_px = 0.5f;    // smaller distances are neither gap nor overlap
+constexpr float kContact_px = 1.f;   // the runs are counted from a point nearer than this, so that none is cut in two
+
+enum class Run { none, overlap, gap };
+
+void finish_run(DockingTerms& terms, Run run, float area_px2) {
+  if (run == Run::overlap) {
+    terms.overlap_px2 += area_px2;
+    terms.overlap_px4 += area_px2 * area_px2;
+  } else if (run == Run::gap) {
+    terms.gap_px2 += area_px2;
+    terms.gap_px4 += area_px2 * area_px2;
+  }
+}
+
+}  // namespace
+
+DockingTerms docking_terms(const Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field,
+                           const MatchingContext& context) {
+  float distance[kBoundaryPoints];
+  int first = kBoundaryPoints;
+  for (int i = 0; i < kBoundaryPoints; ++i) {
+    distance[i] = field_value(field, canvas_from_shape.apply(shape.boundary[i]));
+    if (first == kBoundaryPoints && std::abs(distance[i]) < kContact_px) first = i;
+  }
+  if (first == kBoundaryPoints) first = 0;
+
+  const float scale = canvas_from_shape.scale();
+  const float step_px = shape.perimeter * scale / float(kBoundaryPoints);
+  DockingTerms terms;
+  Run run = Run::none;
+  float area_px2 = 0;
+  for (int k = 0; k < kBoundaryPoints; ++k) {
+    const int i = first + k < kBoundaryPoints ? first + k : first + k - kBoundaryPoints;
+    const float d = distance[i];
+    if (std::abs(d) < context.delta_px) terms.matched_px += step_px;
+    const Run here = d < -kNoise_px                          ? Run::overlap
+                     : d > kNoise_px && d < context.gap_px ? Run::gap
+                                                             : Run::none;
+    if (here != run) {
+      finish_run(terms, run, area_px2);
+      run = here;
+      area_px2 = 0;
+    }
+    area_px2 += std::abs(d) * step_px;
+  }
+  finish_run(terms, run, area_px2);
+
+  int covered = 0;
+  for (const Vec2& p : shape.interior) covered += field_value(field, canvas_from_shape.apply(p)) < 0;
+  if (covered > 0) {
+    const float seen_px2 = float(covered) / float(shape.interior.size()) * (scale * scale);
+    if (seen_px2 > terms.overlap_px2) {
+      const float more = seen_px2 - terms.overlap_px2;
+      terms.overlap_px4 += more * more;
+      terms.overlap_px2 = seen_px2;
+    }
+  }
+  return terms;
+}
+
+}  // namespace tessera

@@ -1,0 +1,41 @@
+// One round of matching (paper section 3.3): samples in, refined candidates of the whole library out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/base/run_statistics.h"
+#include "core/matching/matcher.h"
+
+namespace tessera {
+
+/// How far to look for pairs first, in bins: a little farther than most samples needed lately. It only saves time: where
+/// it is too short, matching looks again.
+struct PairReach {
+  std::uint32_t bins = kDistanceBins / 16;
+};
+
+struct MatchPlan {
+  std::uint64_t pairs_per_sample = 0;  // the top K % of the library's PADs; 0 = no PAD dockings
+  std::uint32_t tangent_dockings = 0;
+};
+
+MatchPlan match_plan(const MatchSettings& settings, std::uint64_t library_pads);
+
+struct MatchRound {
+  /// Feasible, at most kRefined for each sample, in the order of the samples.
+  std::vector<RefinedDocking> refined;
+  /// Per sample: something was left out for want of room, so matching it again may find more.
+  std::vector<bool> truncated;
+};
+
+/// Adds to the counters and times of `statistics`. Calls `meanwhile` once where the matcher has a question to work on.
+MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan,
+                 std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics,
+                 const std::function<void()>& meanwhile = [] {});
+
+/// Two poses of one shape that would look the same: closer than `tolerance` of their scale in place and in size.
+bool near_copy(const Similarity& a, const Similarity& b, float tolerance);
+
+}  // namespace tessera

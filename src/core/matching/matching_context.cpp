@@ -1,0 +1,42 @@
+#include "core/matching/matching_context.h"
+
+#include <cmath>
+
+#include "core/tuning.h"
+
+namespace tessera {
+
+std::uint64_t pads_per_shape(const MatchingContext& context) {
+  std::uint64_t pads = 0;
+  for (const int level : context.levels) pads += std::uint64_t(kSmoothingLevels[level].samples);
+  return pads;
+}
+
+MatchingContext make_matching_context(const CollageSettings& settings, std::uint32_t library_shapes) {
+  const PieceSettings& pieces = settings.pieces;
+  MatchingContext c;
+  c.seed = settings.seed;
+  c.pad = settings.match.pad;
+  c.beta_steps = pad_steps(settings.match.beta);
+  c.delta_px = settings.match.delta_px;
+  c.min_scale_px = pieces.min_scale_px;
+  c.max_scale_px = pieces.max_scale_px;
+  c.gap_px = 2 * reachable_radius_px(pieces);
+  c.log2_scale_ratio = std::log2(pieces.max_scale_px / pieces.min_scale_px);
+  const float width_rad = pieces.max_rotation_rad - pieces.min_rotation_rad;
+  const float middle_rad = 0.5f * (pieces.max_rotation_rad + pieces.min_rotation_rad);
+  c.rotation_middle = {std::cos(middle_rad), std::sin(middle_rad)};
+  c.rotation_min_cosine = width_rad >= 6.283f ? -1.f : std::cos(0.5f * width_rad);
+  c.hard_depth_px = hard_depth_px(pieces);
+  c.tangent_dockings = settings.match.tangent_dockings;
+  c.library_shapes = library_shapes;
+  c.levels = levels_for_scales(c.min_scale_px, c.max_scale_px, target_sigma_px(pieces));
+  for (const int level : c.levels) {
+    const ScaleRange range = level_scales(level, target_sigma_px(pieces));
+    c.level_range.push_back(
+        {std::max(c.min_scale_px, range.low / kLevelSlack), std::min(c.max_scale_px, range.high * kLevelSlack)});
+  }
+  return c;
+}
+
+}  // namespace tessera

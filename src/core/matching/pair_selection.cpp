@@ -1,0 +1,70 @@
+#include "core/matching/pair_selection.h"
+
+#include <algorithm>
+
+#include "core/tuning.h"
+
+namespace tessera {
+namespace {
+
+constexpr std::uint32_t kNoPair = 2 * kPadSteps;
+
+struct Target {
+  QuantisedPad pad;
+  float length;
+  float convexity;
+};
+
+/// Distances of one level's PADs; kNoPair where the scale or the sign cannot fit.
+std::vector<std::uint32_t> level_distances(const ModelLevel& level, const Target& target, const ScaleRange& scales,
+                                           int levels) {
+  std::vector<std::uint32_t> result(level.samples.size(), kNoPair);
+  for (std::size_t j = 0; j < level.samples.size(); ++j) {
+    const ModelSample& sample = level.samples[j];
+    if (target.length < sample.scale_length * (scales.low * kScaleWindowLow)) continue;
+    if (target.length > sample.scale_length * (scales.high * kScaleWindowHigh)) continue;
+    if (target.convexity * sample.convexity < 0) continue;
+    result[j] = pad_distance(target.pad, sample.pad, levels);
+  }
+  return result;
+}
+
+bool better(const PadPair& a, const PadPair& b) {
+  return a.distance != b.distance ? a.distance < b.distance : a.source < b.source;
+}
+
+void keep_best(std::vector<PadPair>& pairs, const PadPair& pair) {
+  pairs.insert(std::upper_bound(pairs.begin(), pairs.end(), pair, better), pair);
+  if (pairs.size() > kPairsPerShape) pairs.pop_back();
+}
+
+}  // namespace
+
+std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context,
+                                  std::uint32_t reach_steps) {
+  const int levels = context.pad.levels;
+  const Target target{quantised(make_pad(sample.pyramid, levels)), scale_length(sample.pyramid, levels),
+                      sample.pyramid.convexity};
+  std::vector<PadPair> pairs;
+  std::uint32_t first = 0;
+  for (std::size_t slot = 0; slot < shape.levels.size(); ++slot) {
+    const std::vector<std::uint32_t> distance =
+        level_distances(shape.levels[slot], target, context.level_range[slot], levels);
+    const std::size_t n = distance.size();
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::uint32_t d = distance[j];
+      if (d >= reach_steps || d > distance[j == 0 ? n - 1 : j - 1] || d >= distance[j + 1 == n ? 0 : j + 1]) continue;
+      keep_best(pairs, {first + std::uint32_t(j), d});
+    }
+    first += std::uint32_t(n);
+  }
+  return pairs;
+}
+
+SourceLocation locate_source(const ShapeModel& shape, std::uint32_t source) {
+  int slot = 0;
+  while (source >= shape.levels[slot].samples.size()) source -= std::uint32_t(shape.levels[slot++].samples.size());
+  return {slot, int(source)};
+}
+
+}  // namespace tessera

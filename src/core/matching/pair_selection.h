@@ -1,0 +1,30 @@
+// Which (target sample, shape PAD) pairs are worth docking (paper section 3.3; design, method 4): scale window first,
+// then sign, then local minima of the distance along the shape's curve, then the best few of the shape.
+// kernels/pairs.cl does the same for many at once, bit for bit.
+#pragma once
+
+#include <vector>
+
+#include "core/field/target_curve.h"
+#include "core/matching/matching_context.h"
+#include "core/shape/shape_model.h"
+
+namespace tessera {
+
+struct PadPair {
+  std::uint32_t source = 0;    // index of the shape's PAD, counted over the levels in use
+  std::uint32_t distance = 0;  // steps
+};
+
+/// At most kPairsPerShape pairs nearer than `reach_steps`, best first; ties by source.
+std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context,
+                                  std::uint32_t reach_steps);
+
+/// The level in use and the index within it of a source.
+struct SourceLocation {
+  int level_slot;
+  int index;
+};
+SourceLocation locate_source(const ShapeModel& shape, std::uint32_t source);
+
+}  // namespace tessera

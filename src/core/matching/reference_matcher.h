@@ -1,0 +1,42 @@
+// The matcher in plain C++, one docking after the other: the reference that the kernels are tested against.
+#pragma once
+
+#include <memory>
+
+#include "core/matching/matcher.h"
+
+namespace tessera {
+
+class ReferenceMatcher : public Matcher {
+ public:
+  /// `models[i]` is library shape first_shape + i.
+  ReferenceMatcher(const MatchingContext& context, std::uint32_t first_shape, std::vector<ShapeModel> models);
+
+  ShapeRange shapes() const override;
+  void start_field(int width, int height, Vec2 origin) override;
+  void update_field(const FieldPatch& patch) override;
+  void post_count(const CountRequest& request) override;
+  std::vector<DistanceHistogram> take_count() override;
+  void post_dock(const DockRequest& request) override;
+  DockReply take_dock() override;
+  void post_refine(const std::vector<Docking>& dockings) override;
+  std::vector<RefinedDocking> take_refine() override;
+  void post_measure(const std::vector<Docking>& dockings) override;
+  std::vector<DockingTerms> take_measure() override;
+
+ private:
+  std::vector<Docking> pad_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply) const;
+  std::vector<Docking> tangent_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply) const;
+  DockingTerms terms_of(const Docking& docking) const;
+
+  MatchingContext context_;
+  std::uint32_t first_shape_;
+  std::vector<ShapeModel> models_;
+  CanvasField field_;
+  std::vector<DistanceHistogram> histograms_;
+  DockReply docked_;
+  std::vector<RefinedDocking> refined_;
+  std::vector<DockingTerms> measured_;
+};
+
+}  // namespace tessera

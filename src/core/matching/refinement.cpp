@@ -1,0 +1,154 @@
+#include "core/matching/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/tuning.h"
+
+namespace tessera {
+namespace {
+
+/// A symmetric 4 x 4 system; unknowns: shift x, shift y, growth, rotation, the last two as movements at `arm_px`.
+struct NormalEquations {
+  float m[4][4] = {};
+  float g[4] = {};
+  int points = 0;
+
+  void add(const float (&j)[4], float value, float weight) {
+    for (int r = 0; r < 4; ++r) {
+      g[r] += weight * j[r] * value;
+      for (int c = 0; c <= r; ++c) m[r][c] += weight * j[r] * j[c];
+    }
+    ++points;
+  }
+
+  /// Solves (M + damping) x = -g by L D L^T, in place.
+  void solve(float (&x)[4]) {
+    const float trace = m[0][0] + m[1][1] + m[2][2] + m[3][3];
+    for (int r = 0; r < 4; ++r) m[r][r] += 0.005f * trace + 0.05f;
+    m[2][2] += 0.0125f * trace;  // growth is the least certain of the four
+    float d[4];
+    for (int r = 0; r < 4; ++r) {
+      for (int c = 0; c < r; ++c) {
+        float sum = m[r][c];
+        for (int k = 0; k < c; ++k) sum -= m[r][k] * m[c][k] * d[k];
+        m[r][c] = sum / d[c];
+      }
+      float sum = m[r][r];
+      for (int k = 0; k < r; ++k) sum -= m[r][k] * m[r][k] * d[k];
+      d[r] = sum;
+    }
+    for (int r = 0; r < 4; ++r) {
+      float sum = -g[r];
+      for (int k = 0; k < r; ++k) sum -= m[r][k] * x[k];
+      x[r] = sum;
+    }
+    for (int r = 0; r < 4; ++r) x[r] = x[r] / d[r];
+    for (int r = 3; r >= 0; --r) {
+      for (int k = r + 1; k < 4; ++k) x[r] -= m[k][r] * x[k];
+    }
+  }
+};
+
+/// Turns and scales about the piece's own centre, then shifts. The rotation is the Cayley form of `angle`: no sine.
+void move(Similarity& s, float dx, float dy, float growth, float angle) {
+  const float t = 0.5f * angle;
+  const float k = (1 + growth) / (1 + t * t);
+  const float c = k * (1 - t * t);
+  const float n = k * (2 * t);
+  const float a = s.a * c - s.b * n;
+  const float b = s.b * c + s.a * n;
+  s.a = a;
+  s.b = b;
+  s.tx += dx;
+  s.ty += dy;
+}
+
+constexpr float kArm = 0.6f;  // of the piece's radius: where growth and rotation are measured
+
+}  // namespace
+
+void descend(Similarity& s, const ShapeModel& shape, const FieldView& field, const Descent& descent,
+             float min_scale_px, float max_scale_px) {
+  for (int step = 0; step < descent.steps; ++step) {
+    const float progress = descent.steps > 1 ? float(step) / float(descent.steps - 1) : 1.f;
+    const float radius = descent.first_radius_px + (descent.last_radius_px - descent.first_radius_px) * progress;
+    const float scale = s.scale();
+    const float arm = shape.radius * scale * kArm;
+    NormalEquations equations;
+    for (int i = 0; i < kBoundaryPoints; i += descent.stride) {
+      const Vec2 z = s.apply(shape.boundary[i]);
+      const FieldSample f = field_sample(field, z);
+      if (f.value > radius) continue;
+      float weight = descent.overlap_weight;
+      if (f.value >= 0) {
+        const float q = f.value / radius;
+        weight = (1 - q * q) * (1 - q * q);
+      }
+      const float ux = z.x - s.tx;
+      const float uy = z.y - s.ty;
+      const Vec2 n = f.gradient;
+      const float j[4] = {n.x, n.y, (n.x * ux + n.y * uy) / arm, (n.y * ux - n.x * uy) / arm};
+      equations.add(j, f.value, weight);
+    }
+    if (equations.points < 3) return;
+    float x[4];
+    equations.solve(x);
+    const float largest = std::max(std::max(std::abs(x[0]), std::abs(x[1])), std::max(std::abs(x[2]), std::abs(x[3])));
+    if (largest > radius) {
+      for (float& v : x) v = v * (radius / largest);
+    }
+    float growth = x[2] / arm;
+    const float grown = scale * (1 + growth);
+    if (grown < min_scale_px) growth = min_scale_px / scale - 1;
+    if (grown > max_scale_px) growth = max_scale_px / scale - 1;
+    move(s, x[0], x[1], growth, x[3] / arm);
+  }
+}
+
+float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field) {
+  float deepest = 0;
+  for (const Vec2& p : shape.boundary) {
+    deepest = std::max(deepest, -field_value(field, canvas_from_shape.apply(p)));
+  }
+  for (const Vec2& p : shape.interior) {
+    const float d = -field_value(field, canvas_from_shape.apply(p));
+    if (d > 0) deepest = std::max(deepest, d + 3);
+  }
+  return deepest;
+}
+
+bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, const MatchingContext& context) {
+  const float low = context.min_scale_px;
+  const float high = context.max_scale_px;
+  const float first_radius_px = std::max(6.f, 0.1f * s.scale());
+  descend(s, shape, field, {6, first_radius_px, 3.f, 3.f, kMediumStride}, low, high);
+  descend(s, shape, field, {3, 2.5f, 2.f, 12.f, kMediumStride}, low, high);
+  float depth = depth_px(s, shape, field);
+  for (int push = 0; push < kPushSteps && depth > context.hard_depth_px; ++push) {
+    if (depth > kHopelessDepth_px) return false;
+    if (push > 0) {
+      s.a *= kPushShrink;
+      s.b *= kPushShrink;
+    }
+    descend(s, shape, field, {2, 1.5f, 1.5f, 25.f, 1}, low, high);
+    depth = depth_px(s, shape, field);
+  }
+  const float scale = s.scale();
+  return depth <= context.hard_depth_px && scale >= low && scale <= high * 1.0001f && context.rotation_allowed(s);
+}
+
+void grow(Similarity& s, const ShapeModel& shape, const FieldView& field, const MatchingContext& context) {
+  for (int step = 0; step < kGrowSteps; ++step) {
+    Similarity larger = s;
+    larger.a *= kGrowStep;
+    larger.b *= kGrowStep;
+    if (larger.scale() > context.max_scale_px) return;
+    descend(larger, shape, field, {4, 1.5f, 1.f, 20.f, kMediumStride}, context.min_scale_px, context.max_scale_px);
+    const bool grown = larger.scale() > s.scale() * 1.002f;
+    if (!grown || !context.rotation_allowed(larger) || depth_px(larger, shape, field) > context.hard_depth_px) return;
+    s = larger;
+  }
+}
+
+}  // namespace tessera

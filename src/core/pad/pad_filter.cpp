@@ -1,0 +1,37 @@
+#include "core/pad/pad_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tessera {
+namespace {
+
+constexpr float kBytesAnOctave = 16;
+constexpr float kByteOfOne = 160;  // lengths from 2^-10 to 2^6: beyond lie no pieces, only the ends of the range
+
+}  // namespace
+
+std::uint8_t scale_byte(float length) {
+  const float byte = kByteOfOne + kBytesAnOctave * std::log2(std::max(length, 1e-9f));
+  return std::uint8_t(std::clamp(byte, 0.f, 255.f));
+}
+
+PadWindow pad_window(const QuantisedPad& target, std::uint32_t reach_steps) {
+  // |p - t| < reach: the bytes differ by reach / 256, rounded up, at most.
+  const std::uint32_t most = reach_steps == 0 ? 0 : ((reach_steps - 1) >> 8) + 1;
+  PadWindow window;
+  window.width = std::uint8_t(std::min(2 * most, 255u));
+  for (std::size_t e = 0; e < window.low.size(); ++e) {
+    window.low[e] = std::uint8_t(pad_byte(target.element[e]) - most);
+  }
+  return window;
+}
+
+ScaleWindow scale_window(float least, float most) {
+  // One more on either side: logarithms may round either way.
+  const int low = std::max(int(scale_byte(least)) - 1, 0);
+  const int high = std::min(int(scale_byte(most)) + 1, 255);
+  return {std::uint8_t(low), std::uint8_t(std::max(high - low, 0))};
+}
+
+}  // namespace tessera

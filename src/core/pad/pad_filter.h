@@ -1,0 +1,37 @@
+// An exact filter before the PAD distance: a byte for each element, one for the length that estimates the scale and
+// one for the sign. A pair that passes may be near; one that does not is not (tests/core/test_pad_filter.cpp).
+// kernels/pairs.cl tests 64 samples at a time with it; the reference does without.
+//
+// Element e of a sample passes where (byte - low[e]) mod 256 <= width: one subtraction and one maximum an element.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/pad/quantised_pad.h"
+
+namespace tessera {
+
+inline std::uint8_t pad_byte(std::uint16_t element_steps) { return std::uint8_t(element_steps >> 8); }
+
+/// Convexities may meet where their bytes have a bit in common: a flat point agrees with either.
+inline std::uint8_t sign_byte(float convexity) { return convexity > 0 ? 1 : convexity < 0 ? 2 : 3; }
+
+/// A sixteenth of an octave of a positive length; shape units.
+std::uint8_t scale_byte(float length);
+
+/// The bytes that pairs nearer than a reach must have. Widths are inclusive.
+struct PadWindow {
+  std::array<std::uint8_t, kMaxPadElements> low{};
+  std::uint8_t width = 0;
+};
+PadWindow pad_window(const QuantisedPad& target, std::uint32_t reach_steps);
+
+struct ScaleWindow {
+  std::uint8_t low = 0;
+  std::uint8_t width = 0;
+};
+/// Of the lengths between `least` and `most`, shape units.
+ScaleWindow scale_window(float least, float most);
+
+}  // namespace tessera

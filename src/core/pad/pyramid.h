@@ -1,0 +1,125 @@
+// The arclength pyramid around a vertex of a closed polyline (paper section 3.2), by walking outwards on both sides.
+//
+// Only a walk sees the curve, so the result depends on nothing but the vertices it passes: a piece of boundary that was
+// cut and pasted elsewhere has the same pyramids to the bit, wherever its loop starts.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/pad/pad.h"
+
+namespace tessera {
+
+/// Turning of the polyline at q, from p over q to r, in (-pi, pi]; positive = left.
+inline float turning_rad(Vec2 p, Vec2 q, Vec2 r) {
+  const Vec2 in = q - p;
+  const Vec2 out = r - q;
+  return std::atan2(cross(in, out), dot(in, out));
+}
+
+/// |curvature| below this is noise of straight sides, not shape (design, method 1). sigma and the result's unit of
+/// length are the curve's.
+inline float curvature_dead_zone(float sigma) { return 0.024f / sigma; }
+
+/// A point at convexity 0 has a triangle flatter than this (sine of its outer angle); level 0 of a smooth arc gives
+/// delta_tau.
+inline constexpr float kFlatTriangle = 0.05f;
+
+namespace detail {
+
+struct SideOfPyramid {
+  std::array<float, kMaxPadLevels> length{};
+  std::array<Vec2, kMaxPadLevels> end{};
+};
+
+/// Walks one side. `step(walk)` goes to the next vertex on it, `ahead(walk)` is the length of that edge; `edge_before` is
+/// the edge on the centre's other side. Where the loop closes the walk ends, and the levels not reached get the loop's
+/// whole length.
+///
+/// The turning at a vertex is spread over the halves of its two edges, so that levels end between vertices and move
+/// smoothly; the centre's is split between both sides.
+template <class Walk, class Step, class Ahead>
+SideOfPyramid walk_side(const Walk& start, Vec2 before, float edge_before, Step step, Ahead ahead,
+                        const PadParameters& pad, float dead_zone) {
+  SideOfPyramid side;
+  Walk at = start;
+  int level = 0;
+  float goal = pad.delta_tau;
+  float turned = 0;
+  float walked = 0;  // to the middle of the edge (a, b)
+  Vec2 a = before;
+  Vec2 b = at.position();
+  float edge_in = 0;  // half the centre's own interval: it starts at the centre
+  float whole_in = edge_before;
+  bool closed = false;
+  while (level < pad.levels && !closed) {
+    const float half_in = 0.5f * edge_in;
+    const float edge_out = ahead(at);
+    const float half_out = 0.5f * edge_out;
+    const bool centre = edge_in == 0;
+    const float support = 0.5f * (whole_in + edge_out);
+    float turn = std::max(0.f, at.turning_rad() - dead_zone * support);
+    if (centre) turn *= half_out / support;
+    const float interval = half_in + half_out;
+    step(at);
+    const Vec2 c = at.position();
+    closed = at == start;
+    while (level < pad.levels && turned + turn >= goal) {
+      const float fraction = turn > 0 ? (goal - turned) / turn : 1.f;
+      const float along = fraction * interval;  // from the middle of (a, b)
+      side.length[level] = walked + along;
+      side.end[level] = along < half_in ? b + (a - b) * ((half_in - along) / whole_in)
+                                        : b + (c - b) * (edge_out > 0 ? (along - half_in) / edge_out : 0.f);
+      goal = pad.delta_tau * float(1 << ++level);
+    }
+    turned += turn;
+    walked += interval;
+    a = b;
+    b = c;
+    edge_in = edge_out;
+    whole_in = edge_out;
+  }
+  const float whole = walked + 0.5f * edge_in;
+  for (; level < pad.levels; ++level) {
+    side.length[level] = whole;
+    side.end[level] = b;
+  }
+  return side;
+}
+
+}  // namespace detail
+
+/// `Walk` stands on a vertex of a closed polyline. It has forward(), backward() and operator==; position(), the
+/// absolute turning_rad() there, and edge_forward() and edge_backward(), the lengths of the edges on both sides.
+template <class Walk>
+ArclengthPyramid make_pyramid(const Walk& centre, const PadParameters& pad, float dead_zone) {
+  Walk after = centre;
+  Walk before = centre;
+  after.forward();
+  before.backward();
+  const auto r = detail::walk_side(
+      centre, before.position(), centre.edge_backward(), [](Walk& w) { w.forward(); },
+      [](const Walk& w) { return w.edge_forward(); }, pad, dead_zone);
+  const auto l = detail::walk_side(
+      centre, after.position(), centre.edge_forward(), [](Walk& w) { w.backward(); },
+      [](const Walk& w) { return w.edge_backward(); }, pad, dead_zone);
+
+  ArclengthPyramid pyramid;
+  const int n = pad.levels;
+  pyramid.keypoint[n] = centre.position();
+  for (int i = 0; i < n; ++i) {
+    // A length of zero (a cusp sharper than the curve's spacing) would divide by zero in the PAD.
+    pyramid.left[i] = std::max(l.length[i], 1e-6f);
+    pyramid.right[i] = std::max(r.length[i], 1e-6f);
+    pyramid.keypoint[n - 1 - i] = l.end[i];
+    pyramid.keypoint[n + 1 + i] = r.end[i];
+  }
+  const Vec2 in = pyramid.keypoint[n] - pyramid.keypoint[n - 1];
+  const Vec2 out = pyramid.keypoint[n + 1] - pyramid.keypoint[n];
+  const float sine = cross(in, out) / std::max(norm(in) * norm(out), 1e-12f);
+  pyramid.convexity = sine > kFlatTriangle ? 1.f : sine < -kFlatTriangle ? -1.f : 0.f;
+  return pyramid;
+}
+
+}  // namespace tessera

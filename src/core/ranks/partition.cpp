@@ -1,0 +1,45 @@
+#include "core/ranks/partition.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tessera {
+namespace {
+
+/// weight_before[i]: of items 0 .. i - 1.
+std::vector<std::uint64_t> running_sums(std::span<const std::uint64_t> weights) {
+  std::vector<std::uint64_t> weight_before{0};
+  for (const std::uint64_t weight : weights) weight_before.push_back(weight_before.back() + weight);
+  return weight_before;
+}
+
+/// The item before which the weight comes nearest to `goal`.
+std::size_t nearest_border(const std::vector<std::uint64_t>& weight_before, std::uint64_t goal) {
+  const auto above = std::lower_bound(weight_before.begin(), weight_before.end(), goal);
+  if (above == weight_before.begin()) return 0;
+  const bool below_is_nearer = goal - above[-1] < *above - goal;
+  return std::size_t(above - weight_before.begin()) - (below_is_nearer ? 1 : 0);
+}
+
+}  // namespace
+
+std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, int parts) {
+  if (parts < 1) throw std::invalid_argument("balanced_ranges: at least one part is needed");
+  const std::vector<std::uint64_t> weight_before = running_sums(weights);
+  const std::uint64_t total = weight_before.back();
+  const std::size_t items = weights.size();
+  std::vector<ShapeRange> ranges;
+  std::size_t begin = 0;
+  for (int p = 1; p <= parts; ++p) {
+    const std::uint64_t goal = total / parts * p + total % parts * p / parts;
+    const std::size_t parts_left = std::size_t(parts - p);
+    const std::size_t latest = items > parts_left ? items - parts_left : 0;  // leaves one item for each later part
+    std::size_t end = p == parts ? items : std::min(nearest_border(weight_before, goal), latest);
+    end = std::max(end, std::min(begin + 1, items));
+    ranges.push_back({std::uint32_t(begin), std::uint32_t(end)});
+    begin = end;
+  }
+  return ranges;
+}
+
+}  // namespace tessera

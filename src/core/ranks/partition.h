@@ -1,0 +1,16 @@
+// Dividing a library among ranks, and a rank's part among its devices.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/matching/matcher.h"
+
+namespace tessera {
+
+/// Divides items 0 .. weights.size() - 1 into `parts` (at least 1) ranges that follow one another. No range weighs more
+/// than the average and the heaviest item; none is empty as long as there are items enough, otherwise the last ones are.
+std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, int parts);
+
+}  // namespace tessera

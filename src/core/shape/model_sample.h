@@ -1,0 +1,42 @@
+// A PAD of a library shape with what docking needs of its pyramid, as compact as devices hold it: a large library is
+// bound by memory.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/geometry/vec2.h"
+#include "core/pad/quantised_pad.h"
+
+namespace tessera {
+
+using Keypoints = std::array<Vec2, 2 * kMaxPadLevels + 1>;
+
+struct ModelSample {
+  struct Step {
+    std::int16_t x = 0;
+    std::int16_t y = 0;
+
+    friend bool operator==(const Step&, const Step&) = default;
+  };
+
+  QuantisedPad pad;
+  float scale_length = 0;  // scale_length() of the pyramid, shape units
+  float convexity = 0;
+  std::array<Step, 2 * kMaxPadLevels + 1> keypoint{};  // in steps of the shape's keypoint_step()
+
+  friend bool operator==(const ModelSample&, const ModelSample&) = default;
+};
+
+/// Length of the interval that estimates the scale before any alignment.
+float scale_length(const ArclengthPyramid& pyramid, int levels);
+
+/// Shape units for one step of a key point: so small that nothing is seen of it.
+inline float keypoint_step(float shape_radius) { return shape_radius * (1.f / 32000.f); }
+
+ModelSample make_model_sample(const ArclengthPyramid& pyramid, int levels, float keypoint_step);
+
+/// Shape frame.
+Keypoints keypoints(const ModelSample& sample, float keypoint_step);
+
+}  // namespace tessera

@@ -1,0 +1,136 @@
+#include "core/shape/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "core/geometry/contour.h"
+#include "core/geometry/distance_transform.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/rasterise.h"
+
+namespace tessera {
+namespace {
+
+constexpr float kInside = 0.5f;
+constexpr float kOpeningCells = 4.2f;  // radius of the disc that seeks hairlines, in cells: round enough, and quick
+
+struct Component {
+  Outline outline;
+  double outer_area = 0;
+  int others = 0;
+  double others_area = 0;
+};
+
+/// Index of the smallest outer curve around hole `hole`. Small islands cannot hold a hole that counts.
+std::size_t owner_of(std::size_t hole, const std::vector<std::vector<Vec2>>& curves, const std::vector<double>& area,
+                     std::size_t largest) {
+  std::size_t owner = largest;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const bool may_hold = area[i] > -area[hole] && area[i] < area[owner];
+    if (may_hold && contains(curves[i], curves[hole].front())) owner = i;
+  }
+  return owner;
+}
+
+/// The component whose outer curve encloses most, with the holes that count.
+Component largest_component(std::vector<std::vector<Vec2>> curves) {
+  std::vector<double> area(curves.size());
+  std::transform(curves.begin(), curves.end(), area.begin(), signed_area);
+  const std::size_t largest = std::size_t(std::max_element(area.begin(), area.end()) - area.begin());
+
+  Component component;
+  component.outer_area = area[largest];
+  component.outline.curves.push_back(curves[largest]);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (area[i] > 0 && i != largest) {
+      ++component.others;
+      component.others_area += area[i];
+    }
+    if (area[i] >= -kLeastHole * area[largest] || !contains(curves[largest], curves[i].front())) continue;
+    if (owner_of(i, curves, area, largest) == largest) component.outline.curves.push_back(curves[i]);
+  }
+  return component;
+}
+
+double enclosed_area(const Outline& outline) {
+  return std::accumulate(outline.curves.begin(), outline.curves.end(), 0.0,
+                         [](double sum, const std::vector<Vec2>& curve) { return sum + signed_area(curve); });
+}
+
+bool is_plain_rectangle(const Outline& outline) {
+  const Box box = bounding_box(outline.curves.front());
+  return enclosed_area(outline) >= kPlainRectangle * double(box.width()) * box.height();
+}
+
+std::ptrdiff_t count_set(const Grid<std::uint8_t>& set) { return std::count(set.data().begin(), set.data().end(), 1); }
+
+template <class Keep>
+Grid<std::uint8_t> nodes_where(const Grid<float>& squared_distance, Keep keep) {
+  Grid<std::uint8_t> set(squared_distance.width(), squared_distance.height());
+  std::transform(squared_distance.data().begin(), squared_distance.data().end(), set.data().begin(),
+                 [&](float d2) { return std::uint8_t(keep(d2)); });
+  return set;
+}
+
+/// Morphological opening: what a disc of this radius sweeps without leaving the set.
+Grid<std::uint8_t> opened(const Grid<std::uint8_t>& set, float radius) {
+  Grid<std::uint8_t> outside = set;
+  for (std::uint8_t& v : outside.data()) v ^= 1;
+  const float r2 = radius * radius;
+  const Grid<std::uint8_t> eroded = nodes_where(squared_distance_to(outside), [&](float d2) { return d2 > r2; });
+  return nodes_where(squared_distance_to(eroded), [&](float d2) { return d2 <= r2; });
+}
+
+bool is_hairlines(const Outline& outline, double area) {
+  const Box box = bounding_box(outline.curves.front());
+  if (std::max(box.width(), box.height()) > kLongest * std::sqrt(area)) return true;
+  const float cells_per_px = kOpeningCells / (kHairlineRadius * float(std::sqrt(area)));
+  const Similarity cells_from_px{cells_per_px, 0, 0, 0};
+  const Window window = bounding_window(outline, cells_from_px).grown(1);  // the rim is outside
+  const Grid<std::uint8_t> set = rasterise(outline, cells_from_px, window);
+  return double(count_set(opened(set, kOpeningCells))) < kHairlineRest * double(count_set(set));
+}
+
+std::optional<SkipReason> reason_to_skip(const Component& component, float source_px) {
+  const double area = enclosed_area(component.outline);
+  // In this order: of a drawing in thin lines the pixels catch fragments, which are not too small for their own fault.
+  if (component.others_area > kLargestSpecks * component.outer_area) return SkipReason::several_large_components;
+  if (is_hairlines(component.outline, area)) return SkipReason::hairlines;
+  if (std::sqrt(area) < kLeastSize_px * std::max(1.f, source_px)) return SkipReason::too_small;
+  if (is_plain_rectangle(component.outline)) return SkipReason::plain_rectangle;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string to_string(SkipReason reason) {
+  switch (reason) {
+    case SkipReason::empty: return "empty";
+    case SkipReason::too_small: return "too small";
+    case SkipReason::several_large_components: return "several large components";
+    case SkipReason::plain_rectangle: return "a plain rectangle";
+    case SkipReason::hairlines: return "hairlines";
+  }
+  return "unknown";
+}
+
+std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px) {
+  std::vector<std::vector<Vec2>> curves = contours(alpha, kInside);
+  if (curves.empty()) return SkipReason::empty;
+  Component component = largest_component(std::move(curves));
+  if (const auto reason = reason_to_skip(component, source_px)) return *reason;
+
+  const float sigma_px = std::max(kSmoothing_px, kSmoothing_sourcepx * source_px);
+  TracedOutline traced;
+  traced.other_components = component.others;
+  traced.other_area_fraction = float(component.others_area / component.outer_area);
+  for (std::vector<Vec2>& curve : component.outline.curves) {
+    for (Vec2& p : curve) p = p + origin_px + Vec2{0.5f, 0.5f};
+    traced.curves.push_back(smoothing_spline(curve, sigma_px));
+  }
+  return traced;
+}
+
+}  // namespace tessera

@@ -1,0 +1,91 @@
+// A library shape. Shape frame: origin at the centroid of the silhouette's area, unit of length = square root of that
+// area, y down as in the artwork. The scale of a canvas_from_shape is therefore the piece's size in canvas px
+// ("square root of the piece's area").
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/geometry/grid.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/vec2.h"
+#include "core/pad/pad.h"
+
+namespace tessera {
+
+/// Signed distance to the outline in shape units, positive outside, on a square grid that spans [-extent, extent] both
+/// ways (node 0 at -extent, the last node at +extent). The grid covers the shape with a rim of at least 0.1 units.
+struct ShapeField {
+  Grid<float> distance;
+  float extent = 0;
+
+  /// Bilinear; outside the grid the distance to the grid is added, which stays a lower bound of nothing nearer.
+  float at(Vec2 p) const;
+};
+
+inline float ShapeField::at(Vec2 p) const {
+  const Vec2 nearest{std::clamp(p.x, -extent, extent), std::clamp(p.y, -extent, extent)};
+  const int last = distance.width() - 1;
+  const float nodes_per_unit = float(last) / (2 * extent);
+  const float u = (nearest.x + extent) * nodes_per_unit;
+  const float v = (nearest.y + extent) * nodes_per_unit;
+  const int i = std::min(int(u), last - 1);
+  const int j = std::min(int(v), last - 1);
+  const float s = u - float(i), t = v - float(j);
+  const float upper = distance(i, j) * (1 - s) + distance(i + 1, j) * s;
+  const float lower = distance(i, j + 1) * (1 - s) + distance(i + 1, j + 1) * s;
+  const float inside = upper * (1 - t) + lower * t;
+  return nearest == p ? inside : inside + norm(p - nearest);
+}
+
+/// Matching needs both curves smoothed by the same fraction of size (design, method 1), hence a few fixed levels.
+struct SmoothingLevel {
+  float sigma;       // width of the Gaussian along the curve, shape units
+  int curve_points;  // even arclength points kept of the smoothed outer curve
+  int samples;       // PADs, at every (curve_points / samples)-th point
+};
+
+/// An octave apart. A piece of scale s px agrees with a target smoothed by sigma_px where s · sigma is within half an
+/// octave of sigma_px. Together they serve a range of scales of 32 : 1.
+inline constexpr std::array<SmoothingLevel, 5> kSmoothingLevels = {{
+    {0.176777f, 256, 64},
+    {0.088388f, 256, 64},
+    {0.044194f, 256, 128},
+    {0.022097f, 512, 128},
+    {0.011049f, 1024, 128},
+}};
+
+/// The outer curve at one smoothing level.
+struct LevelCurve {
+  std::vector<Vec2> points;               // SmoothingLevel::curve_points of them, even arclength, shape frame
+  float perimeter = 0;                    // of the smoothed curve, shape units
+  std::vector<ArclengthPyramid> samples;  // SmoothingLevel::samples of them; sample j at point j·curve_points/samples
+};
+
+/// What the picture needs of the original drawing. Artwork frame: px of the raster the outline was traced from
+/// (`width_px` x `height_px`, y down, origin at the upper left corner of the upper left pixel).
+struct Artwork {
+  std::string path;                        // absolute path at build time
+  int width_px = 0;
+  int height_px = 0;
+  Vec2 centroid_px;                        // shape origin in the artwork frame
+  float unit_px = 0;                       // artwork px for one shape unit
+  std::vector<std::uint8_t> thumbnail_png; // RGBA PNG, longest side <= 192 px
+  std::vector<std::uint8_t> original;      // the file itself, empty unless embedded (library build --embed)
+};
+
+struct Shape {
+  std::string name;          // file name without extension, unique within a library
+  Outline outline;           // outer curve: 512 points of even arclength; holes in proportion, at least 16
+  float perimeter = 0;       // of all curves
+  float radius = 0;          // largest distance of an outline point from the origin
+  ShapeField field;
+  std::array<LevelCurve, kSmoothingLevels.size()> levels;
+  std::array<float, 3> mean_lab{};  // CIELAB (D65), alpha-weighted mean
+  Artwork artwork;
+};
+
+}  // namespace tessera

@@ -1,0 +1,14 @@
+// The distance field that every library shape carries (design: "One case instead of four").
+#pragma once
+
+#include "core/shape/shape.h"
+
+namespace tessera {
+
+inline constexpr int kShapeFieldNodes = 128;   // both ways
+inline constexpr float kShapeFieldRim = 0.1f;  // between the outline and the grid's edge, shape units
+
+/// Exact distances of the nodes to the outline's polygons, negative inside by the even-odd rule.
+ShapeField make_shape_field(const Outline& outline);
+
+}  // namespace tessera
