@@ -9,7 +9,7 @@
 #include "core/base/run_statistics.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
-#include "core/field/target_curve.h"
+#include "core/field/target_sample.h"
 
 namespace tessera {
 
