@@ -12,6 +12,7 @@
 #include "core/shape/level_curve.h"
 #include "core/shape/shape_builder.h"
 #include "core/tuning.h"
+#include "io/text_table.h"
 #include "worker/device_group.h"
 
 namespace tessera::bench {
@@ -144,7 +145,7 @@ Measured measure(const HeadlineScene& scene, const std::string& devices_use, int
 std::string table_text(const HeadlineScene& scene, const Measured& measured) {
   const RunStatistics& run = measured.last.statistics;
   const auto ms = [](double seconds) { return short_number(1000 * seconds); };
-  Table table({"two shapes, PADs to best docking", "this machine", "paper"});
+  io::TextTable table({"two shapes, PADs to best docking", "this machine", "paper"});
   table.add({"docking positions", std::to_string(scene.positions()), std::to_string(kPaperPositions)});
   table.add({"PAD pair tests", std::to_string(scene.pair_tests()), std::to_string(kPaperPositions)});
   table.add({"time, ms", ms(measured.median_s), ms(kPaper_s)});

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "io/library/library_names.h"
+#include "io/utf8_text.h"
 
 namespace tessera::cli {
 namespace {

@@ -11,7 +11,6 @@
 #include "cli/collage_checkpoints.h"
 #include "cli/collage_progress.h"
 #include "cli/collage_warnings.h"
-#include "cli/library_part.h"
 #include "cli/stop_signal.h"
 #include "cli/time_limit.h"
 #include "comm/loop_clock.h"
@@ -19,6 +18,7 @@
 #include "comm/node_turn.h"
 #include "comm/worker_team.h"
 #include "core/matching/matching_context.h"
+#include "core/ranks/partition.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
@@ -55,7 +55,7 @@ worker::DeviceShare share_node(const comm::Communicator& ranks, const io::Job& j
 [[noreturn]] void work(comm::Communicator& ranks) {
   const io::Job job = io::job_from_toml(to_text(ranks.broadcast({})), "the master's job");
   const io::LibraryFile library = io::open_library_of(job);
-  const ShapeRange part = library_part(library.size(), ranks.rank() - 1, ranks.size() - 1);
+  const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
   const worker::DeviceShare share = share_node(ranks, job);
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
@@ -65,7 +65,7 @@ worker::DeviceShare share_node(const comm::Communicator& ranks, const io::Job& j
 /// The whole library on this rank's devices.
 std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library) {
   const MatchingContext context = context_of(job, library);
-  const ShapeRange all = library_part(library.size(), 0, 1);
+  const ShapeRange all = even_range(library.size(), 0, 1);
   return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context),
                                      {.per_worker = job.devices_per_worker});
 }

@@ -14,6 +14,7 @@
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
 #include "io/library/shape_codec.h"
+#include "io/utf8_text.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "io/atomic_file.h"
-#include "io/library/library_names.h"
 #include "io/sheet.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {

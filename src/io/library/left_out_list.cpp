@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/atomic_file.h"
-#include "io/library/library_names.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {

@@ -6,9 +6,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "io/atomic_file.h"
-#include "io/library/library_names.h"
 #include "io/number_text.h"
 #include "io/sheet.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
