@@ -106,6 +106,10 @@ void CollageCheckpoints::keep(const CheckpointState& state) {
   since_latest_.lap();
 }
 
+std::string CollageCheckpoints::warning() const {
+  return failure_.empty() ? "" : "no checkpoint: " + failure_;
+}
+
 void CollageCheckpoints::require_one() const {
   if (!folder_.has_latest()) throw EnvironmentError("unfinished, and without a checkpoint: " + failure_);
 }

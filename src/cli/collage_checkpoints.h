@@ -38,6 +38,9 @@ class CollageCheckpoints : public master::CheckpointKeeper {
   /// Where it cannot be written says so on stderr, once.
   void keep(const CheckpointState& state) override;
 
+  /// What keep() said on stderr; empty: nothing.
+  std::string warning() const;
+
   /// After the files of a finished run were written: there is nothing to go on with.
   void remove() const { folder_.remove(); }
   /// After those of an unfinished one: throws EnvironmentError where there is no checkpoint at all.
