@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # campaign.sh JOB.toml LIB.h5 OUT_DIR [tessera campaign's options...] [-- sbatch's options...]
 # Submits an array with a task for each variation of the job, and a job that ranks the results when all tasks are over.
-# Run it where sbatch is, from the repository's root, or set TESSERA_ROOT to it. Prints the numbers of the two jobs.
+# Run it where sbatch is, from any folder; README.md says how the program is found. Prints the numbers of the two jobs.
 #
 #   slurm/campaign.sh jobs/animals.toml out/animals.h5 out/campaign --seeds 1-8
 #   slurm/campaign.sh jobs/animals.toml out/animals.h5 out/campaign --seeds 1-4 --set objective.gap_weight=0.5,1,2 \
 #     -- --ntasks=9 --gres=gpu:2
 set -euo pipefail
-TESSERA_ROOT=${TESSERA_ROOT:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)}
-export TESSERA_ROOT
-tessera=${TESSERA:-$TESSERA_ROOT/build/release/src/cli/tessera}
+slurm_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=slurm/program.sh
+source "$slurm_folder/program.sh"
 
 if [[ $# -lt 4 ]]; then
   sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
@@ -21,10 +21,11 @@ options=()
 while [[ $# -gt 0 && $1 != -- ]]; do options+=("$1"); shift; done
 [[ $# -eq 0 ]] || shift
 
+find_tessera || exit 1
 list=$("$tessera" campaign "${arguments[0]}" --set "library.file=\"${arguments[1]}\"" --out "${arguments[2]}" \
   "${options[@]}" --list)
 count=$(wc -l <<<"$list")
-template=$TESSERA_ROOT/slurm/campaign.sbatch
+template=$slurm_folder/campaign.sbatch
 array=$(sbatch --parsable --array="0-$((count - 1))" "$@" "$template" "${arguments[@]}" "${options[@]}")
 # afterany: one collage that failed must not take the ranking of the others with it.
 ranking=$(sbatch --parsable "$@" --dependency="afterany:${array%%;*}" --nodes=1 --ntasks=1 \

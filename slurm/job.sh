@@ -1,12 +1,14 @@
 # shellcheck shell=bash
 # What the templates share; they source it. Nothing here is particular to a site.
 #
-#   TESSERA_ROOT          the repository, where the job is not submitted from it
-#   TESSERA               the program
-#   TESSERA_MAX_RESTARTS  how often a job may come back, node failures included (20)
+#   TESSERA, TESSERA_ROOT  where the program is (program.sh)
+#   TESSERA_MAX_RESTARTS   how often a job may come back, node failures included (20)
 
-tessera_root=${TESSERA_ROOT:-$SLURM_SUBMIT_DIR}
-tessera=${TESSERA:-$tessera_root/build/release/src/cli/tessera}
+: "${SLURM_JOB_ID:?is not set: sbatch starts these files, not the shell}"
+slurm_folder=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+# shellcheck source=slurm/program.sh
+source "$slurm_folder/program.sh"
+find_tessera || exit 1
 restarts=${SLURM_RESTART_COUNT:-0}
 most_restarts=${TESSERA_MAX_RESTARTS:-20}
 
@@ -43,18 +45,17 @@ run_forwarding() {
   trap - USR2 TERM
 }
 
-# One collage over all ranks of the job, from its checkpoint where there is one. Returns only when it is done.
+# One collage over all ranks of the job, from its checkpoint where there is one; one that is finished is left as it is.
+# Returns only when it is done.
 run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
   local ranks=$1 job=$2 out=$3
   shift 3
-  local resume=()
-  [[ ! -e $out/checkpoint.h5 ]] || resume=(--resume)
   TESSERA_MASTER_NODE=$(hostname)  # rank 0 is beside this script
   export TESSERA_MASTER_NODE
   # --map-by node: as many workers on every node, as far as its tasks allow. --bind-to none: a rank's OpenCL device uses
   # all the cores that the job was given.
   run_forwarding mpirun -n "$ranks" --map-by node --bind-to none -x TESSERA_MASTER_NODE \
-    "$tessera_root/slurm/gpu_share.sh" "$tessera" collage "$job" --out "$out" "${resume[@]}" "$@"
+    "$slurm_folder/gpu_share.sh" "$tessera" collage "$job" --out "$out" --resume=auto "$@"
   [[ $status -eq 0 ]] || come_back_or_fail
 }
 

@@ -18,6 +18,9 @@ enum class Start {
   restart,          // as if there were no checkpoint
 };
 
+/// What --resume=auto means for this folder: `resume`, or `resume_previous` where only that checkpoint is left, or `fresh`.
+Start automatic_start(const std::string& result_folder);
+
 /// The checkpoints in the result's folder. Before anything costs time: throws InputError where `start` does not go with
 /// what is there.
 io::CheckpointFolder checked_start(const std::string& result_folder, Start start);
@@ -34,6 +37,9 @@ class CollageCheckpoints : public master::CheckpointKeeper {
   bool due() override;
   /// Where it cannot be written says so on stderr, once.
   void keep(const CheckpointState& state) override;
+
+  /// What keep() said on stderr; empty: nothing.
+  std::string warning() const;
 
   /// After the files of a finished run were written: there is nothing to go on with.
   void remove() const { folder_.remove(); }

@@ -29,6 +29,7 @@ enum class Tag : int {
   times_reply,
   broadcast,
   barrier,
+  site,           // worker -> rank 0: where it runs, on which devices
   turn,           // worker -> worker of the same node: it is your turn
   failure,        // any rank -> rank 0: this rank cannot go on
   end,            // rank 0 -> all: leave
@@ -41,7 +42,7 @@ inline constexpr std::size_t kTags = std::size_t(Tag::leave) + 1;
 inline constexpr std::array<std::string_view, kTags> kTagNames = {
     "hello",          "start field",  "update field", "count request", "count reply",
     "dock request",   "dock reply",   "refine request", "refine reply", "measure request",
-    "measure reply",  "times request", "times reply", "broadcast",     "barrier",        "turn",         "failure",
+    "measure reply",  "times request", "times reply", "broadcast",     "barrier",        "site",         "turn",         "failure",
     "end",            "bye",          "leave"};
 
 inline std::string_view tag_name(Tag tag) { return kTagNames[std::size_t(tag)]; }

@@ -11,6 +11,7 @@
 
 #include "comm/failure.h"
 #include "core/matching/matcher.h"
+#include "core/ranks/rank_site.h"
 #include "core/ranks/rank_statistics.h"
 
 namespace tessera::comm {
@@ -51,6 +52,8 @@ TESSERA_SENT_BY_MEMBERS(tessera::FieldPatch)
 TESSERA_SENT_BY_MEMBERS(tessera::CountRequest)
 TESSERA_SENT_BY_MEMBERS(tessera::DockRequest)
 TESSERA_SENT_BY_MEMBERS(tessera::DockReply)
+TESSERA_SENT_BY_MEMBERS(tessera::DeviceDescription)
+TESSERA_SENT_BY_MEMBERS(tessera::RankSite)
 
 #undef TESSERA_SENT_BY_MEMBERS
 
@@ -79,6 +82,16 @@ void serialize(Archive& archive, tessera::DockRequest& request, unsigned) {
 template <class Archive>
 void serialize(Archive& archive, tessera::DockReply& reply, unsigned) {
   archive& reply.dockings& reply.evaluated;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::DeviceDescription& device, unsigned) {
+  archive& device.kind& device.name& device.platform& device.driver;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::RankSite& site, unsigned) {
+  archive& site.host& site.devices;
 }
 
 }  // namespace boost::serialization

@@ -47,6 +47,21 @@ std::vector<cl::Platform> platforms() {
   return found;
 }
 
+/// A folder that PoCL's cache must not be written to leaves PoCL without devices, and it does not say so.
+std::string why_no_devices(const std::vector<cl::Platform>& found) {
+  if (found.empty()) {
+    return "no OpenCL platform is installed (Debian: package pocl-opencl-icd for CPUs; OCL_ICD_VENDORS, where it is set, "
+           "names the folder of the list)";
+  }
+  std::string names;
+  for (const cl::Platform& platform : found) {
+    names += (names.empty() ? "\"" : ", \"") + platform.getInfo<CL_PLATFORM_NAME>() + "\"";
+  }
+  return "the OpenCL platforms of this machine (" + names +
+         ") have no devices; PoCL (\"Portable Computing Language\") has none where it cannot write its cache: HOME, or "
+         "POCL_CACHE_DIR where it is set, must be a folder that can be written";
+}
+
 std::vector<cl::Device> devices_of_kind(const std::vector<cl::Device>& all, const std::string& kind) {
   std::vector<cl::Device> chosen;
   for (const cl::Device& device : all) {
@@ -88,11 +103,20 @@ std::vector<cl::Device> opencl_devices() {
   for (const cl::Platform& platform : found) {
     for (cl::Device& device : devices_of(platform)) all.push_back(std::move(device));
   }
-  if (all.empty()) {
-    throw EnvironmentError(found.empty() ? "no OpenCL platform is installed (Debian: package pocl-opencl-icd for CPUs)"
-                                         : "the OpenCL platforms of this machine have no devices");
-  }
+  if (all.empty()) throw EnvironmentError(why_no_devices(found));
   return all;
+}
+
+DeviceDescription describe(const cl::Device& device) {
+  const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
+  return {kind_name(device), device.getInfo<CL_DEVICE_NAME>(), platform.getInfo<CL_PLATFORM_NAME>(),
+          device.getInfo<CL_DRIVER_VERSION>()};
+}
+
+std::vector<DeviceDescription> describe(const std::vector<cl::Device>& devices) {
+  std::vector<DeviceDescription> descriptions;
+  for (const cl::Device& device : devices) descriptions.push_back(describe(device));
+  return descriptions;
 }
 
 std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& share) {

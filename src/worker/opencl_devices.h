@@ -5,10 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "core/ranks/rank_site.h"
+
 namespace tessera::worker {
 
-/// All devices, platform by platform as `clinfo -l` lists them. Throws EnvironmentError where there are none.
+/// All devices, platform by platform as `clinfo -l` lists them. Throws EnvironmentError that says what may help where there
+/// are none.
 std::vector<cl::Device> opencl_devices();
+
+/// For records and lists.
+DeviceDescription describe(const cl::Device& device);
+std::vector<DeviceDescription> describe(const std::vector<cl::Device>& devices);
 
 /// One of the workers of a node. Each takes `per_worker` devices of its own; 0: each takes all.
 struct DeviceShare {

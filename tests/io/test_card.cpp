@@ -51,6 +51,30 @@ TEST(Card, JsonHasEveryMeasureWithItsUnit) {
   EXPECT_EQ(quality["largest_gap_radius_px"], 9.75);
 }
 
+TEST(Card, JsonTellsWhatMadeTheResult) {
+  RunRecord record;
+  record.version = "1.2";
+  record.commit = "abc";
+  record.command_line = "tessera collage 'caf\xe9.toml'";  // not UTF-8
+  record.library_digest = 0xff;
+  record.started_utc = "2026-11-21T22:53:07Z";
+  record.resumed_from = "out/checkpoint.h5";
+  record.resumed_pieces = 12;
+  record.ranks = {{"node1", {}}, {"node2", {{"gpu", "G", "P", "D"}}}};
+  record.warnings = {"no checkpoint"};
+  const auto card = nlohmann::json::parse(card_json(sample_quality(), sample_run(), {}, {}, record))["provenance"];
+  EXPECT_EQ(card["version"], "1.2");
+  EXPECT_EQ(card["commit"], "abc");
+  EXPECT_EQ(card["command_line"], "tessera collage 'caf\xEF\xBF\xBD.toml'");
+  EXPECT_EQ(card["library_digest"], "00000000000000ff");
+  EXPECT_EQ(card["started_utc"], "2026-11-21T22:53:07Z");
+  EXPECT_EQ(card["resumed_pieces"], 12);
+  EXPECT_EQ(card["warnings"][0], "no checkpoint");
+  EXPECT_EQ(card["ranks"][0]["host"], "node1");
+  EXPECT_TRUE(card["ranks"][0]["devices"].empty());
+  EXPECT_EQ(card["ranks"][1]["devices"][0]["driver"], "D");
+}
+
 TEST(Card, JsonHasTheColumnsOfTable2) {
   const auto run = nlohmann::json::parse(card_json(sample_quality(), sample_run(), {}))["run"];
   EXPECT_EQ(run["candidates"], 120);

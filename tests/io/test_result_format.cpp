@@ -38,14 +38,17 @@ void expect_all_named(const json& object, const std::string& section) {
   for (const auto& [key, value] : object.items()) {
     EXPECT_TRUE(names(section, key)) << "docs/result-format.md lacks " << key;
     if (value.is_object()) expect_all_named(value, section);
+    if (value.is_array() && !value.empty() && value[0].is_object()) expect_all_named(value[0], section);
   }
 }
 
 TEST(ResultFormat, has_every_key_of_the_card) {
   RankStatistics ranks;
   ranks.workers.resize(2);
-  const json card = json::parse(card_json({}, {}, {}, ranks));
-  ASSERT_EQ(card.size(), 3u);
+  RunRecord record;
+  record.ranks = {{"host", {{"cpu", "device", "platform", "driver"}}}};
+  const json card = json::parse(card_json({}, {}, {}, ranks, record));
+  ASSERT_EQ(card.size(), 4u);
   for (const auto& [name, section] : card.items()) expect_all_named(section, documented_section("### " + name));
 }
 
@@ -56,7 +59,8 @@ TEST(ResultFormat, has_every_property_of_a_piece) {
 }
 
 TEST(ResultFormat, has_every_file) {
-  for (const char* name : {"pieces.geojson", "card.json", "card.txt", "job.toml", "collage.svg", "collage.png"}) {
+  for (const char* name : {"pieces.geojson", "card.json", "card.txt", "job.toml", "collage.svg", "collage.png",
+                           "run.log"}) {
     EXPECT_TRUE(names(documented_section("# The result"), name)) << name;
   }
 }

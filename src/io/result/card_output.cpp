@@ -70,6 +70,29 @@ Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
           {"stopped_by", run.stopped_by}};
 }
 
+Json provenance_json(const RunRecord& record) {
+  Json ranks = Json::array();
+  for (const RankSite& site : record.ranks) {
+    Json devices = Json::array();
+    for (const DeviceDescription& d : site.devices) {
+      devices.push_back({{"kind", d.kind}, {"name", d.name}, {"platform", d.platform}, {"driver", d.driver}});
+    }
+    ranks.push_back({{"host", site.host}, {"devices", devices}});
+  }
+  return {{"version", record.version},
+          {"commit", record.commit},
+          {"command_line", record.command_line},
+          {"job_file", record.job_file},
+          {"library_file", record.library_file},
+          {"library_digest", digest_text(record.library_digest)},
+          {"started_utc", record.started_utc},
+          {"ended_utc", record.ended_utc},
+          {"resumed_from", record.resumed_from},
+          {"resumed_pieces", record.resumed_pieces},
+          {"warnings", record.warnings},
+          {"ranks", ranks}};
+}
+
 std::string percent_text(double fraction, int decimals = 2) { return fixed(100 * fraction, decimals) + " %"; }
 
 /// 12345678 -> "12,345,678".
@@ -139,10 +162,12 @@ std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
 }  // namespace
 
 std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
-                      const RankStatistics& ranks) {
+                      const RankStatistics& ranks, const RunRecord& record) {
   Json card{{"quality", quality_json(quality)}, {"run", run_json(run, settings.improve)}};
   if (!ranks.workers.empty()) card["ranks"] = ranks_json(ranks);
-  return card.dump(2) + "\n";
+  card["provenance"] = provenance_json(record);
+  constexpr bool kAsciiOnly = false;
+  return card.dump(2, ' ', kAsciiOnly, Json::error_handler_t::replace) + "\n";  // paths are any bytes
 }
 
 std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings) {

@@ -7,13 +7,14 @@
 #include "core/collage/quality.h"
 #include "core/ranks/rank_statistics.h"
 #include "core/settings.h"
+#include "io/result/run_record.h"
 
 namespace tessera::io {
 
 /// card.json (docs/result-format.md). Units stand in the keys; shares and percentages say so. Stage shares are of the four
 /// stages' sum. Section "ranks" (rank_table.h) is there where there were workers.
 std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
-                      const RankStatistics& ranks = {});
+                      const RankStatistics& ranks = {}, const RunRecord& record = {});
 
 /// The same for people: a table of two columns, lines of less than 80 characters.
 std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings);

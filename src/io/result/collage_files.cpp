@@ -48,7 +48,7 @@ std::string write_collage(const std::string& dir, const CollageReport& report, b
   const Quality quality = measured_quality(report);
   const CollageSettings& settings = report.job->settings;
   const std::string card = card_text(quality, report.statistics, settings);
-  write_file_atomically(in_directory(dir, "card.json"), card_json(quality, report.statistics, settings, report.ranks));
+  write_file_atomically(in_directory(dir, "card.json"), card_json(quality, report.statistics, settings, report.ranks, report.record));
   write_file_atomically(in_directory(dir, "card.txt"), card);
   write_file_atomically(in_directory(dir, "job.toml"), to_toml(*report.job));
   write_file_atomically(in_directory(dir, "collage.svg"), collage_svg(report, quick));

@@ -11,6 +11,7 @@
 #include "core/ranks/rank_statistics.h"
 #include "core/shape/shape.h"
 #include "io/job/job_file.h"
+#include "io/result/run_record.h"
 
 namespace tessera::io {
 
@@ -24,6 +25,7 @@ struct CollageReport {
   std::vector<Shape> shapes;
   RunStatistics statistics;
   RankStatistics ranks;
+  RunRecord record;
 
   /// Where library shape `index` is in `shapes`. Throws std::out_of_range where it is not.
   std::size_t slot_of(std::uint32_t index) const;

@@ -1,0 +1,46 @@
+// What is kept about a run of tessera collage: a record for the card, and an event a line in run.log. Warnings go to stderr
+// as well.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "core/collage/checkpoint_state.h"
+#include "io/result/run_log.h"
+#include "io/result/run_record.h"
+
+namespace tessera::cli {
+
+class CollageJournal {
+ public:
+  /// `record`: what is known of the run when it starts.
+  CollageJournal(const std::string& folder, io::RunRecord record);
+
+  /// Of all ranks, the master's first.
+  void ranks_are(std::vector<RankSite> sites);
+  void resumed(const CheckpointState& from);
+  /// An empty one is none.
+  void warn(const std::string& warning);
+  /// The same for what stands on stderr already.
+  void keep_warning(const std::string& warning);
+  /// The placements are complete as far as they go. Returns the record for the card.
+  const io::RunRecord& ended(const std::string& stopped_by, std::size_t pieces);
+
+  /// Does `work` and returns what it gives; an error that ends it is written down before it is passed on.
+  template <class Work>
+  auto watch(Work work) {
+    try {
+      return work();
+    } catch (const std::exception& error) {
+      log_.error(error.what());
+      throw;
+    }
+  }
+
+ private:
+  io::RunLog log_;
+  io::RunRecord record_;
+};
+
+}  // namespace tessera::cli

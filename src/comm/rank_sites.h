@@ -1,0 +1,17 @@
+// Which rank runs where and on which devices, told to rank 0 once for its records.
+#pragma once
+
+#include <vector>
+
+#include "comm/communicator.h"
+#include "core/ranks/rank_site.h"
+
+namespace tessera::comm {
+
+/// On every rank but 0, once. Waits for nobody.
+void tell_site(Communicator& ranks, const RankSite& site);
+
+/// On rank 0: `own`, then those of ranks 1, 2, ... Waits until all have told theirs; throws what a rank failed of.
+std::vector<RankSite> gather_sites(Communicator& ranks, RankSite own);
+
+}  // namespace tessera::comm

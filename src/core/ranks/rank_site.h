@@ -1,0 +1,26 @@
+// Where a rank of a job runs, for the records of a run. Never decides anything about the picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tessera {
+
+/// An OpenCL device, as its driver describes it.
+struct DeviceDescription {
+  std::string kind;  // "cpu", "gpu" or "accelerator"
+  std::string name;
+  std::string platform;
+  std::string driver;  // its version
+
+  friend bool operator==(const DeviceDescription&, const DeviceDescription&) = default;
+};
+
+struct RankSite {
+  std::string host;
+  std::vector<DeviceDescription> devices;  // that it computes on; a master with workers has none
+
+  friend bool operator==(const RankSite&, const RankSite&) = default;
+};
+
+}  // namespace tessera
