@@ -15,9 +15,17 @@ namespace {
 constexpr int kMinCanvas_px = 16;
 constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;  // the mask is drawn at twice the canvas' resolution
 
+std::vector<std::uint8_t> read_canvas_file(const std::string& path) {
+  try {
+    return read_artwork_file(path);
+  } catch (const InputError& error) {
+    throw InputError(std::string("canvas.file: ") + error.what() + "; allowed: an SVG or an image that can be read");
+  }
+}
+
 /// The largest page with the artwork's aspect that fits into twice the spec's box.
 cv::Mat render_into_box(const CanvasSpec& spec) {
-  const auto bytes = read_artwork_file(spec.file);
+  const auto bytes = read_canvas_file(spec.file);
   const int box_width = 2 * spec.width_px;
   const int box_height = 2 * spec.height_px;
   const int side = std::max(box_width, box_height);

@@ -15,8 +15,10 @@ namespace {
 
 /// HDF5 1.10 parses older formats without checksums, and not safely where they are damaged. Ours has superblock 3.
 void check_superblock(const std::string& path) {
+  std::error_code error;  // asked before it is opened: a pipe would never open, a device may do anything
+  if (!std::filesystem::is_regular_file(path, error)) throw InputError(path + ": no such file, or not a regular one");
   std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path) || !file) throw InputError(path + ": no such file, or not readable");
+  if (!file) throw InputError(path + ": not readable");
   std::array<char, 9> head{};
   file.read(head.data(), head.size());
   constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
