@@ -7,6 +7,7 @@
 #include "io/library/library_check.h"
 #include "io/library/library_open.h"
 #include "io/library/part_digest.h"
+#include "io/library/thumbnail_png.h"
 
 namespace tessera::io {
 namespace {
@@ -123,7 +124,11 @@ OutlineReader::OutlineReader(hid_t file, const layout::Columns& columns)
 std::vector<std::uint64_t> OutlineReader::read(const ShapeRange& range) const {
   const auto curves = read_offsets(first_curve_, range.begin, range.end, this->curves(), 1, layout::kMaxCurvesPerShape);
   const auto points =
-      read_offsets(first_point_, curves.front(), curves.back(), points_.rows(), 3, layout::kMaxPointsPerCurve);
+      read_offsets(first_point_, curves.front(), curves.back(), points_.rows(), 3, layout::kMaxPointsPerShape);
+  for (std::size_t i = 0; i < range.count(); ++i) {
+    if (points[curves[i + 1] - curves[0]] - points[curves[i] - curves[0]] > layout::kMaxPointsPerShape)
+      out_of_range(first_point_);
+  }
   const std::vector<Vec2> xy = read_points(points_, points.front(), points.back());
   const auto start = [&](std::uint64_t curve) {
     return xy.begin() + std::ptrdiff_t(points[curve - curves[0]] - points[0]);
@@ -234,6 +239,13 @@ void ArtworkReader::read(const ShapeRange& range) const {
   }
   read_files(range);
   thumbnail_.read(range, &Artwork::thumbnail_png);
+  for (std::size_t i = 0; i < range.count(); ++i) {
+    const auto& png = range.shapes[i].artwork.thumbnail_png;
+    if (!png.empty() && !is_thumbnail_png(png)) {
+      throw Hdf5Error("damaged: the thumbnail of shape " + std::to_string(range.begin + i) +
+                      " is not a PNG as tessera library build makes it");
+    }
+  }
 }
 
 void ArtworkReader::read_files(const ShapeRange& range) const {

@@ -37,12 +37,12 @@ struct LibraryFile::State {
         part_digest(ColumnReader::if_present(file.get(), format.part_digest)) {
     for (std::size_t k = 0; k < format.levels.size(); ++k) levels.emplace_back(file.get(), format.levels[k], k);
     check_rows();
-    check_stored_bytes();
+    check_declared_bytes();
   }
 
   std::vector<const ColumnReader*> columns() const;
   void check_rows() const;
-  void check_stored_bytes() const;
+  void check_declared_bytes() const;
   std::vector<PartDigests> stored_digests(std::size_t begin, std::size_t end) const;
   std::vector<PartDigests> digests(std::size_t begin, std::size_t end) const;
   std::uint64_t content_digest() const;
@@ -91,11 +91,16 @@ void LibraryFile::State::check_rows() const {
   }
 }
 
-/// Chunks that share bytes of the file would let a small file fill any memory.
-void LibraryFile::State::check_stored_bytes() const {
-  std::uint64_t stored = 0;
-  for (const ColumnReader* column : columns()) stored += column->stored_bytes();
-  if (stored > std::filesystem::file_size(path)) throw Hdf5Error("damaged: it claims more bytes than it has");
+/// Data sets may claim any size without bytes behind them, or with bytes that inflate a thousandfold.
+void LibraryFile::State::check_declared_bytes() const {
+  std::uint64_t declared = 0;
+  for (const ColumnReader* column : columns()) declared += column->declared_bytes();
+  const std::uint64_t file_bytes = std::filesystem::file_size(path);
+  if (declared > layout::kMaxInflation * file_bytes) {
+    throw Hdf5Error("damaged: it claims " + std::to_string(declared) + " bytes of data in a file of " +
+                    std::to_string(file_bytes) + "; allowed are " + std::to_string(layout::kMaxInflation) +
+                    " times its size");
+  }
 }
 
 std::vector<PartDigests> LibraryFile::State::stored_digests(std::size_t begin, std::size_t end) const {
