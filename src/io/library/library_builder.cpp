@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
+#include "io/artwork/sha256.h"
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
 #include "io/library/shape_codec.h"
@@ -89,11 +90,17 @@ class Builder {
       report_.merged.push_back({path, same->second});
       return;
     }
-    if (settings_.embed) shape.artwork.original = read_artwork_file(path);
+    if (settings_.embed) embed(path, shape.artwork);
     shape.name = names_.unique(shape.name, path);
     writer_.append(shape);
     name_of_silhouette_[hash] = shape.name;
     ++report_.shapes;
+  }
+
+  static void embed(const std::string& path, Artwork& artwork) {
+    artwork.original = read_artwork_file(path);
+    if (artwork.sha256 && *artwork.sha256 != sha256_of(artwork.original))
+      throw InputError(path + ": it changed while the library was built");
   }
 
   void skip(const std::string& path, const std::string& message) {
