@@ -13,7 +13,7 @@
 #include "io/library/library_builder.h"
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
-#include "io/library/shape_codec.h"
+#include "io/drawing/shape_codec.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 

@@ -1,11 +1,9 @@
 #include "io/artwork/artwork_render.h"
 
-#include <filesystem>
-#include <fstream>
-
 #include "core/base/error.h"
 #include "io/artwork/alpha.h"
 #include "io/artwork/artwork_page.h"
+#include "io/regular_file.h"
 
 namespace tessera::io {
 
@@ -20,20 +18,7 @@ cv::Mat render_artwork(std::span<const std::uint8_t> bytes, const std::string& p
 }
 
 std::vector<std::uint8_t> read_artwork_file(const std::string& path) {
-  std::error_code error;
-  // A pipe or device would block or never end.
-  if (!std::filesystem::is_regular_file(path, error)) throw InputError(path + ": not a readable file");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) throw InputError(path + ": " + error.message());
-  if (size > kMaxArtworkFileBytes) {
-    throw InputError(path + ": " + std::to_string(size >> 20) + " MiB, more than the " +
-                     std::to_string(kMaxArtworkFileBytes >> 20) + " MiB allowed");
-  }
-  std::vector<std::uint8_t> bytes(size);
-  std::ifstream file(path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
-  if (!file) throw InputError(path + ": cannot be read");
-  return bytes;
+  return read_regular_file(path, kMaxArtworkFileBytes);
 }
 
 }  // namespace tessera::io

@@ -9,7 +9,7 @@
 #include "io/artwork/artwork_render.h"
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
-#include "io/library/shape_codec.h"
+#include "io/drawing/shape_codec.h"
 
 namespace tessera::io {
 namespace {
