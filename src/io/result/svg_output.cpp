@@ -17,8 +17,8 @@
 #include "io/result/artwork_clip.h"
 #include "io/result/artwork_original.h"
 #include "io/result/sprite.h"
-#include "io/result/svg_import.h"
-#include "io/result/xml_writer.h"
+#include "io/artwork/svg_import.h"
+#include "io/xml_writer.h"
 
 namespace tessera::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/library/shape_codec.h"
+#include "io/drawing/shape_codec.h"
 
 #include <cstring>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "io/result/svg_style.h"
+#include "io/artwork/svg_style.h"
 
 #include <algorithm>
 #include <array>

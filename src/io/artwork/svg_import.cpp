@@ -1,4 +1,4 @@
-#include "io/result/svg_import.h"
+#include "io/artwork/svg_import.h"
 
 #include <libxml/parser.h>
 
@@ -15,8 +15,8 @@
 #include "io/artwork/gunzip.h"
 #include "io/artwork/svg_page.h"
 #include "io/number_text.h"
-#include "io/result/svg_style.h"
-#include "io/result/xml_writer.h"
+#include "io/artwork/svg_style.h"
+#include "io/xml_writer.h"
 
 namespace tessera::io {
 namespace {

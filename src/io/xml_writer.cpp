@@ -1,4 +1,4 @@
-#include "io/result/xml_writer.h"
+#include "io/xml_writer.h"
 
 #include <new>
 
