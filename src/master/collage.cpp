@@ -120,7 +120,7 @@ float Collage::preference(const Candidate& candidate) const {
 
 float Collage::score_of(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
-  const PieceSize size{scale, candidate.perimeter * scale, context_.max_scale_px};
+  const PieceSize size{scale, candidate.perimeter * scale, context_.poses.max_scale_px};
   return objective(candidate.terms, size, settings_.objective);
 }
 
@@ -173,13 +173,12 @@ bool Collage::settle(Candidate& candidate) {
   Similarity& pose = candidate.canvas_from_shape;
   for (int step = 0; depth_px(pose, model, field) > context_.hard_depth_px; ++step) {
     if (step == kSettleSteps) return false;
-    descend(pose, model, field, {2, 0.3f, 0.3f, 30.f, kMediumStride}, context_.min_scale_px, context_.max_scale_px);
+    descend(pose, model, field, {2, 0.3f, 0.3f, 30.f, kMediumStride}, context_.poses);
     if (depth_px(pose, model, field) <= context_.hard_depth_px) break;
     pose.a *= kSettleShrink;
     pose.b *= kSettleShrink;
-    if (pose.scale() < context_.min_scale_px) return false;
+    if (pose.scale() < context_.poses.min_scale_px) return false;
   }
-  if (!context_.rotation_allowed(pose)) return false;
   grow(pose, model, field, context_);
   candidate.terms = docking_terms(pose, model, field, context_);
   return true;
