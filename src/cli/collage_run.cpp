@@ -12,7 +12,6 @@
 #include "cli/collage_progress.h"
 #include "cli/collage_warnings.h"
 #include "cli/library_part.h"
-#include "cli/stop_signal.h"
 #include "cli/time_limit.h"
 #include "comm/loop_clock.h"
 #include "comm/matcher_server.h"
