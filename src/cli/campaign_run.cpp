@@ -2,13 +2,11 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 
 #include "cli/collage_run.h"
 #include "cli/ranking_run.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
-#include "io/checkpoint/checkpoint_folder.h"
 #include "io/job/job_file.h"
 #include "io/job/variations.h"
 #include "io/number_text.h"
@@ -30,23 +28,13 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
-/// Throws InputError where the folder holds the finished result of another job, which would be lost.
-bool is_finished(const std::string& folder, const io::Job& job) {
-  const std::optional<io::Job> then = io::job_of_finished_result(folder);
-  if (!then) return false;
-  const std::string differences = io::result_differences(*then, job);
-  if (differences.empty()) return true;
-  throw InputError(folder + ": holds the finished result of another job" + differences +
-                   "; give what it was then, another --out, or remove that folder");
-}
-
 /// All jobs are read before the first is begun, so that a mistake in the last shows at once.
 std::vector<Task> tasks_of(const CampaignArguments& arguments) {
   std::vector<Task> tasks;
   for (io::Variation& variation : io::make_variations(arguments.seeds, arguments.sets)) {
     const io::Job job = io::load_job(arguments.job, variation.overrides);
     const std::string folder = (std::filesystem::path(campaign_folder(arguments)) / variation.name).string();
-    tasks.push_back({std::move(variation), folder, is_finished(folder, job)});
+    tasks.push_back({std::move(variation), folder, io::is_finished_result_of(folder, job)});
   }
   return tasks;
 }
@@ -75,7 +63,7 @@ CollageArguments collage_of(const CampaignArguments& arguments, const Task& task
   collage.out = task.folder;
   collage.overrides = task.variation.overrides;
   collage.quiet = true;
-  if (io::CheckpointFolder(task.folder).has_latest()) collage.resume = "latest";
+  collage.resume = "auto";
   return collage;
 }
 

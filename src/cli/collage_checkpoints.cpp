@@ -54,6 +54,12 @@ void require(const Found& wanted, const Found& other) {
 
 }  // namespace
 
+Start automatic_start(const std::string& result_folder) {
+  const io::CheckpointFolder folder(result_folder);
+  if (folder.has_latest()) return Start::resume;
+  return folder.has_previous() ? Start::resume_previous : Start::fresh;
+}
+
 io::CheckpointFolder checked_start(const std::string& result_folder, Start start) {
   io::CheckpointFolder folder(result_folder);
   const Found latest{folder.latest(), "--resume", folder.has_latest()};

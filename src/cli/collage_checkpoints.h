@@ -18,6 +18,9 @@ enum class Start {
   restart,          // as if there were no checkpoint
 };
 
+/// What --resume=auto means for this folder: `resume`, or `resume_previous` where only that checkpoint is left, or `fresh`.
+Start automatic_start(const std::string& result_folder);
+
 /// The checkpoints in the result's folder. Before anything costs time: throws InputError where `start` does not go with
 /// what is there.
 io::CheckpointFolder checked_start(const std::string& result_folder, Start start);

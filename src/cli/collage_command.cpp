@@ -14,6 +14,7 @@ constexpr const char* kExamples =
     "  mpirun -n 3 tessera collage jobs/animals.toml    rank 0 is the master, the others are workers\n"
     "  tessera collage jobs/animals.toml --time-limit 1:30:00     stops in time; exit code 75: there is more to do\n"
     "  tessera collage jobs/animals.toml --resume                 goes on where it stopped, or was killed\n"
+    "  tessera collage jobs/animals.toml --resume=auto            the same, and starts where there is no checkpoint\n"
     "The result (collage.png and .svg, pieces.geojson, quality card, effective job) is the same on any number of ranks,\n"
     "and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and what is placed so far\n"
     "are written. A finished result in DIR is replaced; where it is of another job, a line on stderr says so.\n"
@@ -22,6 +23,7 @@ constexpr const char* kExamples =
 std::string how_to_go_on(const CollageArguments& arguments) {
   const std::string text = "unfinished: go on with the same command and --resume";
   if (arguments.restart) return text + " instead of --restart";
+  if (arguments.resume == "auto") return "unfinished: the same command goes on with it";
   return arguments.resume == "previous" ? text + " instead of --resume=previous" : text;
 }
 
@@ -47,13 +49,17 @@ void add_collage_command(CLI::App& app, Command& selected) {
   collage->add_flag("--quiet", arguments->quiet, "Print neither progress nor the quality card, only warnings");
   CLI::Option* resume =
       collage->add_flag("--resume{latest}", arguments->resume,
-                        "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5")
-          ->check(CLI::IsMember({"latest", "previous"}));
+                        "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5; --resume=auto: "
+                        "from the checkpoint that is there, from the start without one; a finished result of the same "
+                        "job is left as it is, one of another job refused")
+          ->check(CLI::IsMember({"latest", "previous", "auto"}));
   collage->add_flag("--restart", arguments->restart, "Remove the checkpoints in DIR and start again")->excludes(resume);
   collage
       ->add_option("--time-limit", arguments->time_limit,
-                   "Stop so early that all is written by then; default: the end of the Slurm job")
-      ->type_name("SECONDS|HH:MM:SS");
+                   "Stop so early that all is written by then: seconds (90, where sbatch means minutes), 90m, 2h, or "
+                   "as in sbatch MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS, UNLIMITED; default: the end of the Slurm "
+                   "job")
+      ->type_name("LIMIT");
   collage->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };
   });

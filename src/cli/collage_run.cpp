@@ -23,6 +23,7 @@
 #include "io/job/job_library.h"
 #include "io/library/shape_models.h"
 #include "io/result/collage_files.h"
+#include "io/result/finished_result.h"
 #include "io/result/rank_table.h"
 #include "master/collage_loop.h"
 #include "master/library_shapes.h"
@@ -104,7 +105,13 @@ RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& res
 Start start_of(const CollageArguments& arguments) {
   if (arguments.restart) return Start::restart;
   if (arguments.resume.empty()) return Start::fresh;
+  if (arguments.resume == "auto") return automatic_start(output_folder(arguments));
   return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
+}
+
+/// Throws InputError where the folder holds another job's finished result, which --resume=auto keeps.
+bool nothing_left_to_do(const CollageArguments& arguments, Start start, const std::string& folder, const io::Job& job) {
+  return arguments.resume == "auto" && start == Start::fresh && io::is_finished_result_of(folder, job);
 }
 
 void say(const CollageArguments& arguments, const std::string& line) {
@@ -161,6 +168,10 @@ int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
       time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr))));
   const Start start = start_of(arguments);
   const Input input(arguments, start);
+  if (nothing_left_to_do(arguments, start, input.folder, input.job)) {
+    say(arguments, input.folder + ": finished before, nothing is left to do");
+    return 0;
+  }
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   print_warning(replaced_result_warning(input.folder, input.job));
   ranks.broadcast(to_bytes(io::to_toml(input.job)));

@@ -14,7 +14,8 @@ struct CollageArguments {
   std::string out;                     // the folder; empty = out/<name of the job file>
   std::vector<std::string> overrides;  // "section.key=value"
   bool quiet = false;                  // neither progress nor card; warnings all the same
-  std::string resume;                  // "latest" or "previous": from that checkpoint; empty = from the start
+  std::string resume;                  // "latest" or "previous": from that checkpoint; "auto": from the one that is
+                                       // there, if any; empty = from the start
   bool restart = false;                // even where there is a checkpoint
   std::string time_limit;              // time_limit.h; empty = none but Slurm's
 };

@@ -13,6 +13,7 @@
 #include "comm/mpi_guard.h"
 #include "comm/rank_program.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 
 namespace tessera::cli {
 namespace {
@@ -38,7 +39,7 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
 
 int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   CLI::App app("Collages of shapes, on one machine or a cluster.", "tessera");
-  app.set_version_flag("--version", "tessera " TESSERA_VERSION);
+  app.set_version_flag("--version", std::string("tessera ") + program_version() + ", commit " + program_commit());
   app.require_subcommand(1);
   app.footer(
       "First steps:\n"

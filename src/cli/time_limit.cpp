@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
-#include <vector>
 
 #include "core/base/error.h"
+#include "io/number_text.h"
 
 namespace tessera::cli {
 namespace {
@@ -23,33 +23,74 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
+/// Digits alone.
+std::optional<double> whole(std::string_view text) {
+  return text.find_first_not_of("0123456789") == std::string_view::npos ? number(text) : std::nullopt;
+}
+
 /// Two digits below 60.
 std::optional<double> sixtieth(std::string_view text) {
-  const std::optional<double> value = number(text);
+  const std::optional<double> value = whole(text);
   return text.size() == 2 && value && *value < 60 ? value : std::nullopt;
 }
 
-std::optional<double> hours_minutes_seconds(std::string_view text) {
-  const std::size_t second = text.rfind(':');
-  const std::size_t first = text.find(':');
-  if (first == second) return {};
-  const auto hours = number(text.substr(0, first));
-  const auto minutes = sixtieth(text.substr(first + 1, second - first - 1));
-  const auto seconds = sixtieth(text.substr(second + 1));
-  if (!hours || !minutes || !seconds) return {};
-  return 3600 * *hours + 60 * *minutes + *seconds;
+/// "90", "90.5", "90s", "90m", "1.5h"
+std::optional<double> with_unit(std::string_view text) {
+  double unit_s = 1;
+  if (text.ends_with('m')) unit_s = 60;
+  if (text.ends_with('h')) unit_s = 3600;
+  if (unit_s > 1 || text.ends_with('s')) text.remove_suffix(1);
+  const std::optional<double> count = number(text);
+  return count ? std::optional(*count * unit_s) : std::nullopt;
+}
+
+/// "A", "A:BB", "A:BB:CC": the first in units of `unit_s`, each of the others in sixtieths of the one before.
+std::optional<double> with_colons(std::string_view text, double unit_s) {
+  const std::size_t colon = text.find(':');
+  const std::optional<double> first = whole(text.substr(0, colon));
+  if (!first) return {};
+  double sum_s = *first * unit_s;
+  for (std::size_t at = colon; at != std::string_view::npos; at = text.find(':', at + 1)) {
+    unit_s /= 60;
+    const std::optional<double> value = sixtieth(text.substr(at + 1, text.find(':', at + 1) - at - 1));
+    if (!value || unit_s < 1) return {};
+    sum_s += *value * unit_s;
+  }
+  return sum_s;
+}
+
+/// The forms of sbatch's --time, but that a plain number is seconds. Infinite: no limit.
+std::optional<double> any_form(std::string_view text) {
+  if (text == "UNLIMITED") return std::numeric_limits<double>::infinity();
+  if (const std::size_t dash = text.find('-'); dash != std::string_view::npos) {
+    const std::optional<double> days = whole(text.substr(0, dash));
+    const std::optional<double> rest_s = with_colons(text.substr(dash + 1), 3600);
+    return days && rest_s ? std::optional(*days * 86400 + *rest_s) : std::nullopt;
+  }
+  const auto colons = std::count(text.begin(), text.end(), ':');
+  if (colons == 0) return with_unit(text);
+  return with_colons(text, colons == 1 ? 60 : 3600);
+}
+
+InputError refused(const std::string& text, const std::string& allowed) {
+  return InputError("--time-limit: found " + text + ", allowed: " + allowed);
 }
 
 }  // namespace
 
 double parse_time_limit(const std::string& text) {
-  const auto limit_s = text.find(':') == std::string::npos ? number(text) : hours_minutes_seconds(text);
+  const std::optional<double> limit_s = any_form(text);
   if (limit_s && *limit_s > 0) return *limit_s;
-  throw InputError("--time-limit: found " + text + ", allowed: seconds or HH:MM:SS, more than 0");
+  throw refused(text, "seconds, 90s, 90m, 2h, MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS or UNLIMITED, more than 0");
 }
 
 double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s) {
-  if (!argument.empty()) return parse_time_limit(argument);
+  if (!argument.empty()) {
+    const double limit_s = parse_time_limit(argument);
+    const double kept_s = reserve_s(limit_s);
+    if (limit_s > kept_s) return limit_s;
+    throw refused(argument, "more than the " + io::fixed(kept_s, 1) + " s that are kept for checkpoint and files");
+  }
   double end_s = 0;
   if (slurm_end_time) {
     const std::string_view text(slurm_end_time);

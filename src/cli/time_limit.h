@@ -8,10 +8,11 @@
 
 namespace tessera::cli {
 
-/// "90", "90.5" or "1:30:00" in seconds, more than 0. Throws InputError.
+/// In seconds, more than 0: "90" and "90.5" are seconds, "90m" and "2h" say so; "MM:SS", "HH:MM:SS", "D-HH", "D-HH:MM"
+/// and "D-HH:MM:SS" are as in sbatch's --time; "UNLIMITED" is infinite. Throws InputError.
 double parse_time_limit(const std::string& text);
 
-/// `argument` as parse_time_limit takes it; where it is empty, from `now_s` to `slurm_end_time`, both in seconds since
+/// `argument` as parse_time_limit takes it, which must leave something beside the reserve (InputError); where it is empty, from `now_s` to `slurm_end_time`, both in seconds since
 /// 1970; infinite where that is null, no number or over.
 double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s);
 

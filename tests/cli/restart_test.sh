@@ -83,7 +83,8 @@ SLURM_JOB_END_TIME=$(($(date +%s) + 4)) start 1 limit --set improve.trials=0 --s
 expect_end 75 "Slurm's time limit"
 grep -q 'going on from limit/checkpoint.h5' output || fail "does not say where it goes on from"
 grep -q 'stopped by *time_limit' limit/card.txt || fail "Slurm's time limit: another end"
-expect_error 'time-limit: found soon, allowed: seconds or HH:MM:SS' limit --resume --time-limit soon
+expect_error 'time-limit: found 0.001, allowed: more than' limit --resume --time-limit 0.001
+expect_error 'time-limit: found soon, allowed: seconds, ' limit --resume --time-limit soon
 echo "ok time limits"
 
 unfinished start
@@ -102,6 +103,31 @@ start 1 start --restart
 expect_end 0 "--restart"
 expect_result start
 echo "ok ways to start"
+
+# --resume=auto: what a batch script says each time.
+unfinished auto
+start 1 auto --resume=auto
+expect_end 0 "--resume=auto with a checkpoint"
+grep -q 'going on from auto/checkpoint.h5' output || fail "--resume=auto: not from the checkpoint"
+expect_result auto
+touch -d '1 hour ago' auto/*
+start 1 auto --resume=auto --set devices.use=cpu
+expect_end 0 "--resume=auto with a finished result"
+grep -q 'auto: finished before' output || fail "--resume=auto: no word of the finished result"
+[[ ! auto/pieces.geojson -nt kept/pieces.geojson ]] || fail "--resume=auto: made again"
+expect_error 'auto: holds the finished result of another job; seed: then 1, now 4; give what it was then' auto \
+  --resume=auto --set seed=4
+rm -r auto
+start 3 auto --resume=auto
+expect_end 0 "--resume=auto without anything"
+expect_result auto
+unfinished auto
+rm auto/checkpoint.h5
+start 1 auto --resume=auto
+expect_end 0 "--resume=auto with the previous checkpoint"
+grep -q 'going on from auto/checkpoint.previous.h5' output || fail "--resume=auto: not from the previous checkpoint"
+expect_result auto
+echo "ok --resume=auto"
 
 unfinished other
 expect_error 'written for another job; seed: then 1, now 4; pieces.uses: then 0, now 2; give what it was then' other \

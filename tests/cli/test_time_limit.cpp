@@ -18,15 +18,40 @@ TEST(TimeLimit, is_given_in_seconds_or_hours) {
   EXPECT_EQ(parse_time_limit("120:00:00"), 432000);
 }
 
+TEST(TimeLimit, is_given_as_to_sbatch_but_that_a_plain_number_is_seconds) {
+  EXPECT_EQ(parse_time_limit("90s"), 90);
+  EXPECT_EQ(parse_time_limit("90m"), 5400);
+  EXPECT_EQ(parse_time_limit("1.5h"), 5400);
+  EXPECT_EQ(parse_time_limit("1:30"), 90);
+  EXPECT_EQ(parse_time_limit("90:00"), 5400);
+  EXPECT_EQ(parse_time_limit("1-12"), 129600);
+  EXPECT_EQ(parse_time_limit("0-00:30"), 1800);
+  EXPECT_EQ(parse_time_limit("1-12:30"), 131400);
+  EXPECT_EQ(parse_time_limit("1-00:00:01"), 86401);
+  EXPECT_TRUE(std::isinf(parse_time_limit("UNLIMITED")));
+}
+
+TEST(TimeLimit, unlimited_goes_before_the_slurm_jobs) {
+  EXPECT_TRUE(std::isinf(time_limit_s("UNLIMITED", "1700000100", 1700000000)));
+}
+
+TEST(TimeLimit, must_be_longer_than_what_is_kept_of_it) {
+  EXPECT_THROW(time_limit_s("0.001", nullptr, 0), InputError);
+  EXPECT_EQ(time_limit_s("10", nullptr, 0), 10);
+}
+
 TEST(TimeLimit, mistakes_are_told_with_what_is_allowed) {
   for (const char* text :
-       {"0", "-5", "", "soon", "1:30", "1:2:3", "1:60:00", "0:00:00", "::", "1:00:00:00", "1e9", "inf", "nan", "5 "}) {
+       {"0", "-5", "", "soon", "1:3", "1:60", "1:2:3", "1:60:00", "0:00:00", "::", "1:00:00:00", "1e9", "inf", "nan", "5 ",
+        "s", "5d", "-", "1-", "-1", "1-1:2", "1-1-1", "1.5:00", "1-00:00:00:00", "1-12m", "0-00", "unlimited?"}) {
     try {
       parse_time_limit(text);
       ADD_FAILURE() << text;
     } catch (const InputError& error) {
       EXPECT_EQ(error.what(),
-                std::string("--time-limit: found ") + text + ", allowed: seconds or HH:MM:SS, more than 0");
+                std::string("--time-limit: found ") + text +
+                    ", allowed: seconds, 90s, 90m, 2h, MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS or UNLIMITED, more "
+                    "than 0");
     }
   }
 }

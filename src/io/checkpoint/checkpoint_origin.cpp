@@ -19,8 +19,8 @@ std::uint64_t digest_of(const Canvas& canvas) {
 bool counts(const JobKey& key) { return key.decides && key.kind != JobKind::file; }
 
 std::string differing_file(const char* key, const std::string& then, const std::string& now) {
-  const std::string same_name = then == now ? ", which has changed since" : "";
-  return std::string("; ") + key + ": another content: then \"" + then + "\", now \"" + now + "\"" + same_name;
+  const std::string names = then == now ? "\"" + now + "\" has changed since" : "then \"" + then + "\", now \"" + now + "\"";
+  return std::string("; ") + key + ": another content: " + names;
 }
 
 }  // namespace

@@ -32,6 +32,15 @@ std::optional<Job> job_of_finished_result(const std::string& dir) {
   }
 }
 
+bool is_finished_result_of(const std::string& dir, const Job& job) {
+  const std::optional<Job> then = job_of_finished_result(dir);
+  if (!then) return false;
+  const std::string differences = result_differences(*then, job);
+  if (differences.empty()) return true;
+  throw InputError(dir + ": holds the finished result of another job" + differences +
+                   "; give what it was then, another --out, or remove that folder");
+}
+
 std::string result_differences(const Job& then, const Job& now) {
   return job_differences(then, now, [](const JobKey& key) { return key.in_result; });
 }
