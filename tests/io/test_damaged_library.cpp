@@ -251,6 +251,12 @@ TEST_F(DamagedLibrary, NotANumber) {
   expect_complaint("data set /levels/3/lengths: a value is out of range");
 }
 
+// With valid checksums: only the stored digest tells.
+TEST_F(DamagedLibrary, PartsThatAreNotThoseThatWereWritten) {
+  put("/field/distance", {1, 100, 4}, H5T_NATIVE_INT16, std::int16_t(1));
+  expect_complaint("damaged: shape 1 is not the one that was written");
+}
+
 TEST_F(DamagedLibrary, AbsurdNumbers) {
   put("/artwork/size", {0, 1}, H5T_NATIVE_INT, -5);
   expect_complaint("data set /artwork/size: a value is out of range");

@@ -33,6 +33,7 @@ Hdf5Handle file_type(const Column& column) {
     case layout::Element::int32: return {H5Tcopy(H5T_STD_I32LE), "type"};
     case layout::Element::uint8: return {H5Tcopy(H5T_STD_U8LE), "type"};
     case layout::Element::int64: return {H5Tcopy(H5T_STD_I64LE), "type"};
+    case layout::Element::uint64: return {H5Tcopy(H5T_STD_U64LE), "type"};
     case layout::Element::text: return text_type(column.text_bytes);
   }
   throw Hdf5Error(name_of(column) + ": unknown element type");
@@ -183,6 +184,11 @@ ColumnReader::ColumnReader(hid_t file, const Column& column)
       data_set_(open_data_set(file, column)),
       rows_(check_type_and_dims(data_set_.get(), column)),
       chunk_rows_(check_storage(data_set_.get(), column, rows_)) {}
+
+std::optional<ColumnReader> ColumnReader::if_present(hid_t file, const Column& column) {
+  if (H5Lexists(file, column.path.c_str(), H5P_DEFAULT) <= 0) return {};
+  return ColumnReader(file, column);
+}
 
 std::uint64_t ColumnReader::stored_bytes() const { return H5Dget_storage_size(data_set_.get()); }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "io/library/hdf5_handles.h"
@@ -31,6 +32,8 @@ class ColumnWriter {
 class ColumnReader {
  public:
   ColumnReader(hid_t file, const layout::Column& column);
+  /// Nothing where the file has no data set of this name, as files of older versions.
+  static std::optional<ColumnReader> if_present(hid_t file, const layout::Column& column);
 
   const layout::Column& column() const { return column_; }
   std::size_t rows() const { return rows_; }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/shape/shape.h"
@@ -27,6 +28,9 @@ inline constexpr char kSamplesAttribute[] = "samples";
 inline constexpr std::size_t kNameBytes = 256;   // NUL included
 inline constexpr std::size_t kPathBytes = 4096;  // Linux' PATH_MAX
 inline constexpr int kFieldNodes = 128;          // each way
+inline constexpr std::size_t kSha256Bytes = std::tuple_size_v<Sha256>;
+/// Digests of a shape: outline, field, then its smoothing levels.
+inline constexpr std::size_t kPartDigests = 2 + kSmoothingLevels.size();
 
 /// Sane maxima, checked when written and when read: a reader allocates no more than these ask for.
 inline constexpr std::size_t kMaxShapes = 4'000'000;
@@ -39,7 +43,7 @@ inline constexpr float kLeastLength = 1e-6f;
 inline constexpr float kMaxLab = 200;
 inline constexpr int kMaxArtworkSize_px = 1 << 20;
 
-enum class Element { float32, int16, int32, int64, uint8, text };
+enum class Element { float32, int16, int32, int64, uint64, uint8, text };
 
 struct Column {
   std::string path;
@@ -66,6 +70,7 @@ struct Columns {
   Column artwork_path, artwork_size, artwork_centroid, artwork_unit;
   Column first_thumbnail_byte, thumbnail_bytes, first_original_byte, original_bytes;
   std::vector<LevelColumns> levels;  // one for each of kSmoothingLevels
+  Column part_digest, artwork_beside, artwork_sha256;  // libraries of older versions lack them
 };
 
 /// The group of smoothing level k.

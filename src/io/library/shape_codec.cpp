@@ -111,6 +111,7 @@ void pass(Codec& codec, AShape& shape) {
   }
   codec(shape.mean_lab);
   codec(shape.artwork.path);
+  codec(shape.artwork.sha256);
   codec(shape.artwork.width_px);
   codec(shape.artwork.height_px);
   codec(shape.artwork.centroid_px);
