@@ -10,7 +10,7 @@
 
 #include "cli/build_summary.h"
 #include "cli/progress_bar.h"
-#include "cli/stop_signal.h"
+#include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/drawing/drawers.h"
 #include "io/library/left_out_list.h"
@@ -35,11 +35,11 @@ struct BuildArguments {
 };
 
 io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, const io::ArtworkFiles& files) {
-  install_stop_handlers();  // the half library is removed
+  comm::install_stop_handlers();  // the half library is removed
   ProgressBar bar("library", files.paths.size());
   const io::BuildMonitor monitor{
       [&](std::size_t done, std::size_t shapes) { bar.update(done, std::to_string(shapes) + " shapes"); },
-      stop_signalled};
+      comm::stop_signalled};
   io::Drawers drawers({.processes = arguments.settings.files_at_a_time});
   return io::build_library(files, arguments.output, arguments.settings,
                            io::artwork_loader(drawers, arguments.settings.pad), monitor);

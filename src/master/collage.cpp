@@ -72,6 +72,14 @@ std::vector<TargetSample> Collage::take_stale_samples() {
   return samples;
 }
 
+void Collage::put_back_stale_samples(const std::vector<TargetSample>& samples) {
+  for (const TargetSample& sample : samples) {
+    stale_.insert(sample.edge);
+    const auto passes = passes_.find(sample.edge);
+    if (--passes->second == 0) passes_.erase(passes);
+  }
+}
+
 void Collage::mark_stale(const Window& window) {
   for (const std::uint32_t edge : curve_.sample_edges()) {
     const Vec2 node = curve_.sample(edge).position - free_.field().origin;
@@ -288,6 +296,14 @@ std::vector<Docking> Collage::touched_by(const Window& changed) const {
     }
   }
   return touched;
+}
+
+std::vector<DockingTerms> Collage::measure(const std::vector<Docking>& dockings) {
+  std::vector<DockingTerms> terms;
+  for (const Docking& docking : dockings) {
+    terms.push_back(docking_terms(docking.canvas_from_shape, shapes_.model(docking.shape), free_.view(), context_));
+  }
+  return terms;
 }
 
 void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& terms) {

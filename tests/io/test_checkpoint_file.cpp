@@ -49,8 +49,8 @@ bool same(const RunStatistics& a, const RunStatistics& b) {
 }
 
 bool same(const CheckpointState& a, const CheckpointState& b) {
-  return a.improving == b.improving && a.placements == b.placements && a.stale == b.stale && a.passes == b.passes &&
-         a.matched == b.matched && a.rebuilt_digest == b.rebuilt_digest && same(a.statistics, b.statistics) &&
+  return a.improving == b.improving && a.empty_passes == b.empty_passes && a.placements == b.placements &&
+         a.stale == b.stale && a.passes == b.passes && a.matched == b.matched && a.rebuilt_digest == b.rebuilt_digest && same(a.statistics, b.statistics) &&
          std::equal(a.pool.begin(), a.pool.end(), b.pool.begin(), b.pool.end(),
                     [](const PooledSample& p, const PooledSample& q) { return same(p, q); });
 }
