@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <thread>
@@ -12,16 +13,21 @@
 #include "cli/collage_progress.h"
 #include "cli/collage_warnings.h"
 #include "cli/library_part.h"
+#include "cli/rank_agreement.h"
 #include "cli/time_limit.h"
+#include "comm/heartbeat.h"
 #include "comm/loop_clock.h"
 #include "comm/matcher_server.h"
 #include "comm/node_turn.h"
+#include "comm/stop_signals.h"
 #include "comm/worker_team.h"
+#include "core/base/interrupted.h"
 #include "core/matching/matching_context.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
 #include "io/library/shape_models.h"
+#include "io/output_lock.h"
 #include "io/result/collage_files.h"
 #include "io/result/finished_result.h"
 #include "io/result/rank_table.h"
@@ -31,14 +37,6 @@
 
 namespace tessera::cli {
 namespace {
-
-std::string output_folder(const CollageArguments& arguments) {
-  if (!arguments.out.empty()) return arguments.out;
-  return "out/" + std::filesystem::path(arguments.job).stem().string();
-}
-
-comm::Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
-std::string to_text(const comm::Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
 MatchingContext context_of(const io::Job& job, const io::LibraryFile& library) {
   return make_matching_context(job.settings, std::uint32_t(library.size()));
@@ -53,21 +51,29 @@ worker::DeviceShare share_node(const comm::Communicator& ranks, const io::Job& j
 }
 
 [[noreturn]] void work(comm::Communicator& ranks) {
-  const io::Job job = io::job_from_toml(to_text(ranks.broadcast({})), "the master's job");
+  const io::Job job = receive_job(ranks, program_identity());
+  const comm::Heart heart(ranks, job.comm.silence_s);
   const io::LibraryFile library = io::open_library_of(job);
+  check_library(ranks, library);
   const ShapeRange part = library_part(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
   const worker::DeviceShare share = share_node(ranks, job);
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
-  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share));
+  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share,
+                                           [&ranks] { ranks.look(); }));
 }
 
+/// The reason to stop within a round, or null.
+using StopReason = std::function<const char*()>;
+
 /// The whole library on this rank's devices.
-std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library) {
+std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library, const StopReason& stop_reason) {
   const MatchingContext context = context_of(job, library);
   const ShapeRange all = library_part(library.size(), 0, 1);
   return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context),
-                                     {.per_worker = job.devices_per_worker});
+                                     {.per_worker = job.devices_per_worker}, [stop_reason] {
+                                       if (const char* reason = stop_reason()) throw Interrupted{reason};
+                                     });
 }
 
 /// Of the shapes that were placed, all that the files need.
@@ -86,7 +92,7 @@ void add_placed_shapes(const io::LibraryFile& library, bool with_originals, io::
 std::string write(const std::string& folder, const io::Job& job, const Canvas& canvas, const io::LibraryFile& library,
                   const master::CollageResult& result, const RankStatistics& ranks) {
   // mpirun kills all ranks two seconds after Ctrl-C, and a time limit has little room for a picture.
-  const bool quick = result.unfinished || stop_signalled();
+  const bool quick = result.unfinished || comm::stop_signalled();
   io::CollageReport report;
   report.job = &job;
   report.canvas = &canvas;
@@ -97,9 +103,14 @@ std::string write(const std::string& folder, const io::Job& job, const Canvas& c
   return io::write_collage(folder, report, quick);
 }
 
-/// Nothing where mpirun is ending the job: it may have ended workers already, who would never answer.
+/// Nothing where mpirun is ending the job, or a question was given up: workers may be gone, or busy with it.
 RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
-  return stop_signalled() ? RankStatistics{} : clock.stop(result.own_work);
+  if (comm::stop_signalled() || result.gave_up_question) return {};
+  try {
+    return clock.stop(result.own_work);
+  } catch (const Interrupted&) {
+    return {};
+  }
 }
 
 Start start_of(const CollageArguments& arguments) {
@@ -128,16 +139,22 @@ int conclude(bool unfinished, const CollageCheckpoints& checkpoints) {
   return 0;
 }
 
+/// The folder is there then. Returns the place of its lock.
+std::string locked_folder(const std::string& folder) {
+  io::prepare_output_directory(folder);
+  return io::folder_lock_path(folder);
+}
+
 /// What rank 0 reads before anything costs time; every mistake is told here.
 struct Input {
   Input(const CollageArguments& arguments, Start start)
       : job(io::load_job(arguments.job, arguments.overrides)),
         folder(output_folder(arguments)),
+        lock(locked_folder(folder), folder),
         checkpoints(checked_start(folder, start)),
         library(io::open_library_of(job)),
         canvas(io::load_canvas(job.canvas)) {
     io::check_picture_height(job.output, canvas);
-    io::prepare_output_directory(folder);
     origin = io::make_origin(job, library, canvas);
     from = starting_state(checkpoints, start, origin);
   }
@@ -146,6 +163,7 @@ struct Input {
 
   io::Job job;
   std::string folder;
+  io::OutputLock lock;  // before anything in the folder is looked at
   io::CheckpointFolder checkpoints;
   io::LibraryFile library;
   Canvas canvas;
@@ -157,10 +175,23 @@ master::CollageResult run_loop(const CollageArguments& arguments, const Input& i
                                Matcher& matcher, CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
-  install_stop_handlers();
   master::LibraryShapes shapes(input.library);
   CollageProgress progress(input.job.settings.stop, arguments.quiet, limit);
   return master::make_collage(input.canvas, input.job.settings, matcher, shapes, progress, {from, &checkpoints});
+}
+
+/// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
+StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const TimeLimit& limit) {
+  comm::install_stop_handlers();
+  const StopReason stop_reason = [&limit]() -> const char* {
+    if (comm::stop_signalled()) return "signal";
+    return limit.over() ? "time_limit" : nullptr;
+  };
+  ranks.interrupt_waits_when(stop_reason);
+  ranks.watch_workers(job.comm.silence_s, [](const std::string& line) {
+    print_warning(line + " (comm.silence_s): the run ends here");
+  });
+  return stop_reason;
 }
 
 int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
@@ -174,9 +205,10 @@ int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
   }
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   print_warning(replaced_result_warning(input.folder, input.job));
-  ranks.broadcast(to_bytes(io::to_toml(input.job)));
+  const StopReason stop_reason = watch_waits(ranks, input.job, limit);
+  announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
   const std::unique_ptr<Matcher> matcher =
-      ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library);
+      ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library, stop_reason);
 
   if (start == Start::restart) input.checkpoints.remove();
   CollageCheckpoints checkpoints(input.checkpoints, input.origin);
@@ -192,9 +224,18 @@ int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
 
 }  // namespace
 
+std::string output_folder(const CollageArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return "out/" + std::filesystem::path(arguments.job).stem().string();
+}
+
 int run_collage(const CollageArguments& arguments, comm::Communicator& ranks) {
-  if (ranks.rank() == 0) return lead(arguments, ranks);
-  work(ranks);
+  if (ranks.rank() != 0) work(ranks);
+  try {
+    return lead(arguments, ranks);
+  } catch (const Interrupted&) {  // before the first round: what was there is there still
+    return kUnfinishedExitCode;
+  }
 }
 
 }  // namespace tessera::cli

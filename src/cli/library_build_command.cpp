@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
+#include "io/output_lock.h"
 
 namespace tessera::cli {
 namespace {
@@ -62,6 +63,7 @@ int run(const BuildArguments& arguments) {
                      (arguments.glob.empty() ? ": looked for svg, svgz, png, webp, tif, tiff, bmp, jpg and jpeg files"
                                              : ": no file matches " + arguments.glob));
   }
+  const io::OutputLock lock(arguments.output + ".lock", arguments.output);
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   std::fputs(build_summary(report).c_str(), stdout);
   throw_if_not_written(arguments, report);
