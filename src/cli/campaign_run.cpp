@@ -10,6 +10,7 @@
 #include "io/job/job_file.h"
 #include "io/job/variations.h"
 #include "io/number_text.h"
+#include "io/output_lock.h"
 #include "io/result/card_input.h"
 #include "io/result/collage_files.h"
 #include "io/result/finished_result.h"
@@ -92,6 +93,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
     return 0;
   }
   io::prepare_output_directory(campaign_folder(arguments));
+  const io::OutputLock lock(io::folder_lock_path(campaign_folder(arguments)), campaign_folder(arguments));
   const int exit_code = make_all(arguments, tasks, ranks);
   if (comm::stop_signalled() || exit_code != 0) {
     std::fprintf(stderr, "tessera: unfinished: the same command goes on where this one was\n");

@@ -3,6 +3,7 @@
 
 #include "cli/collage_run.h"
 #include "cli/commands.h"
+#include "io/checkpoint/checkpoint_folder.h"
 
 namespace tessera::cli {
 namespace {
@@ -21,6 +22,10 @@ constexpr const char* kExamples =
     "Every key of a job: docs/job-format.md. Every file of a result: docs/result-format.md";
 
 std::string how_to_go_on(const CollageArguments& arguments) {
+  const io::CheckpointFolder checkpoints(output_folder(arguments));
+  if (!checkpoints.has_latest() && !checkpoints.has_previous()) {
+    return "unfinished, before the first round: the same command starts again";
+  }
   const std::string text = "unfinished: go on with the same command and --resume";
   if (arguments.restart) return text + " instead of --restart";
   if (arguments.resume == "auto") return "unfinished: the same command goes on with it";

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <thread>
@@ -15,13 +16,16 @@
 #include "cli/collage_progress.h"
 #include "cli/collage_warnings.h"
 #include "cli/command_line.h"
+#include "cli/rank_agreement.h"
 #include "cli/time_limit.h"
+#include "comm/heartbeat.h"
 #include "comm/loop_clock.h"
 #include "comm/matcher_server.h"
 #include "comm/node_turn.h"
 #include "comm/rank_sites.h"
 #include "comm/stop_signals.h"
 #include "comm/worker_team.h"
+#include "core/base/interrupted.h"
 #include "core/base/version.h"
 #include "core/matching/matching_context.h"
 #include "core/ranks/partition.h"
@@ -29,6 +33,7 @@
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
 #include "io/library/shape_models.h"
+#include "io/output_lock.h"
 #include "io/result/collage_files.h"
 #include "io/result/finished_result.h"
 #include "io/result/rank_table.h"
@@ -39,14 +44,6 @@
 
 namespace tessera::cli {
 namespace {
-
-std::string output_folder(const CollageArguments& arguments) {
-  if (!arguments.out.empty()) return arguments.out;
-  return "out/" + std::filesystem::path(arguments.job).stem().string();
-}
-
-comm::Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
-std::string to_text(const comm::Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
 MatchingContext context_of(const io::Job& job, const io::LibraryFile& library) {
   return make_matching_context(job.settings, std::uint32_t(library.size()));
@@ -71,22 +68,30 @@ RankSite site_with(const io::Job& job, const worker::DeviceShare& share) {
 }
 
 [[noreturn]] void work(comm::Communicator& ranks) {
-  const io::Job job = io::job_from_toml(to_text(ranks.broadcast({})), "the master's job");
+  const io::Job job = receive_job(ranks, program_identity());
+  const comm::Heart heart(ranks, job.comm.silence_s);
   const io::LibraryFile library = io::open_library_of(job);
+  check_library(ranks, library);
   const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
   const worker::DeviceShare share = share_node(ranks, job);
   comm::tell_site(ranks, site_with(job, share));
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
-  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share));
+  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share,
+                                           [&ranks] { ranks.look(); }));
 }
 
+/// The reason to stop within a round, or null.
+using StopReason = std::function<const char*()>;
+
 /// The whole library on this rank's devices.
-std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library) {
+std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library, const StopReason& stop_reason) {
   const MatchingContext context = context_of(job, library);
   const ShapeRange all = even_range(library.size(), 0, 1);
   return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context),
-                                     {.per_worker = job.devices_per_worker});
+                                     {.per_worker = job.devices_per_worker}, [stop_reason] {
+                                       if (const char* reason = stop_reason()) throw Interrupted{reason};
+                                     });
 }
 
 RankSite own_site(const io::Job& job) { return site_with(job, {.per_worker = job.devices_per_worker}); }
@@ -119,9 +124,14 @@ std::string write(const std::string& folder, const io::Job& job, const Canvas& c
   return io::write_collage(folder, report, quick);
 }
 
-/// Nothing where mpirun is ending the job: it may have ended workers already, who would never answer.
+/// Nothing where mpirun is ending the job, or a question was given up: workers may be gone, or busy with it.
 RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
-  return comm::stop_signalled() ? RankStatistics{} : clock.stop(result.own_work);
+  if (comm::stop_signalled() || result.gave_up_question) return {};
+  try {
+    return clock.stop(result.own_work);
+  } catch (const Interrupted&) {
+    return {};
+  }
 }
 
 Start start_of(const CollageArguments& arguments) {
@@ -150,16 +160,22 @@ int conclude(bool unfinished, const CollageCheckpoints& checkpoints) {
   return 0;
 }
 
+/// The folder is there then. Returns the place of its lock.
+std::string locked_folder(const std::string& folder) {
+  io::prepare_output_directory(folder);
+  return io::folder_lock_path(folder);
+}
+
 /// What rank 0 reads before anything costs time; every mistake is told here.
 struct Input {
   Input(const CollageArguments& arguments, Start start)
       : job(io::load_job(arguments.job, arguments.overrides)),
         folder(output_folder(arguments)),
+        lock(locked_folder(folder), folder),
         checkpoints(checked_start(folder, start)),
         library(io::open_library_of(job)),
         canvas(io::load_canvas(job.canvas)) {
     io::check_picture_height(job.output, canvas);
-    io::prepare_output_directory(folder);
     origin = io::make_origin(job, library, canvas);
     from = starting_state(checkpoints, start, origin);
   }
@@ -168,6 +184,7 @@ struct Input {
 
   io::Job job;
   std::string folder;
+  io::OutputLock lock;  // before anything in the folder is looked at
   io::CheckpointFolder checkpoints;
   io::LibraryFile library;
   Canvas canvas;
@@ -191,10 +208,23 @@ master::CollageResult run_loop(const CollageArguments& arguments, const Input& i
                                Matcher& matcher, CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
-  comm::install_stop_handlers();
   master::LibraryShapes shapes(input.library);
   CollageProgress progress(input.job.settings.stop, arguments.quiet, limit);
   return master::make_collage(input.canvas, input.job.settings, matcher, shapes, progress, {from, &checkpoints});
+}
+
+/// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
+StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const TimeLimit& limit) {
+  comm::install_stop_handlers();
+  const StopReason stop_reason = [&limit]() -> const char* {
+    if (comm::stop_signalled()) return "signal";
+    return limit.over() ? "time_limit" : nullptr;
+  };
+  ranks.interrupt_waits_when(stop_reason);
+  ranks.watch_workers(job.comm.silence_s, [](const std::string& line) {
+    print_warning(line + " (comm.silence_s): the run ends here");
+  });
+  return stop_reason;
 }
 
 /// From the master's job to the files of the result; returns the exit code.
@@ -203,9 +233,10 @@ int make(const CollageArguments& arguments, const Input& input, Start start, con
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   journal.warn(replaced_result_warning(input.folder, input.job));
   if (input.from) journal.resumed(*input.from);
-  ranks.broadcast(to_bytes(io::to_toml(input.job)));
+  const StopReason stop_reason = watch_waits(ranks, input.job, limit);
+  announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
   const std::unique_ptr<Matcher> matcher =
-      ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library);
+      ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library, stop_reason);
   journal.ranks_are(comm::gather_sites(ranks, ranks.size() > 1 ? RankSite{host_name(), {}} : own_site(input.job)));
 
   if (start == Start::restart) input.checkpoints.remove();
@@ -237,9 +268,18 @@ int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
 
 }  // namespace
 
+std::string output_folder(const CollageArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return "out/" + std::filesystem::path(arguments.job).stem().string();
+}
+
 int run_collage(const CollageArguments& arguments, comm::Communicator& ranks) {
-  if (ranks.rank() == 0) return lead(arguments, ranks);
-  work(ranks);
+  if (ranks.rank() != 0) work(ranks);
+  try {
+    return lead(arguments, ranks);
+  } catch (const Interrupted&) {  // before the first round: what was there is there still
+    return kUnfinishedExitCode;
+  }
 }
 
 }  // namespace tessera::cli

@@ -20,7 +20,11 @@ struct CollageArguments {
   std::string time_limit;              // time_limit.h; empty = none but Slurm's
 };
 
-/// There is more to do, and a checkpoint to go on from: sysexits.h calls it a temporary failure.
+/// Where the result goes.
+std::string output_folder(const CollageArguments& arguments);
+
+/// There is more to do, and a checkpoint to go on from unless the first round had not begun: sysexits.h calls it a temporary
+/// failure.
 inline constexpr int kUnfinishedExitCode = 75;
 
 /// On every rank. Returns the exit code, 0 or kUnfinishedExitCode: then the caller says how to go on. Throws InputError

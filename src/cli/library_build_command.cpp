@@ -15,6 +15,7 @@
 #include "io/drawing/drawers.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
+#include "io/output_lock.h"
 
 namespace tessera::cli {
 namespace {
@@ -67,6 +68,7 @@ int run(const BuildArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const io::ArtworkFiles files = io::find_artwork(arguments.sources, arguments.glob);
   throw_if_no_artwork(arguments, files);
+  const io::OutputLock lock(arguments.output + ".lock", arguments.output);
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   std::fputs(build_summary(report).c_str(), stdout);
   throw_if_not_written(arguments, report);

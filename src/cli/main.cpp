@@ -10,6 +10,7 @@
 
 #include "cli/commands.h"
 #include "comm/in_process_communicator.h"
+#include "comm/launcher_check.h"
 #include "comm/mpi_guard.h"
 #include "comm/rank_program.h"
 #include "core/base/error.h"
@@ -60,7 +61,11 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   } catch (const CLI::ParseError& error) {  // the same on every rank
     return ranks.rank() == 0 ? end_of_parsing(app, error) : 0;
   }
-  if (selected.run_on_all_ranks) return selected.run_on_all_ranks(ranks);
+  if (selected.run_on_all_ranks) {
+    const std::string problem = comm::launcher_problem([](const char* name) { return std::getenv(name); }, ranks.size());
+    if (!problem.empty()) throw InputError(problem);
+    return selected.run_on_all_ranks(ranks);
+  }
   return ranks.rank() == 0 ? selected.run() : 0;
 }
 

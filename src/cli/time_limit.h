@@ -25,6 +25,9 @@ class TimeLimit {
   /// end too late.
   bool near();
 
+  /// Asked within a round: what is left is needed for the files of the result.
+  bool over() const;
+
  private:
   double limit_s_;
   double asked_s_ = 0;

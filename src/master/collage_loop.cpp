@@ -39,7 +39,7 @@ class Run {
     }
     statistics_.total_s = seconds();
     if (unfinished_ && keeper_) keeper_->keep(state());
-    return {collage_.placements(), statistics_, unfinished_, gave_up_question_, own_work()};
+    return {collage_.placements(), statistics_, unfinished_, own_work(), gave_up_question_};
   }
 
  private:

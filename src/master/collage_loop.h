@@ -17,8 +17,8 @@ struct CollageResult {
   std::vector<Placement> placements;
   RunStatistics statistics;
   bool unfinished = false;  // the observer asked to stop, or the matcher threw Interrupted, and there was more to do
-  bool gave_up_question = false;  // the matcher threw Interrupted: it must not be asked again
   RunStatistics own_work;   // of this call alone, trials included: times, rounds and target samples
+  bool gave_up_question = false;  // the matcher threw Interrupted: it must not be asked again
 };
 
 /// Where the loop starts, and where its state is kept.

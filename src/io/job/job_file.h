@@ -26,6 +26,10 @@ struct CheckpointSpec {
   double every_s = 60;  // 0 = only where the run is interrupted
 };
 
+struct CommSpec {
+  double silence_s = 60;  // of a worker, then it is lost
+};
+
 struct Job {
   std::string path;      // the file it came from
   std::string library;   // absolute path
@@ -34,6 +38,7 @@ struct Job {
   int devices_per_worker = 0;   // 0 = each worker of a node uses all of them
   OutputSpec output;
   CheckpointSpec checkpoint;
+  CommSpec comm;
   CollageSettings settings;
 };
 

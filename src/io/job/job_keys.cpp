@@ -184,6 +184,15 @@ void add_checkpoint_keys(std::vector<JobKey>& keys) {
   keys.back().in_result = false;
 }
 
+/// Workers send a sign of life every 5 s, whatever they compute: a minute is for nodes that swap and networks that stall.
+void add_comm_keys(std::vector<JobKey>& keys) {
+  keys.push_back(with_number({"comm", "silence_s", JobKind::number, "s", 1, 1e6, {},
+                              "a worker that has not been heard of for so long ends the run, with a checkpoint"},
+                             FIELD(comm.silence_s)));
+  keys.back().decides = false;
+  keys.back().in_result = false;
+}
+
 /// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
 void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
@@ -218,6 +227,7 @@ const std::vector<JobKey>& job_keys() {
     add_improve_keys(all);
     add_stop_keys(all);
     add_checkpoint_keys(all);
+    add_comm_keys(all);
     add_machine_and_output_keys(all);
     return all;
   }();

@@ -1,0 +1,72 @@
+#include "cli/rank_agreement.h"
+
+#include <cstdio>
+#include <span>
+#include <string_view>
+
+#include "core/base/digest.h"
+#include "core/base/error.h"
+#include "core/base/version.h"
+#include "worker/kernel_options.h"
+
+namespace tessera::cli {
+namespace {
+
+comm::Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
+
+std::string receive_text(comm::Communicator& ranks) {
+  const comm::Bytes bytes = ranks.broadcast({});
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string hex(std::uint64_t number) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
+  return text;
+}
+
+std::string kernel_digest() {
+  Digest digest;
+  digest.add_all(std::span<const char>(std::string_view(worker::kernel_source)));
+  return hex(digest.value());
+}
+
+}  // namespace
+
+std::string program_identity() {
+  return std::string("tessera ") + program_version() + ", commit " + program_commit() + ", kernels " + kernel_digest();
+}
+
+// Each as a text of its own, the program first: programs that differ need to agree about nothing else.
+void announce_run(comm::Communicator& ranks, const std::string& program, const io::Job& job,
+                  std::uint64_t library_digest) {
+  ranks.broadcast(to_bytes(program));
+  ranks.broadcast(to_bytes(io::to_toml(job)));
+  ranks.broadcast(to_bytes(hex(library_digest)));
+}
+
+io::Job receive_job(comm::Communicator& ranks, const std::string& program) {
+  const std::string masters_program = receive_text(ranks);
+  if (program != masters_program) {
+    throw EnvironmentError("this rank runs " + program + ", the master " + masters_program +
+                           "; allowed: the same program on all ranks; install it anew on every node");
+  }
+  const std::string masters_job = receive_text(ranks);
+  io::Job job = io::job_from_toml(masters_job, "the master's job");
+  if (io::to_toml(job) != masters_job) {
+    throw EnvironmentError("this rank understands the master's job otherwise than the master; install the same program "
+                           "and the same libraries on every node");
+  }
+  return job;
+}
+
+void check_library(comm::Communicator& ranks, const io::LibraryFile& library) {
+  const std::string masters = receive_text(ranks);
+  const std::string own = hex(library.content_digest());
+  if (own == masters) return;
+  throw InputError(library.path() + ": another library than the master's of this name (digest of the content " + own +
+                   ", the master's " + masters +
+                   "); all ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
+}
+
+}  // namespace tessera::cli
