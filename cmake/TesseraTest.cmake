@@ -8,6 +8,8 @@ include_directories(${PROJECT_SOURCE_DIR}/tests)
 function(tessera_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;RANKS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  # Tests do not lie beside the program that reads drawings.
+  set(drawer_place ENVIRONMENT_MODIFICATION "TESSERA_DRAWER=set:${PROJECT_BINARY_DIR}/src/cli/tessera-drawer")
   if(ARG_RANKS)
     target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest rapidcheck)
     foreach(ranks IN LISTS ARG_RANKS)
@@ -15,11 +17,12 @@ function(tessera_test name)
                COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --allow-run-as-root --bind-to none
                        -n ${ranks} $<TARGET_FILE:${name}>)
       set_tests_properties(${name}.${ranks}_ranks PROPERTIES LABELS "mpi;${ARG_LABELS}" TIMEOUT 300
-                           PROCESSORS 2 ENVIRONMENT RC_PARAMS=seed=2016)
+                           PROCESSORS 2 ENVIRONMENT RC_PARAMS=seed=2016 ${drawer_place})
     endforeach()
   else()
     target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main rapidcheck)
     add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=2016)
+    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=2016
+                         ${drawer_place})
   endif()
 endfunction()

@@ -16,7 +16,7 @@ float4 keypoint_pair(global const short* shape_x, global const short* shape_y, f
 }
 
 // `shape_x`, `shape_y`: key points of the shape's sample, steps. Least squares at the longest level at which both agree.
-Alignment align_pyramids(global const short* shape_x, global const short* shape_y, float step,
+Alignment align_pyramids(constant MatchRecord* match, global const short* shape_x, global const short* shape_y, float step,
                          global const SampleRecord* target, float scale_low_px, float scale_high_px) {
   Alignment result;
   result.valid = false;
@@ -36,13 +36,21 @@ Alignment align_pyramids(global const short* shape_x, global const short* shape_
       const float4 d = keypoint_pair(shape_x, shape_y, step, target, i) - mean;
       product += d.xxxz * d.zwxz + (float4)(d.y, -d.y, d.y, d.w) * d.wzyw;
     }
-    const float residual =
-        (product.w - (product.x * product.x + product.y * product.y) / product.z) / count;
-    if (residual > kAlignmentTolerance * 4.f * sqrt(product.w / count)) continue;
-    PoseRecord s;
-    s.a = product.x / product.z;
-    s.b = product.y / product.z;
+    const DirectionRange rotations = allowed_rotations(match);
+    if (!direction_allowed(rotations, product.x, product.y, 0, 0)) {
+      const float2 direction = nearest_edge(rotations, product.x, product.y);
+      const float along = product.x * direction.x + product.y * direction.y;
+      if (along <= 0) continue;
+      product.x = direction.x * along;
+      product.y = direction.y * along;
+    }
+    PoseRecord s = {product.x / product.z, product.y / product.z, 0, 0};
+    const float best_scale = scale_of(s);
+    s = pulled_in(match, s);
     const float scale = scale_of(s);
+    const float off = scale - best_scale;
+    const float residual = (product.w - (best_scale * best_scale - off * off) * product.z) / count;
+    if (residual > kAlignmentTolerance * 4.f * sqrt(product.w / count)) continue;
     if (scale < scale_low_px || scale > scale_high_px) continue;
     s.tx = mean.z - (s.a * mean.x - s.b * mean.y);
     s.ty = mean.w - (s.b * mean.x + s.a * mean.y);
@@ -139,9 +147,9 @@ kernel void dock_pairs(constant MatchRecord* match, global const float* field_va
     constant LevelRecord* level = match->level + level_of_source(match, pair.source);
     global const short* keypoint = keypoints + ((size_t)shape * match->sources + pair.source) * 2 * kPadKeypoints;
     const Alignment aligned =
-        align_pyramids(keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target, level->scale_low_px,
-                       level->scale_high_px);
-    if (!aligned.valid || !rotation_allowed(match, aligned.canvas_from_shape)) continue;
+        align_pyramids(match, keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target,
+                       level->scale_low_px, level->scale_high_px);
+    if (!aligned.valid) continue;
     ++looked_at;
     const float key = docking_key(contour, shapes + shape, aligned.canvas_from_shape, &field,
                                   match->max_scale_px);
@@ -157,8 +165,47 @@ kernel void dock_pairs(constant MatchRecord* match, global const float* field_va
   }
 }
 
+// Which of 16 boundary points' tangents imply a rotation that docks.
+int16 docking_points(DirectionRange range, global const float* contour, int block, global const SampleRecord* target) {
+  const float16 ux = vload16(block, contour + kTangentAt);
+  const float16 uy = vload16(block, contour + kTangentAt + kBoundaryPoints);
+  const float16 x = ux * target->tangent_x + uy * target->tangent_y;
+  const float16 y = ux * target->tangent_y - uy * target->tangent_x;
+  const float16 along = x * range.middle_x + y * range.middle_y;
+  const float16 across = fabs(range.middle_x * y - range.middle_y * x);
+  const int16 inside = across * range.edge_x - along * range.edge_y <= 0;
+  return range.edge_x > 0 ? inside & (along > 0) : inside;
+}
+
+// The boundary point that a draw docks, or NO_POINT.
+#define NO_POINT (-1)
+int docked_point(constant MatchRecord* match, global const float* contour, uint point_bits,
+                 global const SampleRecord* target) {
+  const DirectionRange range = docked_rotations(match);
+  if (range.edge_x <= -1) return (int)(((ulong)point_bits * kBoundaryPoints) >> 32);
+  int count = 0;
+  for (int block = 0; block < kBoundaryPoints / kLanes; ++block) {
+    count += count_lanes(docking_points(range, contour, block, target));
+  }
+  int before = (int)(((ulong)point_bits * (ulong)count) >> 32);
+  for (int block = 0; count > 0 && block < kBoundaryPoints / kLanes; ++block) {
+    const int16 docks = docking_points(range, contour, block, target);
+    const int here = count_lanes(docks);
+    if (before >= here) {
+      before -= here;
+      continue;
+    }
+    int lane[kLanes];
+    vstore16(docks, 0, lane);
+    for (int k = 0; k < kLanes; ++k) {
+      if (lane[k] && before-- == 0) return block * kLanes + k;
+    }
+  }
+  return NO_POINT;
+}
+
 // Frames aligned at a boundary point, at a given scale.
-PoseRecord tangent_docking(global const float* contour, uint point, float scale_px,
+PoseRecord tangent_docking(constant MatchRecord* match, global const float* contour, uint point, float scale_px,
                            global const SampleRecord* target) {
   const float ux = contour[kTangentAt + point];
   const float uy = contour[kTangentAt + kBoundaryPoints + point];
@@ -167,6 +214,9 @@ PoseRecord tangent_docking(global const float* contour, uint point, float scale_
   PoseRecord s;
   s.a = (ux * target->tangent_x + uy * target->tangent_y) * scale_px;
   s.b = (ux * target->tangent_y - uy * target->tangent_x) * scale_px;
+  s.tx = 0;
+  s.ty = 0;
+  s = pulled_in(match, s);
   s.tx = target->position_x - (s.a * px - s.b * py);
   s.ty = target->position_y - (s.b * px + s.a * py);
   return s;
@@ -188,11 +238,11 @@ kernel void dock_tangents(constant MatchRecord* match, global const float* field
   const uint library_shape = (uint)(((bits >> 32) * match->library_shapes) >> 32);
   const uint shape = library_shape - match->first_shape;  // wraps round below the shard
   if (shape >= match->shapes) return;
-  const uint point = (uint)(((bits & 0xffffffffu) * kBoundaryPoints) >> 32);
   const float growth = portable_exp2(unit_float((uint)(mix_bits(bits) >> 32)) * match->log2_scale_ratio);
   global const float* contour = contours + (size_t)shape * kContourFloats;
-  const PoseRecord pose = tangent_docking(contour, point, match->min_scale_px * growth, target);
-  if (!rotation_allowed(match, pose)) return;
+  const int point = docked_point(match, contour, (uint)(bits & 0xffffffffu), target);
+  if (point == NO_POINT) return;
+  const PoseRecord pose = tangent_docking(match, contour, (uint)point, match->min_scale_px * growth, target);
   const Field field = free_field(match, field_value);
   const float key = docking_key(contour, shapes + shape, pose, &field, match->max_scale_px);
   keys[place] = key < kLeastDockingKey ? NO_DOCKING : key;

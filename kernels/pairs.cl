@@ -36,12 +36,24 @@ typedef struct Target {
   float scale_length;
   float convexity;
   uint reach;
+  float chord_x;
+  float chord_y;
+  DirectionRange rotations;
 } Target;
 
-Target load_target(global const SampleRecord* sample) {
+// Key points between which the chord tells the rotation before any alignment.
+enum ChordEnds {
+  kChordReach = kChordLevel < kPadLevels - 1 ? kChordLevel : kPadLevels - 1,
+  kChordFirst = kPadLevels - 1 - kChordReach,
+  kChordLast = kPadLevels + 1 + kChordReach
+};
+
+Target load_target(constant MatchRecord* match, global const SampleRecord* sample) {
   ushort element[kPadRow];
   for (int e = 0; e < kPadRow; ++e) element[e] = e < kPadElements ? (ushort)sample->element[e] : (ushort)0;
-  const Target target = {load_row(0, element), sample->scale_length, sample->convexity, sample->reach};
+  const Target target = {load_row(0, element), sample->scale_length, sample->convexity, sample->reach,
+                         sample->keypoint_x[kChordLast] - sample->keypoint_x[kChordFirst],
+                         sample->keypoint_y[kChordLast] - sample->keypoint_y[kChordFirst], docked_rotations(match)};
   return target;
 }
 
@@ -87,14 +99,25 @@ INLINE ulong filter_block(global const uchar* rows, const FilterWindow* window) 
 typedef struct Pads {
   global const ushort* row;
   global const PadRecord* record;
+  global const short* keypoint;
 } Pads;
 
-// Equation 1, steps; NO_PAIR where the scale or the sign cannot fit.
+bool may_turn(const Pads* pads, uint source, const Target* target) {
+  if (target->rotations.edge_x <= -1) return true;
+  global const short* x = pads->keypoint + (size_t)source * 2 * kPadKeypoints;
+  global const short* y = x + kPadKeypoints;
+  const float chord_x = (float)x[kChordLast] - (float)x[kChordFirst];
+  const float chord_y = (float)y[kChordLast] - (float)y[kChordFirst];
+  return direction_allowed(target->rotations, chord_x * target->chord_x + chord_y * target->chord_y,
+                           chord_x * target->chord_y - chord_y * target->chord_x, 1, 0);
+}
+
+// Equation 1, steps; NO_PAIR where the scale, the sign or the rotation cannot fit.
 uint pair_distance(const Pads* pads, uint source, constant LevelRecord* level, const Target* target) {
   const PadRecord record = pads->record[source];
   if (target->scale_length < record.scale_length * (level->scale_low_px * kScaleWindowLow) ||
       target->scale_length > record.scale_length * (level->scale_high_px * kScaleWindowHigh) ||
-      target->convexity * record.convexity < 0) {
+      target->convexity * record.convexity < 0 || !may_turn(pads, source, target)) {
     return NO_PAIR;
   }
   return largest_element(abs_diff(target->row, load_row(source, pads->row)));
@@ -139,7 +162,7 @@ void keep_if_minimum(BestPairs* best, const Pads* pads, uint source, constant Le
 // ((sample - first_sample) * shapes + shape) * kPairsPerShape. `only_longer_reach`: the places hold what was found
 // within each sample's held_reach.
 kernel void select_pairs(constant MatchRecord* match, global const uchar* pad_bytes, global const ushort* rows,
-                         global const PadRecord* records, uint first_sample, uint end_sample, uint only_longer_reach,
+                         global const PadRecord* records, global const short* keypoints, uint first_sample, uint end_sample, uint only_longer_reach,
                          global const SampleRecord* samples, global PairRecord* pairs, global uint* pair_count) {
   const uint t = first_sample + get_global_id(0);
   const uint shape = get_global_id(1);
@@ -151,8 +174,9 @@ kernel void select_pairs(constant MatchRecord* match, global const uchar* pad_by
   if (sample->reach > 0) {
     const size_t first_source = (size_t)shape * match->sources;
     global const uchar* bytes = pad_bytes + first_source * kFilterRows;
-    const Pads pads = {rows + first_source * kPadRow, records + first_source};
-    const Target target = load_target(sample);
+    const Pads pads = {rows + first_source * kPadRow, records + first_source,
+                       keypoints + first_source * 2 * kPadKeypoints};
+    const Target target = load_target(match, sample);
     FilterWindow window;
     set_pad_window(&window, sample);
     for (uint k = 0; k < match->level_count; ++k) {

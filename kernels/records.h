@@ -57,9 +57,12 @@ typedef struct MatchRecord {
   float max_scale_px;
   float gap_px;
   float log2_scale_ratio;
-  float rotation_middle_x;
+  float rotation_middle_x;  // DirectionRange of the poses
   float rotation_middle_y;
-  float rotation_min_cosine;
+  float rotation_edge_x;
+  float rotation_edge_y;
+  float docked_edge_x;  // of docked_rotations, which have the same middle
+  float docked_edge_y;
   u32 library_shapes;
   u32 first_shape;  // library index of the shard's first shape
   u32 shapes;       // in the shard

@@ -16,8 +16,15 @@ void add_point(NormalEquations* equations, float4 j, float value, float weight) 
   ++equations->points;
 }
 
-// Solves (M + damping) x = -g by L D L^T.
-float4 solve(const NormalEquations* equations) {
+typedef struct Limits {
+  float low;
+  float high;
+} Limits;
+
+float limited(Limits limits, float x) { return x < limits.low ? limits.low : x > limits.high ? limits.high : x; }
+
+// Solves (M + damping) x = -g by L D L^T, growth and turn within their limits.
+float4 solve(const NormalEquations* equations, Limits growth, Limits turn) {
   const float16 sum = equations->sum;
   float m[4][4] = {{sum.s0, 0, 0, 0}, {sum.s1, sum.s2, 0, 0}, {sum.s3, sum.s4, sum.s5, 0},
                    {sum.s6, sum.s7, sum.s8, sum.s9}};
@@ -45,6 +52,8 @@ float4 solve(const NormalEquations* equations) {
   for (int r = 0; r < 4; ++r) x[r] = x[r] / d[r];
   for (int r = 3; r >= 0; --r) {
     for (int k = r + 1; k < 4; ++k) x[r] -= m[k][r] * x[k];
+    if (r == 3) x[r] = limited(turn, x[r]);
+    if (r == 2) x[r] = limited(growth, x[r]);
   }
   return (float4)(x[0], x[1], x[2], x[3]);
 }
@@ -106,8 +115,6 @@ typedef struct Descent {
 } Descent;
 
 PoseRecord descended(PoseRecord s, const Piece* piece, Descent descent) {
-  const float low = piece->match->min_scale_px;
-  const float high = piece->match->max_scale_px;
   global const float* set = piece->contour + (descent.all_points ? kFineAt : kMediumAt);
   const int count = descent.all_points ? kBoundaryPoints : kMediumPoints;
   for (int step = 0; step < descent.steps; ++step) {
@@ -120,15 +127,15 @@ PoseRecord descended(PoseRecord s, const Piece* piece, Descent descent) {
       add_points(&equations, s, set, count, block, piece->field, arm, radius, descent.overlap_weight);
     }
     if (equations.points < 3) return s;
-    float4 x = solve(&equations);
+    const float2 turns = turn_limits(piece->match, s);
+    const Limits turn = {turns.x * arm, turns.y * arm};
+    const Limits growth = {(piece->match->min_scale_px / scale - 1) * arm,
+                           (piece->match->max_scale_px / scale - 1) * arm};
+    float4 x = solve(&equations, growth, turn);
     const float4 size = fabs(x);
     const float largest = max(max(size.x, size.y), max(size.z, size.w));
     if (largest > radius) x = x * (radius / largest);
-    float growth = x.z / arm;
-    const float grown = scale * (1 + growth);
-    if (grown < low) growth = low / scale - 1;
-    if (grown > high) growth = high / scale - 1;
-    s = moved(s, x.x, x.y, growth, x.w / arm);
+    s = pulled_in(piece->match, moved(s, x.x, x.y, x.z / arm, x.w / arm));
   }
   return s;
 }
@@ -166,14 +173,13 @@ bool refine(PoseRecord* pose, const Piece* piece) {
     if (pushed > 0) {
       s.a *= kPushShrink;
       s.b *= kPushShrink;
+      s = pulled_in(piece->match, s);
     }
     s = descended(s, piece, push);
     depth = depth_px(s, piece);
   }
-  const float scale = scale_of(s);
   *pose = s;
-  return depth <= hard_depth_px && scale >= piece->match->min_scale_px &&
-         scale <= piece->match->max_scale_px * 1.0001f && rotation_allowed(piece->match, s);
+  return depth <= hard_depth_px && pose_allowed(piece->match, s);
 }
 
 // core/geometry/extent.h, of the boundary points.

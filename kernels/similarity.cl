@@ -2,9 +2,76 @@
 
 float scale_of(PoseRecord s) { return sqrt(s.a * s.a + s.b * s.b); }
 
-bool rotation_allowed(constant MatchRecord* match, PoseRecord s) {
-  if (match->rotation_min_cosine <= -1) return true;
-  return s.a * match->rotation_middle_x + s.b * match->rotation_middle_y >= match->rotation_min_cosine * scale_of(s);
+// core/matching/pose_range.h: what a pose may be.
+typedef struct DirectionRange {
+  float middle_x;
+  float middle_y;
+  float edge_x;  // cosine and sine of half the width; a cosine of -1: every direction
+  float edge_y;
+} DirectionRange;
+
+DirectionRange allowed_rotations(constant MatchRecord* match) {
+  const DirectionRange range = {match->rotation_middle_x, match->rotation_middle_y, match->rotation_edge_x,
+                                match->rotation_edge_y};
+  return range;
+}
+
+DirectionRange docked_rotations(constant MatchRecord* match) {
+  const DirectionRange range = {match->rotation_middle_x, match->rotation_middle_y, match->docked_edge_x,
+                                match->docked_edge_y};
+  return range;
+}
+
+bool direction_allowed(DirectionRange range, float x, float y, float length, float slack) {
+  if (range.edge_x <= -1) return true;
+  const float along = x * range.middle_x + y * range.middle_y;
+  const float across = fabs(range.middle_x * y - range.middle_y * x);
+  if (range.edge_x > 0 && along <= 0) return false;
+  return across * range.edge_x - along * range.edge_y <= slack * length;
+}
+
+float2 nearest_edge(DirectionRange range, float x, float y) {
+  const float side = range.middle_x * y - range.middle_y * x >= 0 ? range.edge_y : -range.edge_y;
+  return (float2)(range.middle_x * range.edge_x - range.middle_y * side,
+                  range.middle_y * range.edge_x + range.middle_x * side);
+}
+
+bool pose_allowed(constant MatchRecord* match, PoseRecord s) {
+  const float scale = scale_of(s);
+  return scale >= match->min_scale_px * (1 - kScaleRounding) && scale <= match->max_scale_px * (1 + kScaleRounding) &&
+         direction_allowed(allowed_rotations(match), s.a, s.b, scale, kRotationRounding_rad);
+}
+
+PoseRecord pulled_in(constant MatchRecord* match, PoseRecord s) {
+  const float scale = scale_of(s);
+  float wanted = scale;
+  if (scale < match->min_scale_px) wanted = match->min_scale_px * (1 + kInsideBound);
+  if (scale > match->max_scale_px) wanted = match->max_scale_px * (1 - kInsideBound);
+  const DirectionRange range = allowed_rotations(match);
+  if (!direction_allowed(range, s.a, s.b, scale, 0)) {
+    const float2 direction = nearest_edge(range, s.a, s.b);
+    s.a = direction.x * wanted;
+    s.b = direction.y * wanted;
+  } else if (wanted != scale) {
+    s.a *= wanted / scale;
+    s.b *= wanted / scale;
+  }
+  return s;
+}
+
+// Low and high Cayley angle.
+float2 turn_limits(constant MatchRecord* match, PoseRecord s) {
+  float2 limits = (float2)(-kNoTurnLimit, kNoTurnLimit);
+  const DirectionRange range = allowed_rotations(match);
+  if (range.edge_x <= -1) return limits;
+  const float scale = scale_of(s);
+  const float along = s.a * range.middle_x + s.b * range.middle_y;
+  const float across = range.middle_x * s.b - range.middle_y * s.a;
+  const float to_high = along * range.edge_x + across * range.edge_y;
+  const float to_low = along * range.edge_x - across * range.edge_y;
+  if (to_high > 0) limits.y = fmax(0.f, 2 * (along * range.edge_y - across * range.edge_x) / (scale + to_high));
+  if (to_low > 0) limits.x = fmin(0.f, 2 * (-along * range.edge_y - across * range.edge_x) / (scale + to_low));
+  return limits;
 }
 
 // Canvas px of 16 points.

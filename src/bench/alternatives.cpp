@@ -12,6 +12,7 @@
 #include "core/tuning.h"
 #include "io/library/shape_models.h"
 #include "io/number_text.h"
+#include "io/text_table.h"
 #include "master/library_shapes.h"
 
 namespace tessera::bench {
@@ -101,7 +102,7 @@ Canvas seeded_canvas(int size_px, const PieceSettings& pieces, ShapeSource& shap
   return canvas;
 }
 
-void add_engine(Table& table, Json& engines, const Outcome& outcome, const Quality& q) {
+void add_engine(io::TextTable& table, Json& engines, const Outcome& outcome, const Quality& q) {
   table.add({outcome.engine, io::fixed(100 * q.coverage, 2), io::fixed(100 * q.overlap, 3),
              io::fixed(100 * q.shared_boundary, 1), std::to_string(q.pieces), io::fixed(outcome.total_s, 1)});
   engines.push_back({{"engine", outcome.engine},
@@ -156,7 +157,7 @@ Report bench_alternatives(const Setting& setting, const AlternativesOptions& opt
                                    comparison.paper_rule(), comparison.full_recomputation()};
   outcomes.push_back(comparison.random_filling(outcomes.front().total_s));
 
-  Table table({"", "coverage %", "overlap %", "shared boundary %", "pieces", "time s"});
+  io::TextTable table({"", "coverage %", "overlap %", "shared boundary %", "pieces", "time s"});
   Report report;
   report.json = report_head("alternatives", setting);
   report.json.update({{"library", options.library},

@@ -12,6 +12,7 @@
 #include "core/shape/level_curve.h"
 #include "core/shape/shape_builder.h"
 #include "core/tuning.h"
+#include "io/text_table.h"
 #include "worker/device_group.h"
 
 namespace tessera::bench {
@@ -112,7 +113,7 @@ Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector
   const MatchRound round = match(matcher, samples, plan, scene.pads, reach, docked.statistics);
   for (const RefinedDocking& found : round.refined) {
     const float scale = found.docking.canvas_from_shape.scale();
-    const PieceSize size{scale, perimeter * scale, scene.context.max_scale_px};
+    const PieceSize size{scale, perimeter * scale, scene.context.poses.max_scale_px};
     const float score = objective(found.terms, size, scene.settings.objective);
     if (score <= docked.best_score) continue;
     docked.best_score = score;
@@ -144,7 +145,7 @@ Measured measure(const HeadlineScene& scene, const std::string& devices_use, int
 std::string table_text(const HeadlineScene& scene, const Measured& measured) {
   const RunStatistics& run = measured.last.statistics;
   const auto ms = [](double seconds) { return short_number(1000 * seconds); };
-  Table table({"two shapes, PADs to best docking", "this machine", "paper"});
+  io::TextTable table({"two shapes, PADs to best docking", "this machine", "paper"});
   table.add({"docking positions", std::to_string(scene.positions()), std::to_string(kPaperPositions)});
   table.add({"PAD pair tests", std::to_string(scene.pair_tests()), std::to_string(kPaperPositions)});
   table.add({"time, ms", ms(measured.median_s), ms(kPaper_s)});

@@ -7,6 +7,7 @@
 #include "bench/varied_shapes.h"
 #include "core/base/error.h"
 #include "io/number_text.h"
+#include "io/text_table.h"
 #include "master/collage_loop.h"
 #include "worker/device_group.h"
 #include "worker/shard.h"
@@ -49,7 +50,7 @@ std::vector<std::uint32_t> checked_sizes(std::vector<std::uint32_t> sizes) {
   return sizes;
 }
 
-void add_size(Table& table, Json& sizes, std::uint32_t size, const Grown& grown) {
+void add_size(io::TextTable& table, Json& sizes, std::uint32_t size, const Grown& grown) {
   const RunStatistics& s = grown.statistics;
   const double pieces = double(std::max<std::uint64_t>(1, s.rounds));
   const double master_s = s.objective_s + s.merge_s - grown.making_s;
@@ -89,7 +90,7 @@ Report bench_library(const Setting& setting, const LibraryOptions& options) {
   CollageSettings settings;
   settings.stop.pieces = setting.quick ? 3 : 20;
 
-  Table table(
+  io::TextTable table(
       {"shapes", "ms a piece", "prune", "dock", "objective, merge", "(making shapes)", "peak memory MB", "device MB"});
   Report report;
   report.json = report_head("library", setting);

@@ -9,7 +9,7 @@
 #include "io/artwork/artwork_render.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
-#include "io/result/xml_writer.h"
+#include "io/xml_writer.h"
 
 namespace tessera::bench {
 namespace {

@@ -8,6 +8,7 @@
 #include "core/field/free_field.h"
 #include "core/field/target_curve.h"
 #include "core/matching/match_round.h"
+#include "io/text_table.h"
 #include "worker/device_group.h"
 
 namespace tessera::bench {
@@ -122,7 +123,7 @@ PairRates measure(const PairScene& scene, const Setting& setting) {
 }
 
 std::string table_text(const PairRates& rates) {
-  Table table({"PAD pair tests", "pairs/s", "a core and s", "device / this"});
+  io::TextTable table({"PAD pair tests", "pairs/s", "a core and s", "device / this"});
   const auto row = [&](const std::string& name, double rate, int cores) {
     table.add({name, short_number(rate), short_number(rate / cores), short_number(rates.device / rate)});
   };

@@ -80,7 +80,7 @@ void PaperMatcher::post_count(const CountRequest& request) {
 float PaperMatcher::score(const ShapeModel& model, const Similarity& canvas_from_shape) const {
   const float scale = canvas_from_shape.scale();
   const DockingTerms terms = docking_terms(canvas_from_shape, model, FieldView(field_), context_);
-  return objective(terms, {scale, model.perimeter * scale, context_.max_scale_px}, objective_);
+  return objective(terms, {scale, model.perimeter * scale, context_.poses.max_scale_px}, objective_);
 }
 
 void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
@@ -95,7 +95,7 @@ void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
                                   context_.pad.levels);
                    const ScaleRange& range = context_.level_range[slot];
                    const float scale = pose.scale();
-                   if (scale < range.low || scale > range.high || !context_.rotation_allowed(pose)) return;
+                   if (scale < range.low || scale > range.high || !context_.poses.contains(pose)) return;
                    ++docked_.evaluated;
                    dockings.push_back({t, m, source, score(model, pose), pose});
                  });

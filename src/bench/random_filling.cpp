@@ -13,12 +13,13 @@ namespace {
 
 constexpr int kBisections = 10;  // of the range of scales
 
-Similarity scaled(const Similarity& s, float factor) { return {s.a * factor, s.b * factor, s.tx, s.ty}; }
+/// About its own origin.
+Similarity resized(const Similarity& s, float factor) { return {s.a * factor, s.b * factor, s.tx, s.ty}; }
 
 /// `pose` has scale 1. Zero where not even the smallest piece fits.
 float largest_scale_px(const Similarity& pose, const ShapeModel& model, const FieldView& field,
                        const PieceSettings& pieces) {
-  const auto fits = [&](float scale_px) { return depth_px(scaled(pose, scale_px), model, field) <= hard_depth_px(pieces); };
+  const auto fits = [&](float scale_px) { return depth_px(resized(pose, scale_px), model, field) <= hard_depth_px(pieces); };
   float fitting_px = pieces.min_scale_px;
   float too_large_px = pieces.max_scale_px;
   if (!fits(fitting_px)) return 0;
@@ -50,7 +51,7 @@ std::vector<Placement> fill_at_random(const Canvas& canvas, const CollageSetting
     const Similarity pose{std::cos(angle_rad), std::sin(angle_rad), place.x, place.y};
     const float scale_px = largest_scale_px(pose, shapes.model(shape), free.view(), pieces);
     if (scale_px == 0) continue;
-    placements.push_back({shape, scaled(pose, scale_px), 0, 0});
+    placements.push_back({shape, resized(pose, scale_px), 0, 0});
     free.stamp(shapes.shape(shape), placements.back().canvas_from_shape);
   }
   return placements;

@@ -14,18 +14,6 @@ struct Report {
   Json json;
 };
 
-/// Columns as wide as their widest cell, the first to the left, the others to the right.
-class Table {
- public:
-  explicit Table(std::vector<std::string> header) : rows_{std::move(header)} {}
-  /// As many cells as the header has.
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-  std::string text() const;
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
-
 /// Three significant digits: "2.16e+09", "0.0642".
 std::string short_number(double value);
 

@@ -16,6 +16,7 @@
 #include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/result/collage_files.h"
+#include "io/text_table.h"
 
 namespace tessera::bench {
 namespace {
@@ -225,7 +226,7 @@ AmdahlFit fit(const std::vector<Compared>& strong, double (*seconds)(const Repea
 }
 
 std::string case_rows(const std::vector<Compared>& series, bool weak) {
-  Table table({weak ? "weak" : "strong", "shapes", "loop s", "speed-up", "efficiency", "undisturbed s", "speed-up",
+  io::TextTable table({weak ? "weak" : "strong", "shapes", "loop s", "speed-up", "efficiency", "undisturbed s", "speed-up",
                "master %", "undisturbed"});
   for (const Compared& c : series) {
     const double growth = weak ? c.more_workers() : 1;  // of the work

@@ -9,6 +9,7 @@
 #include "core/field/canvas.h"
 #include "core/matching/matcher.h"
 #include "io/number_text.h"
+#include "io/text_table.h"
 #include "master/collage_loop.h"
 #include "master/library_shapes.h"
 
@@ -115,7 +116,7 @@ Json run_json(const SizedRun& run, const Canvas& canvas) {
           {"filled_fraction", rounded(filled_fraction(run, canvas))}};
 }
 
-void add_lines(Table& table, const Table2Row& row, const SizedRun& run) {
+void add_lines(io::TextTable& table, const Table2Row& row, const SizedRun& run) {
   using io::fixed;
   const RunStatistics& s = run.result.statistics;
   const StagePercents share = stage_percents(s);
@@ -153,7 +154,7 @@ Report bench_table2(const Setting& setting, const Table2Options& options) {
   const int size_px = setting.quick ? 300 : 1000;
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
 
-  Table table({"", "candidates", "PADs a shape", "iterations", "docking choices", "pruned %", "total s", "prune %",
+  io::TextTable table({"", "candidates", "PADs a shape", "iterations", "docking choices", "pruned %", "total s", "prune %",
                "dock %", "objective %", "merge %"});
   Report report;
   report.json = report_head("table2", setting);

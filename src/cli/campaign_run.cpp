@@ -5,7 +5,7 @@
 
 #include "cli/collage_run.h"
 #include "cli/ranking_run.h"
-#include "cli/stop_signal.h"
+#include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/job/job_file.h"
 #include "io/job/variations.h"
@@ -69,7 +69,7 @@ CollageArguments collage_of(const CampaignArguments& arguments, const Task& task
 
 /// Not 0: a signal ended a collage, and with it the campaign.
 int make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
-  for (std::size_t i = 0; i < tasks.size() && !stop_signalled(); ++i) {
+  for (std::size_t i = 0; i < tasks.size() && !comm::stop_signalled(); ++i) {
     if (!tasks[i].finished) {
       const int exit_code = run_collage(collage_of(arguments, tasks[i]), ranks);
       if (exit_code != 0) return exit_code;
@@ -93,7 +93,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   }
   io::prepare_output_directory(campaign_folder(arguments));
   const int exit_code = make_all(arguments, tasks, ranks);
-  if (stop_signalled() || exit_code != 0) {
+  if (comm::stop_signalled() || exit_code != 0) {
     std::fprintf(stderr, "tessera: unfinished: the same command goes on where this one was\n");
     return kUnfinishedExitCode;
   }

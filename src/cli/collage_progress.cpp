@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "cli/stop_signal.h"
+#include "comm/stop_signals.h"
+
 
 namespace tessera::cli {
 namespace {
@@ -36,7 +37,7 @@ void CollageProgress::progressed(const master::Progress& progress) {
 }
 
 const char* CollageProgress::stop_requested() {
-  if (stop_signalled()) return "signal";
+  if (comm::stop_signalled()) return "signal";
   return limit_.near() ? "time_limit" : nullptr;
 }
 

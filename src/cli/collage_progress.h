@@ -12,7 +12,7 @@ namespace tessera::cli {
 
 class CollageProgress : public master::Observer {
  public:
-  /// `quiet`: shows nothing, but still obeys signals (stop_signal.h) and the limit.
+  /// `quiet`: shows nothing, but still obeys signals (comm/stop_signals.h) and the limit.
   CollageProgress(const StopSettings& stop, bool quiet, const TimeLimit& limit = TimeLimit());
 
   void progressed(const master::Progress& progress) override;

@@ -15,16 +15,16 @@
 #include "cli/collage_progress.h"
 #include "cli/collage_warnings.h"
 #include "cli/command_line.h"
-#include "cli/library_part.h"
-#include "cli/stop_signal.h"
 #include "cli/time_limit.h"
 #include "comm/loop_clock.h"
 #include "comm/matcher_server.h"
 #include "comm/node_turn.h"
 #include "comm/rank_sites.h"
+#include "comm/stop_signals.h"
 #include "comm/worker_team.h"
 #include "core/base/version.h"
 #include "core/matching/matching_context.h"
+#include "core/ranks/partition.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
@@ -73,7 +73,7 @@ RankSite site_with(const io::Job& job, const worker::DeviceShare& share) {
 [[noreturn]] void work(comm::Communicator& ranks) {
   const io::Job job = io::job_from_toml(to_text(ranks.broadcast({})), "the master's job");
   const io::LibraryFile library = io::open_library_of(job);
-  const ShapeRange part = library_part(library.size(), ranks.rank() - 1, ranks.size() - 1);
+  const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
   const worker::DeviceShare share = share_node(ranks, job);
   comm::tell_site(ranks, site_with(job, share));
@@ -84,7 +84,7 @@ RankSite site_with(const io::Job& job, const worker::DeviceShare& share) {
 /// The whole library on this rank's devices.
 std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library) {
   const MatchingContext context = context_of(job, library);
-  const ShapeRange all = library_part(library.size(), 0, 1);
+  const ShapeRange all = even_range(library.size(), 0, 1);
   return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context),
                                      {.per_worker = job.devices_per_worker});
 }
@@ -107,7 +107,7 @@ void add_placed_shapes(const io::LibraryFile& library, bool with_originals, io::
 std::string write(const std::string& folder, const io::Job& job, const Canvas& canvas, const io::LibraryFile& library,
                   const master::CollageResult& result, const RankStatistics& ranks, const io::RunRecord& record) {
   // mpirun kills all ranks two seconds after Ctrl-C, and a time limit has little room for a picture.
-  const bool quick = result.unfinished || stop_signalled();
+  const bool quick = result.unfinished || comm::stop_signalled();
   io::CollageReport report;
   report.job = &job;
   report.canvas = &canvas;
@@ -121,7 +121,7 @@ std::string write(const std::string& folder, const io::Job& job, const Canvas& c
 
 /// Nothing where mpirun is ending the job: it may have ended workers already, who would never answer.
 RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& result) {
-  return stop_signalled() ? RankStatistics{} : clock.stop(result.own_work);
+  return comm::stop_signalled() ? RankStatistics{} : clock.stop(result.own_work);
 }
 
 Start start_of(const CollageArguments& arguments) {
@@ -191,7 +191,7 @@ master::CollageResult run_loop(const CollageArguments& arguments, const Input& i
                                Matcher& matcher, CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
-  install_stop_handlers();
+  comm::install_stop_handlers();
   master::LibraryShapes shapes(input.library);
   CollageProgress progress(input.job.settings.stop, arguments.quiet, limit);
   return master::make_collage(input.canvas, input.job.settings, matcher, shapes, progress, {from, &checkpoints});

@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
-#include "bench/report.h"
 #include "io/number_text.h"
 #include "io/result/collage_files.h"
 #include "io/result/ranking.h"
+#include "io/text_table.h"
 
 namespace tessera::cli {
 namespace {
@@ -24,7 +24,7 @@ std::vector<io::ResultCard> cards_of(const std::vector<std::string>& arguments) 
 }
 
 std::string table_text(const std::vector<io::RankedResult>& results) {
-  bench::Table table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces", "shapes",
+  io::TextTable table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces", "shapes",
                       "gap px", "time s"});
   for (const io::RankedResult& result : results) {
     const Quality& q = result.card.quality;

@@ -7,6 +7,7 @@
 #include "comm/encode.h"
 #include "comm/idle_wait.h"
 #include "comm/messages.h"
+#include "core/base/interrupted.h"
 #include "core/base/stopwatch.h"
 
 namespace tessera::comm {
@@ -34,6 +35,9 @@ void Communicator::take_in_arrivals() {
         if (!failure_) failure_ = decode<Failure>(message->bytes);
         break;
       case Tag::end: end_ = decode<Ending>(message->bytes); break;
+      case Tag::heartbeat:
+        if (watch_) watch_->heard(message->from, decode<Heartbeat>(message->bytes));
+        break;
       case Tag::bye: ++byes_; break;
       case Tag::leave: may_leave_ = true; break;
       default: inbox_.push_back(std::move(*message));
@@ -51,14 +55,39 @@ void Communicator::look() {
   throw_if_over();
 }
 
+void Communicator::watch_workers(double silence_s, std::function<void(const std::string& line)> report) {
+  if (size() > 1) watch_.emplace(size(), silence_s);
+  report_lost_ = std::move(report);
+}
+
+void Communicator::throw_if_interrupted() {
+  const char* reason = stop_reason_ ? stop_reason_() : nullptr;
+  const std::optional<RankWatch::Lost> lost = watch_ ? watch_->lost() : std::nullopt;
+  if (lost && !lost_a_worker_) report_lost_(lost->rank > 0 ? place_of(lost->rank) + " " + lost->what : lost->what);
+  lost_a_worker_ |= lost.has_value();
+  gave_up_waiting_ |= reason != nullptr || lost_a_worker_;
+  if (reason) throw Interrupted{reason};
+  if (lost) throw Interrupted{"lost_rank"};
+}
+
 template <class Done>
 void Communicator::wait_until(Done done) {
+  struct Activity {
+    std::atomic<std::uint64_t>& count;
+    explicit Activity(std::atomic<std::uint64_t>& activity) : count(activity) { ++count; }
+    ~Activity() { ++count; }
+  } const activity(activity_);
   IdleWait wait;
+  Stopwatch since_look;
+  if (watch_) watch_->begin_wait();
   for (look(); !done(); look()) {
-    if (interrupt_ && interrupt_()) throw WaitInterrupted{};
+    if (watch_) watch_->waited(since_look.lap());
+    throw_if_interrupted();
     wait.pause();
   }
 }
+
+void Communicator::send_heartbeat(const Heartbeat& beat) { start_send(0, Tag::heartbeat, shared(encode(beat))); }
 
 void Communicator::send_shared(int to, Tag tag, SharedBytes bytes) {
   post(to, tag, std::move(bytes));

@@ -1,11 +1,13 @@
 // The ranks of a job and how they talk: the one interface to the transport, implemented by MPI and, within one process,
-// by threads. Everything here belongs to one thread of the rank.
+// by threads. Everything here belongs to one thread of the rank, but for its heartbeats (heartbeat.h).
 //
 // Sending never waits for the receiver, and whoever waits takes in whatever arrives, so that no order of large messages
 // can lock two ranks up. A rank that cannot go on tells rank 0, whose next wait throws; rank 0 ends the job by telling
-// all, whose next wait throws JobEnded (rank_program.h does both).
+// all, whose next wait throws JobEnded (rank_program.h does both). A wait of rank 0 also ends, by core's Interrupted, when
+// the job is to stop or a worker is lost.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -16,6 +18,7 @@
 
 #include "comm/failure.h"
 #include "comm/message.h"
+#include "comm/rank_watch.h"
 #include "comm/traffic.h"
 #include "core/base/processor_time.h"
 
@@ -23,10 +26,6 @@ namespace tessera::comm {
 
 /// Thrown by the waits of every rank but 0 when rank 0 ended the job. Not an error, hence no std::exception: let it pass.
 struct JobEnded {};
-
-/// Thrown by the waits of a rank whose `interrupt` says so (interrupt_waits_when). The replies that were waited for may
-/// still come; the only thing left to do is to end the job.
-struct WaitInterrupted {};
 
 /// How the ranks leave.
 enum class Ending : std::uint8_t {
@@ -48,7 +47,8 @@ class Communicator {
   int local_rank() const;  // position in node_ranks()
   int local_size() const { return int(node_ranks().size()); }
   /// For messages to people: "rank 2 on node7".
-  virtual std::string place() const = 0;
+  std::string place() const { return place_of(rank()); }
+  virtual std::string place_of(int rank) const = 0;
   /// Ends all ranks at once, without regard to what they do.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 
@@ -69,13 +69,31 @@ class Communicator {
   /// Returns when every rank has come here.
   void barrier();
 
-  /// From now on a wait that finds `interrupt` true throws WaitInterrupted.
-  void interrupt_waits_when(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
+  /// Takes in what has arrived and throws as a wait does: for whoever computes for long.
+  void look();
+
+  /// From now on a wait for which `stop_reason` gives a reason, not null, throws Interrupted with it. The replies that were
+  /// waited for may still come; the only thing left to do is to end the job.
+  void interrupt_waits_when(std::function<const char*()> stop_reason) { stop_reason_ = std::move(stop_reason); }
+  /// Rank 0, whose workers all have a Heart with the same `silence_s`: from now on a wait that finds one of them lost
+  /// (rank_watch.h) calls `report` with a line that names it and throws Interrupted.
+  void watch_workers(double silence_s, std::function<void(const std::string& line)> report);
+  /// A wait of this rank was interrupted: somebody may still be at work on what it asked for.
+  bool gave_up_waiting() const { return gave_up_waiting_; }
+  bool lost_a_worker() const { return lost_a_worker_; }
 
   const Traffic& traffic() const { return traffic_; }
   /// Spent in receive since the start, until the messages came; and what looking for them took of the processor.
   double waited_s() const { return waited_s_; }
   double waited_processor_s() const { return waited_processor_s_; }
+
+  // For the thread of heartbeat.h.
+
+  /// To rank 0. Needs a transport that sends from two threads.
+  void send_heartbeat(const Heartbeat& beat);
+  /// Another number whenever the rank begins to wait for a message, and when it goes on.
+  std::uint64_t activity() const { return activity_.load(std::memory_order_relaxed); }
+  static bool is_waiting(std::uint64_t activity) { return activity % 2 == 1; }
 
   // How a job ends; see rank_program.h, which alone calls these.
 
@@ -94,6 +112,8 @@ class Communicator {
   static constexpr std::size_t kMostUnderWay = std::size_t(128) << 20;
 
  protected:
+  // start_send and poll are called by the rank's thread and start_send by that of its heartbeats, too.
+
   /// Keeps the bytes until they have left; they arrive as long as poll() is called now and then.
   virtual void start_send(int to, Tag tag, SharedBytes bytes) = 0;
   /// A message that has arrived, if there is one; helps along what is under way.
@@ -106,7 +126,7 @@ class Communicator {
   void send_shared(int to, Tag tag, SharedBytes bytes);
   void take_in_arrivals();
   void throw_if_over() const;
-  void look();
+  void throw_if_interrupted();
   template <class Done>
   void wait_until(Done done);
   template <class Done>
@@ -117,7 +137,12 @@ class Communicator {
   std::optional<Ending> end_;       // others: as told by rank 0
   int byes_ = 0;
   bool may_leave_ = false;
-  std::function<bool()> interrupt_;
+  std::function<const char*()> stop_reason_;
+  std::optional<RankWatch> watch_;  // rank 0, with workers
+  std::function<void(const std::string& line)> report_lost_;
+  bool gave_up_waiting_ = false;
+  bool lost_a_worker_ = false;
+  std::atomic<std::uint64_t> activity_{0};
   Traffic traffic_;
   double waited_s_ = 0;
   double waited_processor_s_ = 0;

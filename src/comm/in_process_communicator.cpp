@@ -27,7 +27,7 @@ class InProcessCommunicator : public Communicator {
   int rank() const override { return rank_; }
   int size() const override { return int(network_.queues_.size()); }
   const std::vector<int>& node_ranks() const override { return node_ranks_; }
-  std::string place() const override { return "rank " + std::to_string(rank_); }
+  std::string place_of(int rank) const override { return "rank " + std::to_string(rank); }
 
   [[noreturn]] void abort(int exit_code) override {
     for (const auto& queue : network_.queues_) {

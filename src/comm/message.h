@@ -35,15 +35,16 @@ enum class Tag : int {
   end,            // rank 0 -> all: leave
   bye,            // any rank -> rank 0: nothing more comes from here
   leave,          // rank 0 -> all: nothing more comes from anywhere
+  heartbeat,      // worker -> rank 0: it is alive
 };
 
-inline constexpr std::size_t kTags = std::size_t(Tag::leave) + 1;
+inline constexpr std::size_t kTags = std::size_t(Tag::heartbeat) + 1;
 
 inline constexpr std::array<std::string_view, kTags> kTagNames = {
     "hello",          "start field",  "update field", "count request", "count reply",
     "dock request",   "dock reply",   "refine request", "refine reply", "measure request",
-    "measure reply",  "times request", "times reply", "broadcast",     "barrier",        "site",         "turn",         "failure",
-    "end",            "bye",          "leave"};
+    "measure reply",  "times request", "times reply", "broadcast",     "barrier",        "site",
+    "turn",           "failure",       "end",         "bye",           "leave",          "heartbeat"};
 
 inline std::string_view tag_name(Tag tag) { return kTagNames[std::size_t(tag)]; }
 

@@ -1,16 +1,22 @@
 #include "comm/mpi_communicator.h"
 
+#include <algorithm>
 #include <boost/mpi/collectives/all_gather.hpp>
 #include <boost/mpi/environment.hpp>
 #include <boost/mpi/exception.hpp>
 #include <boost/mpi/status.hpp>
+#include <chrono>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 
 namespace tessera::comm {
 namespace {
 
 namespace mpi = boost::mpi;
+
+constexpr std::chrono::seconds kAbortPatience{5};
 
 std::vector<int> ranks_of_this_node(const mpi::communicator& world) {
   MPI_Comm shared = MPI_COMM_NULL;
@@ -35,13 +41,20 @@ auto content(BytesOrConst& bytes) {
 }  // namespace
 
 MpiCommunicator::MpiCommunicator()
-    : world_(MPI_COMM_WORLD, mpi::comm_duplicate), node_ranks_(ranks_of_this_node(world_)) {}
+    : world_(MPI_COMM_WORLD, mpi::comm_duplicate), node_ranks_(ranks_of_this_node(world_)) {
+  mpi::all_gather(world_, mpi::environment::processor_name(), hosts_);
+}
 
-std::string MpiCommunicator::place() const {
-  return "rank " + std::to_string(rank()) + " on " + mpi::environment::processor_name();
+std::string MpiCommunicator::place_of(int rank) const {
+  return "rank " + std::to_string(rank) + " on " + hosts_.at(std::size_t(rank));
 }
 
 void MpiCommunicator::abort(int exit_code) {
+  // Where the launcher does not answer, the rank leaves all the same.
+  std::thread([exit_code] {
+    std::this_thread::sleep_for(kAbortPatience);
+    std::_Exit(exit_code);
+  }).detach();
   mpi::environment::abort(exit_code);
   throw std::logic_error("MPI_Abort returned");
 }
@@ -50,6 +63,7 @@ void MpiCommunicator::start_send(int to, Tag tag, SharedBytes bytes) {
   if (bytes->size() > std::size_t(std::numeric_limits<int>::max())) {
     throw std::length_error("a message of more than 2 GiB");
   }
+  const std::lock_guard lock(mutex_);
   Leaving leaving{std::move(bytes), {}};
   leaving.request = world_.isend(to, int(tag), content(*leaving.bytes), int(leaving.bytes->size()));
   under_way_ += weight(*leaving.bytes);
@@ -64,13 +78,42 @@ void MpiCommunicator::forget_sent() {
   });
 }
 
+std::size_t MpiCommunicator::under_way() const {
+  const std::lock_guard lock(mutex_);
+  return under_way_;
+}
+
+/// Without waiting for the rest of a message: its sender may have stopped in the middle of it.
+void MpiCommunicator::begin_to_receive() {
+  while (const boost::optional<mpi::status> begun = world_.iprobe(mpi::any_source, mpi::any_tag)) {
+    Arriving& arriving = arriving_.emplace_back();
+    Message& message = arriving.message;
+    message = {begun->source(), Tag(begun->tag()), Bytes(std::size_t(*begun->count<char>()))};
+    arriving.request = world_.irecv(message.from, begun->tag(), content(message.bytes), int(message.bytes.size()));
+  }
+}
+
+/// The first that is complete, none before one of the same sender that was sent earlier.
+std::optional<Message> MpiCommunicator::take_arrived() {
+  std::vector<int> late;
+  for (auto arriving = arriving_.begin(); arriving != arriving_.end(); ++arriving) {
+    const int from = arriving->message.from;
+    if (std::find(late.begin(), late.end(), from) != late.end()) continue;
+    if (arriving->request.test()) {
+      Message message = std::move(arriving->message);
+      arriving_.erase(arriving);
+      return message;
+    }
+    late.push_back(from);
+  }
+  return std::nullopt;
+}
+
 std::optional<Message> MpiCommunicator::poll() {
+  const std::lock_guard lock(mutex_);
   forget_sent();
-  const boost::optional<mpi::status> arrived = world_.iprobe(mpi::any_source, mpi::any_tag);
-  if (!arrived) return std::nullopt;
-  Message message{arrived->source(), Tag(arrived->tag()), Bytes(std::size_t(*arrived->count<char>()))};
-  world_.recv(message.from, arrived->tag(), content(message.bytes), int(message.bytes.size()));
-  return message;
+  begin_to_receive();
+  return take_arrived();
 }
 
 }  // namespace tessera::comm

@@ -13,7 +13,7 @@ namespace tessera::comm {
 
 MpiGuard::MpiGuard(int& argc, char**& argv) : exceptions_before_(std::uncaught_exceptions()) {
   int provided = 0;
-  BOOST_MPI_CHECK_RESULT(MPI_Init_thread, (&argc, &argv, MPI_THREAD_FUNNELED, &provided));
+  BOOST_MPI_CHECK_RESULT(MPI_Init_thread, (&argc, &argv, MPI_THREAD_SERIALIZED, &provided));
   BOOST_MPI_CHECK_RESULT(MPI_Comm_set_errhandler, (MPI_COMM_WORLD, MPI_ERRORS_RETURN));
 }
 

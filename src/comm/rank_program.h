@@ -3,7 +3,8 @@
 //                              leave, which they do at their next wait (JobEnded)
 //   another rank throws        it tells rank 0 what and where, and waits to be told to leave; rank 0's next wait throws
 //                              the same InputError or EnvironmentError with the rank's name before the text
-// A rank that dies without a word is mpirun's to notice: it ends the job.
+// A rank that dies without a word is mpirun's to notice: it ends the job. One that hangs is rank 0's to notice
+// (rank_watch.h); it cannot say goodbye, so that rank 0 aborts the job with its exit code.
 #pragma once
 
 #include <functional>

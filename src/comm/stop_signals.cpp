@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -44,6 +45,11 @@ void on_continue(int, siginfo_t* info, void*) {
 
 void on_first_stop(int) {}
 
+std::atomic<bool> signalled{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+void remember(int) { signalled.store(true, std::memory_order_relaxed); }
+
 }  // namespace
 
 void prepare_stop_signals(int rank) {
@@ -62,5 +68,14 @@ void prepare_stop_signals(int rank) {
 }
 
 bool launcher_ends_job() { return launcher_has_begun != 0; }
+
+void install_stop_handlers() {
+  struct sigaction action = {};
+  action.sa_handler = remember;
+  action.sa_flags = SA_RESTART;  // a system call of MPI or OpenCL goes on
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR2}) sigaction(signal, &action, nullptr);
+}
+
+bool stop_signalled() { return signalled.load(std::memory_order_relaxed); }
 
 }  // namespace tessera::comm

@@ -37,9 +37,14 @@ inline constexpr int kRematchTangentDockings = 2000;  // when the pool is dry
 /// A pre-test of the scale by the lengths of level 2, which are noisier than the final alignment.
 inline constexpr float kScaleWindowLow = 0.7f;
 inline constexpr float kScaleWindowHigh = 1.4f;
+inline constexpr int kChordLevel = 2;        // whose chord tells scale and rotation before any alignment
+inline constexpr float kLevelSliver = 1.1f;    // less of a level at the end of the scales is not worth its PADs
 inline constexpr float kLevelSlack = 1.05f;  // a level serves its octave and so much beyond
 /// Largest mean residual of the key points: squared, in units of 4 px times their spread.
 inline constexpr float kAlignmentTolerance = 0.64f;
+
+/// A docking is turned so far to a rotation that is allowed: as much as frames and PADs of a good fit differ.
+inline constexpr float kDockingTurn_rad = 0.2f;
 
 // Early reject.
 inline constexpr float kLeastDockingKey = 0.1f;

@@ -48,6 +48,14 @@ bool write_all(int fd, std::span<const std::uint8_t> bytes) {
   throw EnvironmentError("cannot write " + path + ": " + std::generic_category().message(reason));
 }
 
+/// Without it a power cut may undo what was renamed in the folder of `path`.
+void flush_folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::absolute(path).parent_path();
+  Descriptor file(folder, O_RDONLY | O_DIRECTORY);
+  // Some file systems cannot flush a folder (EINVAL) and keep its order by themselves.
+  if (!file.open() || (::fsync(file.get()) != 0 && errno != EINVAL)) fail(path);
+}
+
 }  // namespace
 
 std::string temporary_path(const std::string& path) { return path + ".tmp"; }
@@ -56,18 +64,12 @@ void commit_temporary_file(const std::string& path) {
   Descriptor file(temporary_path(path), O_RDONLY);
   if (!file.open() || ::fsync(file.get()) != 0 || !file.close()) fail(path);
   if (std::rename(temporary_path(path).c_str(), path.c_str()) != 0) fail(path);
+  flush_folder_of(path);
 }
 
 void write_temporary_file(const std::string& path, std::span<const std::uint8_t> bytes) {
   Descriptor file(temporary_path(path), O_WRONLY | O_CREAT | O_TRUNC);
   if (!file.open() || !write_all(file.get(), bytes) || ::fsync(file.get()) != 0 || !file.close()) fail(path);
-}
-
-void flush_folder_of(const std::string& path) {
-  const std::string folder = std::filesystem::absolute(path).parent_path();
-  Descriptor file(folder, O_RDONLY | O_DIRECTORY);
-  // Some file systems cannot flush a folder (EINVAL) and keep its order by themselves.
-  if (!file.open() || (::fsync(file.get()) != 0 && errno != EINVAL)) fail(path);
 }
 
 void write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes) {

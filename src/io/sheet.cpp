@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
@@ -33,8 +34,7 @@ double text_width(cairo_t* cairo, const std::string& text) {
 std::string fitted(cairo_t* cairo, std::string text, double width_px) {
   if (text_width(cairo, text) <= width_px) return text;
   while (!text.empty() && text_width(cairo, text + "…") > width_px) {
-    while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
-    text.pop_back();
+    text = cut_utf8(text, text.size() - 1);
   }
   return text + "…";
 }

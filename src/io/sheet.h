@@ -1,22 +1,13 @@
 // A sheet of pictures with captions below them and a title above: what contact sheets have in common.
 #pragma once
 
-#include <cairo.h>
-
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
-namespace tessera::io {
+#include "io/cairo_objects.h"
 
-/// Frees cairo's surfaces and contexts.
-struct DestroyCairo {
-  void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
-  void operator()(cairo_t* c) const { cairo_destroy(c); }
-};
-using CairoSurface = std::unique_ptr<cairo_surface_t, DestroyCairo>;
-using CairoContext = std::unique_ptr<cairo_t, DestroyCairo>;
+namespace tessera::io {
 
 /// Where the cells of a sheet lie: rows of equal pictures, a little wider than high as a whole.
 struct SheetLayout {

@@ -72,6 +72,14 @@ std::vector<TargetSample> Collage::take_stale_samples() {
   return samples;
 }
 
+void Collage::put_back_stale_samples(const std::vector<TargetSample>& samples) {
+  for (const TargetSample& sample : samples) {
+    stale_.insert(sample.edge);
+    const auto passes = passes_.find(sample.edge);
+    if (--passes->second == 0) passes_.erase(passes);
+  }
+}
+
 void Collage::mark_stale(const Window& window) {
   for (const std::uint32_t edge : curve_.sample_edges()) {
     const Vec2 node = curve_.sample(edge).position - free_.field().origin;
@@ -120,7 +128,7 @@ float Collage::preference(const Candidate& candidate) const {
 
 float Collage::score_of(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
-  const PieceSize size{scale, candidate.perimeter * scale, context_.max_scale_px};
+  const PieceSize size{scale, candidate.perimeter * scale, context_.poses.max_scale_px};
   return objective(candidate.terms, size, settings_.objective);
 }
 
@@ -173,13 +181,12 @@ bool Collage::settle(Candidate& candidate) {
   Similarity& pose = candidate.canvas_from_shape;
   for (int step = 0; depth_px(pose, model, field) > context_.hard_depth_px; ++step) {
     if (step == kSettleSteps) return false;
-    descend(pose, model, field, {2, 0.3f, 0.3f, 30.f, kMediumStride}, context_.min_scale_px, context_.max_scale_px);
+    descend(pose, model, field, {2, 0.3f, 0.3f, 30.f, kMediumStride}, context_.poses);
     if (depth_px(pose, model, field) <= context_.hard_depth_px) break;
     pose.a *= kSettleShrink;
     pose.b *= kSettleShrink;
-    if (pose.scale() < context_.min_scale_px) return false;
+    if (pose.scale() < context_.poses.min_scale_px) return false;
   }
-  if (!context_.rotation_allowed(pose)) return false;
   grow(pose, model, field, context_);
   candidate.terms = docking_terms(pose, model, field, context_);
   return true;
@@ -289,6 +296,14 @@ std::vector<Docking> Collage::touched_by(const Window& changed) const {
     }
   }
   return touched;
+}
+
+std::vector<DockingTerms> Collage::measure(const std::vector<Docking>& dockings) {
+  std::vector<DockingTerms> terms;
+  for (const Docking& docking : dockings) {
+    terms.push_back(docking_terms(docking.canvas_from_shape, shapes_.model(docking.shape), free_.view(), context_));
+  }
+  return terms;
 }
 
 void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& terms) {

@@ -29,6 +29,8 @@ class Collage {
 
   /// Target samples to be matched (again); they count as matched from now on.
   std::vector<TargetSample> take_stale_samples();
+  /// Undoes take_stale_samples(), which gave these, where they were not matched after all.
+  void put_back_stale_samples(const std::vector<TargetSample>& samples);
   /// Those in the window.
   void mark_stale(const Window& window);
   /// The random dockings of a sample that has not been matched yet are those of this pass.
@@ -48,7 +50,10 @@ class Collage {
   Window place(const Candidate& candidate);
   /// The candidates whose windows overlap `changed`.
   std::vector<Docking> touched_by(const Window& changed) const;
-  /// Their terms now, in the order of touched_by(changed).
+  /// The terms of such candidates by the master's own computation, which agrees with the matcher's to the bit. For where
+  /// the matcher does not answer any more.
+  std::vector<DockingTerms> measure(const std::vector<Docking>& dockings);
+  /// Takes the terms that they have now, in the order of touched_by(changed).
   void rescore(const Window& changed, const std::vector<DockingTerms>& terms);
 
   /// Makes the collage one of `placements`: of the present ones some may be missing, others be new. Pool and stale

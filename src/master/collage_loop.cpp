@@ -1,5 +1,9 @@
 #include "master/collage_loop.h"
 
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
 #include "core/base/stopwatch.h"
 #include "master/collage.h"
@@ -26,11 +30,16 @@ class Run {
   }
 
   CollageResult finish() {
-    if (!improving_) fill();
-    if (improving_) improve();
+    try {
+      if (!improving_) fill();
+      if (improving_) improve();
+    } catch (const Interrupted& interrupted) {
+      stop_unfinished(interrupted.reason);
+      gave_up_question_ = true;
+    }
     statistics_.total_s = seconds();
     if (unfinished_ && keeper_) keeper_->keep(state());
-    return {collage_.placements(), statistics_, unfinished_, own_work()};
+    return {collage_.placements(), statistics_, unfinished_, gave_up_question_, own_work()};
   }
 
  private:
@@ -39,11 +48,16 @@ class Run {
     statistics_ = from.statistics;
     earlier_ = from.statistics;
     improving_ = from.improving;
+    if (!filling_.restore_empty_passes(from.empty_passes)) {
+      throw InputError(from.name + ": not a checkpoint of this job: " + std::to_string(from.empty_passes) +
+                       " passes without a piece; --restart removes it and starts again");
+    }
   }
 
   CheckpointState state() const {
     CheckpointState state;
     state.improving = improving_;
+    state.empty_passes = improving_ ? 0 : filling_.empty_passes();
     state.statistics = statistics_;
     state.statistics.total_s = seconds();
     state.statistics.stopped_by.clear();
@@ -112,9 +126,13 @@ class Run {
   bool interrupted() {
     const char* reason = observer_.stop_requested();
     if (!reason) return false;
+    stop_unfinished(reason);
+    return true;
+  }
+
+  void stop_unfinished(const char* reason) {
     statistics_.stopped_by = reason;
     unfinished_ = true;
-    return true;
   }
 
   RunStatistics own_work() const {
@@ -149,6 +167,7 @@ class Run {
   RunStatistics earlier_;  // before an interruption
   bool improving_ = false;
   bool unfinished_ = false;
+  bool gave_up_question_ = false;
 };
 
 }  // namespace

@@ -16,7 +16,8 @@ namespace tessera::master {
 struct CollageResult {
   std::vector<Placement> placements;
   RunStatistics statistics;
-  bool unfinished = false;  // the observer asked to stop, and there was more to do
+  bool unfinished = false;  // the observer asked to stop, or the matcher threw Interrupted, and there was more to do
+  bool gave_up_question = false;  // the matcher threw Interrupted: it must not be asked again
   RunStatistics own_work;   // of this call alone, trials included: times, rounds and target samples
 };
 
@@ -26,7 +27,8 @@ struct Checkpoints {
   CheckpointKeeper* keeper = nullptr;     // null: nowhere; an unfinished loop ends with a checkpoint
 };
 
-/// `matcher` covers the whole library. A loop that was interrupted and goes on `from` its checkpoint, with the same
+/// `matcher` covers the whole library. Where it throws Interrupted the loop ends as where the observer asks it to stop, within
+/// a round: the state that is kept is that before the question. A loop that was interrupted and goes on `from` its checkpoint, with the same
 /// canvas, settings and library, places what it would have placed without the interruption. Throws InputError where
 /// `from` belongs to others.
 CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,

@@ -1,5 +1,8 @@
 #include "master/filling.h"
 
+#include <optional>
+
+#include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
 #include "core/base/stopwatch.h"
 #include "core/tuning.h"
@@ -32,13 +35,18 @@ void Filling::start(const Window& region) {
   empty_passes_ = 0;
 }
 
+bool Filling::restore_empty_passes(int passes) {
+  if (passes < 0 || passes > most_empty_passes_) return false;
+  empty_passes_ = passes;
+  return true;
+}
+
 bool Filling::place_one() {
   for (;;) {
     match_stale();
     Candidate best;
     if (choose(best)) {
       place(best);
-      empty_passes_ = 0;
       return true;
     }
     if (empty_passes_ == most_empty_passes_) return false;
@@ -56,9 +64,15 @@ void Filling::match_stale() {
   send_changes();
   const std::vector<TargetSample> samples = collage_.take_stale_samples();
   statistics_->merge_s += watch.lap();
-  const MatchRound found = match(matcher_, samples, plan(), library_pads_, reach_, *statistics_, [this] { check_ahead(); });
-  watch.lap();
-  collage_.add_candidates(samples, found);
+  try {
+    const MatchRound found =
+        match(matcher_, samples, plan(), library_pads_, reach_, *statistics_, [this] { check_ahead(); });
+    watch.lap();
+    collage_.add_candidates(samples, found);
+  } catch (const Interrupted&) {
+    collage_.put_back_stale_samples(samples);
+    throw;
+  }
   statistics_->objective_s += watch.lap();
 }
 
@@ -78,15 +92,24 @@ bool Filling::choose(Candidate& best) {
 void Filling::place(const Candidate& best) {
   Stopwatch watch;
   const Window changed = collage_.place(best);
-  send_changes();
-  const std::vector<Docking> touched = collage_.touched_by(changed);
-  statistics_->merge_s += watch.lap();
-  matcher_.post_measure(touched);
-  const std::vector<DockingTerms> terms = matcher_.take_measure();
+  std::optional<Interrupted> interrupted;
+  std::vector<DockingTerms> terms;
+  try {
+    send_changes();
+    const std::vector<Docking> touched = collage_.touched_by(changed);
+    statistics_->merge_s += watch.lap();
+    matcher_.post_measure(touched);
+    terms = matcher_.take_measure();
+  } catch (const Interrupted& interruption) {  // the piece stands already: the round ends without the matcher
+    interrupted = interruption;
+    terms = collage_.measure(collage_.touched_by(changed));
+  }
   statistics_->dock_s += watch.lap();
   collage_.rescore(changed, terms);
   statistics_->merge_s += watch.lap();
   ++statistics_->rounds;
+  empty_passes_ = 0;
+  if (interrupted) throw *interrupted;
 }
 
 void Filling::send_changes() {

@@ -16,8 +16,15 @@ class Filling {
   void start(const Window& region);
 
   /// Places the best piece. Where the pool is dry, the region's samples are matched again with other random dockings
-  /// (design, method 9); false when that finds nothing either.
+  /// (design, method 9); false when that finds nothing either. Throws Interrupted where the matcher does: the question is
+  /// undone or its piece is placed to the end, so that the collage can be saved.
   bool place_one();
+
+  /// How often the region's samples were matched again since the last piece. Saved and restored with the collage: an
+  /// interruption may come in between.
+  int empty_passes() const { return empty_passes_; }
+  /// False where there are never so many.
+  bool restore_empty_passes(int passes);
 
   /// From now on.
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }

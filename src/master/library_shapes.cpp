@@ -1,5 +1,8 @@
 #include "master/library_shapes.h"
 
+#include "core/base/error.h"
+#include "core/shape/shape_contradiction.h"
+
 namespace tessera::master {
 namespace {
 
@@ -7,6 +10,14 @@ constexpr io::LibraryParts kBody{.outline = true, .field = true, .levels = 0, .a
 
 }  // namespace
 
-Shape LibraryShapes::load(std::uint32_t index) { return std::move(library_.read(index, index + 1, kBody).front()); }
+Shape LibraryShapes::load(std::uint32_t index) {
+  Shape shape = std::move(library_.read(index, index + 1, kBody).front());
+  const std::string contradiction = shape_contradiction(shape);
+  if (!contradiction.empty()) {
+    throw InputError(library_.path() + ": damaged: shape " + std::to_string(index) + ": " + contradiction +
+                     "; build it again with tessera library build");
+  }
+  return shape;
+}
 
 }  // namespace tessera::master

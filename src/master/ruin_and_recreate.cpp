@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/base/interrupted.h"
 #include "core/base/portable_math.h"
 
 namespace tessera::master {
@@ -85,7 +86,12 @@ Trial RuinAndRecreate::try_once(std::uint32_t trial, const std::function<bool()>
   if (rest.size() == before.size()) return Trial::put_back;
   filling_.start(collage_.replace_placements(std::move(rest)));
   collage_.set_first_pass(kPassesPerTrial * trial);
-  while (!stopped() && filling_.place_one()) {
+  try {
+    while (!stopped() && filling_.place_one()) {
+    }
+  } catch (const Interrupted&) {
+    collage_.replace_placements(before);
+    throw;
   }
   const bool interrupted = stopped();
   if (!interrupted && collage_.placements().size() <= most_pieces_ &&

@@ -16,7 +16,7 @@ class RuinAndRecreate {
   RuinAndRecreate(Collage& collage, Filling& filling, const CollageSettings& settings);
 
   /// Trial number `trial`: its outcome follows from this number and the placements alone. `stopped` is asked before every
-  /// piece; an interrupted trial leaves the placements as they were.
+  /// piece; an interrupted trial, also where the matcher throws Interrupted, leaves the placements as they were.
   Trial try_once(std::uint32_t trial, const std::function<bool()>& stopped);
 
  private:

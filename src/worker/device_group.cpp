@@ -17,7 +17,7 @@ void limit_cpu_threads(int threads) {
 
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
                                              const ShapeRange& shapes, const ModelSource& models,
-                                             const DeviceShare& share) {
+                                             const DeviceShare& share, const BetweenLaunches& between_launches) {
   const std::vector<cl::Device> devices = chosen_devices(devices_use, share);
   const std::size_t count = shapes.end - shapes.begin;
   const std::vector<std::uint64_t> weights(count, 1);
@@ -25,7 +25,7 @@ std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, con
   std::vector<std::unique_ptr<Matcher>> parts;
   for (const ShapeRange& part : balanced_ranges(weights, used)) {
     const ShapeRange own{shapes.begin + part.begin, shapes.begin + part.end};
-    parts.push_back(std::make_unique<OpenCLMatcher>(devices[parts.size()], context, own, models));
+    parts.push_back(std::make_unique<OpenCLMatcher>(devices[parts.size()], context, own, models, between_launches));
   }
   if (parts.size() == 1) return std::move(parts.front());
   return std::make_unique<CompositeMatcher>(std::move(parts));

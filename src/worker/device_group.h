@@ -9,6 +9,7 @@
 #include "core/matching/matching_context.h"
 #include "core/matching/model_source.h"
 #include "worker/opencl_devices.h"
+#include "worker/opencl_runtime.h"
 
 namespace tessera::worker {
 
@@ -18,10 +19,12 @@ void limit_cpu_threads(int threads);
 
 /// Every shape has as many samples, so that the devices get as many shapes, give or take one; with fewer shapes than
 /// devices the first devices are used. `devices_use`: job key devices.use. Throws InputError or EnvironmentError
-/// where the devices are not there (opencl_devices.h) or fail.
+/// where the devices are not there (opencl_devices.h) or fail. `between_launches` may throw to give a question up; the
+/// matcher must not be asked again then.
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
                                              const ShapeRange& shapes, const ModelSource& models,
-                                             const DeviceShare& share = {});
+                                             const DeviceShare& share = {},
+                                             const BetweenLaunches& between_launches = {});
 
 /// Compiles the kernels for the job's devices where they are not in the cache on disk.
 void compile_kernels(const std::string& devices_use, const MatchingContext& context);

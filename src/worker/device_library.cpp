@@ -23,9 +23,9 @@ void upload(DeviceBuffer<T>& buffer, const std::vector<T>& part, std::size_t par
 }  // namespace
 
 DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
-                             const ModelSource& models)
+                             const ModelSource& models, const BetweenLaunches& between_launches)
     : pad_levels_(context.pad.levels),
-      session_(device, kernel_source, kernel_options(device, context.pad.levels)),
+      session_(device, kernel_source, kernel_options(device, context.pad.levels), between_launches),
       match_(make_match_record(context, shapes)),
       match_buffer_(session_, {match_}),
       pad_bytes_(session_),
@@ -39,6 +39,7 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
   for (std::uint32_t first = shapes.begin; first < shapes.end; first += kShapesAtATime) {
     const ShapeRange part{first, std::min(shapes.end, first + kShapesAtATime)};
     upload(make_shard(match_, pad_levels_, models(part)), first - shapes.begin);
+    if (between_launches) between_launches();
   }
 }
 

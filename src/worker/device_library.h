@@ -11,7 +11,7 @@ namespace tessera::worker {
 class DeviceLibrary {
  public:
   DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
-                const ModelSource& models);
+                const ModelSource& models, const BetweenLaunches& between_launches = {});
 
   void start_field(int width, int height, Vec2 origin);
   void update_field(const FieldPatch& patch);

@@ -45,6 +45,11 @@ std::string kernel_options(const cl::Device& device, int pad_levels) {
   DEFINE(kDockingsPerShape);
   DEFINE(kDistanceBins);
   DEFINE(kShortlist);
+  DEFINE(kChordLevel);
+  DEFINE(kInsideBound);
+  DEFINE(kScaleRounding);
+  DEFINE(kRotationRounding_rad);
+  DEFINE(kNoTurnLimit);
   DEFINE(kScaleWindowLow);
   DEFINE(kScaleWindowHigh);
   DEFINE(kAlignmentTolerance);

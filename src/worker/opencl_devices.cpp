@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/base/split_text.h"
 #include "worker/opencl_runtime.h"
 
 namespace tessera::worker {
@@ -80,8 +81,8 @@ std::vector<cl::Device> devices_by_index(const std::vector<cl::Device>& all, con
         "; allowed: \"all\", \"cpu\", \"gpu\" or distinct indices of this machine's OpenCL devices: " + listed(all));
   };
   std::vector<std::size_t> indices;
-  std::istringstream list(use);
-  for (std::string item; std::getline(list, item, ',');) {
+  for (const std::string_view part : split_outside(use, ',')) {
+    const std::string item(part);
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), index);
     if (error != std::errc() || end != item.data() + item.size()) throw refuse("\"" + item + "\" is no index");
@@ -89,7 +90,6 @@ std::vector<cl::Device> devices_by_index(const std::vector<cl::Device>& all, con
     if (std::find(indices.begin(), indices.end(), index) != indices.end()) throw refuse(item + " stands there twice");
     indices.push_back(index);
   }
-  if (indices.empty()) throw refuse("no device is named");
   std::vector<cl::Device> chosen;
   for (const std::size_t index : indices) chosen.push_back(all[index]);
   return chosen;

@@ -3,8 +3,9 @@
 namespace tessera::worker {
 
 OpenCLMatcher::OpenCLMatcher(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
-                             const ModelSource& models, std::size_t stage_bytes)
-    : library_(device, context, shapes, models),
+                             const ModelSource& models, const BetweenLaunches& between_launches,
+                             std::size_t stage_bytes)
+    : library_(device, context, shapes, models, between_launches),
       pairs_(library_, stage_bytes),
       docking_(library_, pairs_),
       refinement_(library_) {}

@@ -33,9 +33,11 @@ EnvironmentError opencl_error(const cl::Error& error, const std::string& device)
                           std::to_string(error.err()) + meaning(error.err()));
 }
 
-DeviceSession::DeviceSession(const cl::Device& device, const std::string& source, const std::string& build_options)
+DeviceSession::DeviceSession(const cl::Device& device, const std::string& source, const std::string& build_options,
+                             BetweenLaunches between_launches)
     : device_(device),
-      name_(device.getInfo<CL_DEVICE_NAME>()) {
+      name_(device.getInfo<CL_DEVICE_NAME>()),
+      between_launches_(std::move(between_launches)) {
   checked(name_, [&] {
     context_ = cl::Context(device_);
     queue_ = cl::CommandQueue(context_, device_);
@@ -57,6 +59,14 @@ void DeviceSession::flush() const {
   checked(name_, [&] { queue_.flush(); });
 }
 
+void DeviceSession::wait_for_launches() const {
+  while (!launches_.empty()) {
+    checked(name_, [&] { launches_.front().wait(); });
+    launches_.pop_front();
+    if (between_launches_) between_launches_();
+  }
+}
+
 void set_argument(cl::Kernel& kernel, cl_uint index, std::uint32_t value) { kernel.setArg(index, value); }
 
 void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, cl_uint arguments) {
@@ -67,7 +77,10 @@ void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& s
   if (std::max(x, size.y) > std::numeric_limits<std::uint32_t>::max()) {
     throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": more work than 32-bit indices count");
   }
-  session.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(x, size.y), cl::NDRange(size.group, 1));
+  cl::Event launched;
+  session.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(x, size.y), cl::NDRange(size.group, 1),
+                                       nullptr, &launched);
+  session.add_launch(std::move(launched));
 }
 
 }  // namespace tessera::worker

@@ -4,6 +4,8 @@
 
 #include <CL/opencl.hpp>
 #include <cstdint>
+#include <deque>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,11 +26,16 @@ auto checked(const std::string& device, Calls&& calls) {
   }
 }
 
+/// Called between the launches of a question while its answer is waited for, many times a second as a rule. What it throws
+/// ends the wait; the session must not be used again then.
+using BetweenLaunches = std::function<void()>;
+
 /// A device with its queue (in order: every command sees what the one before it left) and a built program.
 class DeviceSession {
  public:
   /// Throws EnvironmentError with the build log where the source does not compile.
-  DeviceSession(const cl::Device& device, const std::string& source, const std::string& build_options);
+  DeviceSession(const cl::Device& device, const std::string& source, const std::string& build_options,
+                BetweenLaunches between_launches = {});
 
   const std::string& name() const { return name_; }
   const cl::Context& context() const { return context_; }
@@ -36,6 +43,10 @@ class DeviceSession {
   cl::Kernel kernel(const char* name) const;
   /// Hands what was posted to the device, without waiting.
   void flush() const;
+  /// For enqueue(): `launch` was posted.
+  void add_launch(cl::Event launch) const { launches_.push_back(std::move(launch)); }
+  /// Waits until all launches that were posted are done, one after the other.
+  void wait_for_launches() const;
 
  private:
   cl::Device device_;
@@ -43,6 +54,8 @@ class DeviceSession {
   cl::Context context_;
   cl::CommandQueue queue_;
   cl::Program program_;
+  BetweenLaunches between_launches_;
+  mutable std::deque<cl::Event> launches_;  // posted, and not yet known to be done
 };
 
 /// `T` is a number or a struct of kernels/records.h.
@@ -87,6 +100,7 @@ class DeviceBuffer {
 
   /// The first `count` elements, once all that was posted before is done.
   std::vector<T> read(std::size_t count) const {
+    session_->wait_for_launches();
     std::vector<T> content(count);
     if (count == 0) return content;
     checked(session_->name(),

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/field/target_curve.h"
+#include "core/field/target_sample.h"
 #include "records.h"
 
 namespace tessera::worker {

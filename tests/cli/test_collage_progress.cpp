@@ -5,7 +5,7 @@
 #include <csignal>
 
 #include "cli/collage_progress.h"
-#include "cli/stop_signal.h"
+#include "comm/stop_signals.h"
 
 namespace tessera::cli {
 namespace {
@@ -52,7 +52,7 @@ TEST(CollageProgress, a_time_limit_ends_the_loop) {
 }
 
 TEST(StopSignal, signals_ask_for_the_end_as_often_as_they_come) {
-  install_stop_handlers();
+  comm::install_stop_handlers();
   CollageProgress progress({}, true);
   EXPECT_EQ(progress.stop_requested(), nullptr);
   std::raise(SIGINT);

@@ -8,6 +8,7 @@
 
 #include "comm/mpi_guard.h"
 #include "core/base/error.h"
+#include "core/base/interrupted.h"
 
 namespace {
 
@@ -22,13 +23,13 @@ int lead(Communicator& ranks, const std::string& how, const std::string& file) {
   if (how == "rank_0_environment_error") throw tessera::EnvironmentError("disk full");
   if (how == "interrupted") {
     std::signal(SIGTERM, [](int) { stopped = 1; });
-    ranks.interrupt_waits_when([] { return stopped != 0; });
+    ranks.interrupt_waits_when([] { return stopped ? "signal" : nullptr; });
     std::printf("running\n");
     std::fflush(stdout);
   }
   try {
     if (how != "done") ranks.receive(1, Tag::turn);
-  } catch (const tessera::comm::WaitInterrupted&) {
+  } catch (const tessera::Interrupted&) {
     std::this_thread::sleep_for(std::chrono::milliseconds(700));  // pictures take their time
   }
   std::ofstream(file) << "written\n";

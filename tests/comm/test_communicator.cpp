@@ -7,6 +7,7 @@
 
 #include "comm/node_turn.h"
 #include "core/base/error.h"
+#include "core/base/interrupted.h"
 #include "on_all_ranks.h"
 
 namespace tessera::comm {
@@ -134,8 +135,8 @@ TEST(Communicator, CountsTraffic) {
 TEST(Communicator, AWaitCanBeInterrupted) {
   on_all_ranks([](Communicator& ranks) {
     int looks = 0;
-    ranks.interrupt_waits_when([&looks] { return ++looks > 3; });
-    EXPECT_THROW(ranks.receive(ranks.rank(), Tag::turn), WaitInterrupted);
+    ranks.interrupt_waits_when([&looks] { return ++looks > 3 ? "signal" : nullptr; });
+    EXPECT_THROW(ranks.receive(ranks.rank(), Tag::turn), Interrupted);
     ranks.interrupt_waits_when(nullptr);
     ranks.barrier();
   });

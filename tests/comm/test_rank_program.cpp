@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/base/interrupted.h"
 #include "job_fixture.h"
 #include "on_all_ranks.h"
 
@@ -114,8 +115,8 @@ TEST(RankProgram, AnInterruptedWaitLeavesTheJobToRankZero) {
     const JobOutcome outcome = run_job(
         ranks,
         [](Communicator& c) {
-          c.interrupt_waits_when([] { return true; });
-          EXPECT_THROW(c.receive(1, Tag::dock_reply), WaitInterrupted);
+          c.interrupt_waits_when([] { return "signal"; });
+          EXPECT_THROW(c.receive(1, Tag::dock_reply), Interrupted);
           return 5;
         },
         wait_for_ever);

@@ -57,6 +57,19 @@ TEST(BalancedRanges, DoesNotOverflow) {
   for (const ShapeRange& range : ranges) EXPECT_EQ(range.end - range.begin, 2u);
 }
 
+RC_GTEST_PROP(EvenRange, CoversTheLibraryEvenly, ()) {
+  const int shapes = *rc::gen::inRange(1, 1000);
+  const int workers = *rc::gen::inRange(1, 40);
+  std::uint32_t next = 0;
+  for (int worker = 0; worker < workers; ++worker) {
+    const ShapeRange part = even_range(std::size_t(shapes), worker, workers);
+    RC_ASSERT(part.begin == next);
+    RC_ASSERT(int(part.end - part.begin) <= shapes / workers + 1);
+    next = part.end;
+  }
+  RC_ASSERT(next == std::uint32_t(shapes));
+}
+
 TEST(BalancedRanges, NeedsAPart) { EXPECT_THROW(balanced_ranges({}, 0), std::invalid_argument); }
 
 }  // namespace

@@ -47,6 +47,18 @@ class RandomShape {
     return result;
   }
 
+  /// The chunks of a small RGBA PNG around bytes that no decoder would take.
+  static std::vector<std::uint8_t> png(const std::vector<std::uint8_t>& pixels) {
+    std::vector<std::uint8_t> file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0, 0,
+                                   0,    9,   0,   0,   0,    7,    8,    6,    0, 0, 0, 0,  0,   0,   0,   0};
+    file.resize(8 + 12 + 13);
+    const auto count = std::uint32_t(pixels.size());
+    file.insert(file.end(), {0, 0, std::uint8_t(count >> 8), std::uint8_t(count), 'I', 'D', 'A', 'T'});
+    file.insert(file.end(), pixels.begin(), pixels.end());
+    file.insert(file.end(), {0, 0, 0, 0, 0, 0, 0, 0, 'I', 'E', 'N', 'D', 0, 0, 0, 0});
+    return file;
+  }
+
   void fill_level(LevelCurve& level, const SmoothingLevel& size) {
     level.points = points(size.curve_points);
     level.perimeter = number(3, 8);
@@ -65,7 +77,7 @@ class RandomShape {
     artwork.height_px = whole(1, 4000);
     artwork.centroid_px = {number(0, 4000), number(0, 4000)};
     artwork.unit_px = number(1, 2000);
-    artwork.thumbnail_png = bytes(3000);
+    artwork.thumbnail_png = png(bytes(3000));
     artwork.original = bytes(5000);
   }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <rapidcheck/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -48,8 +49,8 @@ bool same(const RunStatistics& a, const RunStatistics& b) {
 }
 
 bool same(const CheckpointState& a, const CheckpointState& b) {
-  return a.improving == b.improving && a.placements == b.placements && a.stale == b.stale && a.passes == b.passes &&
-         a.matched == b.matched && a.rebuilt_digest == b.rebuilt_digest && same(a.statistics, b.statistics) &&
+  return a.improving == b.improving && a.empty_passes == b.empty_passes && a.placements == b.placements &&
+         a.stale == b.stale && a.passes == b.passes && a.matched == b.matched && a.rebuilt_digest == b.rebuilt_digest && same(a.statistics, b.statistics) &&
          std::equal(a.pool.begin(), a.pool.end(), b.pool.begin(), b.pool.end(),
                     [](const PooledSample& p, const PooledSample& q) { return same(p, q); });
 }
@@ -201,7 +202,13 @@ TEST_F(DamagedCheckpoint, OtherFiles) {
   fs::remove(path_);
   expect_complaint("no such file");
   fs::create_directory(path_);
-  expect_complaint("no such file");
+  expect_complaint("found a folder, allowed: a regular file");
+  fs::remove(path_);
+  ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  expect_complaint("found a pipe, allowed: a regular file");
+  fs::remove(path_);
+  fs::create_symlink("/dev/zero", path_);
+  expect_complaint("found a device, allowed: a regular file");
   fs::remove(path_);
   folder_.write("checkpoint.h5", "");
   expect_complaint("cut off after 0 bytes");

@@ -2,6 +2,7 @@
 // never wrong shapes.
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <filesystem>
@@ -87,7 +88,13 @@ TEST_F(DamagedLibrary, OtherFiles) {
   std::filesystem::remove(path_);
   expect_complaint("no such file");
   std::filesystem::create_directory(path_);
-  expect_complaint("no such file");
+  expect_complaint("found a folder, allowed: a regular file");
+  std::filesystem::remove(path_);
+  ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  expect_complaint("found a pipe, allowed: a regular file");
+  std::filesystem::remove(path_);
+  std::filesystem::create_symlink("/dev/zero", path_);
+  expect_complaint("found a device, allowed: a regular file");
   std::filesystem::remove(path_);
   folder_.write("library.h5", "");
   expect_complaint("not an HDF5 file");
@@ -205,7 +212,10 @@ TEST_F(DamagedLibrary, WrongType) {
     H5Ldelete(file, "/shapes/radius", H5P_DEFAULT);
     const hsize_t rows = 3;
     const hid_t space = H5Screate_simple(1, &rows, nullptr);
-    H5Dclose(H5Dcreate2(file, "/shapes/radius", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(properties, 1, &rows);
+    H5Dclose(H5Dcreate2(file, "/shapes/radius", H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+    H5Pclose(properties);
     H5Sclose(space);
   });
   expect_complaint("data set /shapes/radius is of a wrong type");
@@ -218,7 +228,7 @@ TEST_F(DamagedLibrary, RowsWithoutBytesBehindThem) {
     ASSERT_GE(H5Dset_extent(set, &rows), 0);
     H5Dclose(set);
   });
-  expect_complaint("data set /artwork/original lacks chunks");
+  expect_complaint("data set /artwork/original has too many rows");
 }
 
 TEST_F(DamagedLibrary, RowsThatDoNotAgree) {
@@ -249,6 +259,12 @@ TEST_F(DamagedLibrary, NegativeOffsets) {
 TEST_F(DamagedLibrary, NotANumber) {
   put("/levels/3/lengths", {2, 100, 4}, H5T_NATIVE_FLOAT, NAN);
   expect_complaint("data set /levels/3/lengths: a value is out of range");
+}
+
+// With valid checksums: only the stored digest tells.
+TEST_F(DamagedLibrary, PartsThatAreNotThoseThatWereWritten) {
+  put("/field/distance", {1, 100, 4}, H5T_NATIVE_INT16, std::int16_t(1));
+  expect_complaint("damaged: shape 1 is not the one that was written");
 }
 
 TEST_F(DamagedLibrary, AbsurdNumbers) {

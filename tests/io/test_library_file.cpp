@@ -1,5 +1,6 @@
 // What is written to a library comes back, in any range and any part; unfinished libraries leave nothing.
 #include <gtest/gtest.h>
+#include <hdf5.h>
 #include <rapidcheck/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -133,6 +134,73 @@ TEST(LibraryFile, SummaryCountsWhatIsStored) {
   for (const auto& [part, bytes] : summary.stored_bytes_of_part) stored += bytes;
   EXPECT_GT(stored, 0u);
   EXPECT_LT(stored, summary.file_bytes);
+}
+
+std::uint64_t content_digest(const std::string& path) { return LibraryFile(path).content_digest(); }
+
+/// A library as an older version wrote it.
+void remove_new_data_sets(const std::string& path) {
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, access);
+  for (const char* name : {"/shapes/part_digest", "/artwork/path_from_library", "/artwork/sha256"})
+    H5Ldelete(file, name, H5P_DEFAULT);
+  H5Fclose(file);
+  H5Pclose(access);
+}
+
+// Ranks and checkpoints tell by the digest whether they have the same library: the size of the file says nothing.
+TEST(LibraryFile, DigestChangesWithEveryPartThatDecides) {
+  const ScratchFolder folder;
+  const auto shapes = random_shapes(12, 70, 5);  // more than are read at a time
+  write_library(folder.path("a.h5"), shapes, {});
+  const std::uint64_t digest = content_digest(folder.path("a.h5"));
+  const auto changes = [&](auto change) {
+    auto changed = shapes;
+    change(changed[66]);
+    write_library(folder.path("b.h5"), changed, {});
+    return content_digest(folder.path("b.h5")) != digest;
+  };
+  EXPECT_FALSE(changes([](Shape&) {}));
+  EXPECT_FALSE(changes([](Shape& s) { s.artwork.path = "/elsewhere.svg"; }));
+  EXPECT_TRUE(changes([](Shape& s) { s.name = "x"; }));
+  EXPECT_TRUE(changes([](Shape& s) { s.perimeter += 0.001f; }));
+  EXPECT_TRUE(changes([](Shape& s) { s.outline.curves[0][1].x += 1e-6f; }));
+  EXPECT_TRUE(changes([](Shape& s) { s.field.distance(3, 5) += 0.01f; }));
+  EXPECT_TRUE(changes([](Shape& s) { s.field.extent += 1e-6f; }));
+  EXPECT_TRUE(changes([](Shape& s) { s.levels[4].samples[7].left[2] += 1e-6f; }));
+  EXPECT_TRUE(changes([](Shape& s) { std::swap(s.levels[1].points[0], s.levels[1].points[1]); }));
+  write_library(folder.path("b.h5"), shapes, {5, 0.25f});
+  EXPECT_NE(content_digest(folder.path("b.h5")), digest);
+}
+
+TEST(LibraryFile, AnOlderLibraryHasTheSameDigestAndShapes) {
+  const ScratchFolder folder;
+  const auto shapes = random_shapes(13, 70, 5);
+  write_library(folder.path("a.h5"), shapes, {});
+  const std::uint64_t digest = content_digest(folder.path("a.h5"));
+  remove_new_data_sets(folder.path("a.h5"));
+  const LibraryFile older(folder.path("a.h5"));
+  EXPECT_EQ(older.content_digest(), digest);
+  const auto read = older.read(0, older.size(), kEverything);
+  EXPECT_TRUE(all_equal(read, shapes, 0));
+  EXPECT_FALSE(read[0].artwork.sha256.has_value());
+  EXPECT_EQ(read[0].artwork.path_beside_library, "");
+}
+
+TEST(LibraryFile, KeepsTheHashAndFindsWhatMovedWithIt) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path("old"));
+  auto shapes = random_shapes(14, 2, 5);
+  shapes[0].artwork.path = folder.path("old/drawings/duck.svg");
+  shapes[0].artwork.sha256.emplace().fill(7);
+  write_library(folder.path("old/a.h5"), shapes, {});
+  std::filesystem::rename(folder.path("old"), folder.path("new"));
+  const auto read = LibraryFile(folder.path("new/a.h5")).read(0, 2, kEverything);
+  EXPECT_EQ(read[0].artwork.path, shapes[0].artwork.path);
+  EXPECT_EQ(read[0].artwork.path_beside_library, folder.path("new/drawings/duck.svg"));
+  EXPECT_EQ(read[0].artwork.sha256, shapes[0].artwork.sha256);
+  EXPECT_FALSE(read[1].artwork.sha256.has_value());
 }
 
 TEST(LibraryFile, IsReadByH5dump) {

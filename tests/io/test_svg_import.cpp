@@ -4,8 +4,8 @@
 #include <chrono>
 
 #include "core/base/error.h"
-#include "io/result/svg_import.h"
-#include "io/result/svg_style.h"
+#include "io/artwork/svg_import.h"
+#include "io/artwork/svg_style.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {

@@ -173,6 +173,74 @@ TEST_F(Kernels, FieldLookUps) {
   expect_same_bits(results[3].read(count), slope_y, "gradient y");
 }
 
+/// Hardly any different keys, and shapes in any order: ties everywhere, at the end of the list above all. Some below what
+/// is docked at all.
+std::vector<Docking> tied_dockings(Random& random, std::size_t count) {
+  std::vector<Docking> dockings(count);
+  for (Docking& docking : dockings) {
+    docking.shape = std::uint32_t(random.below(6));
+    docking.source = std::uint32_t(random.bits());
+    docking.key = kLeastDockingKey * (0.75f + 0.25f * float(random.below(4)));
+  }
+  return dockings;
+}
+
+std::vector<float> keys_of(const std::vector<Docking>& dockings) {
+  std::vector<float> keys;
+  for (const Docking& docking : dockings) keys.push_back(docking.key);
+  return keys;
+}
+
+/// Of every target sample `each` dockings, one sample after the other.
+struct DockingsOfSamples {
+  DockingsOfSamples(Random& random, std::size_t samples, std::uint32_t each)
+      : each(each), all(tied_dockings(random, samples * each + 1)) {}
+
+  void append_worth_docking(std::size_t sample, std::vector<Docking>& to) const {
+    for (std::size_t i = sample * each; i < (sample + 1) * each; ++i) {
+      if (all[i].key >= kLeastDockingKey) to.push_back(all[i]);
+    }
+  }
+
+  std::uint32_t each;
+  std::vector<Docking> all;  // and one more, as no buffer is empty
+};
+
+void expect_same_shortlists(const DeviceSession& session, std::size_t samples, const DockingsOfSamples& from_pairs,
+                            const DockingsOfSamples& from_draws) {
+  DeviceBuffer<Docking> shortlists(session);
+  DeviceBuffer<std::uint32_t> counts(session);
+  shortlists.reserve(samples * kShortlist);
+  counts.reserve(samples);
+  DeviceBuffer<std::uint32_t> evaluated(session, std::vector<std::uint32_t>(samples, 0));
+  cl::Kernel kernel = session.kernel("keep_shortlist");
+  launch(session, kernel, {samples}, std::uint32_t(0), from_pairs.each, DeviceBuffer<Docking>(session, from_pairs.all),
+         DeviceBuffer<float>(session, keys_of(from_pairs.all)), from_draws.each,
+         DeviceBuffer<Docking>(session, from_draws.all), DeviceBuffer<float>(session, keys_of(from_draws.all)),
+         shortlists, counts, evaluated);
+  const std::vector<Docking> found = shortlists.read(samples * kShortlist);
+  const std::vector<std::uint32_t> found_counts = counts.read(samples);
+  for (std::size_t t = 0; t < samples; ++t) {
+    std::vector<Docking> expected;
+    from_pairs.append_worth_docking(t, expected);
+    from_draws.append_worth_docking(t, expected);
+    keep_shortlist(expected);
+    const auto first = found.begin() + std::ptrdiff_t(t * kShortlist);
+    EXPECT_EQ(std::vector<Docking>(first, first + found_counts[t]), expected) << "sample " << t;
+  }
+}
+
+TEST_F(Kernels, Shortlist) {
+  Random random(4);
+  const std::size_t samples = 40;
+  for (const std::uint32_t pairs : {0u, 5u, 60u}) {
+    for (const std::uint32_t draws : {0u, 16u, 90u}) {
+      SCOPED_TRACE(std::to_string(pairs) + " dockings from pairs, " + std::to_string(draws) + " from draws");
+      expect_same_shortlists(session(), samples, {random, samples, pairs}, {random, samples, draws});
+    }
+  }
+}
+
 ArclengthPyramid random_pyramid(Random& random, float unit) {
   ArclengthPyramid pyramid;
   float left = 0;

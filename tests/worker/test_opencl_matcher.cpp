@@ -19,7 +19,7 @@ std::unique_ptr<Matcher> make_on_all_devices(const MatchingContext& context, std
 std::unique_ptr<Matcher> make_in_small_parts(const MatchingContext& context, std::uint32_t first,
                                              std::vector<ShapeModel> models) {
   return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, all_of(models, first),
-                                                 given(models, first), 1);
+                                                 given(models, first), worker::BetweenLaunches(), 1);
 }
 
 /// Pairs of three samples, and dockings of one or two, at a time.
@@ -27,7 +27,7 @@ std::unique_ptr<Matcher> make_in_uneven_parts(const MatchingContext& context, st
                                               std::vector<ShapeModel> models) {
   const std::size_t bytes = 3 * models.size() * (kPairsPerShape * sizeof(worker::PairRecord) + sizeof(std::uint32_t));
   return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, all_of(models, first),
-                                                 given(models, first), bytes);
+                                                 given(models, first), worker::BetweenLaunches(), bytes);
 }
 
 INSTANTIATE_TEST_SUITE_P(OpenCL, MatcherSuite,

@@ -9,7 +9,7 @@
 #include "core/base/run_statistics.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
-#include "core/field/target_curve.h"
+#include "core/field/target_sample.h"
 
 namespace tessera {
 
@@ -32,6 +32,7 @@ struct SamplePasses {
 struct CheckpointState {
   std::string name;                   // for messages: the file that it came from
   bool improving = false;             // else still filling
+  int empty_passes = 0;               // how often all samples were matched again since the last piece, while filling
   std::vector<Placement> placements;  // in the order in which they were placed
   std::vector<PooledSample> pool;     // ascending edges, as in the lists below
   std::vector<std::uint32_t> stale;   // target samples to be matched

@@ -1,5 +1,6 @@
 #include "core/field/target_curve.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/pad/pyramid.h"
@@ -7,14 +8,6 @@
 
 namespace tessera {
 namespace {
-
-/// Where the contour crosses the edge, canvas px.
-Vec2 crossing(const Grid<float>& contour, Vec2 origin, const GridEdge& e) {
-  const float here = contour(e.x, e.y);
-  const float there = e.down ? contour(e.x, e.y + 1) : contour(e.x + 1, e.y);
-  const float t = here / (here - there);
-  return origin + (e.down ? Vec2{float(e.x), float(e.y) + t} : Vec2{float(e.x) + t, float(e.y)});
-}
 
 /// Whether a PAD moved so much that what was matched with the old one no longer holds. Coarse levels may move more:
 /// they see far and weigh little.
@@ -40,27 +33,22 @@ class TargetCurve::Walk {
  public:
   Walk(TargetCurve& curve, int at, TileIndex::Region& support) : curve_(&curve), at_(at), support_(&support) { visit(); }
 
-  Vec2 position() const { return measured(at_).smooth; }
-  float turning_rad() const { return measured(at_).turning_rad; }
-  float edge_forward() const { return measured(at_).edge_after; }
-  float edge_backward() const { return measured(curve_->vertices_[at_].previous).edge_after; }
+  Vec2 position() const { return here().smooth; }
+  float turning_rad() const { return here().turning_rad; }
+  float edge_forward() const { return here().edge_after; }
+  float edge_backward() const { return curve_->contour_.measured(here().previous).edge_after; }
   void forward() {
-    at_ = curve_->vertices_[at_].next;
+    at_ = curve_->contour_.vertex(at_).next;
     visit();
   }
   void backward() {
-    at_ = curve_->vertices_[at_].previous;
+    at_ = curve_->contour_.vertex(at_).previous;
     visit();
   }
   bool operator==(const Walk& o) const { return at_ == o.at_; }
 
  private:
-  const Vertex& measured(int v) const {
-    const Vertex& vertex = curve_->vertices_[v];
-    if (!vertex.measured) curve_->measure(v);
-    return vertex;
-  }
-
+  const LinkedContour::Vertex& here() const { return curve_->contour_.measured(at_); }
   void visit() { curve_->visit(at_, *support_); }
 
   TargetCurve* curve_;
@@ -69,7 +57,8 @@ class TargetCurve::Walk {
 };
 
 TargetCurve::TargetCurve(const PieceSettings& pieces, const PadParameters& pad)
-    : sigma_px_(target_sigma_px(pieces)),
+    : contour_(target_sigma_px(pieces)),
+      sigma_px_(target_sigma_px(pieces)),
       shortest_loop_px_(kShortestLoop * pieces.min_scale_px),
       spacing_px_(sample_spacing_px(pieces)),
       pad_(pad) {}
@@ -101,27 +90,15 @@ void TargetCurve::set_matched_pads(const std::vector<MatchedPad>& pads) {
 }
 
 TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin, const Window& window) {
-  const Grid<float>& contour = opened.contour();
-  if (width_ == 0) {
-    width_ = contour.width();
-    vertex_of_edge_ = EdgeTable(width_, contour.height());
-  }
-  cut_window(window);
-  const Window cells =
-      Window{window.x0 - 1, window.y0 - 1, window.x1, window.y1}.intersected({0, 0, width_ - 1, contour.height() - 1});
-  for (int y = cells.y0; y < cells.y1; ++y) {
-    for (int x = cells.x0; x < cells.x1; ++x) trace_cell(contour, origin, x, y);
-  }
-  forget_smoothing(window);
-
+  contour_.retrace(opened.contour(), origin, window);
   Change change;
   for (const std::uint32_t edge : reached_by(window)) {
-    const GridEdge e = GridEdge::of(edge, width_);
-    const int v = vertex_of_edge_.find(e);
+    const GridEdge e = GridEdge::of(edge, contour_.width());
+    const int v = contour_.find(e);
     const auto old = samples_.find(edge);
     const bool reachable = opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
     TileIndex::Region support;
-    const bool present = v != EdgeTable::kNone && reachable;
+    const bool present = v != LinkedContour::kNone && reachable;
     const bool rejected = present && on_short_loop(v, support);
     reject(edge, rejected ? std::move(support).tiles() : std::vector<TileIndex::Tile>());
     if (!present || rejected) {
@@ -144,8 +121,8 @@ TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin,
 std::vector<std::uint32_t> TargetCurve::reached_by(const Window& window) const {
   std::vector<std::uint32_t> edges;
   supports_.each(window, [&](std::uint32_t edge) { edges.push_back(edge); });
-  vertex_of_edge_.each(window, [&](const GridEdge& e, int) {
-    if (on_raster(e)) edges.push_back(e.number(width_));
+  contour_.each(window, [&](const GridEdge& e, int) {
+    if (on_raster(e)) edges.push_back(e.number(contour_.width()));
   });
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
@@ -177,134 +154,13 @@ void TargetCurve::reject(std::uint32_t edge, std::vector<TileIndex::Tile> suppor
   }
 }
 
-int TargetCurve::vertex_at(const GridEdge& edge) {
-  const int found = vertex_of_edge_.find(edge);
-  if (found != EdgeTable::kNone) return found;
-  if (unused_.empty()) {
-    unused_.push_back(int(vertices_.size()));
-    vertices_.emplace_back();
-  }
-  const int v = unused_.back();
-  unused_.pop_back();
-  vertices_[v] = Vertex{};
-  vertices_[v].edge = edge;
-  vertex_of_edge_.insert(edge, v);
-  return v;
-}
-
-void TargetCurve::remove_vertex(int v) {
-  Vertex& vertex = vertices_[v];
-  if (vertex.next >= 0) vertices_[vertex.next].previous = -1;
-  if (vertex.previous >= 0) vertices_[vertex.previous].next = -1;
-  vertex_of_edge_.erase(vertex.edge);
-  vertex.next = vertex.previous = -1;
-  unused_.push_back(v);
-}
-
-void TargetCurve::cut_window(const Window& window) {
-  std::vector<int> inside;
-  vertex_of_edge_.each(window, [&](const GridEdge&, int v) { inside.push_back(v); });
-  for (const int v : inside) remove_vertex(v);
-}
-
-void TargetCurve::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y) {
-  // Corners in the order (x, y), (x+1, y), (x+1, y+1), (x, y+1); edge k joins corners k and k+1.
-  const float corner[4] = {contour(x, y), contour(x + 1, y), contour(x + 1, y + 1), contour(x, y + 1)};
-  int mask = 0;
-  for (int k = 0; k < 4; ++k) {
-    if (corner[k] > 0) mask |= 1 << k;  // not (corner[k] > 0) << k: g++ 12 with -fsanitize=undefined miscompiles it
-  }
-  if (mask == 0 || mask == 15) return;
-  const GridEdge edge[4] = {{x, y, false}, {x + 1, y, true}, {x, y + 1, false}, {x, y, true}};
-  const auto inside = [&](int k) { return (mask >> (k & 3) & 1) != 0; };
-  int leaving[2] = {};
-  int entering[2] = {};
-  int count = 0;
-  int count_in = 0;
-  for (int k = 0; k < 4; ++k) {
-    if (inside(k) && !inside(k + 1)) leaving[count++] = k;
-    if (!inside(k) && inside(k + 1)) entering[count_in++] = k;
-  }
-  if (count == 1) {
-    link(contour, origin, edge[leaving[0]], edge[entering[0]]);
-    return;
-  }
-  // A saddle: the sign of the middle says whether the inside corners are joined.
-  const bool joined = corner[0] + corner[1] + corner[2] + corner[3] > 0;
-  for (int k = 0; k < 2; ++k) link(contour, origin, edge[leaving[k]], edge[(leaving[k] + (joined ? 1 : 3)) & 3]);
-}
-
-void TargetCurve::link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to) {
-  const int a = vertex_at(from);
-  const int b = vertex_at(to);
-  vertices_[a].next = b;
-  vertices_[b].previous = a;
-  vertices_[a].raw = crossing(contour, origin, from);
-  vertices_[b].raw = crossing(contour, origin, to);
-}
-
-/// Two more than the smoothing reaches: what is measured at a vertex depends on its neighbours' positions.
-void TargetCurve::forget_smoothing(const Window& window) {
-  vertex_of_edge_.each(window.grown(int(3 * sigma_px_) + 5), [&](const GridEdge&, int v) {
-    vertices_[v].smoothed = false;
-    vertices_[v].measured = false;
-  });
-}
-
-Vec2 TargetCurve::smooth_position(int v) {
-  Vertex& vertex = vertices_[v];
-  if (!vertex.smoothed) {
-    vertex.smooth = smoothed_at(v);
-    vertex.smoothed = true;
-  }
-  return vertex.smooth;
-}
-
-/// Every walk that passes a vertex asks the same of it.
-void TargetCurve::measure(int v) {
-  const Vec2 before = smooth_position(vertices_[v].previous);
-  const Vec2 here = smooth_position(v);
-  const Vec2 after = smooth_position(vertices_[v].next);
-  vertices_[v].edge_after = norm(after - here);
-  vertices_[v].turning_rad = std::abs(turning_rad(before, here, after));
-  vertices_[v].measured = true;
-}
-
-/// Gaussian along the arclength; every vertex weighs as much as half of its two edges is long. Summed outwards from v,
-/// so that the result does not depend on where the loop starts.
-Vec2 TargetCurve::smoothed_at(int v) const {
-  const Vertex& centre = vertices_[v];
-  const float edge_after = norm(vertices_[centre.next].raw - centre.raw);
-  const float edge_before = norm(vertices_[centre.previous].raw - centre.raw);
-  float total = 0.5f * (edge_after + edge_before);
-  Vec2 sum;
-  const auto add_side = [&](int Vertex::*step, float edge) {
-    int at = v;
-    for (float s = edge; s <= 3 * sigma_px_;) {
-      at = vertices_[at].*step;
-      if (at == v) return;
-      const Vertex& here = vertices_[at];
-      const float edge_out = norm(vertices_[here.*step].raw - here.raw);
-      const float t = s / sigma_px_;
-      const float weight = 0.5f * (edge + edge_out) * std::exp(-0.5f * t * t);
-      sum = sum + (here.raw - centre.raw) * weight;
-      total += weight;
-      edge = edge_out;
-      s += edge_out;
-    }
-  };
-  add_side(&Vertex::next, edge_after);
-  add_side(&Vertex::previous, edge_before);
-  return total > 0 ? centre.raw + sum * (1 / total) : centre.raw;
-}
-
 bool TargetCurve::on_short_loop(int v, TileIndex::Region& support) const {
   float length = 0;
   int at = v;
   do {
     visit(at, support);
-    const int next = vertices_[at].next;
-    length += norm(vertices_[next].raw - vertices_[at].raw);
+    const int next = contour_.vertex(at).next;
+    length += norm(contour_.vertex(next).raw - contour_.vertex(at).raw);
     at = next;
   } while (at != v && length < shortest_loop_px_);
   return length < shortest_loop_px_;
@@ -312,15 +168,15 @@ bool TargetCurve::on_short_loop(int v, TileIndex::Region& support) const {
 
 /// A smoothed position depends on what lies up to three sigma along the curve.
 void TargetCurve::visit(int v, TileIndex::Region& support) const {
-  const GridEdge& e = vertices_[v].edge;
+  const GridEdge& e = contour_.vertex(v).edge;
   support.add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(int(3 * sigma_px_) + 3));
 }
 
 TargetCurve::Held TargetCurve::make_sample(int v, TileIndex::Region support) {
   Held held;
-  const GridEdge& e = vertices_[v].edge;
-  held.sample.edge = e.number(width_);
-  held.sample.position = vertices_[v].raw;
+  const GridEdge& e = contour_.vertex(v).edge;
+  held.sample.edge = e.number(contour_.width());
+  held.sample.position = contour_.vertex(v).raw;
   held.sample.pyramid = make_pyramid(Walk(*this, v, support), pad_, curvature_dead_zone(sigma_px_));
   const auto& key = held.sample.pyramid.keypoint;
   const Vec2 chord = key[pad_.levels + 1] - key[pad_.levels - 1];

@@ -47,10 +47,6 @@ std::vector<Crossing> sorted_crossings(const Outline& outline, const Similarity&
 
 }  // namespace
 
-Similarity scaled(const Similarity& t, float factor) {
-  return {t.a * factor, t.b * factor, t.tx * factor, t.ty * factor};
-}
-
 Window bounding_window(const Outline& outline, const Similarity& grid_from_shape) {
   if (outline.curves.empty() || outline.curves.front().empty()) return {};
   Vec2 low = grid_from_shape.apply(outline.curves.front().front());

@@ -22,9 +22,6 @@ struct Span {
   friend bool operator==(const Span&, const Span&) = default;
 };
 
-/// `t` followed by a uniform scaling about the origin.
-Similarity scaled(const Similarity& t, float factor);
-
 /// The smallest window that holds every cell the outline reaches.
 Window bounding_window(const Outline& outline, const Similarity& grid_from_shape);
 

@@ -29,4 +29,9 @@ struct Similarity {
   friend bool operator==(const Similarity&, const Similarity&) = default;
 };
 
+/// `t` followed by a uniform scaling about the origin.
+inline Similarity scaled(const Similarity& t, float factor) {
+  return {t.a * factor, t.b * factor, t.tx * factor, t.ty * factor};
+}
+
 }  // namespace tessera

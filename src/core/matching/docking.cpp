@@ -1,5 +1,6 @@
 #include "core/matching/docking.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/portable_math.h"
@@ -12,7 +13,8 @@ constexpr float kRejected = -1.f;
 
 }  // namespace
 
-Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales) {
+Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales,
+                         const PoseRange& poses) {
   const int least_level = levels > 2 ? levels - 3 : 0;
   for (int level = levels - 1; level >= least_level; --level) {
     const int begin = levels - 1 - level;
@@ -38,12 +40,24 @@ Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target,
       shape_spread += dot(q, q);
       target_spread += dot(t, t);
     }
-    const float residual = (target_spread - (real * real + imaginary * imaginary) / shape_spread) / count;
-    if (residual > kAlignmentTolerance * 4.f * std::sqrt(target_spread / count)) continue;
+    const Vec2 free{real, imaginary};
+    if (!poses.rotations.contains(free, norm(free), 0)) {
+      const Vec2 direction = poses.rotations.nearest_edge(free);
+      const float along = dot(free, direction);
+      if (along <= 0) continue;
+      real = direction.x * along;
+      imaginary = direction.y * along;
+    }
     Similarity s;
     s.a = real / shape_spread;
     s.b = imaginary / shape_spread;
+    const float best_scale = s.scale();
+    poses.pull_in(s);
     const float scale = s.scale();
+    // The spread that is explained: at the best scale its square, less by the square of what the scale is off.
+    const float off = scale - best_scale;
+    const float residual = (target_spread - (best_scale * best_scale - off * off) * shape_spread) / count;
+    if (residual > kAlignmentTolerance * 4.f * std::sqrt(target_spread / count)) continue;
     if (scale < scales.low || scale > scales.high) continue;
     s.tx = target_mean.x - (s.a * shape_mean.x - s.b * shape_mean.y);
     s.ty = target_mean.y - (s.b * shape_mean.x + s.a * shape_mean.y);
@@ -58,19 +72,38 @@ TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sam
   const std::uint64_t more = mix_bits(key);
   TangentDraw result;
   result.shape = std::uint32_t(((key >> 32) * context.library_shapes) >> 32);
-  result.boundary_point = std::uint32_t(((key & 0xffffffffull) * kBoundaryPoints) >> 32);
+  result.point_bits = std::uint32_t(key & 0xffffffffull);
   result.scale_px =
-      context.min_scale_px * portable_exp2(unit_float(std::uint32_t(more >> 32)) * context.log2_scale_ratio);
+      context.poses.min_scale_px * portable_exp2(unit_float(std::uint32_t(more >> 32)) * context.log2_scale_ratio);
   return result;
 }
 
-Similarity tangent_docking(const ShapeModel& shape, const TangentDraw& draw, const TargetSample& sample) {
-  const Vec2 u = shape.tangent[draw.boundary_point];
-  const Vec2 p = shape.boundary[draw.boundary_point];
+int docked_point(const ShapeModel& shape, const TangentDraw& draw, const TargetSample& sample,
+                 const DirectionRange& docked_rotations) {
+  const auto chosen_of = [&](std::uint32_t count) {
+    return std::uint32_t((std::uint64_t(draw.point_bits) * count) >> 32);
+  };
+  if (docked_rotations.all()) return int(chosen_of(kBoundaryPoints));
+  const auto docks = [&](const Vec2& u) {
+    return docked_rotations.contains({dot(u, sample.tangent), cross(u, sample.tangent)}, 1, 0);
+  };
+  const std::uint32_t count = std::uint32_t(std::count_if(shape.tangent.begin(), shape.tangent.end(), docks));
+  std::uint32_t before = chosen_of(count);
+  for (int i = 0; count > 0 && i < kBoundaryPoints; ++i) {
+    if (docks(shape.tangent[i]) && before-- == 0) return i;
+  }
+  return kNoPoint;
+}
+
+Similarity tangent_docking(const ShapeModel& shape, int boundary_point, float scale_px, const TargetSample& sample,
+                           const PoseRange& poses) {
+  const Vec2 u = shape.tangent[boundary_point];
+  const Vec2 p = shape.boundary[boundary_point];
   Similarity s;
   // target tangent times the conjugate of the shape's: the rotation from one to the other.
-  s.a = dot(u, sample.tangent) * draw.scale_px;
-  s.b = cross(u, sample.tangent) * draw.scale_px;
+  s.a = dot(u, sample.tangent) * scale_px;
+  s.b = cross(u, sample.tangent) * scale_px;
+  poses.pull_in(s);
   s.tx = sample.position.x - (s.a * p.x - s.b * p.y);
   s.ty = sample.position.y - (s.b * p.x + s.a * p.y);
   return s;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/field/field_lookup.h"
-#include "core/field/target_curve.h"
+#include "core/field/target_sample.h"
 #include "core/matching/matching_context.h"
 #include "core/shape/shape_model.h"
 
@@ -37,19 +37,28 @@ struct Alignment {
 };
 
 /// Aligns the key points of both pyramids in the least squares sense, at the longest level at which they agree within
-/// kAlignmentTolerance; invalid where none does or the scale leaves `scales`. The paper aligns the ends of level 0 only;
-/// using all ends of the matched intervals averages the noise away.
-Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales);
+/// kAlignmentTolerance, by the pose of `poses` that fits them best; invalid where none does or the scale leaves `scales`.
+/// The paper aligns the ends of level 0 only; using all ends of the matched intervals averages the noise away.
+Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales,
+                         const PoseRange& poses);
 
 /// The tangent docking number `draw` of a target sample: shape, boundary point and log-uniform scale from counter-based
 /// random bits keyed by (seed, edge, pass, draw).
 struct TangentDraw {
   std::uint32_t shape;
-  std::uint32_t boundary_point;
+  std::uint32_t point_bits;  // choose among the boundary points that come into question
   float scale_px;
 };
 TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw);
-Similarity tangent_docking(const ShapeModel& shape, const TangentDraw& draw, const TargetSample& sample);
+
+/// The boundary point that the draw docks: any of those whose tangent implies one of docked_rotations is as likely;
+/// kNoPoint where there is none.
+inline constexpr int kNoPoint = -1;
+int docked_point(const ShapeModel& shape, const TangentDraw& draw, const TargetSample& sample,
+                 const DirectionRange& docked_rotations);
+/// The point lies on the sample, its tangent along the sample's but for the turn that brings the pose into `poses`.
+Similarity tangent_docking(const ShapeModel& shape, int boundary_point, float scale_px, const TargetSample& sample,
+                           const PoseRange& poses);
 
 /// Early reject on a few boundary and interior points; the key ranks what is left. Below kLeastDockingKey: rejected.
 float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, const FieldView& field,

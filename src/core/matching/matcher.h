@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/field/field_lookup.h"
-#include "core/field/target_curve.h"
+#include "core/field/target_sample.h"
 #include "core/geometry/extent.h"
 #include "core/matching/docking.h"
 #include "core/matching/docking_terms.h"

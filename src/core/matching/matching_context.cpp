@@ -6,6 +6,15 @@
 
 namespace tessera {
 
+DirectionRange direction_range(float min_rad, float max_rad) {
+  const double width_rad = double(max_rad) - double(min_rad);
+  const double middle_rad = 0.5 * (double(min_rad) + double(max_rad));
+  DirectionRange range;
+  range.middle = {float(std::cos(middle_rad)), float(std::sin(middle_rad))};
+  if (width_rad < 6.283) range.edge = {float(std::cos(0.5 * width_rad)), float(std::sin(0.5 * width_rad))};
+  return range;
+}
+
 std::uint64_t pads_per_shape(const MatchingContext& context) {
   std::uint64_t pads = 0;
   for (const int level : context.levels) pads += std::uint64_t(kSmoothingLevels[level].samples);
@@ -19,22 +28,19 @@ MatchingContext make_matching_context(const CollageSettings& settings, std::uint
   c.pad = settings.match.pad;
   c.beta_steps = pad_steps(settings.match.beta);
   c.delta_px = settings.match.delta_px;
-  c.min_scale_px = pieces.min_scale_px;
-  c.max_scale_px = pieces.max_scale_px;
+  c.poses = {pieces.min_scale_px, pieces.max_scale_px, direction_range(pieces.min_rotation_rad, pieces.max_rotation_rad)};
+  c.docked_rotations =
+      direction_range(pieces.min_rotation_rad - kDockingTurn_rad, pieces.max_rotation_rad + kDockingTurn_rad);
   c.gap_px = 2 * reachable_radius_px(pieces);
   c.log2_scale_ratio = std::log2(pieces.max_scale_px / pieces.min_scale_px);
-  const float width_rad = pieces.max_rotation_rad - pieces.min_rotation_rad;
-  const float middle_rad = 0.5f * (pieces.max_rotation_rad + pieces.min_rotation_rad);
-  c.rotation_middle = {std::cos(middle_rad), std::sin(middle_rad)};
-  c.rotation_min_cosine = width_rad >= 6.283f ? -1.f : std::cos(0.5f * width_rad);
   c.hard_depth_px = hard_depth_px(pieces);
   c.tangent_dockings = settings.match.tangent_dockings;
   c.library_shapes = library_shapes;
-  c.levels = levels_for_scales(c.min_scale_px, c.max_scale_px, target_sigma_px(pieces));
+  c.levels = levels_for_scales(pieces.min_scale_px, pieces.max_scale_px, target_sigma_px(pieces));
   for (const int level : c.levels) {
     const ScaleRange range = level_scales(level, target_sigma_px(pieces));
     c.level_range.push_back(
-        {std::max(c.min_scale_px, range.low / kLevelSlack), std::min(c.max_scale_px, range.high * kLevelSlack)});
+        {std::max(pieces.min_scale_px, range.low / kLevelSlack), std::min(pieces.max_scale_px, range.high * kLevelSlack)});
   }
   return c;
 }

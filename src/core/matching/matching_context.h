@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry/similarity.h"
+#include "core/matching/pose_range.h"
 #include "core/settings.h"
 #include "core/shape/shape_model.h"
 
@@ -15,22 +15,16 @@ struct MatchingContext {
   PadParameters pad;
   std::uint32_t beta_steps = 0;  // pad_steps(beta)
   float delta_px = 0;
-  float min_scale_px = 0;
-  float max_scale_px = 0;
+  PoseRange poses;
+  /// Rotations that a docking may imply before it is turned into `poses`: a little more than are allowed.
+  DirectionRange docked_rotations;
   float hard_depth_px = 0;       // no boundary point of a piece lies deeper in another
   float gap_px = 0;                // boundary points up to this far from others count as gap
   float log2_scale_ratio = 0;      // of max to min
-  Vec2 rotation_middle;            // unit vector in the middle of the allowed rotations
-  float rotation_min_cosine = -1;  // of the angle from it; at most -1: every rotation is allowed
   int tangent_dockings = 0;
   std::uint32_t library_shapes = 0;
   std::vector<int> levels;              // smoothing levels in use
   std::vector<ScaleRange> level_range;  // scales that each of them serves, slack included, px
-
-  bool rotation_allowed(const Similarity& s) const {
-    if (rotation_min_cosine <= -1) return true;
-    return s.a * rotation_middle.x + s.b * rotation_middle.y >= rotation_min_cosine * s.scale();
-  }
 };
 
 /// Over all levels in use; every shape has as many.

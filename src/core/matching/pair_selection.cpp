@@ -13,17 +13,38 @@ struct Target {
   QuantisedPad pad;
   float length;
   float convexity;
+  Vec2 chord;
 };
+
+/// Between the ends of the level whose length estimates the scale, too: the rotation before any alignment.
+struct ChordEnds {
+  int first;
+  int last;
+};
+ChordEnds chord_ends(int levels) {
+  const int level = std::min(kChordLevel, levels - 1);
+  return {levels - 1 - level, levels + 1 + level};
+}
+
+bool may_turn(const ModelSample& sample, const Target& target, const ChordEnds& ends, const DirectionRange& rotations) {
+  const ModelSample::Step first = sample.keypoint[ends.first];
+  const ModelSample::Step last = sample.keypoint[ends.last];
+  const Vec2 chord{float(last.x) - float(first.x), float(last.y) - float(first.y)};
+  return rotations.contains({dot(chord, target.chord), cross(chord, target.chord)}, 1, 0);
+}
 
 /// Distances of one level's PADs; kNoPair where the scale or the sign cannot fit.
 std::vector<std::uint32_t> level_distances(const ModelLevel& level, const Target& target, const ScaleRange& scales,
-                                           int levels) {
+                                           const MatchingContext& context) {
+  const int levels = context.pad.levels;
+  const ChordEnds ends = chord_ends(levels);
   std::vector<std::uint32_t> result(level.samples.size(), kNoPair);
   for (std::size_t j = 0; j < level.samples.size(); ++j) {
     const ModelSample& sample = level.samples[j];
     if (target.length < sample.scale_length * (scales.low * kScaleWindowLow)) continue;
     if (target.length > sample.scale_length * (scales.high * kScaleWindowHigh)) continue;
     if (target.convexity * sample.convexity < 0) continue;
+    if (!may_turn(sample, target, ends, context.docked_rotations)) continue;
     result[j] = pad_distance(target.pad, sample.pad, levels);
   }
   return result;
@@ -44,12 +65,13 @@ std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& s
                                   std::uint32_t reach_steps) {
   const int levels = context.pad.levels;
   const Target target{quantised(make_pad(sample.pyramid, levels)), scale_length(sample.pyramid, levels),
-                      sample.pyramid.convexity};
+                      sample.pyramid.convexity,
+                      sample.pyramid.keypoint[chord_ends(levels).last] - sample.pyramid.keypoint[chord_ends(levels).first]};
   std::vector<PadPair> pairs;
   std::uint32_t first = 0;
   for (std::size_t slot = 0; slot < shape.levels.size(); ++slot) {
     const std::vector<std::uint32_t> distance =
-        level_distances(shape.levels[slot], target, context.level_range[slot], levels);
+        level_distances(shape.levels[slot], target, context.level_range[slot], context);
     const std::size_t n = distance.size();
     for (std::size_t j = 0; j < n; ++j) {
       const std::uint32_t d = distance[j];

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/field/target_curve.h"
+#include "core/field/target_sample.h"
 #include "core/matching/matching_context.h"
 #include "core/shape/shape_model.h"
 

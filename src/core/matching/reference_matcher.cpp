@@ -47,10 +47,10 @@ std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, 
       const ModelSample& source = models_[m].levels[at.level_slot].samples[at.index];
       const Alignment aligned =
           align_pyramids(keypoints(source, keypoint_step(models_[m].radius)), request.samples[t].pyramid,
-                         context_.pad.levels, context_.level_range[at.level_slot]);
-      if (!aligned.valid || !context_.rotation_allowed(aligned.canvas_from_shape)) continue;
+                         context_.pad.levels, context_.level_range[at.level_slot], context_.poses);
+      if (!aligned.valid) continue;
       ++reply.evaluated;
-      const float key = docking_key(models_[m], aligned.canvas_from_shape, FieldView(field_), context_.max_scale_px);
+      const float key = docking_key(models_[m], aligned.canvas_from_shape, FieldView(field_), context_.poses.max_scale_px);
       if (key < kLeastDockingKey) continue;
       of_shape.push_back({t, first_shape_ + std::uint32_t(m), pair.source, key, aligned.canvas_from_shape});
     }
@@ -68,10 +68,11 @@ std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& reque
     const TangentDraw draw = draw_tangent(context_, request.samples[t], i);
     if (draw.shape < shapes().begin || draw.shape >= shapes().end) continue;
     const ShapeModel& model = models_[draw.shape - first_shape_];
-    const Similarity pose = tangent_docking(model, draw, request.samples[t]);
-    if (!context_.rotation_allowed(pose)) continue;
+    const int point = docked_point(model, draw, request.samples[t], context_.docked_rotations);
+    if (point == kNoPoint) continue;
+    const Similarity pose = tangent_docking(model, point, draw.scale_px, request.samples[t], context_.poses);
     ++reply.evaluated;
-    const float key = docking_key(model, pose, FieldView(field_), context_.max_scale_px);
+    const float key = docking_key(model, pose, FieldView(field_), context_.poses.max_scale_px);
     if (key >= kLeastDockingKey) kept.push_back({t, draw.shape, kTangentSource + i, key, pose});
   }
   return kept;

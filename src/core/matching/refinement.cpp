@@ -8,6 +8,13 @@
 namespace tessera {
 namespace {
 
+struct Limits {
+  float low;
+  float high;
+
+  float limited(float x) const { return x < low ? low : x > high ? high : x; }
+};
+
 /// A symmetric 4 x 4 system; unknowns: shift x, shift y, growth, rotation, the last two as movements at `arm_px`.
 struct NormalEquations {
   float m[4][4] = {};
@@ -22,8 +29,9 @@ struct NormalEquations {
     ++points;
   }
 
-  /// Solves (M + damping) x = -g by L D L^T, in place.
-  void solve(float (&x)[4]) {
+  /// Solves (M + damping) x = -g by L D L^T, in place, x[2] and x[3] within their limits. Each limit is applied before
+  /// the unknowns above it follow, so that those are the best that go with it.
+  void solve(float (&x)[4], const Limits& growth, const Limits& turn) {
     const float trace = m[0][0] + m[1][1] + m[2][2] + m[3][3];
     for (int r = 0; r < 4; ++r) m[r][r] += 0.005f * trace + 0.05f;
     m[2][2] += 0.0125f * trace;  // growth is the least certain of the four
@@ -46,6 +54,8 @@ struct NormalEquations {
     for (int r = 0; r < 4; ++r) x[r] = x[r] / d[r];
     for (int r = 3; r >= 0; --r) {
       for (int k = r + 1; k < 4; ++k) x[r] -= m[k][r] * x[k];
+      if (r == 3) x[r] = turn.limited(x[r]);
+      if (r == 2) x[r] = growth.limited(x[r]);
     }
   }
 };
@@ -69,7 +79,7 @@ constexpr float kArm = 0.6f;  // of the piece's radius: where growth and rotatio
 }  // namespace
 
 void descend(Similarity& s, const ShapeModel& shape, const FieldView& field, const Descent& descent,
-             float min_scale_px, float max_scale_px) {
+             const PoseRange& poses) {
   for (int step = 0; step < descent.steps; ++step) {
     const float progress = descent.steps > 1 ? float(step) / float(descent.steps - 1) : 1.f;
     const float radius = descent.first_radius_px + (descent.last_radius_px - descent.first_radius_px) * progress;
@@ -93,16 +103,15 @@ void descend(Similarity& s, const ShapeModel& shape, const FieldView& field, con
     }
     if (equations.points < 3) return;
     float x[4];
-    equations.solve(x);
+    const TurnLimits turns = poses.turns(s);
+    equations.solve(x, {(poses.min_scale_px / scale - 1) * arm, (poses.max_scale_px / scale - 1) * arm},
+                    {turns.low * arm, turns.high * arm});
     const float largest = std::max(std::max(std::abs(x[0]), std::abs(x[1])), std::max(std::abs(x[2]), std::abs(x[3])));
     if (largest > radius) {
       for (float& v : x) v = v * (radius / largest);
     }
-    float growth = x[2] / arm;
-    const float grown = scale * (1 + growth);
-    if (grown < min_scale_px) growth = min_scale_px / scale - 1;
-    if (grown > max_scale_px) growth = max_scale_px / scale - 1;
-    move(s, x[0], x[1], growth, x[3] / arm);
+    move(s, x[0], x[1], x[2] / arm, x[3] / arm);
+    poses.pull_in(s);
   }
 }
 
@@ -119,23 +128,21 @@ float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, con
 }
 
 bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, const MatchingContext& context) {
-  const float low = context.min_scale_px;
-  const float high = context.max_scale_px;
   const float first_radius_px = std::max(6.f, 0.1f * s.scale());
-  descend(s, shape, field, {6, first_radius_px, 3.f, 3.f, kMediumStride}, low, high);
-  descend(s, shape, field, {3, 2.5f, 2.f, 12.f, kMediumStride}, low, high);
+  descend(s, shape, field, {6, first_radius_px, 3.f, 3.f, kMediumStride}, context.poses);
+  descend(s, shape, field, {3, 2.5f, 2.f, 12.f, kMediumStride}, context.poses);
   float depth = depth_px(s, shape, field);
   for (int push = 0; push < kPushSteps && depth > context.hard_depth_px; ++push) {
     if (depth > kHopelessDepth_px) return false;
     if (push > 0) {
       s.a *= kPushShrink;
       s.b *= kPushShrink;
+      context.poses.pull_in(s);
     }
-    descend(s, shape, field, {2, 1.5f, 1.5f, 25.f, 1}, low, high);
+    descend(s, shape, field, {2, 1.5f, 1.5f, 25.f, 1}, context.poses);
     depth = depth_px(s, shape, field);
   }
-  const float scale = s.scale();
-  return depth <= context.hard_depth_px && scale >= low && scale <= high * 1.0001f && context.rotation_allowed(s);
+  return depth <= context.hard_depth_px && context.poses.contains(s);
 }
 
 void grow(Similarity& s, const ShapeModel& shape, const FieldView& field, const MatchingContext& context) {
@@ -143,10 +150,10 @@ void grow(Similarity& s, const ShapeModel& shape, const FieldView& field, const 
     Similarity larger = s;
     larger.a *= kGrowStep;
     larger.b *= kGrowStep;
-    if (larger.scale() > context.max_scale_px) return;
-    descend(larger, shape, field, {4, 1.5f, 1.f, 20.f, kMediumStride}, context.min_scale_px, context.max_scale_px);
+    context.poses.pull_in(larger);
+    descend(larger, shape, field, {4, 1.5f, 1.f, 20.f, kMediumStride}, context.poses);
     const bool grown = larger.scale() > s.scale() * 1.002f;
-    if (!grown || !context.rotation_allowed(larger) || depth_px(larger, shape, field) > context.hard_depth_px) return;
+    if (!grown || depth_px(larger, shape, field) > context.hard_depth_px) return;
     s = larger;
   }
 }

@@ -10,7 +10,7 @@
 namespace tessera {
 
 /// One descent: `steps` Gauss-Newton steps that draw boundary points nearer than a radius (shrinking from
-/// `first_radius_px` to `last_radius_px`) onto the free region's boundary; a point outside weighs `overlap_weight`.
+/// `first_radius_px` to `last_radius_px`) onto the free region's boundary; a point outside weighs `overlap_weight`. The pose stays in `poses`.
 struct Descent {
   int steps;
   float first_radius_px;
@@ -20,7 +20,7 @@ struct Descent {
 };
 
 void descend(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const Descent& descent,
-             float min_scale_px, float max_scale_px);
+             const PoseRange& poses);
 
 /// How deep the piece reaches into what is covered: over the boundary points, px, and 3 px more for interior points,
 /// which only something thin and so certainly visible can reach.

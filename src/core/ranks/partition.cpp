@@ -42,4 +42,9 @@ std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, 
   return ranges;
 }
 
+ShapeRange even_range(std::size_t shapes, int part, int parts) {
+  const std::vector<std::uint64_t> weights(shapes, 1);
+  return balanced_ranges(weights, parts)[std::size_t(part)];
+}
+
 }  // namespace tessera

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/tuning.h"
+
 namespace tessera {
 namespace {
 
@@ -13,7 +15,7 @@ std::int16_t to_step(float length, float step) {
 }  // namespace
 
 float scale_length(const ArclengthPyramid& pyramid, int levels) {
-  const int k = std::min(2, levels - 1);
+  const int k = std::min(kChordLevel, levels - 1);
   return pyramid.left[k] + pyramid.right[k];
 }
 

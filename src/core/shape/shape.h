@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,10 +66,14 @@ struct LevelCurve {
   std::vector<ArclengthPyramid> samples;  // SmoothingLevel::samples of them; sample j at point j·curve_points/samples
 };
 
+using Sha256 = std::array<std::uint8_t, 32>;
+
 /// What the picture needs of the original drawing. Artwork frame: px of the raster the outline was traced from
 /// (`width_px` x `height_px`, y down, origin at the upper left corner of the upper left pixel).
 struct Artwork {
   std::string path;                        // absolute path at build time
+  std::string path_beside_library;         // where it lies if it was moved together with the library; may be empty
+  std::optional<Sha256> sha256;            // of the file at build time; none in libraries of older versions
   int width_px = 0;
   int height_px = 0;
   Vec2 centroid_px;                        // shape origin in the artwork frame

@@ -4,6 +4,7 @@
 
 #include "core/geometry/closed_curve.h"
 #include "core/shape/level_curve.h"
+#include "core/tuning.h"
 
 namespace tessera {
 namespace {
@@ -90,11 +91,13 @@ ScaleRange level_scales(int level, float target_sigma_px) {
 }
 
 std::vector<int> levels_for_scales(float min_scale_px, float max_scale_px, float target_sigma_px) {
+  const float middle_px = std::sqrt(min_scale_px * max_scale_px);
   std::vector<int> levels;
   for (int k = 0; k < int(kSmoothingLevels.size()); ++k) {
     const ScaleRange range = level_scales(k, target_sigma_px);
-    // A sliver of an octave at either end is left to the neighbouring level.
-    if (range.high > min_scale_px * 1.1f && range.low < max_scale_px / 1.1f) levels.push_back(k);
+    // A sliver of an octave at either end is left to the neighbouring level; a range of slivers alone has its middle's.
+    const bool more_than_a_sliver = range.high > min_scale_px * kLevelSliver && range.low < max_scale_px / kLevelSliver;
+    if (more_than_a_sliver || (range.low <= middle_px && middle_px < range.high)) levels.push_back(k);
   }
   return levels;
 }

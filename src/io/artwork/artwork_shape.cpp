@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "core/shape/shape_builder.h"
+#include "io/artwork/sha256.h"
 #include "io/artwork/silhouette.h"
 
 namespace tessera::io {
@@ -18,6 +19,7 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
   shape.name = std::filesystem::path(path).stem();
   shape.mean_lab = silhouette.mean_lab;
   shape.artwork.path = std::filesystem::absolute(path);
+  shape.artwork.sha256 = sha256_of(bytes);
   shape.artwork.width_px = silhouette.width_px;
   shape.artwork.height_px = silhouette.height_px;
   shape.artwork.thumbnail_png = std::move(silhouette.thumbnail_png);

@@ -29,7 +29,6 @@ void CheckpointFolder::keep(std::span<const std::uint8_t> bytes) const {
   write_temporary_file(latest_, bytes);
   if (has_latest()) keep_as_previous();
   commit_temporary_file(latest_);
-  flush_folder_of(latest_);
 }
 
 /// By a second name, so that the latest one keeps its own until it is replaced. Where the file system has no hard links

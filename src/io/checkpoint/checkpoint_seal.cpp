@@ -10,12 +10,13 @@
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
+#include "io/regular_file.h"
 
 namespace tessera::io {
 namespace {
 
 /// Counted up with every change of the format, and of the algorithm, that would make an old state go on differently.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr std::string_view kMagic = "tessera-checkpoint\n";
 constexpr std::size_t kBlockBytes = std::size_t(1) << 20;
 
@@ -73,7 +74,8 @@ void seal_checkpoint(std::span<std::uint8_t> file) {
 
 void check_seal(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw InputError(path + ": no such file");
+  if (!std::filesystem::exists(path, error)) throw InputError(path + ": no such file");
+  open_regular_file(path);  // throws: a pipe or device would never end
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path + ": cannot be read (no permission?)");
   const std::uint64_t size = std::filesystem::file_size(path, error);

@@ -7,6 +7,7 @@
 #include "io/job/job_keys.h"
 #include "io/job/job_value.h"
 #include "io/job/nearest_name.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
@@ -80,10 +81,7 @@ std::string did_you_mean(const std::string& nearest) {
 
 std::string printable(std::string text, std::size_t max_bytes) {
   std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  if (text.size() <= max_bytes) return text;
-  std::size_t end = max_bytes;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // not inside a UTF-8 character
-  return text.substr(0, end) + "...";
+  return text.size() <= max_bytes ? text : cut_utf8(text, max_bytes) + "...";
 }
 
 bool is_job_section(const std::string& name) {

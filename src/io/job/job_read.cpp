@@ -27,9 +27,6 @@ std::string read_bytes(const std::string& path) {
   file.read(bytes.data(), std::streamsize(bytes.size()));
   if (file.gcount() == 0 && !file.eof()) throw InputError("job file " + path + ": cannot be read (no permission?)");
   bytes.resize(std::size_t(file.gcount()));
-  if (bytes.size() > kMaxJobBytes) {
-    throw InputError("job file " + path + ": larger than " + std::to_string(kMaxJobBytes) + " bytes, the most allowed");
-  }
   return bytes;
 }
 
@@ -107,6 +104,9 @@ void check_required(const Job& job) {
 }
 
 Job read_job(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
+  if (text.size() > kMaxJobBytes) {
+    throw InputError(path + ": larger than " + std::to_string(kMaxJobBytes) + " bytes, the most allowed of a job");
+  }
   Job job;
   job.path = path;
   const toml::table table = parse(text, path);

@@ -8,6 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "core/base/split_text.h"
+
 namespace tessera::io {
 namespace {
 
@@ -58,9 +60,7 @@ Result read_colour(std::string text) {
 /// "0, 2" -> {0, 2}; nothing where it is no list of whole numbers.
 std::optional<std::vector<double>> split_indices(const std::string& text) {
   std::vector<double> indices;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    std::erase(part, ' ');
+  for (const std::string_view part : split_outside(text, ',')) {
     int index = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
     if (error != std::errc() || end != part.data() + part.size()) return {};

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/split_text.h"
 #include "io/job/job_entry.h"
 
 namespace tessera::io {
@@ -21,23 +22,8 @@ struct Axis {
 
 /// At commas outside brackets and quotes.
 std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts(1);
-  int depth = 0;
-  char quote = 0;
-  for (const char c : text) {
-    if (quote != 0) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '[' || c == ']') {
-      depth += c == '[' ? 1 : -1;
-    } else if (c == ',' && depth == 0) {
-      parts.emplace_back();
-      continue;
-    }
-    parts.back() += c;
-  }
-  return parts;
+  const std::vector<std::string_view> parts = split_outside(text, ',');
+  return {parts.begin(), parts.end()};
 }
 
 std::optional<std::uint64_t> whole_number(const std::string& text) {

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/library/library_layout.h"
+#include "io/library/thumbnail_png.h"
 
 namespace tessera::io {
 namespace {
@@ -45,8 +46,10 @@ class ShapeCheck {
     require_length(shape_.perimeter, "its perimeter is out of range");
     require_length(shape_.radius, "its radius is out of range");
     require(!curves.empty() && curves.size() <= kMaxCurvesPerShape, "it has no curve or too many");
+    std::size_t points = 0;
     for (const auto& curve : curves) {
-      require(curve.size() >= 3 && curve.size() <= kMaxPointsPerCurve, "a curve has too few or too many points");
+      points += curve.size();
+      require(curve.size() >= 3 && points <= kMaxPointsPerShape, "a curve has too few points, or all have too many");
       require(all_within(curve.data(), curve.size(), -kMaxCoordinate, kMaxCoordinate), "a point is out of range");
     }
   }
@@ -84,6 +87,8 @@ class ShapeCheck {
             "its centroid is out of range");
     require(all_within(&artwork.unit_px, 1, kLeastLength, kMaxArtworkSize_px), "its unit is out of range");
     require(artwork.thumbnail_png.size() <= kMaxThumbnailBytes, "its thumbnail is too large");
+    require(artwork.thumbnail_png.empty() || is_thumbnail_png(artwork.thumbnail_png),
+            "its thumbnail is not a PNG of 192 px or less");
     require(artwork.original.size() <= kMaxOriginalBytes, "its artwork is too large to embed");
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <string>
 
 #include "io/library/hdf5_attributes.h"
@@ -13,7 +14,7 @@ using layout::Column;
 
 // Small enough that a rank's range wastes little at its ends, large enough to compress and to be worth a disk access.
 constexpr std::size_t kChunkBytes = 32 << 10;  // a field: the master reads shapes one at a time
-constexpr std::size_t kMaxChunkBytes = 16 << 20;  // that a reader accepts
+constexpr std::size_t kMaxChunkBytes = 1 << 20;  // that a reader accepts
 constexpr unsigned kDeflateLevel = 4;
 
 std::string name_of(const Column& column) { return "data set " + column.path; }
@@ -33,6 +34,7 @@ Hdf5Handle file_type(const Column& column) {
     case layout::Element::int32: return {H5Tcopy(H5T_STD_I32LE), "type"};
     case layout::Element::uint8: return {H5Tcopy(H5T_STD_U8LE), "type"};
     case layout::Element::int64: return {H5Tcopy(H5T_STD_I64LE), "type"};
+    case layout::Element::uint64: return {H5Tcopy(H5T_STD_U64LE), "type"};
     case layout::Element::text: return text_type(column.text_bytes);
   }
   throw Hdf5Error(name_of(column) + ": unknown element type");
@@ -107,11 +109,23 @@ Hdf5Handle open_data_set(hid_t file, const Column& column) {
   return {H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), name_of(column)};
 }
 
+/// Chunked storage is always inside the file. To be asked before anything else: the extent of a virtual data set is
+/// found by opening other files.
+Hdf5Handle chunked_properties(hid_t data_set, const std::string& what) {
+  Hdf5Handle properties(H5Dget_create_plist(data_set), what);
+  if (H5Pget_layout(properties.get()) != H5D_CHUNKED) throw Hdf5Error(what + " is not chunked");
+  return properties;
+}
+
+void check_type(hid_t data_set, const Column& column) {
+  const Hdf5Handle type(H5Dget_type(data_set), name_of(column));
+  if (H5Tcommitted(type.get()) != 0 || H5Tequal(type.get(), file_type(column).get()) <= 0)
+    throw Hdf5Error(name_of(column) + " is of a wrong type");
+}
+
 /// Returns the rows.
-std::size_t check_type_and_dims(hid_t data_set, const Column& column) {
+std::size_t check_dims(hid_t data_set, const Column& column) {
   const std::string what = name_of(column);
-  const Hdf5Handle type(H5Dget_type(data_set), what);
-  if (H5Tequal(type.get(), file_type(column).get()) <= 0) throw Hdf5Error(what + " is of a wrong type");
   const Hdf5Handle space(H5Dget_space(data_set), what);
   std::array<hsize_t, H5S_MAX_RANK> dims{};
   const int rank = hdf5_checked(H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr), what);
@@ -119,41 +133,50 @@ std::size_t check_type_and_dims(hid_t data_set, const Column& column) {
       !std::equal(column.row_dims.begin(), column.row_dims.end(), dims.begin() + 1)) {
     throw Hdf5Error(what + " has wrong dimensions");
   }
+  if (dims[0] > layout::kMaxRows) throw Hdf5Error(what + " has too many rows");
   return dims[0];
 }
 
-/// A filter that is not built in would make HDF5 load a plugin.
-void check_filters(hid_t properties, const Column& column) {
-  const int filters = hdf5_checked(H5Pget_nfilters(properties), name_of(column));
-  for (int i = 0; i < filters; ++i) {
+struct Filter {
+  H5Z_filter_t kind;
+  unsigned value;  // the first one of its parameters
+  friend bool operator==(const Filter&, const Filter&) = default;
+};
+
+std::vector<Filter> filters_of(hid_t properties, const std::string& what) {
+  std::vector<Filter> filters(std::size_t(hdf5_checked(H5Pget_nfilters(properties), what)));
+  for (unsigned i = 0; i < filters.size(); ++i) {
     unsigned flags = 0;
-    std::size_t no_values = 0;
     unsigned config = 0;
-    const H5Z_filter_t filter =
-        H5Pget_filter2(properties, unsigned(i), &flags, &no_values, nullptr, 0, nullptr, &config);
-    if (filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_FLETCHER32) {
-      throw Hdf5Error(name_of(column) + " uses the unknown filter " + std::to_string(filter));
-    }
+    std::size_t values = 1;
+    filters[i].kind = H5Pget_filter2(properties, i, &flags, &values, &filters[i].value, 0, nullptr, &config);
+    if (values == 0) filters[i].value = 0;
   }
+  return filters;
 }
 
-/// Returns the rows of a chunk. Chunked storage is always inside the file; chunks span whole rows.
-std::size_t check_storage(hid_t data_set, const Column& column, std::size_t rows) {
-  const std::string what = name_of(column);
-  const Hdf5Handle properties(H5Dget_create_plist(data_set), what);
-  if (H5Pget_layout(properties.get()) != H5D_CHUNKED) throw Hdf5Error(what + " is not chunked");
-  check_filters(properties.get(), column);
+/// Ours, in the order in which they pack: older versions deflated every column. Any level of deflating inflates alike.
+bool is_deflated(hid_t properties, const Column& column) {
+  std::vector<Filter> filters = filters_of(properties, name_of(column));
+  for (Filter& filter : filters) {
+    if (filter.kind == H5Z_FILTER_DEFLATE) filter.value = kDeflateLevel;
+  }
+  const Filter shuffle{H5Z_FILTER_SHUFFLE, unsigned(layout::element_bytes(column))};
+  const Filter deflate{H5Z_FILTER_DEFLATE, kDeflateLevel};
+  const Filter checksum{H5Z_FILTER_FLETCHER32, 0};
+  if (filters == std::vector<Filter>{checksum}) return false;
+  if (filters == std::vector<Filter>{shuffle, deflate, checksum}) return true;
+  throw Hdf5Error(name_of(column) + " is packed by other filters than this program's");
+}
+
+/// Returns the rows of a chunk. Chunks span whole rows.
+std::size_t check_chunk(hid_t properties, const Column& column) {
   std::array<hsize_t, H5S_MAX_RANK> chunk{};
-  hdf5_checked(H5Pget_chunk(properties.get(), H5S_MAX_RANK, chunk.data()), what);
+  hdf5_checked(H5Pget_chunk(properties, H5S_MAX_RANK, chunk.data()), name_of(column));
   if (!std::equal(column.row_dims.begin(), column.row_dims.end(), chunk.begin() + 1) || chunk[0] == 0 ||
       chunk[0] > kMaxChunkBytes / layout::row_bytes(column)) {
-    throw Hdf5Error(what + " has wrong chunks");
+    throw Hdf5Error(name_of(column) + " has wrong chunks");
   }
-  // A data set may claim any size without a byte behind it.
-  hsize_t chunks = 0;
-  const Hdf5Handle space(H5Dget_space(data_set), what);
-  hdf5_checked(H5Dget_num_chunks(data_set, space.get(), &chunks), what);
-  if (chunks != rows / chunk[0] + (rows % chunk[0] != 0)) throw Hdf5Error(what + " lacks chunks");
   return chunk[0];
 }
 
@@ -180,32 +203,54 @@ void ColumnWriter::append(const void* data, std::size_t rows) {
 
 ColumnReader::ColumnReader(hid_t file, const Column& column)
     : column_(column),
-      data_set_(open_data_set(file, column)),
-      rows_(check_type_and_dims(data_set_.get(), column)),
-      chunk_rows_(check_storage(data_set_.get(), column, rows_)) {}
-
-std::uint64_t ColumnReader::stored_bytes() const { return H5Dget_storage_size(data_set_.get()); }
-
-void ColumnReader::read_into(void* data, std::size_t begin, std::size_t end) const {
-  if (begin >= end) return;
-  check_chunks_of(begin, end);
-  const Hdf5Handle from = selected_rows(column_, data_set_.get(), begin, end);
-  const Hdf5Handle to = rows_space(column_, end - begin);
-  const Hdf5Handle type = memory_type(column_);
-  hdf5_checked(H5Dread(data_set_.get(), type.get(), to.get(), from.get(), H5P_DEFAULT, data),
-               name_of(column_) + " is damaged");
+      data_set_(open_data_set(file, column)) {
+  const Hdf5Handle properties = chunked_properties(data_set_.get(), name_of(column));
+  check_type(data_set_.get(), column);
+  rows_ = check_dims(data_set_.get(), column);
+  chunk_rows_ = check_chunk(properties.get(), column);
+  packing_ = {.bytes = chunk_rows_ * layout::row_bytes(column),
+              .element_bytes = layout::element_bytes(column),
+              .deflated = is_deflated(properties.get(), column)};
 }
 
-/// HDF5 inflates a chunk into as much memory as the stored bytes ask for; honest ones are hardly larger than the chunk.
-void ColumnReader::check_chunks_of(std::size_t begin, std::size_t end) const {
-  const std::size_t most = 2 * chunk_rows_ * layout::row_bytes(column_) + 1024;
-  std::vector<hsize_t> corner(1 + column_.row_dims.size(), 0);
-  for (std::size_t chunk = begin / chunk_rows_; chunk * chunk_rows_ < end; ++chunk) {
-    corner[0] = chunk * chunk_rows_;
-    hsize_t bytes = 0;
-    hdf5_checked(H5Dget_chunk_storage_size(data_set_.get(), corner.data(), &bytes), name_of(column_));
-    if (bytes > most) throw Hdf5Error(name_of(column_) + " is damaged: a chunk is too large");
+std::optional<ColumnReader> ColumnReader::if_present(hid_t file, const Column& column) {
+  if (H5Lexists(file, column.path.c_str(), H5P_DEFAULT) <= 0) return {};
+  return ColumnReader(file, column);
+}
+
+std::uint64_t ColumnReader::stored_bytes() const {
+  std::uint64_t bytes = 0;
+  for (std::size_t row = 0; row < rows_; row += chunk_rows_)
+    bytes += stored_chunk_bytes(data_set_.get(), corner(row), name_of(column_));
+  return bytes;
+}
+
+std::uint64_t ColumnReader::declared_bytes() const { return std::uint64_t(rows_) * layout::row_bytes(column_); }
+
+void ColumnReader::read_into(void* data, std::size_t begin, std::size_t end) const {
+  const std::size_t row_bytes = layout::row_bytes(column_);
+  auto* to = static_cast<std::uint8_t*>(data);
+  while (begin < end) {
+    const std::size_t first = begin - begin % chunk_rows_;
+    const std::size_t rows = std::min(end, first + chunk_rows_) - begin;
+    std::memcpy(to, chunk(first).data() + (begin - first) * row_bytes, rows * row_bytes);
+    to += rows * row_bytes;
+    begin += rows;
   }
+}
+
+std::vector<hsize_t> ColumnReader::corner(std::size_t first_row) const {
+  std::vector<hsize_t> corner(1 + column_.row_dims.size(), 0);
+  corner[0] = first_row;
+  return corner;
+}
+
+const std::vector<std::uint8_t>& ColumnReader::chunk(std::size_t first_row) const {
+  if (kept_.empty() || kept_row_ != first_row) {
+    kept_ = read_chunk(data_set_.get(), corner(first_row), packing_, name_of(column_));
+    kept_row_ = first_row;
+  }
+  return kept_;
 }
 
 }  // namespace tessera::io

@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "io/library/hdf5_handles.h"
+#include "io/library/library_chunk.h"
 #include "io/library/library_layout.h"
 
 namespace tessera::io {
@@ -27,15 +29,19 @@ class ColumnWriter {
 };
 
 /// Opens the data set of an untrusted file. Refuses what is not exactly such a column: another type or shape, links or
-/// storage outside the file, filters that are not built in, chunks that are missing.
+/// storage outside the file, other filters than our writer's. Every chunk is checked when it is read (library_chunk.h).
 class ColumnReader {
  public:
   ColumnReader(hid_t file, const layout::Column& column);
+  /// Nothing where the file has no data set of this name, as files of older versions.
+  static std::optional<ColumnReader> if_present(hid_t file, const layout::Column& column);
 
   const layout::Column& column() const { return column_; }
   std::size_t rows() const { return rows_; }
   /// Bytes in the file.
   std::uint64_t stored_bytes() const;
+  /// Bytes of all rows in memory; whether there is something behind them is not known yet.
+  std::uint64_t declared_bytes() const;
 
   /// Rows [begin, end), 0 <= begin <= end <= rows(). Element is the column's type (char for text).
   template <class Element>
@@ -47,12 +53,17 @@ class ColumnReader {
 
  private:
   void read_into(void* data, std::size_t begin, std::size_t end) const;
-  void check_chunks_of(std::size_t begin, std::size_t end) const;
+  std::vector<hsize_t> corner(std::size_t first_row) const;
+  const std::vector<std::uint8_t>& chunk(std::size_t first_row) const;
 
   layout::Column column_;
   Hdf5Handle data_set_;
   std::size_t rows_ = 0;
   std::size_t chunk_rows_ = 0;
+  ChunkPacking packing_;
+  // The latest chunk: shapes are often read one at a time, and a chunk holds many.
+  mutable std::size_t kept_row_ = 0;
+  mutable std::vector<std::uint8_t> kept_;
 };
 
 }  // namespace tessera::io

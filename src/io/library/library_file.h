@@ -46,8 +46,11 @@ class LibraryFile {
   std::size_t size() const;
   PadParameters pad_parameters() const;
   LibrarySummary summary() const;
-  /// Another one where the shapes are others; costs some hundred bytes of reading a shape. Of outlines, fields and levels
-  /// it takes in the lengths and the stored sizes; artwork does not count.
+  /// Of all that decides about a collage: PAD parameters, names, lengths, colours, outlines, fields, smoothing levels, in
+  /// their order; artwork does not count. Two libraries with the same digest give the same collage, wherever they lie.
+  /// It costs some hundred bytes of reading a shape: the digest of a shape's outline, field and levels is stored, and
+  /// read() compares with it all that it reads, so that a digest that lies is found before the part is used. Libraries
+  /// of older versions, which have none stored, are read whole.
   std::uint64_t content_digest() const;
   /// Shapes [begin, end). Throws InputError that names the data set where what is read is damaged.
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const;

@@ -49,7 +49,8 @@ std::size_t element_bytes(const Column& column) {
     case Element::int16: return 2;
     case Element::float32:
     case Element::int32: return 4;
-    case Element::int64: return 8;
+    case Element::int64:
+    case Element::uint64: return 8;
     case Element::text: return column.text_bytes;
   }
   return 0;
@@ -95,6 +96,16 @@ Columns library_columns(int pad_levels) {
                                      "shape i has original[first[i]] .. original[first[i + 1] - 1]"),
       .original_bytes = bytes("/artwork/original", "embedded artwork files, one after another; empty without --embed"),
       .levels = {},
+      .part_digest = {"/shapes/part_digest",
+                      Element::uint64,
+                      0,
+                      {kPartDigests},
+                      kNone,
+                      "of what the columns hold of the shape's outline, field, smoothing levels 0, 1 .."},
+      .artwork_beside = text("/artwork/path_from_library", kPathBytes,
+                             "the artwork's path from the library's folder when the library was built"),
+      .artwork_sha256 = {"/artwork/sha256", Element::uint8, 0, {kSha256Bytes}, kNone,
+                         "of the artwork's file when the library was built; zeros: unknown"},
   };
   for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k)
     c.levels.push_back(level_columns(k, std::size_t(pad_levels)));

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/shape/shape.h"
@@ -27,19 +29,28 @@ inline constexpr char kSamplesAttribute[] = "samples";
 inline constexpr std::size_t kNameBytes = 256;   // NUL included
 inline constexpr std::size_t kPathBytes = 4096;  // Linux' PATH_MAX
 inline constexpr int kFieldNodes = 128;          // each way
+inline constexpr std::size_t kSha256Bytes = std::tuple_size_v<Sha256>;
+/// Digests of a shape: outline, field, then its smoothing levels.
+inline constexpr std::size_t kPartDigests = 2 + kSmoothingLevels.size();
 
-/// Sane maxima, checked when written and when read: a reader allocates no more than these ask for.
+/// Sane maxima, checked when written and when read, before anything is allocated.
 inline constexpr std::size_t kMaxShapes = 4'000'000;
-inline constexpr std::size_t kMaxCurvesPerShape = 10'000;
-inline constexpr std::size_t kMaxPointsPerCurve = 100'000;
-inline constexpr std::size_t kMaxThumbnailBytes = 1u << 20;
-inline constexpr std::size_t kMaxOriginalBytes = 64u << 20;
+inline constexpr std::size_t kMaxRows = std::size_t(1) << 40;  // of any column: so many times 64 KiB can be counted
+inline constexpr std::size_t kMaxCurvesPerShape = 1'000;       // the builder fills holes below 0.3 % of the area
+/// The builder gives the outer curve 512 points, and holes in proportion to it: 127 times its length would be 65,536.
+inline constexpr std::size_t kMaxPointsPerShape = 65'536;
+inline constexpr int kMaxThumbnailSide_px = 192;               // as silhouette.cpp makes them
+inline constexpr std::size_t kMaxThumbnailBytes = 160u << 10;  // RGBA of 192 x 192 px that does not shrink: 148,000
+inline constexpr std::size_t kMaxOriginalBytes = 20u << 20;    // kMaxArtworkFileBytes: no larger file is artwork
+/// All columns in memory, in parts of the file's size. An honest library has 1.2, with originals that deflate well 4; a
+/// forged one could have 1,000. So a file asks for no more memory than its own size leads to expect.
+inline constexpr std::uint64_t kMaxInflation = 16;
 inline constexpr float kMaxCoordinate = 1e4f;  // shape units, lengths too; a shape of area 1 that long is a hairline
 inline constexpr float kLeastLength = 1e-6f;
 inline constexpr float kMaxLab = 200;
 inline constexpr int kMaxArtworkSize_px = 1 << 20;
 
-enum class Element { float32, int16, int32, int64, uint8, text };
+enum class Element { float32, int16, int32, int64, uint64, uint8, text };
 
 struct Column {
   std::string path;
@@ -66,6 +77,7 @@ struct Columns {
   Column artwork_path, artwork_size, artwork_centroid, artwork_unit;
   Column first_thumbnail_byte, thumbnail_bytes, first_original_byte, original_bytes;
   std::vector<LevelColumns> levels;  // one for each of kSmoothingLevels
+  Column part_digest, artwork_beside, artwork_sha256;  // libraries of older versions lack them
 };
 
 /// The group of smoothing level k.

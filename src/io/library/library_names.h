@@ -16,7 +16,4 @@ class LibraryNames {
   std::set<std::string> given_;
 };
 
-/// `text` with every control character and every byte that is not part of valid UTF-8 replaced by '_'.
-std::string printable_utf8(const std::string& text);
-
 }  // namespace tessera::io

@@ -1,11 +1,13 @@
 #include "io/library/library_open.h"
 
+#include <unistd.h>
+
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "io/regular_file.h"
 #include "io/library/hdf5_attributes.h"
 #include "io/library/library_check.h"
 #include "io/library/library_layout.h"
@@ -15,12 +17,13 @@ namespace {
 
 /// HDF5 1.10 parses older formats without checksums, and not safely where they are damaged. Ours has superblock 3.
 void check_superblock(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path) || !file) throw InputError(path + ": no such file, or not readable");
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw InputError(path + ": no such file, or not readable");
+  const FileDescriptor file = open_regular_file(path);  // a pipe or device would never end
   std::array<char, 9> head{};
-  file.read(head.data(), head.size());
+  const ssize_t got = ::pread(file.number(), head.data(), head.size(), 0);
   constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
-  if (!file || std::string_view(head.data(), 8) != kSignature) {
+  if (got != ssize_t(head.size()) || std::string_view(head.data(), 8) != kSignature) {
     throw InputError(path + ": not a library: not an HDF5 file");
   }
   if (head[8] != 3) throw InputError(path + ": not a library: an HDF5 file of an older format");

@@ -1,10 +1,13 @@
 #include "io/library/library_parts.h"
 
 #include <algorithm>
+#include <span>
 
 #include "io/library/hdf5_attributes.h"
 #include "io/library/library_check.h"
 #include "io/library/library_open.h"
+#include "io/library/part_digest.h"
+#include "io/library/thumbnail_png.h"
 
 namespace tessera::io {
 namespace {
@@ -72,6 +75,22 @@ ArclengthPyramid make_sample(const float* lengths, const Vec2* keypoints, float 
   return sample;
 }
 
+/// The i-th of `count` parts of equal length.
+template <class T>
+std::span<const T> part_of(const std::vector<T>& rows, std::size_t i, std::size_t count) {
+  const std::size_t length = rows.size() / count;
+  return std::span(rows).subspan(i * length, length);
+}
+
+LevelCurve make_level(const LevelRows& rows, std::size_t n) {
+  LevelCurve level{{rows.points.begin(), rows.points.end()}, rows.perimeter, {}};
+  for (std::size_t j = 0; j < rows.convexity.size(); ++j) {
+    level.samples.push_back(make_sample(rows.lengths.data() + j * 2 * n, rows.keypoints.data() + j * (2 * n + 1),
+                                        rows.convexity[j], n));
+  }
+  return level;
+}
+
 }  // namespace
 
 HeadReader::HeadReader(hid_t file, const layout::Columns& columns)
@@ -102,19 +121,26 @@ OutlineReader::OutlineReader(hid_t file, const layout::Columns& columns)
   if (first_point_.rows() == 0) out_of_range(first_point_);
 }
 
-void OutlineReader::read(const ShapeRange& range) const {
+std::vector<std::uint64_t> OutlineReader::read(const ShapeRange& range) const {
   const auto curves = read_offsets(first_curve_, range.begin, range.end, this->curves(), 1, layout::kMaxCurvesPerShape);
   const auto points =
-      read_offsets(first_point_, curves.front(), curves.back(), points_.rows(), 3, layout::kMaxPointsPerCurve);
+      read_offsets(first_point_, curves.front(), curves.back(), points_.rows(), 3, layout::kMaxPointsPerShape);
+  for (std::size_t i = 0; i < range.count(); ++i) {
+    if (points[curves[i + 1] - curves[0]] - points[curves[i] - curves[0]] > layout::kMaxPointsPerShape)
+      out_of_range(first_point_);
+  }
   const std::vector<Vec2> xy = read_points(points_, points.front(), points.back());
   const auto start = [&](std::uint64_t curve) {
     return xy.begin() + std::ptrdiff_t(points[curve - curves[0]] - points[0]);
   };
+  std::vector<std::uint64_t> digests;
   for (std::size_t i = 0; i < range.count(); ++i) {
     for (std::uint64_t c = curves[i]; c < curves[i + 1]; ++c) {
       range.shapes[i].outline.curves.emplace_back(start(c), start(c + 1));
     }
+    digests.push_back(outline_digest(range.shapes[i].outline));
   }
+  return digests;
 }
 
 FieldReader::FieldReader(hid_t file, const layout::Columns& columns)
@@ -122,18 +148,21 @@ FieldReader::FieldReader(hid_t file, const layout::Columns& columns)
       scale_(file, columns.field_scale),
       extent_(file, columns.field_extent) {}
 
-void FieldReader::read(const ShapeRange& range) const {
+std::vector<std::uint64_t> FieldReader::read(const ShapeRange& range) const {
   const auto quantised = distance_.read<std::int16_t>(range.begin, range.end);
   const auto step = read_floats(scale_, range.begin, range.end, 1e-9f, 1);
   const auto extent = read_lengths(extent_, range.begin, range.end);
-  constexpr std::size_t kNodes = std::size_t(layout::kFieldNodes) * layout::kFieldNodes;
+  std::vector<std::uint64_t> digests;
   for (std::size_t i = 0; i < range.count(); ++i) {
+    const std::span<const std::int16_t> steps = part_of(quantised, i, range.count());
     ShapeField& field = range.shapes[i].field;
     field.extent = extent[i];
     field.distance = Grid<float>(layout::kFieldNodes, layout::kFieldNodes);
-    std::transform(quantised.data() + i * kNodes, quantised.data() + (i + 1) * kNodes, field.distance.data().begin(),
-                   [&](std::int16_t steps) { return float(steps) * step[i]; });
+    std::transform(steps.begin(), steps.end(), field.distance.data().begin(),
+                   [&](std::int16_t steps_away) { return float(steps_away) * step[i]; });
+    digests.push_back(field_digest(steps, step[i], extent[i]));
   }
+  return digests;
 }
 
 LevelReader::LevelReader(hid_t file, const layout::LevelColumns& columns, std::size_t level)
@@ -146,34 +175,20 @@ LevelReader::LevelReader(hid_t file, const layout::LevelColumns& columns, std::s
   check_level_attributes(file, level);
 }
 
-void LevelReader::read(const ShapeRange& range, int pad_levels) const {
-  read_curves(range);
-  read_samples(range, std::size_t(pad_levels));
-}
-
-void LevelReader::read_curves(const ShapeRange& range) const {
+std::vector<std::uint64_t> LevelReader::read(const ShapeRange& range, int pad_levels) const {
   const auto points = read_points(points_, range.begin, range.end);
   const auto perimeter = read_lengths(perimeter_, range.begin, range.end);
-  const std::size_t count = kSmoothingLevels[level_].curve_points;
-  for (std::size_t i = 0; i < range.count(); ++i) {
-    LevelCurve& level = range.shapes[i].levels[level_];
-    level.points.assign(points.data() + i * count, points.data() + (i + 1) * count);
-    level.perimeter = perimeter[i];
-  }
-}
-
-void LevelReader::read_samples(const ShapeRange& range, std::size_t n) const {
   const auto lengths = read_floats(lengths_, range.begin, range.end, 0, layout::kMaxCoordinate);
   const auto keypoints = read_points(keypoints_, range.begin, range.end);
   const auto convexity = read_floats(convexity_, range.begin, range.end, -1, 1);
-  const std::size_t samples = kSmoothingLevels[level_].samples;
+  std::vector<std::uint64_t> digests;
   for (std::size_t i = 0; i < range.count(); ++i) {
-    auto& to = range.shapes[i].levels[level_].samples;
-    to.reserve(samples);
-    for (std::size_t row = i * samples; row < (i + 1) * samples; ++row) {
-      to.push_back(make_sample(lengths.data() + row * 2 * n, keypoints.data() + row * (2 * n + 1), convexity[row], n));
-    }
+    const LevelRows rows{part_of(points, i, range.count()), perimeter[i], part_of(lengths, i, range.count()),
+                         part_of(keypoints, i, range.count()), part_of(convexity, i, range.count())};
+    range.shapes[i].levels[level_] = make_level(rows, std::size_t(pad_levels));
+    digests.push_back(level_digest(rows));
   }
+  return digests;
 }
 
 BytesReader::BytesReader(hid_t file, const layout::Column& first, const layout::Column& bytes, std::size_t most)
@@ -188,22 +203,27 @@ void BytesReader::read(const ShapeRange& range, std::vector<std::uint8_t> Artwor
   }
 }
 
-ArtworkReader::ArtworkReader(hid_t file, const layout::Columns& columns)
-    : path_(file, columns.artwork_path),
+ArtworkReader::ArtworkReader(hid_t file, const layout::Columns& columns, const std::filesystem::path& folder)
+    : folder_(folder),
+      path_(file, columns.artwork_path),
       size_(file, columns.artwork_size),
       centroid_(file, columns.artwork_centroid),
       unit_(file, columns.artwork_unit),
-      thumbnail_(file, columns.first_thumbnail_byte, columns.thumbnail_bytes, layout::kMaxThumbnailBytes) {}
+      thumbnail_(file, columns.first_thumbnail_byte, columns.thumbnail_bytes, layout::kMaxThumbnailBytes),
+      beside_(ColumnReader::if_present(file, columns.artwork_beside)),
+      sha256_(ColumnReader::if_present(file, columns.artwork_sha256)) {}
 
 std::vector<const ColumnReader*> ArtworkReader::columns() const {
   std::vector<const ColumnReader*> all{&path_, &size_, &centroid_, &unit_};
   for (const ColumnReader* column : thumbnail_.columns()) all.push_back(column);
+  for (const auto* column : {&beside_, &sha256_}) {
+    if (*column) all.push_back(&**column);
+  }
   return all;
 }
 
 void ArtworkReader::read(const ShapeRange& range) const {
   constexpr auto kLimit = float(layout::kMaxArtworkSize_px);
-  const auto path = read_texts(path_, range.begin, range.end);
   const auto size = size_.read<std::int32_t>(range.begin, range.end);
   const auto centroid = read_floats(centroid_, range.begin, range.end, -kLimit, kLimit);
   const auto unit = read_floats(unit_, range.begin, range.end, layout::kLeastLength, kLimit);
@@ -212,13 +232,37 @@ void ArtworkReader::read(const ShapeRange& range) const {
   }
   for (std::size_t i = 0; i < range.count(); ++i) {
     Artwork& artwork = range.shapes[i].artwork;
-    artwork.path = path[i];
     artwork.width_px = size[2 * i];
     artwork.height_px = size[2 * i + 1];
     artwork.centroid_px = {centroid[2 * i], centroid[2 * i + 1]};
     artwork.unit_px = unit[i];
   }
+  read_files(range);
   thumbnail_.read(range, &Artwork::thumbnail_png);
+  for (std::size_t i = 0; i < range.count(); ++i) {
+    const auto& png = range.shapes[i].artwork.thumbnail_png;
+    if (!png.empty() && !is_thumbnail_png(png)) {
+      throw Hdf5Error("damaged: the thumbnail of shape " + std::to_string(range.begin + i) +
+                      " is not a PNG as tessera library build makes it");
+    }
+  }
+}
+
+void ArtworkReader::read_files(const ShapeRange& range) const {
+  const auto path = read_texts(path_, range.begin, range.end);
+  for (std::size_t i = 0; i < range.count(); ++i) range.shapes[i].artwork.path = path[i];
+  if (beside_) {
+    const auto beside = read_texts(*beside_, range.begin, range.end);
+    for (std::size_t i = 0; i < range.count(); ++i) {
+      if (!beside[i].empty()) range.shapes[i].artwork.path_beside_library = (folder_ / beside[i]).lexically_normal();
+    }
+  }
+  if (sha256_) {
+    const auto sha256 = sha256_->read<Sha256>(range.begin, range.end);
+    for (std::size_t i = 0; i < range.count(); ++i) {
+      if (sha256[i] != Sha256{}) range.shapes[i].artwork.sha256 = sha256[i];
+    }
+  }
 }
 
 }  // namespace tessera::io

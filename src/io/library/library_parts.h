@@ -1,8 +1,11 @@
-// Reads the parts of a library file: one class for each group of columns. All throw Hdf5Error where it is damaged.
+// Reads the parts of a library file: one class for each group of columns. All throw Hdf5Error where it is damaged. Those
+// that return numbers return the digest (part_digest.h) of what they read, one for each shape.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,7 +38,7 @@ class HeadReader {
 class OutlineReader {
  public:
   OutlineReader(hid_t file, const layout::Columns& columns);
-  void read(const ShapeRange& range) const;
+  std::vector<std::uint64_t> read(const ShapeRange& range) const;
   std::size_t curves() const { return first_point_.rows() - 1; }
   std::size_t points() const { return points_.rows(); }
   std::vector<const ColumnReader*> columns() const { return {&first_curve_, &first_point_, &points_}; }
@@ -47,7 +50,7 @@ class OutlineReader {
 class FieldReader {
  public:
   FieldReader(hid_t file, const layout::Columns& columns);
-  void read(const ShapeRange& range) const;
+  std::vector<std::uint64_t> read(const ShapeRange& range) const;
   std::vector<const ColumnReader*> columns() const { return {&distance_, &scale_, &extent_}; }
 
  private:
@@ -58,15 +61,12 @@ class FieldReader {
 class LevelReader {
  public:
   LevelReader(hid_t file, const layout::LevelColumns& columns, std::size_t level);
-  void read(const ShapeRange& range, int pad_levels) const;
+  std::vector<std::uint64_t> read(const ShapeRange& range, int pad_levels) const;
   std::vector<const ColumnReader*> columns() const {
     return {&points_, &perimeter_, &lengths_, &keypoints_, &convexity_};
   }
 
  private:
-  void read_curves(const ShapeRange& range) const;
-  void read_samples(const ShapeRange& range, std::size_t pad_levels) const;
-
   std::size_t level_;
   ColumnReader points_, perimeter_, lengths_, keypoints_, convexity_;
 };
@@ -85,16 +85,21 @@ class BytesReader {
   ColumnReader first_, bytes_;
 };
 
-/// Path, geometry and thumbnail.
+/// Paths, hash, geometry and thumbnail.
 class ArtworkReader {
  public:
-  ArtworkReader(hid_t file, const layout::Columns& columns);
+  /// `folder`: where the library lies now.
+  ArtworkReader(hid_t file, const layout::Columns& columns, const std::filesystem::path& folder);
   void read(const ShapeRange& range) const;
   std::vector<const ColumnReader*> columns() const;
 
  private:
+  void read_files(const ShapeRange& range) const;
+
+  std::filesystem::path folder_;
   ColumnReader path_, size_, centroid_, unit_;
   BytesReader thumbnail_;
+  std::optional<ColumnReader> beside_, sha256_;
 };
 
 }  // namespace tessera::io

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <filesystem>
+#include <optional>
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
@@ -10,8 +13,9 @@
 namespace tessera::io {
 namespace {
 
-constexpr std::size_t kDigestRows = 65536;   // read at a time
-constexpr std::size_t kBatchShapes = 256;  // bounds what is held twice while reading
+constexpr std::size_t kBatchShapes = 64;  // bounds what is held twice while reading
+
+using PartDigests = std::array<std::uint64_t, layout::kPartDigests>;
 
 bool is_one_of(const std::string& path, std::initializer_list<const layout::Column*> columns) {
   return std::any_of(columns.begin(), columns.end(), [&](const layout::Column* c) { return c->path == path; });
@@ -28,17 +32,22 @@ struct LibraryFile::State {
         head(file.get(), format),
         outline(file.get(), format),
         field(file.get(), format),
-        artwork(file.get(), format),
-        original(file.get(), format.first_original_byte, format.original_bytes, layout::kMaxOriginalBytes) {
+        artwork(file.get(), format, std::filesystem::absolute(file_path).parent_path()),
+        original(file.get(), format.first_original_byte, format.original_bytes, layout::kMaxOriginalBytes),
+        part_digest(ColumnReader::if_present(file.get(), format.part_digest)) {
     for (std::size_t k = 0; k < format.levels.size(); ++k) levels.emplace_back(file.get(), format.levels[k], k);
     check_rows();
-    check_stored_bytes();
+    check_declared_bytes();
   }
 
   std::vector<const ColumnReader*> columns() const;
   void check_rows() const;
-  void check_stored_bytes() const;
-  void read_batch(const ShapeRange& range, const LibraryParts& parts) const;
+  void check_declared_bytes() const;
+  std::vector<PartDigests> stored_digests(std::size_t begin, std::size_t end) const;
+  std::vector<PartDigests> digests(std::size_t begin, std::size_t end) const;
+  std::uint64_t content_digest() const;
+  /// Returns the digests of what was read, which agree with those that are stored.
+  std::vector<PartDigests> read_batch(const ShapeRange& range, const LibraryParts& parts) const;
 
   std::string path;
   Hdf5Handle file;
@@ -49,6 +58,7 @@ struct LibraryFile::State {
   FieldReader field;
   ArtworkReader artwork;
   BytesReader original;
+  std::optional<ColumnReader> part_digest;
   std::vector<LevelReader> levels;
 };
 
@@ -58,6 +68,7 @@ std::vector<const ColumnReader*> LibraryFile::State::columns() const {
     all.insert(all.end(), some.begin(), some.end());
   };
   add(head.columns());
+  if (part_digest) all.push_back(&*part_digest);
   add(outline.columns());
   add(field.columns());
   add(artwork.columns());
@@ -80,22 +91,62 @@ void LibraryFile::State::check_rows() const {
   }
 }
 
-/// Chunks that share bytes of the file would let a small file fill any memory.
-void LibraryFile::State::check_stored_bytes() const {
-  std::uint64_t stored = 0;
-  for (const ColumnReader* column : columns()) stored += column->stored_bytes();
-  if (stored > std::filesystem::file_size(path)) throw Hdf5Error("damaged: it claims more bytes than it has");
+/// Data sets may claim any size without bytes behind them, or with bytes that inflate a thousandfold.
+void LibraryFile::State::check_declared_bytes() const {
+  std::uint64_t declared = 0;
+  for (const ColumnReader* column : columns()) declared += column->declared_bytes();
+  const std::uint64_t file_bytes = std::filesystem::file_size(path);
+  if (declared > layout::kMaxInflation * file_bytes) {
+    throw Hdf5Error("damaged: it claims " + std::to_string(declared) + " bytes of data in a file of " +
+                    std::to_string(file_bytes) + "; allowed are " + std::to_string(layout::kMaxInflation) +
+                    " times its size");
+  }
 }
 
-void LibraryFile::State::read_batch(const ShapeRange& range, const LibraryParts& parts) const {
+std::vector<PartDigests> LibraryFile::State::stored_digests(std::size_t begin, std::size_t end) const {
+  return part_digest ? part_digest->read<PartDigests>(begin, end) : std::vector<PartDigests>();
+}
+
+std::vector<PartDigests> LibraryFile::State::read_batch(const ShapeRange& range, const LibraryParts& parts) const {
+  const std::vector<PartDigests> stored = stored_digests(range.begin, range.end);
+  std::vector<PartDigests> found(range.count());
+  const auto take = [&](std::size_t part, const std::vector<std::uint64_t>& digests) {
+    for (std::size_t i = 0; i < range.count(); ++i) {
+      found[i][part] = digests[i];
+      if (!stored.empty() && stored[i][part] != digests[i])
+        throw Hdf5Error("damaged: shape " + std::to_string(range.begin + i) + " is not the one that was written");
+    }
+  };
   head.read(range);
-  if (parts.outline) outline.read(range);
-  if (parts.field) field.read(range);
+  if (parts.outline) take(0, outline.read(range));
+  if (parts.field) take(1, field.read(range));
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    if (parts.levels >> k & 1u) take(2 + k, levels[k].read(range, pad.levels));
+  }
   if (parts.artwork) artwork.read(range);
   if (parts.original) original.read(range, &Artwork::original);
-  for (std::size_t k = 0; k < levels.size(); ++k) {
-    if (parts.levels >> k & 1u) levels[k].read(range, pad.levels);
+  return found;
+}
+
+/// Of a library without stored ones they are those of all that is in it: the same, but every part has to be read.
+std::vector<PartDigests> LibraryFile::State::digests(std::size_t begin, std::size_t end) const {
+  if (part_digest) return stored_digests(begin, end);
+  std::vector<Shape> shapes(end - begin);
+  return read_batch({begin, end, shapes.data()},
+                    {.outline = true, .field = true, .levels = ~0u, .artwork = false, .original = false});
+}
+
+std::uint64_t LibraryFile::State::content_digest() const {
+  Digest digest;
+  digest.add(head.shapes());
+  digest.add(std::uint64_t(pad.levels));
+  digest.add(std::bit_cast<std::uint32_t>(pad.delta_tau));
+  for (std::size_t at = 0; at < head.shapes(); at += kBatchShapes) {
+    const std::size_t end = std::min(head.shapes(), at + kBatchShapes);
+    for (const ColumnReader* column : head.columns()) digest.add_all(std::span<const char>(column->read<char>(at, end)));
+    digest.add_all(std::span<const PartDigests>(digests(at, end)));
   }
+  return digest.value();
 }
 
 LibraryFile::LibraryFile(const std::string& path) {
@@ -135,22 +186,11 @@ LibrarySummary LibraryFile::summary() const {
 
 std::uint64_t LibraryFile::content_digest() const {
   const Hdf5Silence silence;
-  Digest digest;
   try {
-    for (const ColumnReader* column : state_->columns()) {
-      if (column->column().path.starts_with("/artwork")) continue;
-      digest.add_all(std::span<const char>(column->column().path));
-      digest.add(column->rows());
-      digest.add(column->stored_bytes());
-      if (column->rows() != size() || layout::row_bytes(column->column()) > layout::kNameBytes) continue;
-      for (std::size_t at = 0; at < size(); at += kDigestRows) {
-        digest.add_all(std::span<const char>(column->read<char>(at, std::min(size(), at + kDigestRows))));
-      }
-    }
+    return state_->content_digest();
   } catch (const Hdf5Error& error) {
     throw InputError(path() + ": " + error.what());
   }
-  return digest.value();
 }
 
 std::vector<Shape> LibraryFile::read(std::size_t begin, std::size_t end, const LibraryParts& parts) const {

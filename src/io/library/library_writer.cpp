@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <optional>
 
 #include "core/base/error.h"
@@ -10,6 +11,7 @@
 #include "io/library/library_column.h"
 #include "io/library/library_create.h"
 #include "io/library/library_file.h"
+#include "io/library/part_digest.h"
 
 namespace tessera::io {
 namespace {
@@ -25,7 +27,8 @@ class LevelWriter {
         keypoints_(file, columns.keypoints),
         convexity_(file, columns.convexity) {}
 
-  void append(const LevelCurve& level, int n) {
+  /// Returns the digest of what was written, as do the others here.
+  std::uint64_t append(const LevelCurve& level, int n) {
     std::vector<float> lengths, convexity;
     std::vector<Vec2> keypoints;
     for (const ArclengthPyramid& sample : level.samples) {
@@ -39,6 +42,7 @@ class LevelWriter {
     lengths_.append(lengths.data(), 1);
     keypoints_.append(keypoints.data(), 1);
     convexity_.append(convexity.data(), 1);
+    return level_digest({level.points, level.perimeter, lengths, keypoints, convexity});
   }
 
  private:
@@ -74,7 +78,7 @@ class FieldWriter {
         extent_(file, columns.field_extent) {}
 
   /// 16 bits, with a step for each shape: a step is about a ten-thousandth of a shape unit.
-  void append(const ShapeField& field) {
+  std::uint64_t append(const ShapeField& field) {
     float largest = 1e-3f;
     for (const float d : field.distance.data()) largest = std::max(largest, std::abs(d));
     const float step = largest / kLargestStep;
@@ -86,6 +90,7 @@ class FieldWriter {
     distance_.append(quantised.data(), 1);
     scale_.append(&step, 1);
     extent_.append(&field.extent, 1);
+    return field_digest(quantised, step, field.extent);
   }
 
  private:
@@ -109,8 +114,12 @@ class TextWriter {
 
 class ArtworkWriter {
  public:
-  ArtworkWriter(hid_t file, const layout::Columns& columns)
-      : path_(file, columns.artwork_path),
+  /// `folder`: the library's, absolute.
+  ArtworkWriter(hid_t file, const layout::Columns& columns, const std::filesystem::path& folder)
+      : folder_(folder),
+        path_(file, columns.artwork_path),
+        beside_(file, columns.artwork_beside),
+        sha256_(file, columns.artwork_sha256),
         size_(file, columns.artwork_size),
         centroid_(file, columns.artwork_centroid),
         unit_(file, columns.artwork_unit),
@@ -120,6 +129,8 @@ class ArtworkWriter {
   void append(const Artwork& artwork) {
     const std::int32_t size[2] = {artwork.width_px, artwork.height_px};
     path_.append(artwork.path);
+    beside_.append(path_from_library(artwork.path));
+    sha256_.append(artwork.sha256.value_or(Sha256{}).data(), 1);
     size_.append(size, 1);
     centroid_.append(&artwork.centroid_px, 1);
     unit_.append(&artwork.unit_px, 1);
@@ -128,8 +139,16 @@ class ArtworkWriter {
   }
 
  private:
-  TextWriter path_;
-  ColumnWriter size_, centroid_, unit_;
+  /// Empty where it would be too long.
+  std::string path_from_library(const std::string& path) const {
+    if (path.empty()) return {};
+    const std::string relative = std::filesystem::path(path).lexically_relative(folder_);
+    return relative.size() < layout::kPathBytes ? relative : std::string();
+  }
+
+  std::filesystem::path folder_;
+  TextWriter path_, beside_;
+  ColumnWriter sha256_, size_, centroid_, unit_;
   RaggedWriter thumbnail_, original_;
 };
 
@@ -141,9 +160,10 @@ class OutlineWriter {
     append_first_curve();
   }
 
-  void append(const Outline& outline) {
+  std::uint64_t append(const Outline& outline) {
     for (const std::vector<Vec2>& curve : outline.curves) curves_.append(curve.data(), curve.size());
     append_first_curve();
+    return outline_digest(outline);
   }
 
  private:
@@ -166,14 +186,15 @@ struct LibraryWriter::State {
 
   /// Members are destroyed from the last to the first: the columns before their file.
   struct Content {
-    Content(hid_t file, const layout::Columns& columns)
+    Content(hid_t file, const layout::Columns& columns, const std::filesystem::path& folder)
         : name(file, columns.name),
           perimeter(file, columns.perimeter),
           radius(file, columns.radius),
           mean_lab(file, columns.mean_lab),
           outline(file, columns),
           field(file, columns),
-          artwork(file, columns) {
+          artwork(file, columns, folder),
+          part_digest(file, columns.part_digest) {
       for (const layout::LevelColumns& level : columns.levels) levels.emplace_back(file, level);
     }
 
@@ -182,6 +203,7 @@ struct LibraryWriter::State {
     OutlineWriter outline;
     FieldWriter field;
     ArtworkWriter artwork;
+    ColumnWriter part_digest;
     std::vector<LevelWriter> levels;
   };
 
@@ -211,7 +233,8 @@ LibraryWriter::LibraryWriter(const std::string& path, const PadParameters& pad) 
   try {
     state_ = std::make_unique<State>(path, pad);
     write_library_header(state_->file.get(), pad);
-    state_->content.emplace(state_->file.get(), layout::library_columns(pad.levels));
+    state_->content.emplace(state_->file.get(), layout::library_columns(pad.levels),
+                            std::filesystem::absolute(path).lexically_normal().parent_path());
   } catch (const Hdf5Error& error) {
     if (state_) state_->remove_temporary();
     throw write_error(path, error);
@@ -232,10 +255,11 @@ void LibraryWriter::append(const Shape& shape) {
     to.perimeter.append(&shape.perimeter, 1);
     to.radius.append(&shape.radius, 1);
     to.mean_lab.append(shape.mean_lab.data(), 1);
-    to.outline.append(shape.outline);
-    to.field.append(shape.field);
+    std::vector<std::uint64_t> digests{to.outline.append(shape.outline), to.field.append(shape.field)};
+    for (std::size_t k = 0; k < to.levels.size(); ++k)
+      digests.push_back(to.levels[k].append(shape.levels[k], state_->pad.levels));
+    to.part_digest.append(digests.data(), 1);
     to.artwork.append(shape.artwork);
-    for (std::size_t k = 0; k < to.levels.size(); ++k) to.levels[k].append(shape.levels[k], state_->pad.levels);
   } catch (const Hdf5Error& error) {
     throw write_error(state_->path, error);
   }

@@ -1,18 +1,40 @@
 #include "io/result/artwork_original.h"
 
+#include <filesystem>
+
 #include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
+#include "io/artwork/sha256.h"
+#include "io/regular_file.h"
 
 namespace tessera::io {
+namespace {
 
-std::vector<std::uint8_t> artwork_original(const Artwork& artwork) {
-  if (!artwork.original.empty()) return artwork.original;
-  if (artwork.path.empty()) return {};
+/// A link to a regular file is followed, wherever it leads: the hash decides. The bytes that are hashed are those that are
+/// drawn; the file is not opened a second time.
+ArtworkOriginal original_at(const std::string& path, const Sha256& sha256) {
+  std::error_code error;
+  if (path.empty() || !std::filesystem::exists(path, error)) return {{}, kOriginalMissing};
   try {
-    return read_artwork_file(artwork.path);
+    std::vector<std::uint8_t> bytes = read_regular_file(path, kMaxArtworkFileBytes);
+    if (sha256_of(bytes) != sha256) return {{}, kOriginalChanged};
+    return {std::move(bytes), {}};
   } catch (const InputError&) {
-    return {};
+    return {{}, kOriginalNoFile};
   }
+}
+
+}  // namespace
+
+ArtworkOriginal artwork_original(const Artwork& artwork) {
+  if (!artwork.original.empty()) return {artwork.original, {}};
+  if (artwork.path.empty()) return {{}, kOriginalMissing};
+  if (!artwork.sha256) return {{}, kOriginalUnknown};
+  ArtworkOriginal first = original_at(artwork.path, *artwork.sha256);
+  if (!first.bytes.empty()) return first;
+  ArtworkOriginal second = original_at(artwork.path_beside_library, *artwork.sha256);
+  const bool second_says_more = !second.bytes.empty() || first.reason == kOriginalMissing;
+  return second_says_more ? second : first;
 }
 
 Similarity artwork_from_shape(const Artwork& artwork) {

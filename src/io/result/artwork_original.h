@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/geometry/similarity.h"
@@ -9,9 +10,21 @@
 
 namespace tessera::io {
 
-/// The embedded file, else the one at Artwork::path. Empty where there is neither (any more): outputs then make do with
-/// the thumbnail, a collage never fails because someone tidied up the clip art.
-std::vector<std::uint8_t> artwork_original(const Artwork& artwork);
+struct ArtworkOriginal {
+  std::vector<std::uint8_t> bytes;  // empty where there is none to draw from
+  std::string reason;               // then why, in words that are the same for all drawings of this fate
+};
+
+/// Why a drawing is not made from its original.
+inline constexpr char kOriginalMissing[] = "original missing";
+inline constexpr char kOriginalChanged[] = "original changed since the library was built";
+inline constexpr char kOriginalNoFile[] = "original is no regular file, not readable or too large";
+inline constexpr char kOriginalUnknown[] = "library made by an older version: build it again";
+
+/// The embedded file, else the one at Artwork::path or at Artwork::path_beside_library, but only one whose SHA-256 is
+/// that of the build: a library may come from anywhere and name any path, but it cannot know the hash of a file that
+/// its maker never had. A collage never fails because someone tidied up the clip art.
+ArtworkOriginal artwork_original(const Artwork& artwork);
 
 /// Where shape coordinates lie in the artwork frame.
 Similarity artwork_from_shape(const Artwork& artwork);

@@ -31,7 +31,7 @@ Sprite clipped_sprite(const cv::Mat& straight_bgra, const Shape& shape) {
 }
 
 cv::Mat rendered_original(const Artwork& artwork, int longest_side_px) {
-  const std::vector<std::uint8_t> bytes = artwork_original(artwork);
+  const std::vector<std::uint8_t> bytes = artwork_original(artwork).bytes;
   if (bytes.empty()) return {};
   try {
     return render_artwork(bytes, artwork.path, longest_side_px);

@@ -17,8 +17,8 @@
 #include "io/result/artwork_clip.h"
 #include "io/result/artwork_original.h"
 #include "io/result/sprite.h"
-#include "io/result/svg_import.h"
-#include "io/result/xml_writer.h"
+#include "io/artwork/svg_import.h"
+#include "io/xml_writer.h"
 
 namespace tessera::io {
 namespace {
@@ -59,7 +59,7 @@ Symbol thumbnail_symbol(const Artwork& artwork, const std::string& id) {
 
 /// Empty where there is no original that can be used.
 Symbol original_symbol(const Artwork& artwork, const std::string& id) {
-  const std::vector<std::uint8_t> bytes = artwork_original(artwork);
+  const std::vector<std::uint8_t> bytes = artwork_original(artwork).bytes;
   if (bytes.empty()) return {};
   try {
     const cv::Size2d size = open_artwork_page(bytes, artwork.path)->natural_size();

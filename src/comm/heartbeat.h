@@ -1,0 +1,40 @@
+// Signs of life that a worker sends to rank 0, whatever its main thread does: a rank that was stopped, whose node hangs or
+// whose connection is cut sends none any more. They also tell what the main thread does, for faults that leave the
+// process alive.
+#pragma once
+
+#include <boost/serialization/is_bitwise_serializable.hpp>
+#include <boost/serialization/level.hpp>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <type_traits>
+
+namespace tessera::comm {
+
+class Communicator;
+
+struct Heartbeat {
+  bool waiting = false;  // for a message; else it computes
+  double for_s = 0;      // since it last changed from one to the other; a time in which the process was stopped counts little
+};
+
+/// Sends a heartbeat ten times as often as `silence_s` asks for, from a thread of its own, until it is destroyed. Made by
+/// workers. The communicator outlives it; its transport must allow this (communicator.h).
+class Heart {
+ public:
+  Heart(Communicator& ranks, double silence_s);
+
+ private:
+  void beat(const std::stop_token& stop, double period_s);
+
+  Communicator& ranks_;
+  std::mutex mutex_;
+  std::condition_variable_any stopped_;
+  std::jthread thread_;  // the last member: it ends before the others go
+};
+
+}  // namespace tessera::comm
+
+BOOST_IS_BITWISE_SERIALIZABLE(tessera::comm::Heartbeat)
+BOOST_CLASS_IMPLEMENTATION(tessera::comm::Heartbeat, boost::serialization::primitive_type)

@@ -1,0 +1,155 @@
+#include "core/field/linked_contour.h"
+
+#include <cmath>
+
+#include "core/pad/pyramid.h"
+
+namespace tessera {
+namespace {
+
+/// Where the contour crosses the edge, canvas px.
+Vec2 crossing(const Grid<float>& contour, Vec2 origin, const GridEdge& e) {
+  const float here = contour(e.x, e.y);
+  const float there = e.down ? contour(e.x, e.y + 1) : contour(e.x + 1, e.y);
+  const float t = here / (here - there);
+  return origin + (e.down ? Vec2{float(e.x), float(e.y) + t} : Vec2{float(e.x) + t, float(e.y)});
+}
+
+}  // namespace
+
+void LinkedContour::retrace(const Grid<float>& contour, Vec2 origin, const Window& window) {
+  if (width_ == 0) {
+    width_ = contour.width();
+    vertex_of_edge_ = EdgeTable(width_, contour.height());
+  }
+  cut_window(window);
+  const Window cells =
+      Window{window.x0 - 1, window.y0 - 1, window.x1, window.y1}.intersected({0, 0, width_ - 1, contour.height() - 1});
+  for (int y = cells.y0; y < cells.y1; ++y) {
+    for (int x = cells.x0; x < cells.x1; ++x) trace_cell(contour, origin, x, y);
+  }
+  forget_smoothing(window);
+}
+
+int LinkedContour::vertex_at(const GridEdge& edge) {
+  const int found = vertex_of_edge_.find(edge);
+  if (found != EdgeTable::kNone) return found;
+  if (unused_.empty()) {
+    unused_.push_back(int(vertices_.size()));
+    vertices_.emplace_back();
+  }
+  const int v = unused_.back();
+  unused_.pop_back();
+  vertices_[v] = Vertex{};
+  vertices_[v].edge = edge;
+  vertex_of_edge_.insert(edge, v);
+  return v;
+}
+
+void LinkedContour::remove_vertex(int v) {
+  Vertex& vertex = vertices_[v];
+  if (vertex.next >= 0) vertices_[vertex.next].previous = -1;
+  if (vertex.previous >= 0) vertices_[vertex.previous].next = -1;
+  vertex_of_edge_.erase(vertex.edge);
+  vertex.next = vertex.previous = -1;
+  unused_.push_back(v);
+}
+
+void LinkedContour::cut_window(const Window& window) {
+  std::vector<int> inside;
+  vertex_of_edge_.each(window, [&](const GridEdge&, int v) { inside.push_back(v); });
+  for (const int v : inside) remove_vertex(v);
+}
+
+void LinkedContour::trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y) {
+  // Corners in the order (x, y), (x+1, y), (x+1, y+1), (x, y+1); edge k joins corners k and k+1.
+  const float corner[4] = {contour(x, y), contour(x + 1, y), contour(x + 1, y + 1), contour(x, y + 1)};
+  int mask = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (corner[k] > 0) mask |= 1 << k;  // not (corner[k] > 0) << k: g++ 12 with -fsanitize=undefined miscompiles it
+  }
+  if (mask == 0 || mask == 15) return;
+  const GridEdge edge[4] = {{x, y, false}, {x + 1, y, true}, {x, y + 1, false}, {x, y, true}};
+  const auto inside = [&](int k) { return (mask >> (k & 3) & 1) != 0; };
+  int leaving[2] = {};
+  int entering[2] = {};
+  int count = 0;
+  int count_in = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (inside(k) && !inside(k + 1)) leaving[count++] = k;
+    if (!inside(k) && inside(k + 1)) entering[count_in++] = k;
+  }
+  if (count == 1) {
+    link(contour, origin, edge[leaving[0]], edge[entering[0]]);
+    return;
+  }
+  // A saddle: the sign of the middle says whether the inside corners are joined.
+  const bool joined = corner[0] + corner[1] + corner[2] + corner[3] > 0;
+  for (int k = 0; k < 2; ++k) link(contour, origin, edge[leaving[k]], edge[(leaving[k] + (joined ? 1 : 3)) & 3]);
+}
+
+void LinkedContour::link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to) {
+  const int a = vertex_at(from);
+  const int b = vertex_at(to);
+  vertices_[a].next = b;
+  vertices_[b].previous = a;
+  vertices_[a].raw = crossing(contour, origin, from);
+  vertices_[b].raw = crossing(contour, origin, to);
+}
+
+/// Two more than the smoothing reaches: what is measured at a vertex depends on its neighbours' positions.
+void LinkedContour::forget_smoothing(const Window& window) {
+  vertex_of_edge_.each(window.grown(int(3 * sigma_px_) + 5), [&](const GridEdge&, int v) {
+    vertices_[v].smoothed = false;
+    vertices_[v].measured = false;
+  });
+}
+
+Vec2 LinkedContour::smooth_position(int v) {
+  Vertex& vertex = vertices_[v];
+  if (!vertex.smoothed) {
+    vertex.smooth = smoothed_at(v);
+    vertex.smoothed = true;
+  }
+  return vertex.smooth;
+}
+
+/// Kept, because every walk that passes a vertex asks the same of it.
+void LinkedContour::measure(int v) {
+  const Vec2 before = smooth_position(vertices_[v].previous);
+  const Vec2 here = smooth_position(v);
+  const Vec2 after = smooth_position(vertices_[v].next);
+  vertices_[v].edge_after = norm(after - here);
+  vertices_[v].turning_rad = std::abs(turning_rad(before, here, after));
+  vertices_[v].measured = true;
+}
+
+/// Gaussian along the arclength; every vertex weighs as much as half of its two edges is long. Summed outwards from v,
+/// so that the result does not depend on where the loop starts.
+Vec2 LinkedContour::smoothed_at(int v) const {
+  const Vertex& centre = vertices_[v];
+  const float edge_after = norm(vertices_[centre.next].raw - centre.raw);
+  const float edge_before = norm(vertices_[centre.previous].raw - centre.raw);
+  float total = 0.5f * (edge_after + edge_before);
+  Vec2 sum;
+  const auto add_side = [&](int Vertex::*step, float edge) {
+    int at = v;
+    for (float s = edge; s <= 3 * sigma_px_;) {
+      at = vertices_[at].*step;
+      if (at == v) return;
+      const Vertex& here = vertices_[at];
+      const float edge_out = norm(vertices_[here.*step].raw - here.raw);
+      const float t = s / sigma_px_;
+      const float weight = 0.5f * (edge + edge_out) * std::exp(-0.5f * t * t);
+      sum = sum + (here.raw - centre.raw) * weight;
+      total += weight;
+      edge = edge_out;
+      s += edge_out;
+    }
+  };
+  add_side(&Vertex::next, edge_after);
+  add_side(&Vertex::previous, edge_before);
+  return total > 0 ? centre.raw + sum * (1 / total) : centre.raw;
+}
+
+}  // namespace tessera

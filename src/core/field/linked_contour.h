@@ -1,0 +1,72 @@
+// The zero line of a field as linked vertices, traced anew only where the field has changed, and smoothed along its length.
+//
+// A vertex is known by the grid edge that the line crosses; whatever a change did not touch keeps its vertices. What is
+// said of a vertex follows from its own neighbourhood alone, so tracing a window gives the bits of tracing everything.
+#pragma once
+
+#include <vector>
+
+#include "core/field/edge_table.h"
+#include "core/field/grid_edge.h"
+#include "core/geometry/grid.h"
+#include "core/geometry/vec2.h"
+
+namespace tessera {
+
+class LinkedContour {
+ public:
+  static constexpr int kNone = EdgeTable::kNone;
+
+  /// Positions are smoothed by a Gaussian of this width along the line, cut off at three times of it.
+  explicit LinkedContour(float sigma_px) : sigma_px_(sigma_px) {}
+
+  /// Canvas px; positive nodes lie on the left of the line.
+  struct Vertex {
+    GridEdge edge;
+    bool smoothed = false;
+    bool measured = false;
+    int next = -1;
+    int previous = -1;
+    Vec2 raw;     // on the line itself
+    Vec2 smooth;  // valid where `smoothed`; what follows, where `measured`
+    float edge_after = 0;   // length of the smoothed line to the next vertex
+    float turning_rad = 0;  // of the smoothed line here, absolute
+  };
+
+  /// Traces the nodes of `window` again; all others are as before. `origin` is the canvas position of node (0, 0).
+  void retrace(const Grid<float>& field, Vec2 origin, const Window& window);
+
+  int width() const { return width_; }  // of the node grid; 0 before the first retrace
+  int find(const GridEdge& edge) const { return vertex_of_edge_.find(edge); }  // kNone: the line does not cross it
+  /// Calls visit(edge, vertex) for the crossed edges of the window.
+  template <class Visit>
+  void each(const Window& window, Visit visit) const {
+    vertex_of_edge_.each(window, visit);
+  }
+  /// Edge, links and `raw`.
+  const Vertex& vertex(int v) const { return vertices_[v]; }
+  /// All of the vertex. Its line must be closed.
+  const Vertex& measured(int v) {
+    if (!vertices_[v].measured) measure(v);
+    return vertices_[v];
+  }
+
+ private:
+  int vertex_at(const GridEdge& edge);
+  void remove_vertex(int v);
+  void cut_window(const Window& window);
+  void trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y);
+  void link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to);
+  void forget_smoothing(const Window& window);
+  Vec2 smooth_position(int v);
+  Vec2 smoothed_at(int v) const;
+  void measure(int v);
+
+  float sigma_px_;
+  int width_ = 0;
+  std::vector<Vertex> vertices_;
+  std::vector<int> unused_;
+  EdgeTable vertex_of_edge_;
+};
+
+}  // namespace tessera

@@ -1,0 +1,93 @@
+// What a pose may be: an interval of scales and an interval of rotations, one value being an interval too. Candidates are
+// made within it and stay within it, so that nothing is searched only to be thrown away.
+// kernels/similarity.cl does the same, bit for bit.
+#pragma once
+
+#include "core/geometry/similarity.h"
+
+namespace tessera {
+
+/// A pose at a bound of its interval lies inside by this part of itself, so that rounding never puts it outside.
+inline constexpr float kInsideBound = 5e-7f;
+/// What rounding may take a pose out of its interval: part of the scale, and rad.
+inline constexpr float kScaleRounding = 1e-6f;
+inline constexpr float kRotationRounding_rad = 1e-5f;
+/// The Cayley angle of a turn without limit.
+inline constexpr float kNoTurnLimit = 1e9f;
+
+/// Directions up to half a width to either side of one in the middle.
+struct DirectionRange {
+  Vec2 middle{1, 0};  // unit
+  Vec2 edge{-1, 0};   // cosine and sine of half the width; a cosine of -1: every direction
+
+  bool all() const { return edge.x <= -1; }
+
+  /// `d` has any length; `slack` is the sine of what it may be outside.
+  bool contains(Vec2 d, float length, float slack) const {
+    if (all()) return true;
+    const float along = dot(d, middle);
+    const float across = std::abs(cross(middle, d));
+    if (edge.x > 0 && along <= 0) return false;
+    return across * edge.x - along * edge.y <= slack * length;
+  }
+
+  /// The unit vector of the bound that is on the side of `d`.
+  Vec2 nearest_edge(Vec2 d) const {
+    const float side = cross(middle, d) >= 0 ? edge.y : -edge.y;
+    return {middle.x * edge.x - middle.y * side, middle.y * edge.x + middle.x * side};
+  }
+};
+
+/// From `min_rad` to `max_rad`.
+DirectionRange direction_range(float min_rad, float max_rad);
+
+/// How far a pose may turn before it leaves its interval: Cayley angles, 2 tan(angle / 2).
+struct TurnLimits {
+  float low = -kNoTurnLimit;
+  float high = kNoTurnLimit;
+};
+
+struct PoseRange {
+  float min_scale_px = 0;
+  float max_scale_px = 0;
+  DirectionRange rotations;
+
+  bool contains(const Similarity& s) const {
+    const float scale = s.scale();
+    return scale >= min_scale_px * (1 - kScaleRounding) && scale <= max_scale_px * (1 + kScaleRounding) &&
+           rotations.contains({s.a, s.b}, scale, kRotationRounding_rad);
+  }
+
+  /// Turned and scaled about its own centre by as little as brings it into the range.
+  void pull_in(Similarity& s) const {
+    const float scale = s.scale();
+    float wanted = scale;
+    if (scale < min_scale_px) wanted = min_scale_px * (1 + kInsideBound);
+    if (scale > max_scale_px) wanted = max_scale_px * (1 - kInsideBound);
+    if (!rotations.contains({s.a, s.b}, scale, 0)) {
+      const Vec2 direction = rotations.nearest_edge({s.a, s.b});
+      s.a = direction.x * wanted;
+      s.b = direction.y * wanted;
+    } else if (wanted != scale) {
+      s.a *= wanted / scale;
+      s.b *= wanted / scale;
+    }
+  }
+
+  /// Of a pose in the range.
+  TurnLimits turns(const Similarity& s) const {
+    TurnLimits limits;
+    if (rotations.all()) return limits;
+    const Vec2 edge = rotations.edge;
+    const float scale = s.scale();
+    const float along = dot(Vec2{s.a, s.b}, rotations.middle);
+    const float across = cross(rotations.middle, {s.a, s.b});
+    const float to_high = along * edge.x + across * edge.y;  // cosine of the turn to the upper bound, times the scale
+    const float to_low = along * edge.x - across * edge.y;
+    if (to_high > 0) limits.high = std::fmax(0.f, 2 * (along * edge.y - across * edge.x) / (scale + to_high));
+    if (to_low > 0) limits.low = std::fmin(0.f, 2 * (-along * edge.y - across * edge.x) / (scale + to_low));
+    return limits;
+  }
+};
+
+}  // namespace tessera

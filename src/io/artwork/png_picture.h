@@ -1,0 +1,15 @@
+// A PNG as it is: a thumbnail of a library, a finished collage. Artwork is read by raster_page.h, which cuts shapes out.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <span>
+#include <string>
+
+namespace tessera::io {
+
+/// Straight BGRA, CV_8UC4; shrunk where it is larger than `longest_side_px`. Throws InputError where it is no PNG or is
+/// damaged.
+cv::Mat png_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
+
+}  // namespace tessera::io

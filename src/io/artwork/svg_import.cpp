@@ -1,0 +1,205 @@
+#include "io/artwork/svg_import.h"
+
+#include <libxml/parser.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "io/artwork/gunzip.h"
+#include "io/artwork/svg_page.h"
+#include "io/number_text.h"
+#include "io/artwork/svg_style.h"
+#include "io/xml_writer.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
+constexpr std::string_view kXlinkNamespace = "http://www.w3.org/1999/xlink";
+
+/// What draws. Of links only the content is kept; what is not here is dropped with all that it holds.
+const std::set<std::string_view> kElements = {
+    "svg", "g", "a", "defs", "symbol", "use", "switch", "style",                                          //
+    "path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "image",                          //
+    "text", "tspan", "textPath", "tref",                                                                  //
+    "linearGradient", "radialGradient", "stop", "pattern", "clipPath", "mask", "marker", "filter",        //
+    "feBlend", "feColorMatrix", "feComponentTransfer", "feComposite", "feConvolveMatrix",                 //
+    "feDiffuseLighting", "feDisplacementMap", "feDistantLight", "feDropShadow", "feFlood", "feFuncA",     //
+    "feFuncB", "feFuncG", "feFuncR", "feGaussianBlur", "feImage", "feMerge", "feMergeNode", "feMorphology",  //
+    "feOffset", "fePointLight", "feSpecularLighting", "feSpotLight", "feTile", "feTurbulence"};
+
+struct FreeXml {
+  void operator()(xmlDoc* doc) const { xmlFreeDoc(doc); }
+  void operator()(xmlParserCtxt* context) const {
+    // A document that was not handed over.
+    if (context->myDoc) xmlFreeDoc(context->myDoc);
+    xmlFreeParserCtxt(context);
+  }
+  void operator()(xmlChar* text) const { xmlFree(text); }
+};
+using DocPtr = std::unique_ptr<xmlDoc, FreeXml>;
+
+std::string_view view(const xmlChar* text) { return text ? reinterpret_cast<const char*>(text) : ""; }
+
+/// Entities that would be read from elsewhere stay undeclared; using one is then an error like any other.
+void declare_internal_entity(void* context, const xmlChar* name, int type, const xmlChar* public_id,
+                             const xmlChar* system_id, xmlChar* content) {
+  if (type != XML_INTERNAL_GENERAL_ENTITY && type != XML_INTERNAL_PARAMETER_ENTITY) return;
+  xmlSAX2EntityDecl(context, name, type, public_id, system_id, content);
+}
+
+DocPtr parse(std::span<const std::uint8_t> bytes, const std::string& path) {
+  const std::unique_ptr<xmlParserCtxt, FreeXml> context(xmlNewParserCtxt());
+  if (!context) throw std::bad_alloc();
+  context->sax->entityDecl = declare_internal_entity;
+  constexpr int kOptions = XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
+  DocPtr doc(xmlCtxtReadMemory(context.get(), reinterpret_cast<const char*>(bytes.data()), int(bytes.size()), nullptr,
+                               nullptr, kOptions));
+  context->myDoc = nullptr;
+  if (!doc) throw InputError(path + ": not a well-formed SVG file");
+  return doc;
+}
+
+std::string content_of(const xmlNode* node) {
+  const std::unique_ptr<xmlChar, FreeXml> text(xmlNodeGetContent(node));
+  return std::string(view(text.get()));
+}
+
+bool is_svg_element(const xmlNode* node) {
+  // Old files forget the name space; librsvg draws them all the same.
+  return node->type == XML_ELEMENT_NODE && (!node->ns || view(node->ns->href) == kSvgNamespace) &&
+         kElements.contains(view(node->name));
+}
+
+/// An embedded bitmap, told by its first bytes and not by what it says it is: an embedded SVG would bring its own scripts
+/// and references. Nothing for any other address.
+std::optional<std::string> bitmap_uri(std::string_view uri) {
+  static constexpr std::array<std::array<std::string_view, 2>, 4> kTypes = {
+      {{"iVBORw0KGgo", "png"}, {"/9j/", "jpeg"}, {"R0lGOD", "gif"}, {"UklGR", "webp"}}};
+  const std::size_t comma = uri.find(',');
+  if (!uri.starts_with("data:") || comma == std::string_view::npos) return std::nullopt;
+  if (!uri.substr(0, comma).ends_with(";base64")) return std::nullopt;
+  std::string base64(uri.substr(comma + 1));
+  std::erase_if(base64, [](unsigned char c) { return std::isspace(c); });
+  for (const auto& [mark, type] : kTypes) {
+    if (base64.starts_with(mark)) return std::string("data:image/").append(type).append(";base64,").append(base64);
+  }
+  return std::nullopt;
+}
+
+bool holds_text(const xmlNode* node) {
+  static const std::set<std::string_view> kTextElements = {"text", "tspan", "textPath", "tref"};
+  for (; node && view(node->name) == "a"; node = node->parent) {
+  }
+  return node && kTextElements.contains(view(node->name));
+}
+
+bool begins_like_handler(std::string_view name) {
+  return name.size() > 2 && (name[0] == 'o' || name[0] == 'O') && (name[1] == 'n' || name[1] == 'N');
+}
+
+/// Writes what is kept of a parsed SVG.
+class Importer {
+ public:
+  Importer(const std::string& scope_id, cv::Size2d page_size) : scope_id_(scope_id), prefix_(scope_id + "-"), page_(page_size) {}
+
+  std::string import(const xmlNode* root) {
+    writer_.start("g").attribute("id", scope_id_);
+    write_page(root);
+    return writer_.end().finish();
+  }
+
+ private:
+  void write_page(const xmlNode* root) {
+    writer_.start("svg").attribute("width", fixed(page_.width, 6)).attribute("height", fixed(page_.height, 6));
+    static const std::set<std::string_view> kPlaced = {"x", "y", "width", "height", "version", "baseProfile"};
+    write_attributes(root, kPlaced);
+    write_children(root);
+    writer_.end();
+  }
+
+  void write_element(const xmlNode* node) {
+    const std::string_view name = view(node->name);
+    if (name == "style") return write_style(node);
+    writer_.start(name != "a" ? std::string(name) : holds_text(node) ? "tspan" : "g");
+    write_attributes(node, {});
+    write_children(node);
+    writer_.end();
+  }
+
+  /// Recursion is as deep as the document, which libxml2 bounds (256).
+  void write_children(const xmlNode* parent) {
+    for (const xmlNode* node = parent->children; node; node = node->next) {
+      if (node->type == XML_TEXT_NODE && holds_text(parent)) writer_.text(content_of(node));
+      if (is_svg_element(node)) write_element(node);
+    }
+  }
+
+  void write_style(const xmlNode* node) {
+    const std::string sheet = scoped_style_sheet(content_of(node), scope_id_, prefix_);
+    if (!sheet.empty()) writer_.start("style").attribute("type", "text/css").text(sheet).end();
+  }
+
+  void write_attributes(const xmlNode* node, const std::set<std::string_view>& without) {
+    std::optional<std::string> reference;
+    for (const xmlAttr* attribute = node->properties; attribute; attribute = attribute->next) {
+      const std::string_view name = view(attribute->name);
+      const std::string_view space = attribute->ns ? view(attribute->ns->href) : "";
+      const std::string value = content_of(reinterpret_cast<const xmlNode*>(attribute));
+      if (name == "href" && (space.empty() || space == kXlinkNamespace)) {
+        // SVG 2: a plain href goes before xlink:href.
+        if (!reference || space.empty()) reference = local_reference(node, value);
+      } else if (space.empty() && !without.contains(name)) {
+        write_attribute(std::string(name), value);
+      } else if (view(attribute->name) == "space" && space == view(XML_XML_NAMESPACE)) {
+        writer_.attribute("xml:space", value);
+      }
+    }
+    if (reference) writer_.attribute("xlink:href", *reference);
+  }
+
+  void write_attribute(const std::string& name, const std::string& value) {
+    if (begins_like_handler(name) || name == "src" || name == "base") return;
+    if (name == "id") {
+      writer_.attribute("id", prefix_ + value);
+    } else if (name == "style") {
+      const std::string declarations = local_declarations(value, prefix_);
+      if (!declarations.empty()) writer_.attribute("style", declarations);
+    } else if (const auto local = local_css_value(value, prefix_)) {
+      writer_.attribute(name, *local);
+    }
+  }
+
+  std::optional<std::string> local_reference(const xmlNode* node, const std::string& uri) const {
+    const std::size_t begin = std::min(uri.find_first_not_of(" \t\r\n"), uri.size());
+    if (uri.compare(begin, 1, "#") == 0) return std::string("#") + prefix_ + uri.substr(begin + 1);
+    const bool takes_bitmaps = view(node->name) == "image" || view(node->name) == "feImage";
+    return takes_bitmaps ? bitmap_uri(std::string_view(uri).substr(begin)) : std::nullopt;
+  }
+
+  std::string scope_id_;
+  std::string prefix_;
+  cv::Size2d page_;
+  XmlWriter writer_;
+};
+
+}  // namespace
+
+std::string import_svg(std::span<const std::uint8_t> bytes, const std::string& path, const std::string& scope_id,
+                       cv::Size2d page_size) {
+  std::vector<std::uint8_t> unpacked;
+  if (is_gzip(bytes)) bytes = unpacked = gunzip(bytes, path, kMaxSvgBytes);
+  const DocPtr doc = parse(bytes, path);
+  const xmlNode* root = xmlDocGetRootElement(doc.get());
+  if (!root || !is_svg_element(root) || view(root->name) != "svg") throw InputError(path + ": not an SVG file");
+  return Importer(scope_id, page_size).import(root);
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,54 @@
+// One process that draws (drawers.h), seen from its parent.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "io/drawing/drawer_protocol.h"
+
+namespace tessera::io {
+
+class DrawerProcess {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit DrawerProcess(std::size_t bytes_per_process) : bytes_per_process_(bytes_per_process) {}
+  ~DrawerProcess() { end(); }
+  DrawerProcess(const DrawerProcess&) = delete;
+  DrawerProcess& operator=(const DrawerProcess&) = delete;
+
+  bool started() const { return socket_ >= 0; }
+  /// Throws EnvironmentError. The process dies with the thread that calls this, at the latest.
+  void start();
+  /// The answer of a started process; where there is none, it has ended it and failure() says why.
+  std::optional<DrawingAnswer> ask(const DrawingRequest& request, double seconds);
+  const std::string& failure() const { return failure_; }
+  bool took_too_long() const { return took_too_long_; }
+  /// Ends it, if it is started, and collects it.
+  void end();
+  /// Makes an ask() in another thread fail soon.
+  void kill();
+
+ private:
+  void greet();
+  void allow_cpu_time(double seconds);
+  bool send(const void* data, std::size_t bytes, Clock::time_point deadline);
+  bool receive(void* data, std::size_t bytes, Clock::time_point deadline);
+  bool wait_for(short events, Clock::time_point deadline);
+  bool exchange(const DrawingRequest& request, DrawingAnswer& answer, Clock::time_point deadline);
+
+  std::size_t bytes_per_process_;
+  std::mutex mutex_;  // of pid_: a process that was collected may no longer be killed
+  pid_t pid_ = -1;
+  int socket_ = -1;
+  int status_ = 0;  // of the process that ended last, as waitpid says it
+  bool took_too_long_ = false;
+  std::string failure_;
+};
+
+}  // namespace tessera::io

@@ -1,0 +1,40 @@
+#include "io/drawing/drawer_protocol.h"
+
+#include <algorithm>
+
+namespace tessera::io {
+namespace {
+
+constexpr std::size_t kMebibyte = std::size_t(1) << 20;
+
+std::size_t most_result_bytes(const DrawingRequest& request) {
+  const std::size_t side_px = std::size_t(std::max(0, request.longest_side_px));
+  switch (request.kind) {
+    case DrawingKind::page:
+    case DrawingKind::png: return 4 * side_px * side_px;
+    case DrawingKind::natural_size: return 2 * sizeof(double);
+    case DrawingKind::svg_import: return 64 * kMebibyte;
+    case DrawingKind::shape: return 16 * kMebibyte;
+    case DrawingKind::pdf: return 512 * kMebibyte;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::size_t most_answer_bytes(const DrawingRequest& request) {
+  return std::max(kMostReasonBytes, most_result_bytes(request));
+}
+
+RequestHeader header_of(const DrawingRequest& request) {
+  return {.kind = request.kind,
+          .longest_side_px = request.longest_side_px,
+          .width_pt = request.width_pt,
+          .pad_levels = request.pad.levels,
+          .pad_delta_tau = request.pad.delta_tau,
+          .path_bytes = request.path.size(),
+          .scope_id_bytes = request.scope_id.size(),
+          .bytes = request.bytes.size()};
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,78 @@
+// What the program and its drawers (drawers.h) say to each other: a greeting, then requests and answers in turn. Both
+// sides are the same build on the same machine, so the headers go as they are in memory. The program trusts no answer:
+// it checks every length before it allocates.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <span>
+#include <string>
+
+#include "core/pad/pad.h"
+
+namespace tessera::io {
+
+/// Where a drawer finds its socket.
+inline constexpr int kDrawerSocket = 3;
+
+/// The first thing that a drawer says, when it has limited itself.
+struct DrawerGreeting {
+  std::array<char, 8> mark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '1'};
+};
+
+enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf };
+
+struct DrawingRequest {
+  DrawingKind kind = DrawingKind::page;
+  int longest_side_px = 0;                // of page and png
+  double width_pt = 0;                    // of pdf
+  PadParameters pad = {};                 // of shape
+  std::string path = {};                  // stands in messages; a shape's name
+  std::string scope_id = {};              // of svg_import
+  std::span<const std::uint8_t> bytes = {};  // the file
+};
+
+/// Goes before the request's path, scope_id and bytes.
+struct RequestHeader {
+  DrawingKind kind;
+  std::int32_t longest_side_px;
+  double width_pt;
+  std::int32_t pad_levels;
+  float pad_delta_tau;
+  std::uint64_t path_bytes;
+  std::uint64_t scope_id_bytes;
+  std::uint64_t bytes;
+};
+
+enum class DrawingStatus : std::uint32_t {
+  done,
+  refused,   // the payload is the reason
+  exhausted  // the same, and the process has no memory left: another one might do it
+};
+
+/// Goes before the payload.
+struct AnswerHeader {
+  DrawingStatus status = DrawingStatus::done;
+  std::int32_t columns = 0;  // of an image, CV_8UC4, which is the payload
+  std::int32_t rows = 0;
+  std::uint32_t unused = 0;
+  std::uint64_t bytes = 0;
+};
+
+struct DrawingAnswer {
+  AnswerHeader header;
+  cv::Mat payload;  // one row of bytes
+
+  std::span<const std::uint8_t> bytes() const { return {payload.data, payload.total()}; }
+};
+
+inline constexpr std::size_t kMostReasonBytes = 4096;
+
+/// The longest payload that a drawer may answer.
+std::size_t most_answer_bytes(const DrawingRequest& request);
+
+RequestHeader header_of(const DrawingRequest& request);
+
+}  // namespace tessera::io

@@ -1,0 +1,90 @@
+#include "io/drawing/drawing_service.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <opencv2/core.hpp>
+#include <string>
+#include <string_view>
+
+#include "io/artwork/artwork_page.h"
+#include "io/artwork/artwork_render.h"
+#include "io/artwork/artwork_shape.h"
+#include "io/artwork/png_picture.h"
+#include "io/artwork/svg_import.h"
+#include "io/artwork/svg_pdf.h"
+#include "io/drawing/shape_answer.h"
+
+namespace tessera::io {
+namespace {
+
+DrawingAnswer bytes_answer(std::span<const std::uint8_t> bytes) {
+  DrawingAnswer answer;
+  answer.payload.create(1, int(bytes.size()), CV_8U);
+  std::copy(bytes.begin(), bytes.end(), answer.payload.data);
+  answer.header.bytes = bytes.size();
+  return answer;
+}
+
+DrawingAnswer text_answer(std::string_view text) {
+  return bytes_answer({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+DrawingAnswer size_answer(cv::Size2d size) {
+  const double sides[2] = {size.width, size.height};
+  return bytes_answer({reinterpret_cast<const std::uint8_t*>(sides), sizeof sides});
+}
+
+/// Without a copy: it may be the largest thing in memory.
+DrawingAnswer image_answer(const cv::Mat& bgra) {
+  DrawingAnswer answer;
+  answer.payload = (bgra.isContinuous() ? bgra : bgra.clone()).reshape(1, 1);
+  answer.header.columns = bgra.cols;
+  answer.header.rows = bgra.rows;
+  answer.header.bytes = answer.payload.total();
+  return answer;
+}
+
+DrawingAnswer reason_answer(DrawingStatus status, std::string_view reason) {
+  DrawingAnswer answer = text_answer(reason.substr(0, kMostReasonBytes));
+  answer.header.status = status;
+  return answer;
+}
+
+/// Messages begin with the path, which the parent puts before the reason itself.
+std::string_view without_path(std::string_view message, const std::string& path) {
+  const std::string prefix = path + ": ";
+  return message.starts_with(prefix) ? message.substr(prefix.size()) : message;
+}
+
+}  // namespace
+
+DrawingAnswer answer_of(const DrawingRequest& request) {
+  const auto& [kind, longest_side_px, width_pt, pad, path, scope_id, bytes] = request;
+  switch (kind) {
+    case DrawingKind::page: return image_answer(render_artwork(bytes, path, longest_side_px));
+    case DrawingKind::png: return image_answer(png_picture(bytes, path, longest_side_px));
+    case DrawingKind::natural_size: return size_answer(open_artwork_page(bytes, path)->natural_size());
+    case DrawingKind::svg_import:
+      return text_answer(import_svg(bytes, path, scope_id, open_artwork_page(bytes, path)->natural_size()));
+    case DrawingKind::shape: return bytes_answer(encode_shape_answer(shape_from_artwork(bytes, path, pad)));
+    case DrawingKind::pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt));
+  }
+  throw std::logic_error("no such kind of drawing");
+}
+
+DrawingAnswer answer_or_reason(const DrawingRequest& request) {
+  try {
+    return answer_of(request);
+  } catch (const std::bad_alloc&) {
+    return reason_answer(DrawingStatus::exhausted, "needs more memory than a drawing may have");
+  } catch (const cv::Exception& error) {
+    const bool out_of_memory = error.code == cv::Error::StsNoMem;
+    return reason_answer(out_of_memory ? DrawingStatus::exhausted : DrawingStatus::refused,
+                         out_of_memory ? "needs more memory than a drawing may have" : "a damaged image");
+  } catch (const std::exception& error) {
+    return reason_answer(DrawingStatus::refused, without_path(error.what(), request.path));
+  }
+}
+
+}  // namespace tessera::io

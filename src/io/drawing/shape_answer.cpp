@@ -1,0 +1,55 @@
+#include "io/drawing/shape_answer.h"
+
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "io/drawing/shape_codec.h"
+
+namespace tessera::io {
+namespace {
+
+/// Goes before the shape.
+struct Header {
+  std::int32_t skip_reason = kNone;
+  std::int32_t other_components = 0;
+  float other_area_fraction = 0;
+
+  static constexpr std::int32_t kNone = -1;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_shape_answer(const ShapeOrReason& answer) {
+  Header header;
+  std::string shape;
+  if (const auto* reason = std::get_if<SkipReason>(&answer)) {
+    header.skip_reason = std::int32_t(*reason);
+  } else {
+    const auto& artwork = std::get<ArtworkShape>(answer);
+    header.other_components = artwork.other_components;
+    header.other_area_fraction = artwork.other_area_fraction;
+    shape = encode_shape(artwork.shape);
+  }
+  std::vector<std::uint8_t> bytes(sizeof header + shape.size());
+  std::memcpy(bytes.data(), &header, sizeof header);
+  std::memcpy(bytes.data() + sizeof header, shape.data(), shape.size());
+  return bytes;
+}
+
+ShapeOrReason decode_shape_answer(std::span<const std::uint8_t> bytes) {
+  Header header;
+  if (bytes.size() < sizeof header) throw std::runtime_error("a shape's header is cut off");
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.skip_reason != Header::kNone) {
+    if (header.skip_reason < 0 || header.skip_reason > std::int32_t(SkipReason::hairlines)) {
+      throw std::runtime_error("no reason that is known");
+    }
+    return SkipReason(header.skip_reason);
+  }
+  const std::string_view shape(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return ArtworkShape{decode_shape(shape.substr(sizeof header)), header.other_components, header.other_area_fraction};
+}
+
+}  // namespace tessera::io

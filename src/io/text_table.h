@@ -1,0 +1,22 @@
+// Tables for people, in plain text.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tessera::io {
+
+/// Columns as wide as their widest cell, the first to the left, the others to the right.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+  /// As many cells as the header has.
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  std::string text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace tessera::io

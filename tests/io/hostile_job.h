@@ -1,0 +1,160 @@
+// Job files as an attacker or a broken program would write them, from a seed: the same on every machine.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "io/job/job_keys.h"
+
+namespace tessera::test {
+
+class HostileJob {
+ public:
+  explicit HostileJob(std::uint32_t seed) : random_(seed) {}
+
+  /// The text of a whole file. `library` and `canvas`: values of those two keys in a file that is otherwise in order.
+  std::string make(const std::string& library, const std::string& canvas = "") {
+    std::string text = "[library]\nfile = '" + library + "'\n";
+    if (!canvas.empty()) text += "[canvas]\nfile = '" + canvas + "'\n";
+    for (std::uint32_t i = 1 + below(2); i > 0; --i) text = with_assignment(text);
+    return below(4) == 0 ? damaged(text) : text;
+  }
+
+  /// "section.key=value" with a value that the key may or may not take.
+  std::string make_override() {
+    const io::JobKey& key = any_key();
+    return key.full_name() + "=" + value_for(key);
+  }
+
+ private:
+  std::uint32_t below(std::uint32_t end) { return std::uint32_t(random_() % end); }
+
+  template <class Item>
+  const Item& any(const std::vector<Item>& items) {
+    return items[below(std::uint32_t(items.size()))];
+  }
+
+  const io::JobKey& any_key() { return any(io::job_keys()); }
+
+  static std::string repeated(const std::string& text, std::size_t times) {
+    std::string result;
+    for (std::size_t i = 0; i < times; ++i) result += text;
+    return result;
+  }
+
+  static std::string number_text(double value) {
+    std::ostringstream text;
+    text.precision(17);
+    text << value;
+    return text.str();
+  }
+
+  std::string with_assignment(const std::string& text) {
+    switch (below(8)) {
+      case 0: return text + "[" + any(strange_names()) + "]\n" + any(strange_names()) + " = 1\n";
+      case 1: return any(strange_names()) + " = " + any(wrong_types()) + "\n" + text;
+      case 2: return text + any(structures()) + "\n";
+      default: break;
+    }
+    const io::JobKey& key = any_key();
+    const std::string line = (below(12) == 0 ? any(strange_names()) : key.name) + " = " + value_for(key) + "\n";
+    return key.section.empty() ? line + text : text + "[" + key.section + "]\n" + line;
+  }
+
+  /// By a file's bytes: cut off, with other bytes in it, in another encoding.
+  std::string damaged(std::string text) {
+    switch (below(8)) {
+      case 0: return text.substr(0, below(std::uint32_t(text.size())));
+      case 1: return text.insert(below(std::uint32_t(text.size())), 1, '\0');
+      case 2: return text.insert(below(std::uint32_t(text.size())), any(std::vector<std::string>{
+                         "\xff", "\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x80\xae", "\x1b[2J", "\r"}));
+      case 3: return "\xef\xbb\xbf" + text;
+      case 4: return "\xff\xfe" + text;
+      case 5: return text + repeated("# padding\n", 300'000);
+      case 6: return text + "\nseed = \"" + std::string(3'000'000, 'x') + "\"\n";
+      default: break;
+    }
+    for (std::uint32_t i = 1 + below(8); i > 0; --i) text[below(std::uint32_t(text.size()))] = char(below(256));
+    return text;
+  }
+
+  std::string value_for(const io::JobKey& key) {
+    const std::string min = number_text(key.min);
+    const std::string max = number_text(key.max);
+    switch (below(12)) {
+      case 0: return any(wrong_types());
+      case 1: return any(numbers());
+      case 2: return min;
+      case 3: return max;
+      case 4: return number_text(std::nextafter(key.max, 1e300));
+      case 5: return number_text(key.min - 1);
+      case 6: return "[" + max + ", " + min + "]";
+      case 7: return "[" + min + ", " + max + "]";
+      case 8: return "[" + any(numbers()) + ", " + any(numbers()) + "]";
+      default: return extreme_of(key);
+    }
+  }
+
+  /// Just allowed.
+  std::string extreme_of(const io::JobKey& key) {
+    const std::string end = number_text(below(2) == 0 ? key.min : key.max);
+    switch (key.kind) {
+      case io::JobKind::number:
+      case io::JobKind::integer: return end;
+      case io::JobKind::interval:
+      case io::JobKind::proper_interval: return "[" + number_text(key.min) + ", " + number_text(key.max) + "]";
+      case io::JobKind::size: return "[16, " + end + "]";
+      case io::JobKind::devices:
+      case io::JobKind::word: return "\"" + any(key.words) + "\"";
+      case io::JobKind::file: return "\"" + std::string(2000, 'f') + "/../own.h5\"";
+      case io::JobKind::colour: return "\"#FFFFFF\"";
+    }
+    return {};
+  }
+
+  static const std::vector<std::string>& numbers() {
+    static const std::vector<std::string> list = {
+        "0", "-0.0", "1", "-1", "16", "1e308", "-1e308", "1e999", "5e-324", "nan", "-nan", "inf", "-inf",
+        "9223372036854775807", "9223372036854775808", "-9223372036854775808", "0x7fffffffffffffff", "2147483648",
+        "4294967296", "18446744073709551616", "1_0", "1.", "0o777", "1e-7", "20000", "99999999999999999999999999"};
+    return list;
+  }
+
+  static const std::vector<std::string>& wrong_types() {
+    static const std::vector<std::string> list = {
+        "true", "1979-05-27T07:32:00Z", "07:32:00", "{}", "{a = {b = 1}}", "\"\"", "[]", "[[]]", "[[1], [2]]", "[1]",
+        "[1, 2, 3]", "[\"a\", 1]", "[nan, nan]", "[1, true]", "\"a\\u0000b\"", "\"\\uFFFF\\U0010FFFF\"",
+        "\"\\n\\t\\r\\u001b[31m\"", "\"" + std::string(9000, 'x') + "\"", "\"#12345\"", "\"#ffffff\"", "\"0,0\"",
+        "\"all\"", "'''\nlines\n'''", "[" + repeated("1, ", 3000) + "1]"};
+    return list;
+  }
+
+  static const std::vector<std::string>& strange_names() {
+    static const std::vector<std::string> list = {
+        "\"\"", "seed", "pieces", "piecse", "canvas.size_px", "\"a.b\"", "\"new\\nline\"", "\"\\u0000\"", "\"ключ\"",
+        "a", std::string(5000, 'k'), repeated("a.", 7000) + "a", "\"" + std::string(3000, '.') + "\"", "-", "1", "__proto__"};
+    return list;
+  }
+
+  /// What breaks parsers: the same key twice, depth, and what is not closed.
+  static const std::vector<std::string>& structures() {
+    static const std::vector<std::string> list = {
+        "[pieces]\nuses = 1\nuses = 2", "[pieces]\nuses = 1\n[pieces]\nuses = 2", "[[pieces]]\nuses = 1",
+        "[stop]\npieces = " + std::string(15000, '['), "[stop]\npieces = " + std::string(200, '[') + std::string(200, ']'),
+        "[stop]\npieces = " + repeated("{a = ", 2500) + "1" + std::string(2500, '}'), "[stop]\npieces = " +
+        repeated("{a = ", 100) + "1" + std::string(100, '}'), "[" + repeated("a.", 7500) + "a]",
+        "[stop]\n" + repeated("a.", 7500) + "a = 1", "[stop", "pieces = \"", "pieces = '''", "= 1", "[]", "[[]]",
+        "stop = {pieces = 1}\n[stop]\ncoverage = 0.5", "[stop]\npieces.more = 1", repeated("[a]\n", 3),
+        repeated("[[a]]\n", 2500)};
+    return list;
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace tessera::test

@@ -1,0 +1,168 @@
+// Drawings made in processes of their own: what comes back, and that a bad one costs only itself.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <future>
+#include <thread>
+
+#include "artwork_samples.h"
+#include "core/base/error.h"
+#include "io/artwork/artwork_render.h"
+#include "io/artwork/svg_import.h"
+#include "io/drawing/drawers.h"
+#include "io/drawing/shape_codec.h"
+
+namespace tessera::io {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Bytes;
+using test::disc_with_alpha;
+using test::encoded;
+using test::kDisc;
+using test::svg;
+
+const DrawerSettings kTwo{.processes = 2, .seconds_per_drawing = 20, .bytes_per_process = std::size_t(256) << 20};
+
+/// Aborts librsvg 2.54.
+Bytes panicking_svg() {
+  std::string matrix;
+  for (int i = 0; i < 100 * 100; ++i) matrix += "1 ";
+  return svg("<filter id=\"f\"><feConvolveMatrix order=\"100\" kernelMatrix=\"" + matrix +
+             "\"/></filter><circle cx=\"30\" cy=\"25\" r=\"20\" filter=\"url(#f)\"/>");
+}
+
+/// Takes librsvg minutes.
+Bytes slow_svg() {
+  std::string blurs;
+  for (int i = 0; i < 20000; ++i) blurs += "<feGaussianBlur stdDeviation=\"50\"/>";
+  return svg("<filter id=\"f\">" + blurs + "</filter><circle cx=\"30\" cy=\"25\" r=\"20\" filter=\"url(#f)\"/>");
+}
+
+std::string mistake(Drawers& drawers, const Bytes& bytes, int side_px = 300) {
+  try {
+    drawers.render(bytes, "some/file.svg", side_px);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no mistake found";
+}
+
+void expect_no_children() {
+  EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
+  EXPECT_EQ(errno, ECHILD);
+}
+
+bool equal(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0;
+}
+
+TEST(Drawers, DrawWhatIsDrawnInOneProcess) {
+  Drawers drawers(kTwo);
+  for (const Bytes& bytes : {svg(kDisc), encoded(disc_with_alpha(), ".png"), encoded(disc_with_alpha(), ".webp")}) {
+    EXPECT_TRUE(equal(drawers.render(bytes, "a", 301), render_artwork(bytes, "a", 301)));
+  }
+}
+
+TEST(Drawers, ImportWhatIsImportedInOneProcess) {
+  Drawers drawers(kTwo);
+  EXPECT_EQ(drawers.natural_size(svg(kDisc), "a"), cv::Size2d(100, 50));
+  EXPECT_EQ(drawers.natural_size(encoded(disc_with_alpha(), ".png"), "a"), cv::Size2d(300, 200));
+  EXPECT_EQ(drawers.import_svg(svg(kDisc), "a", "s7"), import_svg(svg(kDisc), "a", "s7", {100, 50}));
+}
+
+TEST(Drawers, TraceWhatIsTracedInOneProcess) {
+  Drawers drawers(kTwo);
+  const auto traced = drawers.shape(svg(kDisc), "/some/disc.svg", {});
+  const auto expected = shape_from_artwork(svg(kDisc), "/some/disc.svg", {});
+  EXPECT_EQ(encode_shape(std::get<ArtworkShape>(traced).shape), encode_shape(std::get<ArtworkShape>(expected).shape));
+  EXPECT_EQ(std::get<SkipReason>(drawers.shape(svg(""), "empty.svg", {})), SkipReason::empty);
+}
+
+TEST(Drawers, DecodePngsAsTheyAre) {
+  Drawers drawers(kTwo);
+  const cv::Mat grey(40, 60, CV_8UC1, cv::Scalar(99));
+  const cv::Mat small = drawers.decode_png(encoded(grey, ".png"), "a", 100);
+  EXPECT_EQ(small.size(), cv::Size(60, 40));
+  EXPECT_EQ(small.at<cv::Vec4b>(20, 30), cv::Vec4b(99, 99, 99, 255));
+  EXPECT_EQ(drawers.decode_png(encoded(disc_with_alpha(), ".png"), "a", 150).size(), cv::Size(150, 100));
+  EXPECT_TRUE(equal(drawers.decode_png(encoded(disc_with_alpha(), ".png"), "a", 300), disc_with_alpha()));
+  EXPECT_THROW(drawers.decode_png(svg(kDisc), "a", 100), InputError);
+}
+
+TEST(Drawers, MakePdfsWithoutTimeStamps) {
+  Drawers drawers(kTwo);
+  const Bytes pdf = drawers.pdf_of_svg(svg(kDisc), 200);
+  const std::string text(pdf.begin(), pdf.end());
+  EXPECT_TRUE(text.starts_with("%PDF-"));
+  EXPECT_NE(text.find("/MediaBox [ 0 0 200 100 ]"), std::string::npos);
+  EXPECT_EQ(text.find("CreationDate"), std::string::npos);
+  EXPECT_EQ(pdf, drawers.pdf_of_svg(svg(kDisc), 200));
+  EXPECT_THROW(drawers.pdf_of_svg(Bytes(10, 'x'), 200), InputError);
+}
+
+TEST(Drawers, NameTheFileAndTheReason) {
+  Drawers drawers(kTwo);
+  EXPECT_TRUE(mistake(drawers, Bytes(1000, '<')).starts_with("some/file.svg: not a readable SVG file"));
+  EXPECT_TRUE(mistake(drawers, {}).starts_with("some/file.svg: neither SVG nor"));
+  EXPECT_NE(mistake(drawers, svg(kDisc), 0).find("allowed are 1 to"), std::string::npos);
+}
+
+TEST(Drawers, APanicCostsItsOwnDrawing) {
+  Drawers drawers(kTwo);
+  EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
+  EXPECT_EQ(mistake(drawers, panicking_svg()), "some/file.svg: its process gave up");
+  EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
+}
+
+TEST(Drawers, WhatTakesTooLongIsEnded) {
+  DrawerSettings settings = kTwo;
+  settings.seconds_per_drawing = 0.5;
+  Drawers drawers(settings);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(mistake(drawers, slow_svg()), "some/file.svg: took longer than 1 s");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 5s);
+  EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
+}
+
+TEST(Drawers, ServeSeveralThreads) {
+  Drawers drawers(kTwo);
+  std::vector<std::future<cv::Mat>> drawings;
+  for (int i = 0; i < 12; ++i) {
+    drawings.push_back(std::async(std::launch::async, [&, i] { return drawers.render(svg(kDisc), "a", 100 + i); }));
+  }
+  for (int i = 0; i < 12; ++i) EXPECT_EQ(drawings[std::size_t(i)].get().cols, 100 + i);
+}
+
+TEST(Drawers, StopEndsWhatIsUnderWay) {
+  Drawers drawers(kTwo);
+  auto drawing = std::async(std::launch::async, [&] { drawers.render(slow_svg(), "a", 300); });
+  auto waiting = std::async(std::launch::async, [&] { drawers.render(slow_svg(), "a", 300); });
+  std::this_thread::sleep_for(300ms);
+  const auto start = std::chrono::steady_clock::now();
+  drawers.stop();
+  EXPECT_THROW(drawing.get(), DrawingStopped);
+  EXPECT_THROW(waiting.get(), DrawingStopped);
+  EXPECT_THROW(drawers.render(svg(kDisc), "a", 100), DrawingStopped);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 1s);
+}
+
+TEST(Drawers, LeaveNoProcessBehind) {
+  { Drawers(kTwo).render(svg(kDisc), "a", 100); }
+  expect_no_children();
+}
+
+TEST(Drawers, AMissingProgramIsSaid) {
+  const std::string place = std::getenv("TESSERA_DRAWER");
+  ::setenv("TESSERA_DRAWER", "/nowhere/tessera-drawer", 1);
+  EXPECT_THROW(Drawers(kTwo).render(svg(kDisc), "a", 100), EnvironmentError);
+  ::setenv("TESSERA_DRAWER", "/bin/true", 1);
+  EXPECT_THROW(Drawers(kTwo).render(svg(kDisc), "a", 100), EnvironmentError);
+  ::setenv("TESSERA_DRAWER", place.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace tessera::io

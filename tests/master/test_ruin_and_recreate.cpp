@@ -1,0 +1,148 @@
+// When a trial is kept and when it is put back, with a matcher that offers what the test tells it to.
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "master/ruin_and_recreate.h"
+#include "support/synthetic_library.h"
+
+namespace tessera::master {
+namespace {
+
+const std::vector<Shape>& library() {
+  static const std::vector<Shape> shapes = test::synthetic_library(4);
+  return shapes;
+}
+
+CollageSettings settings() {
+  CollageSettings s;
+  s.pieces.min_scale_px = 20;
+  s.pieces.max_scale_px = 90;
+  s.settle = false;  // pieces are placed where the matcher says
+  return s;
+}
+
+/// Finds one piece a round, the next of `offers`, whatever the field is. What lies in the pool when a piece was placed
+/// beside it is given up.
+class OfferingMatcher : public Matcher {
+ public:
+  std::deque<Placement> offers;
+
+  ShapeRange shapes() const override { return {0, std::uint32_t(library().size())}; }
+  void start_field(int, int, Vec2) override {}
+  void update_field(const FieldPatch&) override {}
+  void post_count(const CountRequest& request) override { samples_ = request.samples.size(); }
+  std::vector<DistanceHistogram> take_count() override { return std::vector<DistanceHistogram>(samples_); }
+  void post_dock(const DockRequest&) override {}
+  DockReply take_dock() override {
+    if (offers.empty()) return {};
+    Docking docking;
+    docking.shape = offers.front().shape;
+    docking.canvas_from_shape = offers.front().canvas_from_shape;
+    offers.pop_front();
+    return {{docking}, 1};
+  }
+  void post_refine(const std::vector<Docking>& dockings) override { dockings_ = dockings; }
+  std::vector<RefinedDocking> take_refine() override {
+    std::vector<RefinedDocking> refined;
+    for (const Docking& docking : dockings_) {
+      const Shape& shape = library()[docking.shape];
+      DockingTerms touching;
+      touching.matched_px = shape.perimeter * docking.canvas_from_shape.scale();
+      refined.push_back({docking, touching, true, Extent{0, 0, 200, 200}, shape.perimeter, shape.radius});
+    }
+    return refined;
+  }
+  void post_measure(const std::vector<Docking>& dockings) override { dockings_ = dockings; }
+  std::vector<DockingTerms> take_measure() override {
+    DockingTerms covered;
+    covered.overlap_px2 = 1e9f;
+    return std::vector<DockingTerms>(dockings_.size(), covered);
+  }
+
+ private:
+  std::size_t samples_ = 0;
+  std::vector<Docking> dockings_;
+};
+
+Placement piece(std::uint32_t shape, float scale_px, Vec2 centre) {
+  return {shape, Similarity{scale_px, 0, centre.x, centre.y}, 1, 1};
+}
+
+/// A collage of two small pieces in opposite corners of the canvas, where target samples lie beside the hole that they
+/// leave; every trial takes out one of them or both.
+class RuinAndRecreateTest : public testing::Test {
+ protected:
+  explicit RuinAndRecreateTest(const CollageSettings& s = settings())
+      : context_(make_matching_context(s, std::uint32_t(library().size()))),
+        collage_(canvas_, s, context_, shapes_),
+        filling_(collage_, context_, s, matcher_, statistics_),
+        ruin_(collage_, filling_, s) {
+    collage_.replace_placements(before_);
+  }
+
+  Trial try_with(const std::deque<Placement>& offers, bool stopped = false) {
+    matcher_.offers = offers;
+    return ruin_.try_once(trial_++, [stopped] { return stopped; });
+  }
+
+  const std::vector<Placement> before_ = {piece(0, 30, {18, 18}), piece(3, 24, {187, 127})};
+  const Canvas canvas_ = make_rectangle_canvas(200, 140);
+  MatchingContext context_;
+  test::VectorShapes shapes_{library()};
+  Collage collage_;
+  OfferingMatcher matcher_;
+  RunStatistics statistics_;
+  Filling filling_;
+  RuinAndRecreate ruin_;
+  std::uint32_t trial_ = 0;
+};
+
+TEST_F(RuinAndRecreateTest, WhatCoversMoreIsKept) {
+  EXPECT_EQ(try_with({piece(1, 60, {100, 70})}), Trial::kept);
+  EXPECT_NE(collage_.placements(), before_);
+  EXPECT_EQ(collage_.placements().back().canvas_from_shape.scale(), 60);
+}
+
+TEST_F(RuinAndRecreateTest, WhatCoversLessIsPutBack) {
+  const std::int64_t free_before = collage_.free().free_256ths_px2();
+  EXPECT_EQ(try_with({piece(1, 20, {100, 120})}), Trial::put_back);
+  EXPECT_EQ(collage_.placements(), before_);
+  EXPECT_EQ(collage_.free().free_256ths_px2(), free_before);
+}
+
+/// The same pieces in another order would change the bytes of the result for nothing.
+TEST_F(RuinAndRecreateTest, WhatCoversAsMuchIsPutBack) {
+  bool both = false;  // taken out, and placed again in the other order
+  for (int trial = 0; trial < 12; ++trial) {
+    EXPECT_EQ(try_with({before_[1], before_[0]}), Trial::put_back);
+    EXPECT_EQ(collage_.placements(), before_);
+    both |= matcher_.offers.empty();
+  }
+  EXPECT_TRUE(both);
+}
+
+TEST_F(RuinAndRecreateTest, AnInterruptedTrialIsPutBack) {
+  EXPECT_EQ(try_with({piece(1, 60, {100, 70})}, true), Trial::interrupted);
+  EXPECT_EQ(collage_.placements(), before_);
+}
+
+class WithTwoPiecesAtMost : public RuinAndRecreateTest {
+ protected:
+  static CollageSettings two_pieces() {
+    CollageSettings s = settings();
+    s.stop.pieces = 2;
+    return s;
+  }
+  WithTwoPiecesAtMost() : RuinAndRecreateTest(two_pieces()) {}
+};
+
+TEST_F(WithTwoPiecesAtMost, MorePiecesArePutBackAndAsManyAreKept) {
+  const Placement large = piece(1, 60, {100, 70});
+  EXPECT_EQ(try_with({large, piece(2, 20, {30, 120}), piece(2, 20, {170, 120})}), Trial::put_back);
+  EXPECT_EQ(collage_.placements(), before_);
+  EXPECT_EQ(try_with({large}), Trial::kept);
+}
+
+}  // namespace
+}  // namespace tessera::master
