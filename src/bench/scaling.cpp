@@ -67,14 +67,18 @@ std::vector<std::uint32_t> weak_sizes(std::uint32_t shapes, const std::vector<in
   return {sizes.begin(), sizes.end()};
 }
 
+/// What was asked for stays.
+void make_small(ScalingOptions& options) {
+  const ScalingOptions defaults;
+  if (options.shapes == defaults.shapes) options.shapes = 12;
+  if (options.pieces == defaults.pieces) options.pieces = 3;
+  if (options.size_px == defaults.size_px) options.size_px = 200;
+  if (options.repeats == defaults.repeats) options.repeats = 1;
+}
+
 Plan make_plan(const Setting& setting, const ScalingOptions& options, std::size_t library_shapes) {
   Plan plan{options, setting.devices, {}, {}, fs::path(setting.out).replace_extension().string()};
-  if (setting.quick) {
-    plan.options.shapes = 12;
-    plan.options.pieces = 3;
-    plan.options.size_px = 200;
-    plan.options.repeats = 1;
-  }
+  if (setting.quick) make_small(plan.options);
   std::set<int> workers;
   for (const int ranks : options.ranks) workers.insert(ranks - 1);
   plan.workers.assign(workers.begin(), workers.end());
@@ -311,13 +315,19 @@ void plot(const std::vector<Compared>& strong, const std::vector<Compared>& weak
   write_plot({speed, efficiency}, path);
 }
 
-std::string explanation(const Plan& plan, const AmdahlFit& wall, const AmdahlFit& quiet) {
+/// Where loops are long enough, on two numbers of workers at least: of others a line fits anything.
+std::string amdahl_text(const Plan& plan, bool quick, const AmdahlFit& wall, const AmdahlFit& quiet) {
+  if (quick || plan.workers.size() < 2) return "";
+  return " Amdahl, strong: serial " + io::fixed(100 * wall.serial_share(), 1) +
+         " % of one worker's loop, undisturbed " + io::fixed(100 * quiet.serial_share(), 1) + " %.";
+}
+
+std::string explanation(const Plan& plan, const std::string& amdahl) {
   return "Medians of " + std::to_string(plan.options.repeats) + " loops of " + std::to_string(plan.options.pieces) +
          " pieces on " + std::to_string(plan.options.size_px) + " x " + std::to_string(plan.options.size_px) +
          " px. Undisturbed: the master's processor time and\nthe busiest worker's, which is what other programs do not "
-         "lengthen. Master %: its share of the loop while the workers\nwait. Amdahl, strong: serial " +
-         io::fixed(100 * wall.serial_share(), 1) + " % of one worker's loop, undisturbed " +
-         io::fixed(100 * quiet.serial_share(), 1) + " %.\n";
+         "lengthen. Master %: its share of the loop while the workers\nwait." +
+         amdahl + "\n";
 }
 
 }  // namespace
@@ -348,7 +358,8 @@ Report bench_scaling(const Setting& setting, const ScalingOptions& options) {
                       {"amdahl_undisturbed", fit_json(quiet)},
                       {"cases", Json::array()}});
   for (const Repeated& c : cases) report.json["cases"].push_back(case_json(c));
-  report.text = case_rows(strong, false) + "\n" + case_rows(weak, true) + "\n" + explanation(plan, wall, quiet);
+  report.text = case_rows(strong, false) + "\n" + case_rows(weak, true) + "\n" + 
+                explanation(plan, amdahl_text(plan, setting.quick, wall, quiet));
   return report;
 }
 

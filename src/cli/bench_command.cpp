@@ -37,7 +37,7 @@ CLI::App* add_benchmark(CLI::App& bench, Command& selected, const std::string& n
   const auto setting = std::make_shared<bench::Setting>();
   setting->out = "out/bench_" + name + ".json";
   sub->add_option("--out", setting->out, "The JSON file")->type_name("FILE.json")->capture_default_str();
-  sub->add_flag("--quick", setting->quick, "A small version, which only shows that it runs");
+  sub->add_flag("--quick", setting->quick, "A small version, which only shows that it runs; what is asked for beside it holds");
   sub->add_option("--devices", setting->devices, "OpenCL devices, as the job key devices.use")
       ->type_name("USE")
       ->capture_default_str();

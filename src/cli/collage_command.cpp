@@ -16,6 +16,9 @@ constexpr const char* kExamples =
     "  tessera collage jobs/animals.toml --time-limit 1:30:00     stops in time; exit code 75: there is more to do\n"
     "  tessera collage jobs/animals.toml --resume                 goes on where it stopped, or was killed\n"
     "  tessera collage jobs/animals.toml --resume=auto            the same, and starts where there is no checkpoint\n"
+    "--time-limit takes seconds (90; sbatch would mean minutes), 90s, 90m, 2h, and sbatch's MM:SS, HH:MM:SS, D-HH,\n"
+    "D-HH:MM, D-HH:MM:SS and UNLIMITED. --resume=auto starts where there is no checkpoint, leaves a finished result of\n"
+    "the same job as it is, and refuses one of another job.\n"
     "The result (collage.png and .svg, pieces.geojson, quality card, effective job) is the same on any number of ranks,\n"
     "and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and what is placed so far\n"
     "are written. A finished result in DIR is replaced; where it is of another job, a line on stderr says so.\n"
@@ -55,15 +58,12 @@ void add_collage_command(CLI::App& app, Command& selected) {
   CLI::Option* resume =
       collage->add_flag("--resume{latest}", arguments->resume,
                         "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5; --resume=auto: "
-                        "from the checkpoint that is there, from the start without one; a finished result of the same "
-                        "job is left as it is, one of another job refused")
+                        "from the one that is there, if any")
           ->check(CLI::IsMember({"latest", "previous", "auto"}));
   collage->add_flag("--restart", arguments->restart, "Remove the checkpoints in DIR and start again")->excludes(resume);
   collage
       ->add_option("--time-limit", arguments->time_limit,
-                   "Stop so early that all is written by then: seconds (90, where sbatch means minutes), 90m, 2h, or "
-                   "as in sbatch MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS, UNLIMITED; default: the end of the Slurm "
-                   "job")
+                   "Stop so early that all is written by then; default: the end of the Slurm job")
       ->type_name("LIMIT");
   collage->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };

@@ -20,6 +20,7 @@ void add_collage_command(CLI::App& app, Command& selected);
 void add_campaign_command(CLI::App& app, Command& selected);
 void add_plan_command(CLI::App& app, Command& selected);
 void add_rank_command(CLI::App& app, Command& selected);
+void add_devices_command(CLI::App& app, Command& selected);
 void add_bench_command(CLI::App& app, Command& selected);
 
 }  // namespace tessera::cli

@@ -44,6 +44,7 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   app.require_subcommand(1);
   app.footer(
       "First steps:\n"
+      "  tessera devices                                  what this machine computes on\n"
       "  tessera library build my_svgs/ -o my.h5          a library from artwork\n"
       "  tessera collage my_job.toml                      a collage from it (docs/job-format.md)\n"
       "  mpirun -n 3 tessera collage my_job.toml          the same on a master and two workers\n"
@@ -55,6 +56,7 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   add_campaign_command(app, selected);
   add_plan_command(app, selected);
   add_rank_command(app, selected);
+  add_devices_command(app, selected);
   add_bench_command(app, selected);
   try {
     app.parse(argc, argv);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/collage_warnings.h"
 #include "cli/commands.h"
 #include "cli/plan_estimate.h"
 #include "cli/plan_text.h"
@@ -53,6 +54,7 @@ int run(const PlanArguments& arguments) {
   }
   const PlanInput input = plan_input(arguments);
   const PlanEstimate plan = estimate(input);
+  print_warning(idle_workers_warning(input, plan));
   std::printf("%s\n%s", plan_text(input, plan).c_str(), sbatch_header(input, plan).c_str());
   return 0;
 }

@@ -69,6 +69,13 @@ std::string plan_text(const PlanInput& input, const PlanEstimate& plan) {
          "quiet\nmachine the memory was 0.8 to 1.0 and the time 0.5 to 0.7 times the estimate.\n";
 }
 
+std::string idle_workers_warning(const PlanInput& input, const PlanEstimate& plan) {
+  if (std::size_t(plan.workers) <= input.shapes) return "";
+  return "--ranks " + std::to_string(input.ranks) + ": " + std::to_string(plan.workers) + " workers divide " +
+         std::to_string(input.shapes) + " shapes, so that some have none; --ranks " + std::to_string(input.shapes + 1) +
+         " is as good";
+}
+
 std::string sbatch_header(const PlanInput& input, const PlanEstimate& plan) {
   const double memory_bytes = std::ceil(kMemoryMargin * plan.node_bytes / kMemoryStep_bytes) * kMemoryStep_bytes;
   const double limit_s = std::ceil((kTimeMargin * plan.total_s + kWarning_s) / kTimeStep_s) * kTimeStep_s;

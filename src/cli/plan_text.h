@@ -10,6 +10,9 @@ namespace tessera::cli {
 /// The estimates for people, with what they leave out.
 std::string plan_text(const PlanInput& input, const PlanEstimate& plan);
 
+/// Where more workers are planned than there are shapes; else empty.
+std::string idle_workers_warning(const PlanInput& input, const PlanEstimate& plan);
+
 /// The #SBATCH lines: memory with a quarter more, three times the time.
 std::string sbatch_header(const PlanInput& input, const PlanEstimate& plan);
 

@@ -29,7 +29,7 @@ std::string table_text(const std::vector<io::RankedResult>& results) {
   for (const io::RankedResult& result : results) {
     const Quality& q = result.card.quality;
     const auto percent = [](double fraction, int decimals) { return io::fixed(100 * fraction, decimals); };
-    table.add({result.card.folder, std::to_string(result.rank), io::fixed(result.score, 2), percent(q.coverage, 2),
+    table.add({result.card.folder + (io::is_unfinished(result.card) ? " (unfinished)" : ""), std::to_string(result.rank), io::fixed(result.score, 2), percent(q.coverage, 2),
                percent(q.overlap, 3), percent(q.outside, 3), percent(q.shared_boundary, 1), std::to_string(q.pieces),
                std::to_string(q.distinct_shapes), io::fixed(q.largest_gap_px, 1), io::fixed(result.card.total_s, 1)});
   }

@@ -131,8 +131,12 @@ TEST(Benchmarks, Scaling) {
   const test::ScratchFolder folder;
   Setting setting = kQuick;
   setting.out = folder.path("scaling.json");
-  const Report report = bench_scaling(setting, scaling({2, 3}, 1));
+  ScalingOptions options = scaling({2, 3}, 1);
+  options.pieces = 2;
+  const Report report = bench_scaling(setting, options);
   expect_head(report, "scaling");
+  EXPECT_EQ(report.json.at("pieces"), 2) << "--quick leaves what is asked for";
+  EXPECT_EQ(report.text.find("Amdahl"), std::string::npos) << report.text;
   const Json& cases = report.json.at("cases");
   ASSERT_EQ(cases.size(), 4u) << "6 and 12 shapes on 1 and 2 workers";
   for (const Json& c : cases) {

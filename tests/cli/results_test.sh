@@ -79,7 +79,26 @@ run 75 collage job.toml --out long "${forever[@]}"
 expect_word 'tessera: unfinished: go on with the same command and --resume'
 run 75 collage job.toml --out long "${forever[@]}" --restart
 expect_word 'tessera: unfinished: go on with the same command and --resume instead of --restart'
+run 0 rank long result --out ranked
+grep -q '^ *long (unfinished) ' output || fail "the ranking does not mark what is unfinished"
+grep -q 'result (unfinished)' output && fail "the ranking marks what is finished"
 echo "ok unfinished"
+
+# What is private stands in the card and the log, and both say what made the result.
+for word in "command: .* collage job.toml --out result --quiet --set seed=3" "rank 0 of 1 on $(hostname): " "end: stopped by" \
+  "warning: result: this run replaces" "digest [0-9a-f]\{16\}$"; do
+  grep -q -- "$word" result/run.log || fail "result/run.log lacks: $word"
+done
+[[ $(grep -c ' info: start: ' result/run.log) == 3 ]] || fail "not three runs in result/run.log"
+grep -q "$(pwd)" result/card.txt result/collage.svg && fail "a path where none should be"
+run 2 collage job.toml --out result --quiet --set pieces.uses=-1
+run 0 collage job.toml --out result --quiet --resume=auto --set seed=3 --set output.width_px=64
+[[ $(grep -c ' info: start: ' result/run.log) == 3 ]] || fail "a run that did nothing stands in result/run.log"
+mkdir -p unlogged/run.log
+run 0 collage job.toml --out unlogged --quiet
+expect_word 'tessera: warning: no run log: unlogged/run.log: not a regular file'
+grep -q 'no run log' unlogged/card.json || fail "the warning is not in the card"
+echo "ok what made the result"
 
 # A campaign keeps what is finished, and does not lose what is another job's.
 run 0 campaign job.toml --seeds 1-2 --out campaign

@@ -41,6 +41,16 @@ TEST(Plan, shapes_are_divided_among_the_workers) {
   EXPECT_LT(plan.total_s, estimate(animals()).total_s);
 }
 
+TEST(Plan, warns_of_workers_without_shapes) {
+  PlanInput input = animals();
+  input.shapes = 5;
+  input.ranks = 6;
+  EXPECT_EQ(idle_workers_warning(input, estimate(input)), "");
+  input.ranks = 9;
+  EXPECT_EQ(idle_workers_warning(input, estimate(input)),
+            "--ranks 9: 8 workers divide 5 shapes, so that some have none; --ranks 6 is as good");
+}
+
 TEST(Plan, takes_the_device_bytes_from_the_workers) {
   PlanInput input = animals();
   PlanInput twice = animals();

@@ -21,8 +21,7 @@ program=$(realpath "$2")
 folder=$3
 
 export TESSERA=$program
-TESSERA_ROOT=$(realpath "$here/../..")
-export TESSERA_ROOT
+templates=$(realpath "$here/../../slurm")
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 fail() {
@@ -38,7 +37,7 @@ ok() { echo "ok $1 (${SECONDS} s)"; }
 
 # submit TEMPLATE [sbatch's options... --] ARGUMENT...: prints the job's number
 submit() {
-  local template=$TESSERA_ROOT/slurm/$1 options=()
+  local template=$templates/$1 options=()
   shift
   while [[ $1 == -* ]]; do options+=("$1"); shift; done
   sbatch --parsable "${options[@]}" "$template" "$@" || fail "sbatch of $template"
@@ -88,6 +87,22 @@ END
   ok "collage on four nodes: the bytes of one process"
 }
 
+# From a folder that has nothing to do with the templates, with the program in PATH alone; and without the program.
+check_another_folder() {
+  local job
+  mkdir -p elsewhere path
+  ln -sf "$program" path/tessera
+  job=$(cd elsewhere && unset TESSERA && PATH=$PWD/../path:$PATH submit collage.sbatch --ntasks=2 ../small.toml ../own.h5 result)
+  expect_completed 60 "$job"
+  expect_same_pieces alone elsewhere/result
+  job=$(cd elsewhere && TESSERA=/none/tessera submit collage.sbatch --ntasks=2 ../small.toml ../own.h5 without)
+  wait_until 30 "the end of job $job" job_over "$job"
+  [[ $(job_state "$job") == FAILED ]] || fail "without a program: $(job_state "$job")"
+  grep -q '/none/tessera.*' "elsewhere/tessera-$job.log" || fail "without a program: the log does not name it"
+  grep -q 'TESSERA_ROOT' "elsewhere/tessera-$job.log" || fail "without a program: no word of TESSERA_ROOT in the log"
+  ok "submitted from another folder; no program: said with the cure"
+}
+
 # Each node's GPUs are divided among its workers; the program sees them through the variable that drivers obey.
 check_gpu_shares() {
   cat >show_gpus.sh <<'END'
@@ -107,7 +122,7 @@ END
 
 check_campaign() {
   local printed
-  printed=$("$TESSERA_ROOT/slurm/campaign.sh" small.toml own.h5 campaign --seeds 1-3 --weight variety=0.2 -- --ntasks=2)
+  printed=$("$templates/campaign.sh" small.toml own.h5 campaign --seeds 1-3 --weight variety=0.2 -- --ntasks=2)
   [[ $printed =~ array\ ([0-9]+),\ 3\ tasks.*job\ ([0-9]+) ]] || fail "campaign.sh printed: $printed"
   local ranking=${BASH_REMATCH[2]}
   expect_completed 60 "$ranking"
@@ -141,9 +156,11 @@ stand_in() {  # NAME, what rank 0 does on standard input; $out is its folder
 #!/bin/bash
 [[ $OMPI_COMM_WORLD_RANK == 0 ]] || exit 0
 resume=no
-[[ " $* " != *" --resume "* ]] || resume=yes
+automatic=no
+[[ " $* " != *" --resume=auto "* ]] || automatic=yes
 while [[ $1 != --out ]]; do shift; done
 out=$2
+[[ $automatic == no || ! -e $out/checkpoint.h5 ]] || resume=yes
 mkdir -p "$out"
 echo "resume=$resume" >>"$out/runs.txt"
 END
@@ -226,6 +243,7 @@ check_prepare
 start_endless_job
 start_job_beyond_its_limit
 check_collage
+check_another_folder
 check_gpu_shares
 check_campaign
 check_scaling

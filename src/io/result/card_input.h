@@ -14,6 +14,9 @@ struct ResultCard {
   std::string stopped_by;
 };
 
+/// A signal or a time limit ended it: its pieces are not all that there will be.
+bool is_unfinished(const ResultCard& card);
+
 /// Reads `folder`/card.json. Throws InputError that names file, key, what was found and what is allowed.
 ResultCard read_card(const std::string& folder);
 

@@ -18,14 +18,12 @@ bool picture_is_newest(const fs::path& dir) {
   return !error && picture >= fs::last_write_time(dir / "job.toml", error) && !error;
 }
 
-bool ended_early(const ResultCard& card) { return card.stopped_by == "signal" || card.stopped_by == "time_limit"; }
-
 }  // namespace
 
 std::optional<Job> job_of_finished_result(const std::string& dir) {
   if (!picture_is_newest(dir)) return {};
   try {
-    if (ended_early(read_card(dir))) return {};
+    if (is_unfinished(read_card(dir))) return {};
     return load_job((fs::path(dir) / "job.toml").string(), {});
   } catch (const InputError&) {  // no card or job, or not one of ours: the run makes a new one
     return {};

@@ -1,0 +1,29 @@
+#include <cstdio>
+
+#include "cli/commands.h"
+#include "worker/device_list.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  tessera devices                                            of this machine\n"
+    "  srun -N 4 --ntasks-per-node=1 tessera devices              of each node of an allocation\n"
+    "  tessera collage my.toml --set devices.use=0                computes on the first of the list\n"
+    "Where no device is found the exit code is 1, and the message says what may help.";
+
+}  // namespace
+
+void add_devices_command(CLI::App& app, Command& selected) {
+  CLI::App* devices = app.add_subcommand("devices", "List the OpenCL devices of this machine, and what a job would use");
+  devices->footer(kExamples);
+  devices->callback([&selected] {
+    selected.run = [] {
+      std::printf("%s", worker::device_list().c_str());
+      return 0;
+    };
+  });
+}
+
+}  // namespace tessera::cli

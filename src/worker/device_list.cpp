@@ -1,0 +1,51 @@
+#include "worker/device_list.h"
+
+#include <cstdio>
+
+#include "worker/opencl_devices.h"
+
+namespace tessera::worker {
+namespace {
+
+std::string gigabytes(cl_ulong bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f GB", double(bytes) * 1e-9);
+  return text;
+}
+
+std::string device_line(std::size_t number, const cl::Device& device) {
+  const DeviceDescription d = describe(device);
+  const std::string state = device.getInfo<CL_DEVICE_AVAILABLE>() ? "" : ", NOT AVAILABLE";
+  return "  " + std::to_string(number) + ": " + d.kind + " \"" + d.name + "\", driver " + d.driver + ", " +
+         std::to_string(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()) + " compute units, " +
+         gigabytes(device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>()) + " of memory, " +
+         gigabytes(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) + " in one buffer" + state + "\n";
+}
+
+std::string platform_line(const cl::Platform& platform) {
+  return "platform \"" + platform.getInfo<CL_PLATFORM_NAME>() + "\", " + platform.getInfo<CL_PLATFORM_VERSION>() + "\n";
+}
+
+std::string use_text(std::size_t devices) {
+  const std::string what = devices == 1 ? "this device" : "all " + std::to_string(devices) + " devices";
+  return "\nA job without [devices] uses " + what +
+         " in every worker. devices.use = \"cpu\", \"gpu\" or numbers from the list, as in\n\"0,2\", chooses; "
+         "devices.per_worker = N gives each worker of a node N of its own.\n";
+}
+
+}  // namespace
+
+std::string device_list() {
+  const std::vector<cl::Device> devices = opencl_devices();
+  std::string text;
+  cl_platform_id latest = nullptr;
+  for (std::size_t i = 0; i < devices.size(); ++i) {
+    const cl_platform_id platform = devices[i].getInfo<CL_DEVICE_PLATFORM>();
+    if (platform != latest) text += platform_line(cl::Platform(platform));
+    text += device_line(i, devices[i]);
+    latest = platform;
+  }
+  return text + use_text(devices.size());
+}
+
+}  // namespace tessera::worker

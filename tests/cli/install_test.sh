@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# install_test.sh CMAKE BUILD_FOLDER NEW_FOLDER: cmake --install; the installation is moved elsewhere, and from there, in
+# an environment that knows nothing of repository and build, a library and a collage are made and the templates find all.
+set -uo pipefail
+cmake=$1
+build=$2
+folder=$3
+# shellcheck source=tests/support/drawings.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
+
+fail() {
+  echo "FAILED $*"
+  cat output errors 2>/dev/null
+  exit 1
+}
+
+rm -rf "$folder"
+mkdir -p "$folder/work"
+cd "$folder/work" || exit 1
+"$cmake" --install "$build" --prefix "$folder/first" >output 2>errors || fail "cmake --install"
+mv "$folder/first" "$folder/moved"
+prefix=$folder/moved
+share=$prefix/share/tessera
+
+for file in README.md ARCHITECTURE.md LICENSE docs/job-format.md docs/animals.jpg jobs/animals.toml jobs/canvas/heart.svg \
+  slurm/README.md slurm/collage.sbatch slurm/job.sh slurm/program.sh; do
+  [[ -s $share/$file ]] || fail "not installed: $file"
+done
+[[ -x $share/slurm/gpu_share.sh && -x $share/slurm/campaign.sh ]] || fail "scripts that cannot be run"
+echo "ok all files"
+
+# Nothing but PATH and a HOME for the kernels' cache.
+bare() { env -i PATH="$prefix/bin:/usr/bin:/bin" HOME="${HOME-/tmp}" LSAN_OPTIONS="${LSAN_OPTIONS-}" "$@"; }
+bare tessera --version >output || fail "--version"
+readelf -d "$prefix/bin/tessera" | grep -qiE 'R(UN)?PATH' && fail "the program looks for libraries in fixed folders"
+make_drawings drawings
+bare tessera library build drawings -o own.h5 >output 2>errors || fail "library build"
+# One of the jobs that came with it, whose canvas lies beside it.
+bare tessera collage "$share/jobs/heart.toml" --set library.file=own.h5 --set 'canvas.size_px=[160, 120]' \
+  --set 'pieces.scale_px=[14, 60]' --set output.width_px=160 --set stop.pieces=3 --out result >output 2>errors ||
+  fail "collage"
+[[ -s result/collage.png && -s result/pieces.geojson ]] || fail "no result"
+grep -q "\"command_line\": \"tessera collage $share/jobs/heart.toml" result/card.json || fail "another command in the card"
+echo "ok a library and a collage"
+
+# What the templates do before they compute: the program is the one in PATH, then TESSERA_ROOT's, then the one beside
+# them; without any, one says what to do.
+found() {  # VARIABLE=VALUE...: prints the program that program.sh of $slurm finds
+  # shellcheck disable=SC2016  # for the inner shell
+  env -i "$@" bash -c 'source "$1/program.sh" && find_tessera && echo "$tessera"' find "$slurm" 2>errors
+}
+stand_in() {  # PATH_OF_A_PROGRAM
+  mkdir -p "$(dirname "$1")"
+  printf '#!/bin/sh\n' >"$1"
+  chmod +x "$1"
+}
+stand_in "$PWD/path/tessera"
+stand_in "$PWD/repository/build/release/src/cli/tessera"
+stand_in "$PWD/own"
+slurm=$share/slurm
+tools=PATH=/usr/bin:/bin
+[[ $(found "PATH=$PWD/path:/usr/bin:/bin" "TESSERA_ROOT=$PWD/repository") == "$PWD/path/tessera" ]] || fail "PATH is not first"
+[[ $(found "$tools" "TESSERA_ROOT=$PWD/repository") == "$PWD/repository/build/release/src/cli/tessera" ]] ||
+  fail "TESSERA_ROOT is not second"
+[[ $(found "$tools") == "$prefix/bin/tessera" ]] || fail "not the one beside the templates"
+[[ $(found "$tools" "TESSERA_ROOT=$share") == "$prefix/bin/tessera" ]] || fail "not the installed one by TESSERA_ROOT"
+[[ $(found "PATH=$PWD/path:/usr/bin:/bin" "TESSERA=$PWD/own") == "$PWD/own" ]] || fail "TESSERA is not before all"
+found "$tools" "TESSERA=$PWD/none" && fail "TESSERA that is not there"
+grep -qF "$PWD/none" errors || fail "does not name TESSERA's program"
+mkdir lonely
+cp -r "$share/slurm" lonely/slurm
+slurm=$PWD/lonely/slurm
+found "$tools" && fail "found a program where there is none"
+for word in PATH TESSERA TESSERA_ROOT lonely/build/release/src/cli/tessera; do
+  grep -qF "$word" errors || fail "the message lacks $word"
+done
+for template in "$share"/slurm/*.sbatch; do
+  cp "$template" lonely/copy.sbatch  # as Slurm does
+  env -i $tools bash lonely/copy.sbatch >output 2>errors && fail "a template without job.sh"
+  grep -q 'cannot find job.sh.*set TESSERA_ROOT' errors || fail "$template: does not name TESSERA_ROOT"
+  env -i $tools "TESSERA_ROOT=$share" bash lonely/copy.sbatch >output 2>errors && fail "a template without Slurm"
+  grep -q 'sbatch starts these files' errors || fail "$template: does not name sbatch"
+done
+echo "ok the templates find the program"
