@@ -30,12 +30,12 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
-/// Throws InputError where the folder holds the finished result of another job, which would be lost.
+/// Computed and drawn. Throws InputError where the folder holds the finished result of another job, which would be lost.
 bool is_finished(const std::string& folder, const io::Job& job) {
   const std::optional<io::Job> then = io::job_of_finished_result(folder);
   if (!then) return false;
   const std::string differences = io::result_differences(*then, job);
-  if (differences.empty()) return true;
+  if (differences.empty()) return io::is_drawn(folder);
   throw InputError(folder + ": holds the finished result of another job" + differences +
                    "; give what it was then, another --out, or remove that folder");
 }
@@ -68,27 +68,27 @@ void print_result(const Task& task, std::size_t number, std::size_t of) {
   std::fflush(stdout);
 }
 
-/// What an earlier campaign left unfinished goes on from its checkpoint.
+/// What an earlier campaign left unfinished goes on from its checkpoint, or is drawn.
 CollageArguments collage_of(const CampaignArguments& arguments, const Task& task) {
   CollageArguments collage;
   collage.job = arguments.job;
   collage.out = task.folder;
   collage.overrides = task.variation.overrides;
   collage.quiet = true;
-  if (io::CheckpointFolder(task.folder).has_latest()) collage.resume = "latest";
+  const bool is_computed = io::job_of_finished_result(task.folder).has_value();
+  if (is_computed || io::CheckpointFolder(task.folder).has_latest()) collage.resume = "latest";
   return collage;
 }
 
-/// Not 0: a signal ended a collage, and with it the campaign.
-int make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
+/// False: a signal ended a collage, and with it the campaign.
+bool make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
   for (std::size_t i = 0; i < tasks.size() && !stop_signalled(); ++i) {
     if (!tasks[i].finished) {
-      const int exit_code = run_collage(collage_of(arguments, tasks[i]), ranks);
-      if (exit_code != 0) return exit_code;
+      if (run_collage(collage_of(arguments, tasks[i]), ranks) != CollageEnd::finished) return false;
     }
     print_result(tasks[i], i + 1, tasks.size());
   }
-  return 0;
+  return !stop_signalled();
 }
 
 }  // namespace
@@ -104,8 +104,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
     return 0;
   }
   io::prepare_output_directory(campaign_folder(arguments));
-  const int exit_code = make_all(arguments, tasks, ranks);
-  if (stop_signalled() || exit_code != 0) {
+  if (!make_all(arguments, tasks, ranks)) {
     std::fprintf(stderr, "tessera: unfinished: the same command goes on where this one was\n");
     return kUnfinishedExitCode;
   }

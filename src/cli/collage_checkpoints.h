@@ -13,7 +13,7 @@ namespace tessera::cli {
 
 enum class Start {
   fresh,            // there must be no checkpoint
-  resume,           // from checkpoint.h5
+  resume,           // from checkpoint.h5, or from a finished result
   resume_previous,  // from checkpoint.previous.h5
   restart,          // as if there were no checkpoint
 };

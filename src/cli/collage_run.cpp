@@ -3,98 +3,28 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <filesystem>
-#include <optional>
-#include <set>
-#include <thread>
 
 #include "cli/collage_checkpoints.h"
+#include "cli/collage_input.h"
 #include "cli/collage_progress.h"
+#include "cli/collage_publishing.h"
 #include "cli/collage_warnings.h"
-#include "cli/library_part.h"
+#include "cli/collage_worker.h"
+#include "cli/result_drawing_run.h"
 #include "cli/stop_signal.h"
 #include "cli/time_limit.h"
 #include "comm/loop_clock.h"
-#include "comm/matcher_server.h"
-#include "comm/node_turn.h"
 #include "comm/worker_team.h"
-#include "core/matching/matching_context.h"
-#include "io/job/canvas_file.h"
-#include "io/job/job_file.h"
-#include "io/job/job_library.h"
-#include "io/library/shape_models.h"
-#include "io/result/collage_files.h"
+#include "io/result/finished_result.h"
 #include "io/result/rank_table.h"
 #include "master/collage_loop.h"
 #include "master/library_shapes.h"
-#include "worker/device_group.h"
 
 namespace tessera::cli {
 namespace {
 
-std::string output_folder(const CollageArguments& arguments) {
-  if (!arguments.out.empty()) return arguments.out;
-  return "out/" + std::filesystem::path(arguments.job).stem().string();
-}
-
-comm::Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
-std::string to_text(const comm::Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
-
-MatchingContext context_of(const io::Job& job, const io::LibraryFile& library) {
-  return make_matching_context(job.settings, std::uint32_t(library.size()));
-}
-
-/// A worker's devices share its node with those of the other workers.
-worker::DeviceShare share_node(const comm::Communicator& ranks, const io::Job& job) {
-  const bool with_master = ranks.node_ranks().front() == 0;
-  const int workers = ranks.local_size() - with_master;
-  worker::limit_cpu_threads(int(std::thread::hardware_concurrency()) / workers);
-  return {ranks.local_rank() - with_master, workers, job.devices_per_worker};
-}
-
-[[noreturn]] void work(comm::Communicator& ranks) {
-  const io::Job job = io::job_from_toml(to_text(ranks.broadcast({})), "the master's job");
-  const io::LibraryFile library = io::open_library_of(job);
-  const ShapeRange part = library_part(library.size(), ranks.rank() - 1, ranks.size() - 1);
-  const MatchingContext context = context_of(job, library);
-  const worker::DeviceShare share = share_node(ranks, job);
-  comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
-  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share));
-}
-
-/// The whole library on this rank's devices.
-std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library) {
-  const MatchingContext context = context_of(job, library);
-  const ShapeRange all = library_part(library.size(), 0, 1);
-  return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context),
-                                     {.per_worker = job.devices_per_worker});
-}
-
-/// Of the shapes that were placed, all that the files need.
-void add_placed_shapes(const io::LibraryFile& library, bool with_originals, io::CollageReport& report) {
-  std::set<std::uint32_t> placed;
-  for (const Placement& placement : report.placements) placed.insert(placement.shape);
-  const io::LibraryParts parts{
-      .outline = true, .field = true, .levels = 0, .artwork = true, .original = with_originals};
-  for (const std::uint32_t index : placed) {
-    report.shape_index.push_back(index);
-    report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
-  }
-}
-
-/// Returns the text of the card.
-std::string write(const std::string& folder, const io::Job& job, const Canvas& canvas, const io::LibraryFile& library,
-                  const master::CollageResult& result, const RankStatistics& ranks) {
-  // mpirun kills all ranks two seconds after Ctrl-C, and a time limit has little room for a picture.
-  const bool quick = result.unfinished || stop_signalled();
-  io::CollageReport report;
-  report.job = &job;
-  report.canvas = &canvas;
-  report.placements = result.placements;
-  report.statistics = result.statistics;
-  report.ranks = ranks;
-  add_placed_shapes(library, !quick, report);
-  return io::write_collage(folder, report, quick);
+void say(const CollageArguments& arguments, const std::string& line) {
+  if (!arguments.quiet) std::printf("%s\n", line.c_str());
 }
 
 /// Nothing where mpirun is ending the job: it may have ended workers already, who would never answer.
@@ -102,52 +32,7 @@ RankStatistics times_of(comm::LoopClock& clock, const master::CollageResult& res
   return stop_signalled() ? RankStatistics{} : clock.stop(result.own_work);
 }
 
-Start start_of(const CollageArguments& arguments) {
-  if (arguments.restart) return Start::restart;
-  if (arguments.resume.empty()) return Start::fresh;
-  return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
-}
-
-void say(const CollageArguments& arguments, const std::string& line) {
-  if (!arguments.quiet) std::printf("%s\n", line.c_str());
-}
-
-/// A finished run needs its checkpoints no more. Returns the exit code.
-int conclude(bool unfinished, const CollageCheckpoints& checkpoints) {
-  if (unfinished) {
-    checkpoints.require_one();
-    return kUnfinishedExitCode;
-  }
-  checkpoints.remove();
-  return 0;
-}
-
-/// What rank 0 reads before anything costs time; every mistake is told here.
-struct Input {
-  Input(const CollageArguments& arguments, Start start)
-      : job(io::load_job(arguments.job, arguments.overrides)),
-        folder(output_folder(arguments)),
-        checkpoints(checked_start(folder, start)),
-        library(io::open_library_of(job)),
-        canvas(io::load_canvas(job.canvas)) {
-    io::check_picture_height(job.output, canvas);
-    io::prepare_output_directory(folder);
-    origin = io::make_origin(job, library, canvas);
-    from = starting_state(checkpoints, start, origin);
-  }
-  Input(const Input&) = delete;  // origin points into it
-  Input& operator=(const Input&) = delete;
-
-  io::Job job;
-  std::string folder;
-  io::CheckpointFolder checkpoints;
-  io::LibraryFile library;
-  Canvas canvas;
-  io::CheckpointOrigin origin;
-  std::optional<CheckpointState> from;  // nothing: an empty canvas
-};
-
-master::CollageResult run_loop(const CollageArguments& arguments, const Input& input, const TimeLimit& limit,
+master::CollageResult run_loop(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                                Matcher& matcher, CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
@@ -157,34 +42,52 @@ master::CollageResult run_loop(const CollageArguments& arguments, const Input& i
   return master::make_collage(input.canvas, input.job.settings, matcher, shapes, progress, {from, &checkpoints});
 }
 
-int lead(const CollageArguments& arguments, comm::Communicator& ranks) {
-  const TimeLimit limit(
-      time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr))));
-  const Start start = start_of(arguments);
-  const Input input(arguments, start);
-  // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
-  print_warning(replaced_result_warning(input.folder, input.job));
-  ranks.broadcast(to_bytes(io::to_toml(input.job)));
+/// From the empty canvas or a checkpoint to the result without its pictures. False: unfinished.
+bool compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
+             comm::Communicator& ranks) {
+  send_job(ranks, input.job);
   const std::unique_ptr<Matcher> matcher =
       ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library);
-
-  if (start == Start::restart) input.checkpoints.remove();
+  if (input.start == Start::restart) input.checkpoints.remove();
   CollageCheckpoints checkpoints(input.checkpoints, input.origin);
   comm::LoopClock clock(ranks);
   const master::CollageResult result = run_loop(arguments, input, limit, *matcher, checkpoints);
   const RankStatistics times = times_of(clock, result);
-  const std::string card =
-      write(input.folder, input.job, input.canvas, input.library, result, times) + io::ranks_text(times);
+  const std::string card = publish(input, result, times, checkpoints) + io::ranks_text(times);
   say(arguments, card + "\nwritten to " + input.folder);
   print_warning(empty_result_warning(input.folder, input.job, result));
-  return conclude(result.unfinished, checkpoints);
+  return !result.unfinished;
+}
+
+/// The pictures of a finished collage. False: interrupted.
+bool draw_pictures(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit) {
+  install_stop_handlers();
+  io::DrawingRequest pictures;
+  pictures.svg = pictures.png = true;
+  pictures.library = input.job.library;
+  return draw(input.folder, pictures, arguments.quiet, [&] { return stop_signalled() || limit.over(); });
+}
+
+CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
+  const TimeLimit limit(
+      time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr))));
+  const CollageInput input(arguments);
+  if (input.finished) {
+    say(arguments, input.folder + ": the collage is finished, nothing is left to compute");
+    if (io::is_drawn(input.folder)) return CollageEnd::finished;
+  } else {
+    // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
+    print_warning(replaced_result_warning(input.folder, input.job));
+    if (!compute(arguments, input, limit, ranks)) return CollageEnd::unfinished;
+  }
+  return draw_pictures(arguments, input, limit) ? CollageEnd::finished : CollageEnd::not_drawn;
 }
 
 }  // namespace
 
-int run_collage(const CollageArguments& arguments, comm::Communicator& ranks) {
+CollageEnd run_collage(const CollageArguments& arguments, comm::Communicator& ranks) {
   if (ranks.rank() == 0) return lead(arguments, ranks);
-  work(ranks);
+  run_collage_worker(ranks);
 }
 
 }  // namespace tessera::cli

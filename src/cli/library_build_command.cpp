@@ -13,6 +13,7 @@
 #include "cli/progress_bar.h"
 #include "cli/stop_signal.h"
 #include "core/base/error.h"
+#include "io/available_cores.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
 
@@ -80,7 +81,7 @@ int run(const BuildArguments& arguments) {
 void add_library_build_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<BuildArguments>();
   io::LibraryBuildSettings& settings = arguments->settings;
-  settings.pool.processes = int(std::max(1u, std::thread::hardware_concurrency()));
+  settings.pool.processes = io::available_cores();
 
   CLI::App* build = library.add_subcommand("build", "Trace artwork files and write a library of shapes");
   build->footer(kExamples);

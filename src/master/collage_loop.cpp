@@ -29,7 +29,7 @@ class Run {
     if (!improving_) fill();
     if (improving_) improve();
     statistics_.total_s = seconds();
-    if (unfinished_ && keeper_) keeper_->keep(state());
+    if (keeper_) keeper_->keep(state());
     return {collage_.placements(), statistics_, unfinished_, own_work()};
   }
 

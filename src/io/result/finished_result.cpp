@@ -1,35 +1,40 @@
 #include "io/result/finished_result.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "io/job/job_difference.h"
-#include "io/result/card_input.h"
+#include "io/result/result_manifest.h"
 
 namespace tessera::io {
-namespace {
-
-namespace fs = std::filesystem;
-
-/// The picture is written last: one that is older belongs to the run before.
-bool picture_is_newest(const fs::path& dir) {
-  std::error_code error;
-  const auto picture = fs::last_write_time(dir / "collage.png", error);
-  return !error && picture >= fs::last_write_time(dir / "job.toml", error) && !error;
-}
-
-bool ended_early(const ResultCard& card) { return card.stopped_by == "signal" || card.stopped_by == "time_limit"; }
-
-}  // namespace
 
 std::optional<Job> job_of_finished_result(const std::string& dir) {
-  if (!picture_is_newest(dir)) return {};
   try {
-    if (ended_early(read_card(dir))) return {};
-    return load_job((fs::path(dir) / "job.toml").string(), {});
-  } catch (const InputError&) {  // no card or job, or not one of ours: the run makes a new one
+    if (!read_manifest(dir).finished) return {};
+    return load_job((std::filesystem::path(dir) / "job.toml").string(), {});
+  } catch (const InputError&) {  // no result, or not one of ours: the run makes a new one
     return {};
   }
+}
+
+void check_finished_result(const std::string& dir, const CheckpointOrigin& now) {
+  const ResultManifest manifest = read_manifest(dir);
+  const Job then = load_job((std::filesystem::path(dir) / "job.toml").string(), {});
+  const std::string differences = origin_differences({&then, manifest.library_digest, manifest.canvas_digest}, now);
+  if (differences.empty()) return;
+  throw InputError(dir + ": holds the finished result of another job" + differences +
+                   "; give what it was then, or leave --resume out to replace it");
+}
+
+bool is_drawn(const std::string& dir) {
+  const std::vector<DrawnPicture> pictures = read_manifest(dir).pictures;
+  const auto has = [&](const char* name) {
+    std::error_code error;
+    return std::any_of(pictures.begin(), pictures.end(), [&](const DrawnPicture& p) { return p.file == name; }) &&
+           std::filesystem::exists(std::filesystem::path(dir) / name, error);
+  };
+  return has("collage.svg") && has("collage.png");
 }
 
 std::string result_differences(const Job& then, const Job& now) {
