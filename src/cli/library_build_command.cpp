@@ -4,9 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <opencv2/core.hpp>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "cli/build_summary.h"
@@ -14,6 +12,7 @@
 #include "cli/stop_signal.h"
 #include "core/base/error.h"
 #include "io/available_cores.h"
+#include "io/drawing/drawers.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
 
@@ -24,9 +23,9 @@ constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library build /usr/share/openclipart/svg/animals -o animals.h5\n"
     "  tessera library build logos/ letters/a.png --glob '*.svg' --embed -o mine.h5\n"
-    "Reads SVG and SVGZ, PNG, WebP and TIFF with transparency, and two-colour masks (PNG, BMP, JPEG). Files that "
-    "cannot\n"
-    "be used are skipped: the first are named at the end, all of them, with the reasons, in LIB.left_out.txt.";
+    "Reads SVG and SVGZ; PNG, WebP and TIFF with transparency; two-colour masks (PNG, WebP, TIFF, BMP, JPEG).\n"
+    "Not GIF, PDF, EPS and others: convert them to SVG or PNG. Files that cannot be used are skipped: the first are\n"
+    "named at the end, all of them, with the reasons, in LIB.left_out.txt.";
 
 struct BuildArguments {
   std::vector<std::string> sources;
@@ -36,14 +35,14 @@ struct BuildArguments {
 };
 
 io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, const io::ArtworkFiles& files) {
-  cv::setNumThreads(1);     // the processes are the parallelism
   install_stop_handlers();  // the half library is removed
   ProgressBar bar("library", files.paths.size());
   const io::BuildMonitor monitor{
       [&](std::size_t done, std::size_t shapes) { bar.update(done, std::to_string(shapes) + " shapes"); },
       stop_signalled};
-  return io::build_library(files, arguments.output, arguments.settings, io::artwork_loader(arguments.settings.pad),
-                           monitor);
+  io::Drawers drawers({.processes = arguments.settings.files_at_a_time});
+  return io::build_library(files, arguments.output, arguments.settings,
+                           io::artwork_loader(drawers, arguments.settings.pad), monitor);
 }
 
 void throw_if_not_written(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
@@ -55,14 +54,19 @@ void throw_if_not_written(const BuildArguments& arguments, const io::LibraryBuil
                    " of " + files + " cannot be used, the first is " + first.path + ": " + first.reason);
 }
 
+void throw_if_no_artwork(const BuildArguments& arguments, const io::ArtworkFiles& files) {
+  if (!files.paths.empty()) return;
+  std::string message = "no artwork in " + arguments.sources.front() +
+                        (arguments.glob.empty() ? ": looked for svg, svgz, png, webp, tif, tiff, bmp, jpg and jpeg files"
+                                                : ": no file matches " + arguments.glob);
+  if (!files.left_out.empty()) message += "; found " + files.left_out.front().path + ": " + files.left_out.front().reason;
+  throw InputError(message);
+}
+
 int run(const BuildArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const io::ArtworkFiles files = io::find_artwork(arguments.sources, arguments.glob);
-  if (files.paths.empty()) {
-    throw InputError("no artwork in " + arguments.sources.front() +
-                     (arguments.glob.empty() ? ": looked for svg, svgz, png, webp, tif, tiff, bmp, jpg and jpeg files"
-                                             : ": no file matches " + arguments.glob));
-  }
+  throw_if_no_artwork(arguments, files);
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   std::fputs(build_summary(report).c_str(), stdout);
   throw_if_not_written(arguments, report);
@@ -81,7 +85,7 @@ int run(const BuildArguments& arguments) {
 void add_library_build_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<BuildArguments>();
   io::LibraryBuildSettings& settings = arguments->settings;
-  settings.pool.processes = io::available_cores();
+  settings.files_at_a_time = io::available_cores();
 
   CLI::App* build = library.add_subcommand("build", "Trace artwork files and write a library of shapes");
   build->footer(kExamples);
@@ -94,7 +98,7 @@ void add_library_build_command(CLI::App& library, Command& selected) {
                     "Only files of the folders whose name matches this pattern, e.g. '*.svg'");
   build->add_flag("--embed", settings.embed, "Keep the artwork files themselves in the library");
   build->add_flag("--strict", settings.strict, "Write nothing where a file cannot be used; exit code 2");
-  build->add_option("--processes", settings.pool.processes, "How many files are traced at a time; default: all cores")
+  build->add_option("--processes", settings.files_at_a_time, "How many files are traced at a time; default: all cores")
       ->check(CLI::Range(1, 1024));
   build
       ->add_option("--pad-levels", settings.pad.levels,

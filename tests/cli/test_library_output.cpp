@@ -39,7 +39,7 @@ TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
                     {"/a/e.svg", "hairlines"}};
   EXPECT_EQ(build_summary(report),
             "specks beside the largest part left out in 1: deer.svg\n"
-            "merged 1 with the same silhouette:\n"
+            "merged 1 with the same silhouette and colour:\n"
             "  red.svg = blue\n"
             "skipped 6:\n"
             "  reason                    files  first\n"

@@ -14,7 +14,9 @@ cv::Mat render_artwork(std::span<const std::uint8_t> bytes, const std::string& p
   }
   const std::unique_ptr<ArtworkPage> page = open_artwork_page(bytes, path);
   const cv::Rect whole({0, 0}, page_size_px(*page, longest_side_px));
-  return straightened(page->draw(longest_side_px, whole));
+  cv::Mat drawing = page->draw(longest_side_px, whole);
+  straighten(drawing);
+  return drawing;
 }
 
 std::vector<std::uint8_t> read_artwork_file(const std::string& path) {

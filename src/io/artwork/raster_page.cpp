@@ -75,7 +75,7 @@ class RasterPage : public ArtworkPage {
     cv::Mat page;
     const int filter = longest_side_px < longest_side() ? cv::INTER_AREA : cv::INTER_LINEAR;
     cv::resize(image_, page, page_size_px(*this, longest_side_px), 0, 0, filter);
-    return page(window).clone();
+    return window.size() == page.size() ? page : page(window).clone();
   }
 
  private:

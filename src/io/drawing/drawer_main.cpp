@@ -60,10 +60,9 @@ void answer_next_request() {
   request.scope_id = read_bytes<std::string>(header.scope_id_bytes);
   const auto bytes = read_bytes<std::vector<std::uint8_t>>(header.bytes);
   request.bytes = bytes;
-  DrawingAnswer answer = answer_or_reason(request);
-  answer.header.bytes = answer.payload.size();
+  const DrawingAnswer answer = answer_or_reason(request);
   write_all(&answer.header, sizeof answer.header);
-  write_all(answer.payload.data(), answer.payload.size());
+  write_all(answer.payload.data, answer.header.bytes);
 }
 
 /// librsvg's panics unwind the stack; here they end.

@@ -160,8 +160,8 @@ bool DrawerProcess::exchange(const DrawingRequest& request, DrawingAnswer& answe
                     send(request.bytes.data(), request.bytes.size(), deadline);
   if (!sent || !receive(&answer.header, sizeof answer.header, deadline)) return false;
   if (answer.header.bytes > most_answer_bytes(request)) return false;
-  answer.payload.resize(answer.header.bytes);
-  return receive(answer.payload.data(), answer.payload.size(), deadline);
+  answer.payload.create(1, int(answer.header.bytes), CV_8U);
+  return receive(answer.payload.data, answer.header.bytes, deadline);
 }
 
 /// Renewed for each drawing. The process itself cannot raise its limits (drawer_sandbox.h).

@@ -6,9 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <opencv2/core.hpp>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "core/pad/pad.h"
 
@@ -63,11 +63,12 @@ struct AnswerHeader {
 
 struct DrawingAnswer {
   AnswerHeader header;
-  std::vector<std::uint8_t> payload;
+  cv::Mat payload;  // one row of bytes
+
+  std::span<const std::uint8_t> bytes() const { return {payload.data, payload.total()}; }
 };
 
 inline constexpr std::size_t kMostReasonBytes = 4096;
-inline constexpr std::size_t kMostPathBytes = 8192;
 
 /// The longest payload that a drawer may answer.
 std::size_t most_answer_bytes(const DrawingRequest& request);

@@ -38,7 +38,7 @@ class SignalsBlocked {
   sigset_t before_;
 };
 
-std::string text_of(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
+std::string text_of(std::span<const std::uint8_t> bytes) { return {bytes.begin(), bytes.end()}; }
 
 [[noreturn]] void throw_garbled(const std::string& path) {
   throw InputError(path + ": its process gave no sensible answer");
@@ -47,11 +47,9 @@ std::string text_of(const std::vector<std::uint8_t>& bytes) { return {bytes.begi
 cv::Mat image_of(const DrawingAnswer& answer, const std::string& path, int longest_side_px) {
   const std::int64_t columns = answer.header.columns, rows = answer.header.rows;
   const bool is_sane = std::min(columns, rows) >= 1 && std::max(columns, rows) <= longest_side_px &&
-                       std::uint64_t(4 * columns * rows) == answer.payload.size();
+                       std::uint64_t(4 * columns * rows) == answer.bytes().size();
   if (!is_sane) throw_garbled(path);
-  cv::Mat image(int(rows), int(columns), CV_8UC4);
-  std::memcpy(image.data, answer.payload.data(), answer.payload.size());
-  return image;
+  return answer.payload.reshape(4, int(rows));
 }
 
 void check_side(int longest_side_px, const std::string& path) {
@@ -136,7 +134,7 @@ class Drawers::Crew {
     if (was_used && (exhausted || (!answer && !process.took_too_long()))) answer = attempt(process, request);
     if (!answer) throw InputError(request.path + ": " + process.failure());
     if (answer->header.status == DrawingStatus::done) return std::move(*answer);
-    throw InputError(request.path + ": " + printable_utf8(text_of(answer->payload)));
+    throw InputError(request.path + ": " + printable_utf8(text_of(answer->bytes())));
   }
 
   /// Nothing where the process is lost.
@@ -186,8 +184,8 @@ cv::Mat Drawers::decode_png(std::span<const std::uint8_t> bytes, const std::stri
 cv::Size2d Drawers::natural_size(std::span<const std::uint8_t> bytes, const std::string& path) {
   const DrawingAnswer answer = crew_->draw({.kind = DrawingKind::natural_size, .path = path, .bytes = bytes});
   double sides[2];
-  if (answer.payload.size() != sizeof sides) throw_garbled(path);
-  std::memcpy(sides, answer.payload.data(), sizeof sides);
+  if (answer.bytes().size() != sizeof sides) throw_garbled(path);
+  std::memcpy(sides, answer.bytes().data(), sizeof sides);
   const auto is_sane = [](double side) { return std::isfinite(side) && side > 0; };
   if (!is_sane(sides[0]) || !is_sane(sides[1])) throw_garbled(path);
   return {sides[0], sides[1]};
@@ -195,8 +193,9 @@ cv::Size2d Drawers::natural_size(std::span<const std::uint8_t> bytes, const std:
 
 std::string Drawers::import_svg(std::span<const std::uint8_t> bytes, const std::string& path,
                                 const std::string& scope_id) {
-  return text_of(
-      crew_->draw({.kind = DrawingKind::svg_import, .path = path, .scope_id = scope_id, .bytes = bytes}).payload);
+  const DrawingAnswer answer =
+      crew_->draw({.kind = DrawingKind::svg_import, .path = path, .scope_id = scope_id, .bytes = bytes});
+  return text_of(answer.bytes());
 }
 
 std::variant<ArtworkShape, SkipReason> Drawers::shape(std::span<const std::uint8_t> bytes, const std::string& path,
@@ -204,14 +203,16 @@ std::variant<ArtworkShape, SkipReason> Drawers::shape(std::span<const std::uint8
   const DrawingAnswer answer =
       crew_->draw({.kind = DrawingKind::shape, .pad = pad, .path = std::filesystem::absolute(path), .bytes = bytes});
   try {
-    return decode_shape_answer(answer.payload);
+    return decode_shape_answer(answer.bytes());
   } catch (const std::runtime_error&) {
     throw_garbled(path);
   }
 }
 
 std::vector<std::uint8_t> Drawers::pdf_of_svg(std::span<const std::uint8_t> svg, double width_pt) {
-  return crew_->draw({.kind = DrawingKind::pdf, .width_pt = width_pt, .path = "the collage", .bytes = svg}).payload;
+  const DrawingAnswer answer =
+      crew_->draw({.kind = DrawingKind::pdf, .width_pt = width_pt, .path = "the collage", .bytes = svg});
+  return {answer.bytes().begin(), answer.bytes().end()};
 }
 
 }  // namespace tessera::io

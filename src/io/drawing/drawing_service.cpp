@@ -1,7 +1,6 @@
 #include "io/drawing/drawing_service.h"
 
 #include <algorithm>
-#include <cstring>
 #include <exception>
 #include <new>
 #include <opencv2/core.hpp>
@@ -19,25 +18,30 @@
 namespace tessera::io {
 namespace {
 
-DrawingAnswer bytes_answer(std::vector<std::uint8_t> bytes) {
+DrawingAnswer bytes_answer(std::span<const std::uint8_t> bytes) {
   DrawingAnswer answer;
-  answer.payload = std::move(bytes);
+  answer.payload.create(1, int(bytes.size()), CV_8U);
+  std::copy(bytes.begin(), bytes.end(), answer.payload.data);
+  answer.header.bytes = bytes.size();
   return answer;
 }
 
-DrawingAnswer text_answer(std::string_view text) { return bytes_answer({text.begin(), text.end()}); }
+DrawingAnswer text_answer(std::string_view text) {
+  return bytes_answer({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
 
 DrawingAnswer size_answer(cv::Size2d size) {
   const double sides[2] = {size.width, size.height};
-  std::vector<std::uint8_t> bytes(sizeof sides);
-  std::memcpy(bytes.data(), sides, sizeof sides);
-  return bytes_answer(std::move(bytes));
+  return bytes_answer({reinterpret_cast<const std::uint8_t*>(sides), sizeof sides});
 }
 
+/// Without a copy: it may be the largest thing in memory.
 DrawingAnswer image_answer(const cv::Mat& bgra) {
-  DrawingAnswer answer = bytes_answer({bgra.datastart, bgra.dataend});
+  DrawingAnswer answer;
+  answer.payload = (bgra.isContinuous() ? bgra : bgra.clone()).reshape(1, 1);
   answer.header.columns = bgra.cols;
   answer.header.rows = bgra.rows;
+  answer.header.bytes = answer.payload.total();
   return answer;
 }
 

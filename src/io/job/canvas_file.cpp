@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
 #include "io/artwork/mask.h"
+#include "io/drawing/drawers.h"
 #include "io/job/job_keys.h"
 
 namespace tessera::io {
@@ -15,15 +16,23 @@ namespace {
 constexpr int kMinCanvas_px = 16;
 constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;  // the mask is drawn at twice the canvas' resolution
 
+/// For the canvas file, which may be anyone's: a page of the largest size may take three times its pixels.
+DrawerSettings drawer_settings(int side_px) {
+  constexpr std::size_t kMebibyte = std::size_t(1) << 20;
+  const std::size_t page_bytes = 4 * std::size_t(side_px) * std::size_t(side_px);
+  return {.bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * page_bytes)};
+}
+
 /// The largest page with the artwork's aspect that fits into twice the spec's box.
 cv::Mat render_into_box(const CanvasSpec& spec) {
   const auto bytes = read_artwork_file(spec.file);
   const int box_width = 2 * spec.width_px;
   const int box_height = 2 * spec.height_px;
   const int side = std::max(box_width, box_height);
-  const cv::Mat page = render_artwork(bytes, spec.file, side);
+  Drawers drawers(drawer_settings(side));
+  const cv::Mat page = drawers.render(bytes, spec.file, side);
   const double fit = std::min(double(box_width) / page.cols, double(box_height) / page.rows);
-  return fit >= 1 ? page : render_artwork(bytes, spec.file, std::max(1, int(fit * side)));
+  return fit >= 1 ? page : drawers.render(bytes, spec.file, std::max(1, int(fit * side)));
 }
 
 /// Half transparent or more somewhere, the rim apart: drawing blurs the edge of an opaque page.

@@ -10,8 +10,8 @@
 namespace tessera::io {
 
 /// A mask is scaled into the box of the spec's size with its aspect kept; the canvas is then as large as the scaled
-/// page, which touches the box in width or height. Throws InputError where the file is no artwork, breaks a limit of
-/// artwork_render.h, becomes narrower than 16 px, or leaves nothing to fill.
+/// page, which touches the box in width or height. The file is drawn in a process with limits (drawers.h). Throws
+/// InputError where the file is no artwork, breaks a limit, becomes narrower than 16 px, or leaves nothing to fill.
 Canvas load_canvas(const CanvasSpec& spec);
 
 /// A picture of the canvas in that width must not become higher than wide ones may be: throws InputError.

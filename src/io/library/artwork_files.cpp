@@ -19,12 +19,39 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 9> kExtensions = {".svg",  ".svgz", ".png", ".webp", ".tif",
                                                          ".tiff", ".bmp",  ".jpg", ".jpeg"};
 
-bool is_wanted(const fs::path& file, const std::string& glob) {
-  if (!glob.empty()) return ::fnmatch(glob.c_str(), file.filename().c_str(), 0) == 0;
+/// Of pictures that one may expect to be read.
+constexpr std::array<std::string_view, 22> kOtherExtensions = {
+    ".gif", ".pdf",  ".eps",  ".ps",   ".ai",  ".cdr", ".emf", ".wmf", ".odg", ".dxf", ".psd",
+    ".xcf", ".heic", ".heif", ".avif", ".jxl", ".jp2", ".ico", ".tga", ".pbm", ".pgm", ".ppm"};
+
+std::string extension_of(const fs::path& file) {
   std::string extension = file.extension();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+  return extension;
+}
+
+template <std::size_t N>
+bool contains(const std::array<std::string_view, N>& extensions, const std::string& extension) {
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+std::string format_reason(const std::string& extension) {
+  return "a format that is not read: " + extension.substr(1) + "; convert it to SVG or PNG";
+}
+
+void take_file(const fs::directory_entry& file, const std::string& glob, ArtworkFiles& found) {
+  const std::string extension = extension_of(file.path());
+  const bool wanted = glob.empty() ? contains(kExtensions, extension)
+                                   : ::fnmatch(glob.c_str(), file.path().filename().c_str(), 0) == 0;
+  std::error_code error;
+  if (wanted && file.is_regular_file(error)) {
+    found.paths.push_back(file.path());
+  } else if (wanted && !file.is_directory(error)) {
+    found.left_out.push_back({file.path(), "not a regular file"});
+  } else if (glob.empty() && contains(kOtherExtensions, extension)) {
+    found.left_out.push_back({file.path(), format_reason(extension)});
+  }
 }
 
 void search_folder(const fs::path& folder, const std::string& glob, ArtworkFiles& found) {
@@ -33,11 +60,11 @@ void search_folder(const fs::path& folder, const std::string& glob, ArtworkFiles
     std::error_code ignored;
     if (at->is_directory(ignored) && !at->is_symlink(ignored)) {
       search_folder(at->path(), glob, found);
-    } else if (at->is_regular_file(ignored) && is_wanted(at->path(), glob)) {
-      found.paths.push_back(at->path());
+    } else {
+      take_file(*at, glob, found);
     }
   }
-  if (error) found.unreadable.push_back({folder, "a folder that cannot be read"});
+  if (error) found.left_out.push_back({folder, "a folder that cannot be read"});
 }
 
 /// Where several paths lead to one file, the file's own path stays, or the first of the links.
@@ -56,6 +83,13 @@ void remove_repeated(std::vector<std::string>& paths) {
   std::sort(paths.begin(), paths.end());
 }
 
+/// Each once: a folder may be given twice.
+void sort_by_path(std::vector<UnusedFile>& files) {
+  std::sort(files.begin(), files.end(), [](const UnusedFile& a, const UnusedFile& b) { return a.path < b.path; });
+  const auto same_path = [](const UnusedFile& a, const UnusedFile& b) { return a.path == b.path; };
+  files.erase(std::unique(files.begin(), files.end(), same_path), files.end());
+}
+
 }  // namespace
 
 ArtworkFiles find_artwork(const std::vector<std::string>& sources, const std::string& glob) {
@@ -72,8 +106,7 @@ ArtworkFiles find_artwork(const std::vector<std::string>& sources, const std::st
     }
   }
   remove_repeated(found.paths);
-  std::sort(found.unreadable.begin(), found.unreadable.end(),
-            [](const UnusedFile& a, const UnusedFile& b) { return a.path < b.path; });
+  sort_by_path(found.left_out);
   return found;
 }
 

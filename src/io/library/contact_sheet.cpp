@@ -1,11 +1,14 @@
 #include "io/library/contact_sheet.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
+#include <opencv2/core.hpp>
 #include <span>
 
+#include "core/base/error.h"
+#include "io/artwork/alpha.h"
 #include "io/atomic_file.h"
+#include "io/drawing/drawers.h"
 #include "io/library/library_names.h"
 #include "io/sheet.h"
 
@@ -17,7 +20,7 @@ constexpr int kName_px = 18;
 constexpr int kMaxColumns = 20;
 constexpr int kMaxThumbnailSide_px = 1024;
 
-/// A PNG says its size at a fixed place; cairo would allocate for any.
+/// A PNG says its size at a fixed place.
 bool has_sane_size(std::span<const std::uint8_t> png) {
   if (png.size() < 24) return false;
   const auto side = [&](std::size_t at) {
@@ -27,19 +30,14 @@ bool has_sane_size(std::span<const std::uint8_t> png) {
   return std::min(side(16), side(20)) >= 1 && std::max(side(16), side(20)) <= kMaxThumbnailSide_px;
 }
 
-cairo_status_t read_bytes(void* closure, unsigned char* to, unsigned count) {
-  auto& from = *static_cast<std::span<const std::uint8_t>*>(closure);
-  if (count > from.size()) return CAIRO_STATUS_READ_ERROR;
-  std::memcpy(to, from.data(), count);
-  from = from.subspan(count);
-  return CAIRO_STATUS_SUCCESS;
-}
-
-/// Null where the thumbnail is damaged: the cell then shows the outline only.
-CairoSurface decoded(std::span<const std::uint8_t> png) {
-  if (!has_sane_size(png)) return nullptr;
-  CairoSurface image(cairo_image_surface_create_from_png_stream(read_bytes, &png));
-  return cairo_surface_status(image.get()) == CAIRO_STATUS_SUCCESS ? std::move(image) : nullptr;
+/// Premultiplied BGRA, which is cairo's ARGB32; empty where the thumbnail is damaged: the cell then shows the outline only.
+cv::Mat decoded(Drawers& drawers, std::span<const std::uint8_t> png) {
+  if (!has_sane_size(png)) return {};
+  try {
+    return premultiplied(drawers.decode_png(png, "thumbnail", kMaxThumbnailSide_px));
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 void trace(cairo_t* cairo, const Outline& outline) {
@@ -66,20 +64,20 @@ struct Box {
 };
 
 /// In the artwork frame, cut to the cell around it: pages often hold more than the shape.
-void draw_thumbnail(cairo_t* cairo, const Artwork& artwork) {
-  const CairoSurface image = decoded(artwork.thumbnail_png);
-  if (!image) return;
-  const int side_px = std::max(cairo_image_surface_get_width(image.get()), cairo_image_surface_get_height(image.get()));
-  const double enlarged = double(std::max(artwork.width_px, artwork.height_px)) / side_px;
+void draw_thumbnail(cairo_t* cairo, const Artwork& artwork, cv::Mat bgra) {
+  if (bgra.empty()) return;
+  const CairoSurface image(
+      cairo_image_surface_create_for_data(bgra.data, CAIRO_FORMAT_ARGB32, bgra.cols, bgra.rows, int(bgra.step)));
+  const double enlarged = double(std::max(artwork.width_px, artwork.height_px)) / std::max(bgra.cols, bgra.rows);
   cairo_save(cairo);
   cairo_scale(cairo, enlarged, enlarged);
   cairo_set_source_surface(cairo, image.get(), 0, 0);
   cairo_paint(cairo);
-  cairo_restore(cairo);
+  cairo_restore(cairo);  // lets go of the surface
 }
 
 /// The thumbnail, and over it the outline as the library has it: where they disagree, the tracing went wrong.
-void draw_shape(cairo_t* cairo, const Shape& shape, int x_px, int y_px) {
+void draw_shape(cairo_t* cairo, const Shape& shape, const cv::Mat& thumbnail, int x_px, int y_px) {
   const Artwork& artwork = shape.artwork;
   const Box box(shape.outline.curves.front());
   const double cell_px_per_unit = kCell_px / std::max(box.side(), 1e-3);
@@ -92,7 +90,7 @@ void draw_shape(cairo_t* cairo, const Shape& shape, int x_px, int y_px) {
   cairo_save(cairo);
   cairo_scale(cairo, 1 / artwork.unit_px, 1 / artwork.unit_px);
   cairo_translate(cairo, -artwork.centroid_px.x, -artwork.centroid_px.y);
-  draw_thumbnail(cairo, artwork);
+  draw_thumbnail(cairo, artwork, thumbnail);
   cairo_restore(cairo);
   trace(cairo, shape.outline);
   cairo_set_source_rgba(cairo, 0.85, 0.15, 0.1, 0.8);
@@ -119,9 +117,10 @@ std::size_t write_contact_sheet(const LibraryFile& library, const std::string& p
   const std::size_t shown = std::min(library.size(), kMaxSheetShapes);
   const SheetLayout layout = make_sheet_layout(shown, kCell_px, kCell_px, kName_px, kMaxColumns);
   const Sheet sheet(layout, title_of(library, shown));
+  Drawers drawers({});
   for (std::size_t k = 0; k < shown; ++k) {
     const Shape shape = read_one(library, k * library.size() / shown);
-    draw_shape(sheet.cairo(), shape, layout.x_px(k), layout.y_px(k));
+    draw_shape(sheet.cairo(), shape, decoded(drawers, shape.artwork.thumbnail_png), layout.x_px(k), layout.y_px(k));
     sheet.caption(k, 0, printable_utf8(shape.name));
   }
   write_file_atomically(path, sheet.png(path));

@@ -29,7 +29,7 @@ std::string left_out_list(const LibraryBuildReport& report) {
   std::string text;
   for (const UnusedFile& file : report.skipped) text += line("skipped", file.path, file.reason);
   for (const LibraryBuildReport::Merged& file : report.merged) {
-    text += line("merged", file.path, "the silhouette of " + file.name);
+    text += line("merged", file.path, "the silhouette and colour of " + file.name);
   }
   for (const std::string& path : report.with_specks) text += line("specks", path, "small parts beside the largest");
   return text;

@@ -1,20 +1,21 @@
 #include "io/library/library_builder.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <stdexcept>
 
 #include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
-#include "io/drawing/shape_codec.h"
+#include "io/work_in_order.h"
 
 namespace tessera::io {
 namespace {
 
-/// FNV-1a over the outline in steps of a thousandth of a shape unit: equal for equal silhouettes in any colours.
+/// FNV-1a over the outline in steps of a thousandth of a shape unit: equal for equal silhouettes.
 std::uint64_t silhouette_hash(const Outline& outline) {
   constexpr float kStepsPerUnit = 1000;
   std::uint64_t hash = 0xcbf29ce484222325u;
@@ -29,12 +30,32 @@ std::uint64_t silhouette_hash(const Outline& outline) {
   return hash;
 }
 
-/// Runs in the child. One byte for "specks were left out" goes before the shape.
-std::string traced(const ShapeLoader& load, const std::string& path) {
-  std::variant<ArtworkShape, SkipReason> loaded = load(path);
-  if (const auto* reason = std::get_if<SkipReason>(&loaded)) throw InputError(to_string(*reason));
-  const auto& artwork = std::get<ArtworkShape>(loaded);
-  return (artwork.other_components > 0 ? '\1' : '\0') + encode_shape(artwork.shape);
+/// A shape that was kept.
+struct Variant {
+  std::string name;
+  std::array<float, 3> mean_lab;
+};
+
+/// Two drawings of one silhouette are kept both where their mean colours differ by more than this distance in CIELAB: a
+/// clear difference beside each other (a just noticeable one is about 2.3). The edge of a drawing that was exported in
+/// another size changes it by less than 1.
+constexpr float kLeastColourDifference = 5;
+
+bool looks_the_same(const std::array<float, 3>& a, const std::array<float, 3>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) <= kLeastColourDifference;
+}
+
+/// A shape, or why the file gives none.
+using Loaded = std::variant<ArtworkShape, std::string>;
+
+Loaded loaded(const ShapeLoader& loader, const std::string& path) {
+  try {
+    std::variant<ArtworkShape, SkipReason> shape = loader.load(path);
+    if (const auto* reason = std::get_if<SkipReason>(&shape)) return to_string(*reason);
+    return std::move(std::get<ArtworkShape>(shape));
+  } catch (const InputError& error) {
+    return error.what();
+  }
 }
 
 /// Messages begin with the file's name, which the table shows beside the reason.
@@ -52,15 +73,15 @@ class Builder {
         monitor_(monitor),
         writer_(output, settings.pad) {
     report_.files = files.paths.size();
-    report_.skipped = files.unreadable;
+    report_.skipped = files.left_out;
   }
 
-  void take(std::size_t index, const PoolResult& result) {
+  void take(std::size_t index, Loaded loaded) {
     const std::string& path = files_.paths[index];
-    if (result.done) {
-      take_shape(path, result.output);
+    if (auto* artwork = std::get_if<ArtworkShape>(&loaded)) {
+      take_shape(path, std::move(*artwork));
     } else {
-      skip(path, result.reason);
+      skip(path, std::get<std::string>(loaded));
     }
     monitor_.progress(index + 1, report_.shapes);
   }
@@ -74,25 +95,27 @@ class Builder {
   }
 
  private:
-  void take_shape(const std::string& path, const std::string& bytes) {
+  void take_shape(const std::string& path, ArtworkShape artwork) {
     try {
-      add(path, decode_shape(std::string_view(bytes).substr(1)));
-      if (bytes[0] != '\0') report_.with_specks.push_back(path);
+      add(path, std::move(artwork.shape));
+      if (artwork.other_components > 0) report_.with_specks.push_back(path);
     } catch (const InputError& error) {
       skip(path, error.what());
     }
   }
 
   void add(const std::string& path, Shape shape) {
-    const std::uint64_t hash = silhouette_hash(shape.outline);
-    if (const auto same = name_of_silhouette_.find(hash); same != name_of_silhouette_.end()) {
-      report_.merged.push_back({path, same->second});
+    std::vector<Variant>& variants = variants_of_silhouette_[silhouette_hash(shape.outline)];
+    const auto same = std::find_if(variants.begin(), variants.end(),
+                                   [&](const Variant& v) { return looks_the_same(v.mean_lab, shape.mean_lab); });
+    if (same != variants.end()) {
+      report_.merged.push_back({path, same->name});
       return;
     }
     if (settings_.embed) shape.artwork.original = read_artwork_file(path);
     shape.name = names_.unique(shape.name, path);
     writer_.append(shape);
-    name_of_silhouette_[hash] = shape.name;
+    variants.push_back({shape.name, shape.mean_lab});
     ++report_.shapes;
   }
 
@@ -105,24 +128,28 @@ class Builder {
   const BuildMonitor& monitor_;
   LibraryWriter writer_;
   LibraryNames names_;
-  std::map<std::uint64_t, std::string> name_of_silhouette_;
+  std::map<std::uint64_t, std::vector<Variant>> variants_of_silhouette_;
   LibraryBuildReport report_;
 };
 
 }  // namespace
 
-ShapeLoader artwork_loader(const PadParameters& pad) {
-  return [pad](const std::string& path) { return shape_from_artwork(read_artwork_file(path), path, pad); };
+ShapeLoader artwork_loader(Drawers& drawers, const PadParameters& pad) {
+  return {.load = [&drawers, pad](const std::string& path) { return drawers.shape(read_artwork_file(path), path, pad); },
+          .stop = [&drawers] { drawers.stop(); }};
 }
 
 LibraryBuildReport build_library(const ArtworkFiles& files, const std::string& output,
-                                 const LibraryBuildSettings& settings, const ShapeLoader& load,
+                                 const LibraryBuildSettings& settings, const ShapeLoader& loader,
                                  const BuildMonitor& monitor) {
   Builder builder(files, output, settings, monitor);
-  const bool finished = work_in_processes(
-      files.paths, [&](const std::string& path) { return traced(load, path); },
-      [&](std::size_t index, const PoolResult& result) { builder.take(index, result); }, settings.pool,
-      monitor.interrupted);
+  const bool finished = work_in_order<Loaded>(
+      {.count = files.paths.size(),
+       .threads = settings.files_at_a_time,
+       .work = [&](std::size_t index) { return loaded(loader, files.paths[index]); },
+       .consume = [&](std::size_t index, Loaded result) { builder.take(index, std::move(result)); },
+       .interrupted = monitor.interrupted,
+       .stop = loader.stop});
   if (!finished) throw EnvironmentError("interrupted; " + output + " was not written");
   return builder.finish();
 }

@@ -1,5 +1,5 @@
-// From artwork files to a library file. Every drawing is traced in a child process, so that none can hang or crash the
-// build; results are taken in the order of the files, so that the library's bytes do not depend on timing.
+// From artwork files to a library file. Every drawing is traced in a process of its own (drawers.h), so that none can hang
+// or crash the build; results are taken in the order of the files, so that the library's bytes do not depend on timing.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 #include "core/shape/outline.h"
 #include "io/artwork/artwork_shape.h"
+#include "io/drawing/drawers.h"
 #include "io/library/artwork_files.h"
-#include "io/library/artwork_pool.h"
 
 namespace tessera::io {
 
@@ -19,13 +19,13 @@ struct LibraryBuildSettings {
   PadParameters pad;
   bool embed = false;   // keep the artwork files' bytes
   bool strict = false;  // write nothing where a file cannot be used
-  PoolSettings pool;
+  int files_at_a_time = 1;
 };
 
 struct LibraryBuildReport {
   struct Merged {
     std::string path;
-    std::string name;  // of the shape with the same silhouette that was kept
+    std::string name;  // of the shape with the same silhouette and mean colour that was kept
   };
 
   bool written = false;  // false: no shape, or strict and not all files were used
@@ -36,22 +36,25 @@ struct LibraryBuildReport {
   std::vector<std::string> with_specks;  // paths: small components beside the largest were left out
 };
 
-/// Called in a child process for each file. Throws where the file is no artwork.
-using ShapeLoader = std::function<std::variant<ArtworkShape, SkipReason>(const std::string& path)>;
+struct ShapeLoader {
+  /// Called for each file, from several threads. Throws InputError where the file is no artwork.
+  std::function<std::variant<ArtworkShape, SkipReason>(const std::string& path)> load;
+  /// Makes all loads under way throw soon.
+  std::function<void()> stop = [] {};
+};
 
-/// shape_from_artwork of the file.
-ShapeLoader artwork_loader(const PadParameters& pad);
+/// Drawers::shape of the file. The drawers must outlive the loader.
+ShapeLoader artwork_loader(Drawers& drawers, const PadParameters& pad);
 
-/// What the caller wants to see and say while it lasts; both are called in the calling process.
+/// What the caller wants to see and say while it lasts; both are called in the calling thread.
 struct BuildMonitor {
   std::function<void(std::size_t files_done, std::size_t shapes)> progress;
   std::function<bool()> interrupted;
 };
 
-/// Writes the library at `output`, whole or not at all. Call it while the process has a single thread.
-/// Throws EnvironmentError where the file cannot be written or the build was interrupted.
+/// Writes the library at `output`, whole or not at all. Throws EnvironmentError where the file cannot be written or the build was interrupted.
 LibraryBuildReport build_library(const ArtworkFiles& files, const std::string& output,
-                                 const LibraryBuildSettings& settings, const ShapeLoader& load,
+                                 const LibraryBuildSettings& settings, const ShapeLoader& loader,
                                  const BuildMonitor& monitor);
 
 }  // namespace tessera::io

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
+#include "core/base/error.h"
 #include "io/atomic_file.h"
+#include "io/drawing/drawers.h"
 #include "io/library/library_names.h"
 #include "io/number_text.h"
+#include "io/regular_file.h"
 #include "io/sheet.h"
 
 namespace tessera::io {
@@ -19,28 +21,24 @@ constexpr int kCell_px = 320;
 constexpr int kCaption_px = 34;  // two lines
 constexpr int kMaxColumns = 6;
 
+constexpr std::size_t kMostPictureBytes = std::size_t(512) << 20;
+/// A picture of 20,000 x 20,000 px decoded, and the file.
+constexpr DrawerSettings kDrawers{.bytes_per_process = std::size_t(2) << 30};
+
 /// The picture shrunk into a cell, as cairo wants it (BGRX); empty where there is none.
-cv::Mat picture(const std::string& folder) {
-  const fs::path path = fs::path(folder) / "collage.png";
-  std::error_code error;
-  if (!fs::exists(path, error)) return {};  // OpenCV would complain aloud
-  cv::Mat bgr;
+cv::Mat picture(Drawers& drawers, const std::string& folder) {
+  const std::string path = fs::path(folder) / "collage.png";
   try {
-    bgr = cv::imread(path.string(), cv::IMREAD_COLOR);
-  } catch (const cv::Exception&) {  // sides beyond OpenCV's limits
+    return drawers.decode_png(read_regular_file(path, kMostPictureBytes), path, kCell_px);
+  } catch (const InputError&) {
+    return {};
   }
-  if (bgr.empty()) return {};
-  const double shrink = std::min(1.0, double(kCell_px) / std::max(bgr.cols, bgr.rows));
-  const cv::Size size(std::max(1, int(bgr.cols * shrink)), std::max(1, int(bgr.rows * shrink)));
-  cv::Mat shrunk, bgrx;
-  cv::resize(bgr, shrunk, size, 0, 0, cv::INTER_AREA);
-  cv::cvtColor(shrunk, bgrx, cv::COLOR_BGR2BGRA);
-  return bgrx;
 }
 
 std::vector<cv::Mat> pictures_of(const std::vector<RankedResult>& results, std::size_t count) {
+  Drawers drawers(kDrawers);
   std::vector<cv::Mat> pictures;
-  for (std::size_t k = 0; k < count; ++k) pictures.push_back(picture(results[k].card.folder));
+  for (std::size_t k = 0; k < count; ++k) pictures.push_back(picture(drawers, results[k].card.folder));
   return pictures;
 }
 
