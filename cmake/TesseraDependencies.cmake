@@ -15,6 +15,7 @@ pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 pkg_check_modules(SECCOMP REQUIRED IMPORTED_TARGET libseccomp)
 find_package(LibXml2 REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
 
 # Debian keeps OpenCV's CMake files in libopencv-dev, which pulls in every module and half a desktop; the three modules
 # that are used come in packages of their own, without them.

@@ -29,13 +29,18 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
+/// Computed and drawn. Throws InputError where the folder holds the finished result of another job, which would be lost.
+bool is_finished(const std::string& folder, const io::Job& job) {
+  return io::is_finished_result_of(folder, job) && io::is_drawn(folder);
+}
+
 /// All jobs are read before the first is begun, so that a mistake in the last shows at once.
 std::vector<Task> tasks_of(const CampaignArguments& arguments) {
   std::vector<Task> tasks;
   for (io::Variation& variation : io::make_variations(arguments.seeds, arguments.sets)) {
     const io::Job job = io::load_job(arguments.job, variation.overrides);
     const std::string folder = (std::filesystem::path(campaign_folder(arguments)) / variation.name).string();
-    tasks.push_back({std::move(variation), folder, io::is_finished_result_of(folder, job)});
+    tasks.push_back({std::move(variation), folder, is_finished(folder, job)});
   }
   return tasks;
 }
@@ -57,7 +62,7 @@ void print_result(const Task& task, std::size_t number, std::size_t of) {
   std::fflush(stdout);
 }
 
-/// What an earlier campaign left unfinished goes on from its checkpoint.
+/// What an earlier campaign left unfinished goes on from its checkpoint, or is drawn.
 CollageArguments collage_of(const CampaignArguments& arguments, const Task& task) {
   CollageArguments collage;
   collage.job = arguments.job;
@@ -68,16 +73,15 @@ CollageArguments collage_of(const CampaignArguments& arguments, const Task& task
   return collage;
 }
 
-/// Not 0: a signal ended a collage, and with it the campaign.
-int make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
-  for (std::size_t i = 0; i < tasks.size() && !comm::stop_signalled(); ++i) {
+/// False: a signal ended a collage, and with it the campaign.
+bool make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (!tasks[i].finished) {
-      const int exit_code = run_collage(collage_of(arguments, tasks[i]), ranks);
-      if (exit_code != 0) return exit_code;
+      if (run_collage(collage_of(arguments, tasks[i]), ranks) != CollageEnd::finished) return false;
     }
     print_result(tasks[i], i + 1, tasks.size());
   }
-  return 0;
+  return !comm::stop_signalled();
 }
 
 }  // namespace
@@ -94,8 +98,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   }
   io::prepare_output_directory(campaign_folder(arguments));
   const io::OutputLock lock(io::folder_lock_path(campaign_folder(arguments)), campaign_folder(arguments));
-  const int exit_code = make_all(arguments, tasks, ranks);
-  if (comm::stop_signalled() || exit_code != 0) {
+  if (!make_all(arguments, tasks, ranks)) {
     std::fprintf(stderr, "tessera: unfinished: the same command goes on where this one was\n");
     return kUnfinishedExitCode;
   }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/base/error.h"
+#include "io/result/finished_result.h"
 
 namespace tessera::cli {
 namespace {
@@ -56,7 +57,7 @@ void require(const Found& wanted, const Found& other) {
 
 Start automatic_start(const std::string& result_folder) {
   const io::CheckpointFolder folder(result_folder);
-  if (folder.has_latest()) return Start::resume;
+  if (folder.has_latest() || io::job_of_finished_result(result_folder)) return Start::resume;
   return folder.has_previous() ? Start::resume_previous : Start::fresh;
 }
 
@@ -64,7 +65,7 @@ io::CheckpointFolder checked_start(const std::string& result_folder, Start start
   io::CheckpointFolder folder(result_folder);
   const Found latest{folder.latest(), "--resume", folder.has_latest()};
   const Found previous{folder.previous(), "--resume=previous", folder.has_previous()};
-  if (start == Start::resume) require(latest, previous);
+  if (start == Start::resume && !io::job_of_finished_result(result_folder)) require(latest, previous);
   if (start == Start::resume_previous) require(previous, latest);
   if (start == Start::fresh && (latest.there || previous.there)) {
     const Found& best = latest.there ? latest : previous;

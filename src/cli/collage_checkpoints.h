@@ -13,12 +13,13 @@ namespace tessera::cli {
 
 enum class Start {
   fresh,            // there must be no checkpoint
-  resume,           // from checkpoint.h5
+  resume,           // from checkpoint.h5, or from a finished result
   resume_previous,  // from checkpoint.previous.h5
   restart,          // as if there were no checkpoint
 };
 
-/// What --resume=auto means for this folder: `resume`, or `resume_previous` where only that checkpoint is left, or `fresh`.
+/// What --resume=auto means for this folder: `resume` where there is a checkpoint or a finished result, `resume_previous`
+/// where only that checkpoint is left, or `fresh`.
 Start automatic_start(const std::string& result_folder);
 
 /// The checkpoints in the result's folder. Before anything costs time: throws InputError where `start` does not go with

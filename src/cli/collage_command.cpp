@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "cli/collage_input.h"
 #include "cli/collage_run.h"
 #include "cli/commands.h"
 #include "io/checkpoint/checkpoint_folder.h"
@@ -21,7 +22,7 @@ constexpr const char* kExamples =
     "the same job as it is, and refuses one of another job.\n"
     "The result (collage.png and .svg, pieces.geojson, quality card, effective job) is the same on any number of ranks,\n"
     "and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and what is placed so far\n"
-    "are written. A finished result in DIR is replaced; where it is of another job, a line on stderr says so.\n"
+    "are written, but not drawn (tessera draw). A finished result in DIR is replaced; where it is of another job, a line on stderr says so.\n"
     "Every key of a job: docs/job-format.md. Every file of a result: docs/result-format.md";
 
 std::string how_to_go_on(const CollageArguments& arguments) {
@@ -29,16 +30,23 @@ std::string how_to_go_on(const CollageArguments& arguments) {
   if (!checkpoints.has_latest() && !checkpoints.has_previous()) {
     return "unfinished, before the first round: the same command starts again";
   }
-  const std::string text = "unfinished: go on with the same command and --resume";
-  if (arguments.restart) return text + " instead of --restart";
-  if (arguments.resume == "auto") return "unfinished: the same command goes on with it";
-  return arguments.resume == "previous" ? text + " instead of --resume=previous" : text;
+  std::string text = "unfinished: go on with the same command and --resume";
+  if (arguments.restart) text += " instead of --restart";
+  if (arguments.resume == "previous") text += " instead of --resume=previous";
+  if (arguments.resume == "auto") text = "unfinished: the same command goes on with it";
+  return text + "; tessera draw " + output_folder(arguments) + " draws what is placed so far";
 }
 
 int run(const CollageArguments& arguments, comm::Communicator& ranks) {
-  const int exit_code = run_collage(arguments, ranks);
-  if (exit_code == kUnfinishedExitCode) std::fprintf(stderr, "tessera: %s\n", how_to_go_on(arguments).c_str());
-  return exit_code;
+  switch (run_collage(arguments, ranks)) {
+    case CollageEnd::finished: return 0;
+    case CollageEnd::unfinished: std::fprintf(stderr, "tessera: %s\n", how_to_go_on(arguments).c_str()); break;
+    case CollageEnd::not_drawn:
+      std::fprintf(stderr, "tessera: collage finished, drawing interrupted: tessera draw %s goes on\n",
+                   output_folder(arguments).c_str());
+      break;
+  }
+  return kUnfinishedExitCode;
 }
 
 }  // namespace

@@ -27,8 +27,15 @@ std::string output_folder(const CollageArguments& arguments);
 /// failure.
 inline constexpr int kUnfinishedExitCode = 75;
 
-/// On every rank. Returns the exit code, 0 or kUnfinishedExitCode: then the caller says how to go on. Throws InputError
-/// and EnvironmentError (rank_program.h turns those of the workers into the master's). A worker leaves by JobEnded.
-int run_collage(const CollageArguments& arguments, comm::Communicator& ranks);
+enum class CollageEnd {
+  finished,
+  unfinished,  // a checkpoint, and the result without pictures of what is placed so far
+  not_drawn,   // the collage is finished, and a signal or the time limit ended drawing
+};
+
+/// On every rank. But for the first end the exit code is to be kUnfinishedExitCode, and the caller says how to go on. Throws
+/// InputError and EnvironmentError (rank_program.h turns those of the workers into the master's). A worker leaves by
+/// JobEnded.
+CollageEnd run_collage(const CollageArguments& arguments, comm::Communicator& ranks);
 
 }  // namespace tessera::cli

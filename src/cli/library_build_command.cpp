@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "cli/build_summary.h"
 #include "cli/progress_bar.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
+#include "io/available_cores.h"
 #include "io/drawing/drawers.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
@@ -87,7 +87,7 @@ int run(const BuildArguments& arguments) {
 void add_library_build_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<BuildArguments>();
   io::LibraryBuildSettings& settings = arguments->settings;
-  settings.files_at_a_time = int(std::max(1u, std::thread::hardware_concurrency()));
+  settings.files_at_a_time = io::available_cores();
 
   CLI::App* build = library.add_subcommand("build", "Trace artwork files and write a library of shapes");
   build->footer(kExamples);

@@ -10,10 +10,12 @@
 namespace tessera::cli {
 namespace {
 
-// The files of a picture of 2000 px take 1 to 3 s; large ones more, and disks of clusters are slow at times.
-constexpr double kLeastReserve_s = 3;
-constexpr double kMostReserve_s = 60;
-constexpr double kReserveShare = 0.1;  // in between
+// The checkpoint and the files but the pictures take 0.1 to 1 s; disks of clusters are slow at times.
+constexpr double kLeastReserve_s = 2;
+constexpr double kMostReserve_s = 20;
+constexpr double kReserveShare = 0.05;  // in between
+// To end drawing.
+constexpr double kDrawingReserve_s = 1;
 constexpr double kMostLimit_s = 1e8;
 
 std::optional<double> number(std::string_view text) {
@@ -109,5 +111,7 @@ bool TimeLimit::near() {
   asked_s_ = now_s;
   return now_s + longest_round_s_ + reserve_s(limit_s_) >= limit_s_;
 }
+
+bool TimeLimit::over() const { return watch_.seconds() + kDrawingReserve_s >= limit_s_; }
 
 }  // namespace tessera::cli

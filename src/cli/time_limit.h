@@ -24,6 +24,8 @@ class TimeLimit {
   /// Asked before every round: another one as long as the longest so far, and the files of the result, might come to an
   /// end too late.
   bool near();
+  /// Asked while the result is drawn, from any thread: it is time to end.
+  bool over() const;
 
   /// Asked within a round: what is left is needed for the files of the result.
   bool over() const;
@@ -35,7 +37,7 @@ class TimeLimit {
   Stopwatch watch_;
 };
 
-/// What is kept for the last checkpoint and the files of the result.
+/// What is kept for the last checkpoint and the files of the result; not for its pictures, which can be drawn later.
 double reserve_s(double limit_s);
 
 }  // namespace tessera::cli

@@ -1,4 +1,4 @@
-// A loop over independent items on all cores.
+// A loop over independent items on all cores that the process may use.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,11 @@
 #include <thread>
 #include <vector>
 
+#include "io/available_cores.h"
+
 namespace tessera::io {
 
-/// Calls body(i) for each i in [0, count), in any order, from as many threads as the machine has cores. After an
+/// Calls body(i) for each i in [0, count), in any order, from as many threads as this process may use cores. After an
 /// exception no further item starts; the first one is thrown again here.
 template <class Body>
 void parallel_for(std::size_t count, Body&& body) {
@@ -28,7 +30,7 @@ void parallel_for(std::size_t count, Body&& body) {
     }
   };
   std::vector<std::jthread> threads;
-  const std::size_t wanted = std::min<std::size_t>(count, std::max(1u, std::thread::hardware_concurrency()));
+  const std::size_t wanted = std::min<std::size_t>(count, std::size_t(available_cores()));
   for (std::size_t i = 1; i < wanted; ++i) threads.emplace_back(work);
   work();
   threads.clear();  // joins

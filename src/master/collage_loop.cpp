@@ -38,7 +38,7 @@ class Run {
       gave_up_question_ = true;
     }
     statistics_.total_s = seconds();
-    if (unfinished_ && keeper_) keeper_->keep(state());
+    if (keeper_) keeper_->keep(state());
     return {collage_.placements(), statistics_, unfinished_, own_work(), gave_up_question_};
   }
 

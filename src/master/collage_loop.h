@@ -24,7 +24,7 @@ struct CollageResult {
 /// Where the loop starts, and where its state is kept.
 struct Checkpoints {
   const CheckpointState* from = nullptr;  // null: from an empty canvas
-  CheckpointKeeper* keeper = nullptr;     // null: nowhere; an unfinished loop ends with a checkpoint
+  CheckpointKeeper* keeper = nullptr;     // null: nowhere; the loop ends with a checkpoint, finished or not
 };
 
 /// `matcher` covers the whole library. Where it throws Interrupted the loop ends as where the observer asks it to stop, within

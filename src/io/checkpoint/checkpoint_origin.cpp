@@ -7,14 +7,6 @@
 namespace tessera::io {
 namespace {
 
-std::uint64_t digest_of(const Canvas& canvas) {
-  Digest digest;
-  digest.add(std::uint64_t(canvas.width_px));
-  digest.add(std::uint64_t(canvas.height_px));
-  digest.add_all(std::span<const float>(canvas.distance.value.data()));
-  return digest.value();
-}
-
 /// Files go by their content.
 bool counts(const JobKey& key) { return key.decides && key.kind != JobKind::file; }
 
@@ -25,24 +17,37 @@ std::string differing_file(const char* key, const std::string& then, const std::
 
 }  // namespace
 
+std::uint64_t canvas_digest(const Canvas& canvas) {
+  Digest digest;
+  digest.add(std::uint64_t(canvas.width_px));
+  digest.add(std::uint64_t(canvas.height_px));
+  digest.add_all(std::span<const float>(canvas.distance.value.data()));
+  return digest.value();
+}
+
 CheckpointOrigin make_origin(const Job& job, const LibraryFile& library, const Canvas& canvas) {
-  return {&job, library.content_digest(), digest_of(canvas)};
+  return {&job, library.content_digest(), canvas_digest(canvas)};
 }
 
 Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state) {
   return {to_toml(*origin.job), origin.library_digest, origin.canvas_digest, state};
 }
 
-void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now) {
-  const Job then = job_from_toml(checkpoint.job, checkpoint.state.name + ", its job");
-  std::string differences = job_differences(then, *now.job, counts);
-  if (checkpoint.library_digest != now.library_digest) {
-    differences += differing_file("library.file", then.library, now.job->library);
+std::string origin_differences(const CheckpointOrigin& then, const CheckpointOrigin& now) {
+  std::string differences = job_differences(*then.job, *now.job, counts);
+  if (then.library_digest != now.library_digest) {
+    differences += differing_file("library.file", then.job->library, now.job->library);
   }
   // The canvas of other keys is another one anyway.
-  if (checkpoint.canvas_digest != now.canvas_digest && differences.find("; canvas.") == std::string::npos) {
-    differences += differing_file("canvas.file", then.canvas.file, now.job->canvas.file);
+  if (then.canvas_digest != now.canvas_digest && differences.find("; canvas.") == std::string::npos) {
+    differences += differing_file("canvas.file", then.job->canvas.file, now.job->canvas.file);
   }
+  return differences;
+}
+
+void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now) {
+  const Job then = job_from_toml(checkpoint.job, checkpoint.state.name + ", its job");
+  const std::string differences = origin_differences({&then, checkpoint.library_digest, checkpoint.canvas_digest}, now);
   if (differences.empty()) return;
   throw InputError(checkpoint.state.name + ": written for another job" + differences +
                    "; give what it was then, or another --out");

@@ -10,8 +10,7 @@
 #include "io/atomic_file.h"
 #include "io/result/card_output.h"
 #include "io/result/geojson_output.h"
-#include "io/result/png_output.h"
-#include "io/result/svg_output.h"
+#include "io/result/result_manifest.h"
 
 namespace tessera::io {
 namespace {
@@ -23,6 +22,21 @@ std::string in_directory(const std::string& dir, const char* name) { return (fs:
 Quality measured_quality(const CollageReport& report) {
   return measure_quality(*report.canvas, report.placements,
                          [&](std::uint32_t index) -> const Shape& { return report.shape(index); });
+}
+
+void remove_file(const std::string& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw EnvironmentError("cannot remove " + path + ": " + error.message());
+}
+
+/// The result of the run before is none any more.
+void withdraw(const std::string& dir) {
+  remove_file(in_directory(dir, kManifestName));
+  for (const char* picture : kPictureNames) {
+    remove_file(in_directory(dir, picture));
+    remove_file(temporary_path(in_directory(dir, picture)));
+  }
 }
 
 }  // namespace
@@ -42,17 +56,28 @@ void prepare_output_directory(const std::string& dir) {
   fs::remove(probe, error);
 }
 
-std::string write_collage(const std::string& dir, const CollageReport& report, bool quick) {
-  // Cheapest first: whoever interrupts again still has the pieces.
-  write_file_atomically(in_directory(dir, "pieces.geojson"), geojson_text(report));
+std::string publish_result(const std::string& dir, const CollageReport& report, const CheckpointOrigin& origin,
+                           bool finished) {
+  withdraw(dir);
+  const std::string pieces = geojson_text(report);
+  const std::string job = to_toml(*report.job);
   const Quality quality = measured_quality(report);
   const CollageSettings& settings = report.job->settings;
   const std::string card = card_text(quality, report.statistics, settings);
-  write_file_atomically(in_directory(dir, "card.json"), card_json(quality, report.statistics, settings, report.ranks, report.record));
+  write_file_atomically(in_directory(dir, "pieces.geojson"), pieces);
+  write_file_atomically(in_directory(dir, "card.json"),
+                        card_json(quality, report.statistics, settings, report.ranks, report.record));
   write_file_atomically(in_directory(dir, "card.txt"), card);
-  write_file_atomically(in_directory(dir, "job.toml"), to_toml(*report.job));
-  write_file_atomically(in_directory(dir, "collage.svg"), collage_svg(report, quick));
-  write_file_atomically(in_directory(dir, "collage.png"), collage_png(report, quick));
+  write_file_atomically(in_directory(dir, "job.toml"), job);
+  ResultManifest manifest;
+  manifest.finished = finished;
+  manifest.pieces_digest = digest_text(pieces);
+  manifest.job_digest = digest_text(job);
+  manifest.library = report.job->library;
+  manifest.library_digest = origin.library_digest;
+  manifest.canvas_digest = origin.canvas_digest;
+  for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
+  write_manifest(dir, manifest);
   return card;
 }
 

@@ -1,4 +1,4 @@
-// What a run leaves in its directory: picture, pieces, quality card, effective job.
+// What a run leaves in its directory: pieces, quality card, effective job, manifest. The pictures are made from these.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,13 @@
 #include "core/field/canvas.h"
 #include "core/ranks/rank_statistics.h"
 #include "core/shape/shape.h"
+#include "io/checkpoint/checkpoint_origin.h"
 #include "io/job/job_file.h"
 #include "io/result/run_record.h"
 
 namespace tessera::io {
 
-/// All that the output files are made from. `shapes[i]` is the library shape of index `shape_index[i]`; only shapes that
+/// All that the output files and pictures are made from. `shapes[i]` is the library shape of index `shape_index[i]`; only shapes that
 /// were placed are there, read with outline, field, thumbnail and embedded original.
 struct CollageReport {
   const Job* job = nullptr;
@@ -35,9 +36,12 @@ struct CollageReport {
 /// Creates `dir` (and parents) and proves that it can be written; throws EnvironmentError. Called before the work.
 void prepare_output_directory(const std::string& dir);
 
-/// Each file is written to a temporary name and renamed. Order: pieces.geojson, card.json, card.txt, job.toml,
-/// collage.svg, collage.png. `quick` draws from thumbnails only (a run that was interrupted has little time).
-/// Returns the text of the card.
-std::string write_collage(const std::string& dir, const CollageReport& report, bool quick);
+/// Makes the run's placements the result in `dir`, so that a crash at any moment leaves either what the folder's
+/// checkpoints hold or a result that is whole: the manifest of the run before goes first, and its pictures with it; then
+/// come pieces.geojson, card.json, card.txt and job.toml, each to a temporary name and renamed; and manifest.json last,
+/// when they are on the disk. Nothing is drawn (result_drawing.h). Before the call there must be a checkpoint where the
+/// work shall not be lost. Returns the text of the card. Throws EnvironmentError.
+std::string publish_result(const std::string& dir, const CollageReport& report, const CheckpointOrigin& origin,
+                           bool finished);
 
 }  // namespace tessera::io

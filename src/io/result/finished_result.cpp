@@ -1,31 +1,26 @@
 #include "io/result/finished_result.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/base/error.h"
 #include "io/job/job_difference.h"
-#include "io/result/card_input.h"
+#include "io/result/result_manifest.h"
 
 namespace tessera::io {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// The picture is written last: one that is older belongs to the run before.
-bool picture_is_newest(const fs::path& dir) {
-  std::error_code error;
-  const auto picture = fs::last_write_time(dir / "collage.png", error);
-  return !error && picture >= fs::last_write_time(dir / "job.toml", error) && !error;
+std::string another_job(const std::string& dir, const std::string& differences) {
+  return dir + ": holds the finished result of another job" + differences + "; give what it was then, ";
 }
 
 }  // namespace
 
 std::optional<Job> job_of_finished_result(const std::string& dir) {
-  if (!picture_is_newest(dir)) return {};
   try {
-    if (is_unfinished(read_card(dir))) return {};
-    return load_job((fs::path(dir) / "job.toml").string(), {});
-  } catch (const InputError&) {  // no card or job, or not one of ours: the run makes a new one
+    if (!read_manifest(dir).finished) return {};
+    return load_job((std::filesystem::path(dir) / "job.toml").string(), {});
+  } catch (const InputError&) {  // no result, or not one of ours: the run makes a new one
     return {};
   }
 }
@@ -35,8 +30,24 @@ bool is_finished_result_of(const std::string& dir, const Job& job) {
   if (!then) return false;
   const std::string differences = result_differences(*then, job);
   if (differences.empty()) return true;
-  throw InputError(dir + ": holds the finished result of another job" + differences +
-                   "; give what it was then, another --out, or remove that folder");
+  throw InputError(another_job(dir, differences) + "another --out, or remove that folder");
+}
+
+void check_finished_result(const std::string& dir, const CheckpointOrigin& now) {
+  const ResultManifest manifest = read_manifest(dir);
+  const Job then = load_job((std::filesystem::path(dir) / "job.toml").string(), {});
+  const std::string differences = origin_differences({&then, manifest.library_digest, manifest.canvas_digest}, now);
+  if (!differences.empty()) throw InputError(another_job(dir, differences) + "or leave --resume out to replace it");
+}
+
+bool is_drawn(const std::string& dir) {
+  const std::vector<DrawnPicture> pictures = read_manifest(dir).pictures;
+  const auto has = [&](const char* name) {
+    std::error_code error;
+    return std::any_of(pictures.begin(), pictures.end(), [&](const DrawnPicture& p) { return p.file == name; }) &&
+           std::filesystem::exists(std::filesystem::path(dir) / name, error);
+  };
+  return has("collage.svg") && has("collage.png");
 }
 
 std::string result_differences(const Job& then, const Job& now) {

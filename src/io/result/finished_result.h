@@ -4,17 +4,25 @@
 #include <optional>
 #include <string>
 
+#include "io/checkpoint/checkpoint_origin.h"
 #include "io/job/job_file.h"
 
 namespace tessera::io {
 
-/// The job whose finished collage `dir` holds: every file is there, and no signal or time limit ended it early. Nothing
-/// where there is none, or none that this version of the program reads.
+/// The job whose finished collage `dir` holds: its manifest is valid (result_manifest.h) and says that nothing is left to
+/// compute. Nothing where there is none, or none that this version of the program reads.
 std::optional<Job> job_of_finished_result(const std::string& dir);
 
 /// Whether `dir` holds the finished result of `job`. Throws InputError with the keys that differ where it holds that of
 /// another job, which would be lost.
 bool is_finished_result_of(const std::string& dir, const Job& job);
+
+/// Throws InputError where `dir` holds no finished collage, or one of another job, library or canvas than `now`.
+void check_finished_result(const std::string& dir, const CheckpointOrigin& now);
+
+/// The result in `dir` has the pictures that every result gets: collage.svg and collage.png, of any width. Throws
+/// InputError where there is no result.
+bool is_drawn(const std::string& dir);
 
 /// "; KEY: then A, now B" for each key that makes the result of `now` another one than that of `then`. Empty where they
 /// are the same.

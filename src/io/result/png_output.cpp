@@ -2,169 +2,179 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
+#include <future>
+#include <utility>
 
 #include "core/field/field_lookup.h"
-#include "core/geometry/rasterise.h"
 #include "io/parallel_for.h"
-#include "io/result/artwork_original.h"
-#include "io/result/sprite.h"
+#include "io/result/piece_drawing.h"
+#include "io/result/png_stream.h"
+#include "io/result/sprite_cache.h"
 
 namespace tessera::io {
 namespace {
-
-// Pieces are warped at twice the picture's resolution and averaged: a warp alone either blurs or leaves jagged edges.
-constexpr int kSupersampling = 2;
-constexpr int kMaxSprite_px = 4096;
-constexpr int kStripRows = 128;  // warped at a time, so that a piece as large as the picture needs little memory
-constexpr double kBandPixels = 64e6;  // of the picture drawn at a time: all its tiles are in memory at once
-
-/// A piece ready to be laid over the picture: premultiplied BGRA, upper left corner at (x, y) of the picture.
-struct Tile {
-  int x = 0;
-  int y = 0;
-  cv::Mat bgra;
-};
 
 cv::Vec3b parse_colour(const std::string& hex) {
   const unsigned long rgb = std::stoul(hex.substr(1), nullptr, 16);
   return {std::uint8_t(rgb), std::uint8_t(rgb >> 8), std::uint8_t(rgb >> 16)};
 }
 
-int picture_width_px(const CollageReport& report, bool quick) {
-  const int wanted_px = report.job->output.width_px;
-  return quick ? std::min(wanted_px, kQuickWidth_px) : wanted_px;
-}
+/// A part of a piece that is drawn: rows of its box from `top` on.
+struct Tile {
+  int top = 0;
+  cv::Mat bgra;
 
-/// The background colour fades over one pixel of the picture at the canvas' edge.
-cv::Mat draw_canvas(const CollageReport& report, int width_px) {
-  const double px = double(width_px) / report.canvas->width_px;
-  cv::Mat picture(std::max(1, cvRound(report.canvas->height_px * px)), width_px, CV_8UC3);
-  const cv::Vec3b colour = parse_colour(report.job->output.background);
-  const FieldView distance(report.canvas->distance);
-  parallel_for(std::size_t(picture.rows), [&](std::size_t y) {
-    cv::Vec3b* row = picture.ptr<cv::Vec3b>(int(y));
-    for (int x = 0; x < picture.cols; ++x) {
-      const Vec2 p{float((x + 0.5) / px), float((double(y) + 0.5) / px)};
-      const double inside = std::clamp(double(field_value(distance, p)) * px + 0.5, 0., 1.);
-      for (int c = 0; c < 3; ++c) row[x][c] = std::uint8_t(std::lround(255 + (colour[c] - 255) * inside));
-    }
-  });
-  return picture;
-}
+  int bottom() const { return top + bgra.rows; }
+  std::size_t bytes() const { return bgra.total() * bgra.elemSize(); }
+};
 
-/// Picture px from artwork px for a piece.
-Similarity picture_from_artwork(const Placement& placement, const Artwork& artwork, double picture_px) {
-  const Similarity t = scaled(placement.canvas_from_shape, float(picture_px));
-  const float unit = 1 / artwork.unit_px;
-  Similarity m{t.a * unit, t.b * unit, 0, 0};
-  const Vec2 moved = m.apply(artwork.centroid_px);
-  m.tx = t.tx - moved.x;
-  m.ty = t.ty - moved.y;
-  return m;
-}
-
-/// Where the artwork's page lies in the picture.
-cv::Rect page_box(const Artwork& artwork, const Similarity& picture_from_artwork) {
-  const auto [w, h] = std::pair(float(artwork.width_px), float(artwork.height_px));
-  const Outline page{{{{0, 0}, {w, 0}, {w, h}, {0, h}}}};
-  const Window box = bounding_window(page, picture_from_artwork).grown(1);
-  return {box.x0, box.y0, box.width(), box.height()};
-}
-
-/// The affine map that cv::warpAffine wants with WARP_INVERSE_MAP: sprite node from node of the supersampled tile, pixel
-/// centres at whole numbers on both sides.
-cv::Matx23d sprite_from_tile(const Similarity& picture_from_artwork, double sprite_px, cv::Point tile_corner) {
-  const Similarity inverse = picture_from_artwork.inverse();
-  const double a = inverse.a * sprite_px / kSupersampling;
-  const double b = inverse.b * sprite_px / kSupersampling;
-  const double u = tile_corner.x * kSupersampling + 0.5;
-  const double v = tile_corner.y * kSupersampling + 0.5;
-  return {a, -b, a * u - b * v + inverse.tx * sprite_px - 0.5,  //
-          b, a,  b * u + a * v + inverse.ty * sprite_px - 0.5};
-}
-
-Tile draw_piece(const Sprite& sprite, const Similarity& picture_from_artwork, const cv::Rect& box) {
-  const Sprite source = shrunk(sprite, kSupersampling * double(picture_from_artwork.scale()));
-  Tile tile{box.x, box.y, cv::Mat(box.size(), CV_8UC4)};
-  for (int top = 0; top < box.height; top += kStripRows) {
-    const int rows = std::min(kStripRows, box.height - top);
-    cv::Mat fine;
-    cv::warpAffine(source.bgra, fine,
-                   sprite_from_tile(picture_from_artwork, source.px_per_artwork_px, {box.x, box.y + top}),
-                   cv::Size(box.width, rows) * kSupersampling, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
-    cv::Mat strip = tile.bgra.rowRange(top, top + rows);
-    cv::resize(fine, strip, strip.size(), 0, 0, cv::INTER_AREA);
-  }
-  return tile;
-}
-
-void lay_over(const Tile& tile, cv::Mat& picture) {
-  for (int y = 0; y < tile.bgra.rows; ++y) {
-    const cv::Vec4b* from = tile.bgra.ptr<cv::Vec4b>(y);
-    cv::Vec3b* to = picture.ptr<cv::Vec3b>(tile.y + y) + tile.x;
-    for (int x = 0; x < tile.bgra.cols; ++x) {
-      const int rest = 255 - from[x][3];
-      if (rest == 255) continue;
-      for (int c = 0; c < 3; ++c) to[x][c] = std::uint8_t(std::min(255, from[x][c] + (to[x][c] * rest + 127) / 255));
+/// Draws a picture from top to bottom.
+class PictureBands {
+ public:
+  PictureBands(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits)
+      : report_(report),
+        limits_(limits),
+        size_(picture_size(report)),
+        picture_px_(double(size_.width) / report.canvas->width_px),
+        background_(parse_colour(report.job->output.background)),
+        sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }),
+        tiles_(report.placements.size()) {
+    for (const Placement& placement : report.placements) {
+      const std::size_t slot = report.slot_of(placement.shape);
+      pieces_.push_back(make_piece_drawing(placement, slot, report.shapes[slot], artworks.clip(slot), picture_px_, size_));
     }
   }
-}
 
-/// The placements of each of the report's shapes.
-std::vector<std::vector<std::size_t>> placements_by_shape(const CollageReport& report) {
-  std::vector<std::vector<std::size_t>> by_shape(report.shapes.size());
-  for (std::size_t i = 0; i < report.placements.size(); ++i) {
-    by_shape[report.slot_of(report.placements[i].shape)].push_back(i);
+  int rows() const { return size_.height; }
+
+  cv::Mat band(int top) {
+    const int bottom = std::min(top + limits_.band_rows, size_.height);
+    const std::vector<std::size_t> reaching = pieces_between(top, bottom);
+    draw_tiles(reaching, top, bottom);
+    cv::Mat picture(bottom - top, size_.width, CV_8UC3);
+    const int strips = (picture.rows + kStripRows - 1) / kStripRows;
+    parallel_for(std::size_t(strips), [&](std::size_t strip) {
+      const int begin = int(strip) * kStripRows;
+      draw_strip(reaching, top + begin, picture.rowRange(begin, std::min(begin + kStripRows, picture.rows)));
+    });
+    for (const std::size_t i : reaching) {
+      if (tiles_[i].bottom() <= bottom) forget(tiles_[i]);
+    }
+    return picture;
   }
-  return by_shape;
-}
 
-int sprite_side(const Artwork& artwork, double picture_px_per_artwork_px) {
-  const double side = kSupersampling * picture_px_per_artwork_px * std::max(artwork.width_px, artwork.height_px);
-  return int(std::clamp(std::ceil(side), 1., double(kMaxSprite_px)));
-}
-
-/// Draws the pieces of one shape that reach into `band`; the artwork is rendered once, at the largest size needed.
-void draw_shape(const CollageReport& report, std::size_t slot, const std::vector<std::size_t>& uses, const cv::Rect& band,
-                SpriteSource source, std::vector<Tile>& tiles) {
-  const Shape& shape = report.shapes[slot];
-  const double px = double(band.width) / report.canvas->width_px;  // a band is as wide as the picture
-  std::vector<std::pair<std::size_t, Similarity>> visible;
-  float largest = 0;
-  for (const std::size_t i : uses) {
-    const Similarity t = picture_from_artwork(report.placements[i], shape.artwork, px);
-    if ((page_box(shape.artwork, t) & band).empty()) continue;
-    visible.emplace_back(i, t);
-    largest = std::max(largest, t.scale());
+ private:
+  std::vector<std::size_t> pieces_between(int top, int bottom) const {
+    std::vector<std::size_t> reaching;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const cv::Rect& box = pieces_[i].box;
+      if (!box.empty() && box.y < bottom && box.br().y > top) reaching.push_back(i);
+    }
+    return reaching;
   }
-  if (visible.empty()) return;
-  const Sprite sprite = make_sprite(shape, sprite_side(shape.artwork, largest), source);
-  for (const auto& [i, t] : visible) tiles[i] = draw_piece(sprite, t, page_box(shape.artwork, t) & band);
-}
+
+  /// A piece is drawn to its end as long as there is room for what later bands need of it; else as far as this one goes.
+  void draw_tiles(const std::vector<std::size_t>& reaching, int top, int bottom) {
+    std::vector<std::size_t> missing;
+    std::vector<int> ends;
+    for (const std::size_t i : reaching) {
+      if (!tiles_[i].bgra.empty()) continue;
+      const cv::Rect& box = pieces_[i].box;
+      const int begin = std::max(box.y, top);
+      const std::size_t whole_bytes = std::size_t(box.width) * std::size_t(box.br().y - begin) * 4;
+      const bool fits = tile_bytes_ + whole_bytes <= limits_.tile_bytes;
+      tiles_[i].top = begin;
+      if (fits) tile_bytes_ += whole_bytes;
+      missing.push_back(i);
+      ends.push_back(fits ? box.br().y : std::min(box.br().y, bottom));
+      tiles_[i].kept = fits;
+    }
+    parallel_for(missing.size(), [&](std::size_t k) {
+      KeptTile& tile = tiles_[missing[k]];
+      const PieceDrawing& piece = pieces_[missing[k]];
+      const auto sprite = sprites_.get(piece.slot, piece.sprite_side_px);
+      tile.bgra = draw_rows(piece, *sprite, tile.top, ends[k]);
+    });
+  }
+
+  /// The background colour fades over one pixel of the picture at the canvas' edge.
+  void draw_strip(const std::vector<std::size_t>& reaching, int top, cv::Mat strip) const {
+    draw_canvas(top, strip);
+    for (const std::size_t i : reaching) {
+      const Tile& tile = tiles_[i];
+      const int begin = std::max(top, tile.top), end = std::min(top + strip.rows, tile.bottom());
+      if (begin >= end) continue;
+      const cv::Rect& box = pieces_[i].box;
+      lay_over(tile.bgra.rowRange(begin - tile.top, end - tile.top),
+               strip(cv::Rect(box.x, begin - top, box.width, end - begin)));
+    }
+  }
+
+  void draw_canvas(int top, cv::Mat& strip) const {
+    const FieldView distance(report_.canvas->distance);
+    for (int y = 0; y < strip.rows; ++y) {
+      cv::Vec3b* row = strip.ptr<cv::Vec3b>(y);
+      for (int x = 0; x < strip.cols; ++x) {
+        const Vec2 p{float((x + 0.5) / picture_px_), float((top + y + 0.5) / picture_px_)};
+        const double inside = std::clamp(double(field_value(distance, p)) * picture_px_ + 0.5, 0., 1.);
+        for (int c = 0; c < 3; ++c) row[x][c] = std::uint8_t(std::lround(255 + (background_[c] - 255) * inside));
+      }
+    }
+  }
+
+  struct KeptTile : Tile {
+    bool kept = false;  // counts in tile_bytes_
+  };
+
+  void forget(KeptTile& tile) {
+    if (tile.kept) tile_bytes_ -= tile.bytes();
+    tile = {};
+  }
+
+  const CollageReport& report_;
+  const PictureLimits limits_;
+  const cv::Size size_;
+  const double picture_px_;  // picture px of a canvas px
+  const cv::Vec3b background_;
+  SpriteCache sprites_;
+  std::vector<PieceDrawing> pieces_;
+  std::vector<KeptTile> tiles_;  // of the pieces
+  std::size_t tile_bytes_ = 0;
+};
 
 }  // namespace
 
-cv::Mat draw_collage(const CollageReport& report, bool quick) {
-  cv::Mat picture = draw_canvas(report, picture_width_px(report, quick));
-  const auto by_shape = placements_by_shape(report);
-  const SpriteSource source = quick ? SpriteSource::thumbnail : SpriteSource::original;
-  const int band_rows = std::max(1, int(kBandPixels / picture.cols));
-  for (int top = 0; top < picture.rows; top += band_rows) {
-    const cv::Rect band(0, top, picture.cols, std::min(band_rows, picture.rows - top));
-    std::vector<Tile> tiles(report.placements.size());
-    parallel_for(by_shape.size(),
-                 [&](std::size_t slot) { draw_shape(report, slot, by_shape[slot], band, source, tiles); });
-    for (const Tile& tile : tiles) lay_over(tile, picture);
-  }
-  return picture;
+cv::Size picture_size(const CollageReport& report) {
+  const int width_px = report.job->output.width_px;
+  const double px = double(width_px) / report.canvas->width_px;
+  return {width_px, std::max(1, cvRound(report.canvas->height_px * px))};
 }
 
-std::vector<std::uint8_t> collage_png(const CollageReport& report, bool quick) {
-  std::vector<std::uint8_t> bytes;
-  cv::imencode(".png", draw_collage(report, quick), bytes, {cv::IMWRITE_PNG_COMPRESSION, quick ? 1 : 6});
-  return bytes;
+void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
+                  const std::function<void(const cv::Mat& rows)>& take) {
+  PictureBands bands(report, artworks, limits);
+  std::future<void> taken;  // the band before, while this one is drawn; its destructor waits
+  for (int top = 0; top < bands.rows(); top += limits.band_rows) {
+    cv::Mat band = bands.band(top);
+    if (taken.valid()) taken.get();
+    taken = std::async(std::launch::async, [&take, band = std::move(band)] { take(band); });
+  }
+  if (taken.valid()) taken.get();
+}
+
+void write_collage_png(const std::string& path, const CollageReport& report, ShapeArtworks& artworks,
+                       const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed) {
+  PngStream png(path, picture_size(report));
+  std::size_t written = 0;
+  draw_picture(report, artworks, {}, [&](const cv::Mat& rows) {
+    for (int y = 0; y < rows.rows; y += kStripRows) {
+      stop.check();
+      png.write(rows.rowRange(y, std::min(y + kStripRows, rows.rows)));
+    }
+    progressed(written += std::size_t(rows.rows));
+  });
+  stop.check();
+  png.finish();
 }
 
 }  // namespace tessera::io

@@ -1,23 +1,37 @@
-// collage.png: the artworks as placed, on the canvas.
+// collage.png: the artworks as placed, on the canvas. It is drawn in bands of rows, so that memory does not grow with
+// the picture, on all cores.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <functional>
 #include <opencv2/core.hpp>
-#include <vector>
+#include <string>
 
 #include "io/result/collage_files.h"
+#include "io/result/shape_artworks.h"
+#include "io/result/stop_watcher.h"
 
 namespace tessera::io {
 
-/// A picture of a run with work left is no wider than this: the time limit is near, or mpirun is about to kill it.
-inline constexpr int kQuickWidth_px = 2000;
+/// What drawing may take. Its bytes do not depend on it.
+struct PictureLimits {
+  int band_rows = 512;  // drawn at a time; a multiple of kStripRows (piece_drawing.h)
+  std::size_t sprite_bytes = std::size_t(192) << 20;
+  std::size_t tile_bytes = std::size_t(256) << 20;  // of pieces that reach into later bands and wait for them
+};
 
-/// BGR, CV_8UC3, OutputSpec::width_px wide. The canvas region has the background colour, what lies outside it is white;
-/// pieces are drawn in order of placement and clipped by the picture only. `quick` draws from thumbnails, and
-/// no wider than kQuickWidth_px.
-cv::Mat draw_collage(const CollageReport& report, bool quick);
+/// OutputSpec::width_px wide; the height follows from the canvas.
+cv::Size picture_size(const CollageReport& report);
 
-/// The same as a PNG file.
-std::vector<std::uint8_t> collage_png(const CollageReport& report, bool quick);
+/// Hands out the picture from top to bottom, some rows (BGR, CV_8UC3) at a time: `take` is called from one thread at a
+/// time. The canvas region has the background colour, what lies outside it is white; pieces are drawn in order of
+/// placement and clipped by the picture only. Throws DrawingStopped.
+void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
+                  const std::function<void(const cv::Mat& rows)>& take);
+
+/// Writes the same as a PNG file; `progressed(rows)` tells how many are written. Throws EnvironmentError and
+/// DrawingStopped; there is no file then, or the one before.
+void write_collage_png(const std::string& path, const CollageReport& report, ShapeArtworks& artworks,
+                       const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed);
 
 }  // namespace tessera::io

@@ -10,6 +10,7 @@
 #include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/result/collage_sheet.h"
+#include "io/result/result_manifest.h"
 
 namespace tessera::io {
 namespace {
@@ -61,6 +62,15 @@ nlohmann::ordered_json result_json(const RankedResult& result) {
           {"largest_gap_radius_px", q.largest_gap_px},
           {"total_s", result.card.total_s},
           {"stopped_by", result.card.stopped_by}};
+}
+
+bool is_result(const fs::path& folder) {
+  try {
+    read_manifest(folder.string());
+    return true;
+  } catch (const InputError&) {  // nothing of ours, or what a run that crashed has left
+    return false;
+  }
 }
 
 }  // namespace
@@ -154,18 +164,18 @@ void write_ranking(const std::string& dir, const std::vector<RankedResult>& resu
 }
 
 std::vector<std::string> result_folders(const std::string& argument) {
-  const auto has_card = [](const fs::path& folder) {
-    std::error_code error;
-    return fs::is_regular_file(folder / "card.json", error);
-  };
-  if (has_card(argument)) return {argument};
-  std::vector<std::string> folders;
   std::error_code error;
+  if (fs::is_regular_file(fs::path(argument) / "card.json", error)) {
+    read_manifest(argument);
+    return {argument};
+  }
+  std::vector<std::string> folders;
   for (const fs::directory_entry& entry : fs::directory_iterator(argument, error)) {
-    if (has_card(entry.path())) folders.push_back(entry.path().string());
+    if (is_result(entry.path())) folders.push_back(entry.path().string());
   }
   if (folders.empty()) {
-    throw InputError(argument + ": no card.json in it or in its folders; allowed: results of tessera collage");
+    throw InputError(argument + ": no card.json with a valid manifest.json beside it, in it or in its folders; allowed: " +
+                     "results of tessera collage");
   }
   std::sort(folders.begin(), folders.end());
   return folders;

@@ -47,8 +47,8 @@ std::string ranking_json(const std::vector<RankedResult>& results, const Ranking
 /// EnvironmentError.
 void write_ranking(const std::string& dir, const std::vector<RankedResult>& results, const RankingWeights& weights);
 
-/// The results that an argument means: the folder itself where it holds a card.json, else those of its folders that do,
-/// by name. Throws InputError where there is none.
+/// The results that an argument means: the folder itself where it holds a card.json, else those of its folders that have a
+/// valid manifest (result_manifest.h), by name. Throws InputError where there is none.
 std::vector<std::string> result_folders(const std::string& argument);
 
 }  // namespace tessera::io

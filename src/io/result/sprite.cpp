@@ -1,14 +1,10 @@
 #include "io/result/sprite.h"
 
 #include <algorithm>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/error.h"
 #include "core/geometry/rasterise.h"
 #include "io/artwork/alpha.h"
-#include "io/artwork/artwork_render.h"
-#include "io/result/artwork_clip.h"
 #include "io/result/artwork_original.h"
 
 namespace tessera::io {
@@ -16,37 +12,21 @@ namespace {
 
 int longest_side(const Artwork& artwork) { return std::max(1, std::max(artwork.width_px, artwork.height_px)); }
 
-/// Nothing of it beyond the shape's clip.
-Sprite clipped_sprite(const cv::Mat& straight_bgra, const Shape& shape) {
+}  // namespace
+
+Sprite sprite_of_drawing(const cv::Mat& straight_bgra, const Shape& shape, const Outline& clip) {
   const int side = std::max(straight_bgra.cols, straight_bgra.rows);
   const double scale = double(side) / longest_side(shape.artwork);
   const Similarity sprite_from_shape = scaled(artwork_from_shape(shape.artwork), float(scale));
-  const cv::Mat whole = premultiplied(straight_bgra);
-  cv::Mat bgra(whole.size(), CV_8UC4, cv::Scalar());
-  for (const Span& span : fill_spans(artwork_clip(shape), sprite_from_shape, {0, 0, bgra.cols, bgra.rows})) {
-    const cv::Vec4b* row = whole.ptr<cv::Vec4b>(span.y);
-    std::copy(row + span.x0, row + span.x1, bgra.ptr<cv::Vec4b>(span.y) + span.x0);
+  cv::Mat bgra(straight_bgra.size(), CV_8UC4, cv::Scalar());
+  for (const Span& span : fill_spans(clip, sprite_from_shape, {0, 0, bgra.cols, bgra.rows})) {
+    const cv::Rect part(span.x0, span.y, span.x1 - span.x0, 1);
+    premultiplied(straight_bgra(part)).copyTo(bgra(part));
   }
   return {bgra, scale};
 }
 
-cv::Mat rendered_original(const Artwork& artwork, int longest_side_px) {
-  const std::vector<std::uint8_t> bytes = artwork_original(artwork).bytes;
-  if (bytes.empty()) return {};
-  try {
-    return render_artwork(bytes, artwork.path, longest_side_px);
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
-cv::Mat decoded_thumbnail(const Artwork& artwork) {
-  if (artwork.thumbnail_png.empty()) return {};
-  const cv::Mat image = cv::imdecode(artwork.thumbnail_png, cv::IMREAD_UNCHANGED);
-  return image.type() == CV_8UC4 ? image : cv::Mat();
-}
-
-Sprite filled_outline(const Shape& shape, int longest_side_px) {
+Sprite sprite_of_silhouette(const Shape& shape, int longest_side_px) {
   const double scale = double(longest_side_px) / longest_side(shape.artwork);
   const Similarity sprite_from_shape = scaled(artwork_from_shape(shape.artwork), float(scale));
   const cv::Vec3b colour = mean_bgr(shape);
@@ -57,15 +37,6 @@ Sprite filled_outline(const Shape& shape, int longest_side_px) {
     std::fill(row + span.x0, row + span.x1, cv::Vec4b(colour[0], colour[1], colour[2], 255));
   }
   return {bgra, scale};
-}
-
-}  // namespace
-
-Sprite make_sprite(const Shape& shape, int longest_side_px, SpriteSource source) {
-  cv::Mat image;
-  if (source == SpriteSource::original) image = rendered_original(shape.artwork, longest_side_px);
-  if (image.empty()) image = decoded_thumbnail(shape.artwork);
-  return image.empty() ? filled_outline(shape, longest_side_px) : clipped_sprite(image, shape);
 }
 
 Sprite shrunk(const Sprite& sprite, double px_per_artwork_px) {

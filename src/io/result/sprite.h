@@ -11,13 +11,15 @@ namespace tessera::io {
 struct Sprite {
   cv::Mat bgra;
   double px_per_artwork_px = 1;
+
+  std::size_t bytes() const { return bgra.total() * bgra.elemSize(); }
 };
 
-enum class SpriteSource { original, thumbnail };
+/// Of the artwork's page drawn as straight BGRA, at any size. Nothing of it stands beyond `clip` (artwork_clip.h).
+Sprite sprite_of_drawing(const cv::Mat& straight_bgra, const Shape& shape, const Outline& clip);
 
-/// The artwork with its longest side `longest_side_px` long or less. The original where it can be had and drawn; else the
-/// thumbnail; else the outline filled with the shape's mean colour. Clipped (artwork_clip.h).
-Sprite make_sprite(const Shape& shape, int longest_side_px, SpriteSource source);
+/// The outline filled with the shape's mean colour, the page's longest side `longest_side_px` long.
+Sprite sprite_of_silhouette(const Shape& shape, int longest_side_px);
 
 /// Smaller by area averaging; never larger.
 Sprite shrunk(const Sprite& sprite, double px_per_artwork_px);

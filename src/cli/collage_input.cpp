@@ -1,0 +1,51 @@
+#include "cli/collage_input.h"
+
+#include <filesystem>
+
+#include "io/job/canvas_file.h"
+#include "io/job/job_library.h"
+#include "io/result/collage_files.h"
+#include "io/result/finished_result.h"
+
+namespace tessera::cli {
+namespace {
+
+Start start_of(const CollageArguments& arguments) {
+  if (arguments.restart) return Start::restart;
+  if (arguments.resume.empty()) return Start::fresh;
+  if (arguments.resume == "auto") return automatic_start(output_folder(arguments));
+  return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
+}
+
+/// The folder is there then. Returns the place of its lock.
+std::string locked_folder(const std::string& folder) {
+  io::prepare_output_directory(folder);
+  return io::folder_lock_path(folder);
+}
+
+}  // namespace
+
+std::string output_folder(const CollageArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  return "out/" + std::filesystem::path(arguments.job).stem().string();
+}
+
+CollageInput::CollageInput(const CollageArguments& arguments)
+    : start(start_of(arguments)),
+      job(io::load_job(arguments.job, arguments.overrides)),
+      folder(output_folder(arguments)),
+      lock(locked_folder(folder), folder),
+      checkpoints(checked_start(folder, start)),
+      library(io::open_library_of(job)),
+      canvas(io::load_canvas(job.canvas)) {
+  io::check_picture_height(job.output, canvas);
+  origin = io::make_origin(job, library, canvas);
+  finished = start == Start::resume && !checkpoints.has_latest();
+  if (finished) {
+    io::check_finished_result(folder, origin);
+  } else {
+    from = starting_state(checkpoints, start, origin);
+  }
+}
+
+}  // namespace tessera::cli

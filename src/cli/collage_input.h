@@ -1,0 +1,34 @@
+// What rank 0 of tessera collage reads before anything costs time; every mistake is told here.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/collage_checkpoints.h"
+#include "cli/collage_run.h"
+#include "core/field/canvas.h"
+#include "io/checkpoint/checkpoint_folder.h"
+#include "io/checkpoint/checkpoint_origin.h"
+#include "io/job/job_file.h"
+#include "io/library/library_file.h"
+#include "io/output_lock.h"
+
+namespace tessera::cli {
+
+/// Where the result goes.
+  CollageInput(const CollageInput&) = delete;  // origin points into it
+  CollageInput& operator=(const CollageInput&) = delete;
+
+  Start start;
+  io::Job job;
+  std::string folder;
+  io::OutputLock lock;  // before anything in the folder is looked at
+  io::CheckpointFolder checkpoints;
+  io::LibraryFile library;
+  Canvas canvas;
+  io::CheckpointOrigin origin;
+  bool finished = false;                // --resume found the finished collage: nothing is left to compute
+  std::optional<CheckpointState> from;  // nothing: an empty canvas
+};
+
+}  // namespace tessera::cli

@@ -1,0 +1,44 @@
+#include "cli/collage_publishing.h"
+
+#include <cstdint>
+#include <set>
+#include <utility>
+
+#include "io/result/collage_files.h"
+
+namespace tessera::cli {
+namespace {
+
+/// Of the shapes that were placed, all that the files need.
+void add_placed_shapes(const io::LibraryFile& library, io::CollageReport& report) {
+  std::set<std::uint32_t> placed;
+  for (const Placement& placement : report.placements) placed.insert(placement.shape);
+  const io::LibraryParts parts{.outline = true, .field = false, .levels = 0, .artwork = true, .original = false};
+  for (const std::uint32_t index : placed) {
+    report.shape_index.push_back(index);
+    report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
+  }
+}
+
+}  // namespace
+
+std::string publish(const CollageInput& input, const master::CollageResult& result, const RankStatistics& ranks,
+                    const io::RunRecord& record, const CollageCheckpoints& checkpoints) {
+  io::CollageReport report;
+  report.job = &input.job;
+  report.canvas = &input.canvas;
+  report.placements = result.placements;
+  report.statistics = result.statistics;
+  report.ranks = ranks;
+  report.record = record;
+  add_placed_shapes(input.library, report);
+  const std::string card = io::publish_result(input.folder, report, input.origin, !result.unfinished);
+  if (result.unfinished) {
+    checkpoints.require_one();
+  } else {
+    checkpoints.remove();
+  }
+  return card;
+}
+
+}  // namespace tessera::cli

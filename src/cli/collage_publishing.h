@@ -1,0 +1,19 @@
+// The end of the loop of tessera collage: its placements become the result.
+#pragma once
+
+#include <string>
+
+#include "cli/collage_checkpoints.h"
+#include "cli/collage_input.h"
+#include "core/ranks/rank_statistics.h"
+#include "io/result/run_record.h"
+#include "master/collage_loop.h"
+
+namespace tessera::cli {
+
+/// Writes all but the pictures, then removes the checkpoints of a finished run: at every moment the folder holds what the
+/// run came to. Returns the text of the card. Throws EnvironmentError, also where an unfinished run has no checkpoint.
+std::string publish(const CollageInput& input, const master::CollageResult& result, const RankStatistics& ranks,
+                    const io::RunRecord& record, const CollageCheckpoints& checkpoints);
+
+}  // namespace tessera::cli

@@ -1,0 +1,76 @@
+#include "cli/collage_worker.h"
+
+#include <unistd.h>
+
+#include <string>
+
+#include "cli/rank_agreement.h"
+#include "comm/heartbeat.h"
+#include "comm/matcher_server.h"
+#include "comm/node_turn.h"
+#include "comm/rank_sites.h"
+#include "core/base/interrupted.h"
+#include "core/matching/matching_context.h"
+#include "core/ranks/partition.h"
+#include "io/available_cores.h"
+#include "io/job/job_library.h"
+#include "io/library/shape_models.h"
+#include "worker/device_group.h"
+
+namespace tessera::cli {
+namespace {
+
+MatchingContext context_of(const io::Job& job, const io::LibraryFile& library) {
+  return make_matching_context(job.settings, std::uint32_t(library.size()));
+}
+
+/// A worker's devices share its node with those of the other workers.
+worker::DeviceShare share_node(const comm::Communicator& ranks, const io::Job& job) {
+  const bool with_master = ranks.node_ranks().front() == 0;
+  const int workers = ranks.local_size() - with_master;
+  worker::limit_cpu_threads(io::available_cores() / workers);
+  return {ranks.local_rank() - with_master, workers, job.devices_per_worker};
+}
+
+std::string host_name() {
+  char name[256] = "";
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
+RankSite site_with(const io::Job& job, const worker::DeviceShare& share) {
+  return {host_name(), worker::describe(worker::chosen_devices(job.devices, share))};
+}
+
+}  // namespace
+
+void run_collage_worker(comm::Communicator& ranks) {
+  const io::Job job = receive_job(ranks, program_identity());
+  const comm::Heart heart(ranks, job.comm.silence_s);
+  const io::LibraryFile library = io::open_library_of(job);
+  check_library(ranks, library);
+  const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
+  const MatchingContext context = context_of(job, library);
+  const worker::DeviceShare share = share_node(ranks, job);
+  comm::tell_site(ranks, site_with(job, share));
+  comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
+  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share,
+                                                 [&ranks] { ranks.look(); }));
+}
+
+std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library,
+                                     const StopReason& stop_reason) {
+  const MatchingContext context = context_of(job, library);
+  const ShapeRange all = even_range(library.size(), 0, 1);
+  const auto give_up = [stop_reason] {
+    if (const char* reason = stop_reason()) throw Interrupted{reason};
+  };
+  return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context),
+                                     {.per_worker = job.devices_per_worker}, give_up);
+}
+
+RankSite master_site(const comm::Communicator& ranks, const io::Job& job) {
+  return ranks.size() > 1 ? RankSite{host_name(), {}} : site_with(job, {.per_worker = job.devices_per_worker});
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,27 @@
+// The ranks of tessera collage that search the library: a part of it each, on the devices of their node.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "comm/communicator.h"
+#include "core/matching/matcher.h"
+#include "core/ranks/rank_site.h"
+#include "io/job/job_file.h"
+#include "io/library/library_file.h"
+
+namespace tessera::cli {
+
+/// A worker's life, from the master's job on. Leaves by JobEnded; throws InputError and EnvironmentError.
+[[noreturn]] void run_collage_worker(comm::Communicator& ranks);
+
+/// The reason to stop within a round, or null.
+using StopReason = std::function<const char*()>;
+
+/// For a run without workers: the whole library on this rank's devices. What asks to stop ends a question by Interrupted.
+std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library, const StopReason& stop_reason);
+
+/// Where rank 0 runs: with devices where it is alone, without where workers do the matching.
+RankSite master_site(const comm::Communicator& ranks, const io::Job& job);
+
+}  // namespace tessera::cli

@@ -1,0 +1,72 @@
+#include <cstdio>
+#include <memory>
+
+#include "cli/collage_run.h"
+#include "cli/commands.h"
+#include "cli/result_drawing_run.h"
+#include "comm/stop_signals.h"
+#include "io/job/job_keys.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  tessera draw out/animals                           collage.svg and collage.png again, as the job says\n"
+    "  tessera draw out/animals --width 12000 --png       the picture alone, for print\n"
+    "  tessera draw out/animals --pdf                     collage.pdf, vectors and all\n"
+    "  tessera draw out/animals --library moved.h5        where the library has another name now\n"
+    "Nothing is computed: the pictures are made from the files in RESULT, of an unfinished collage too. Ctrl-C ends\n"
+    "drawing within two seconds with exit code 75 and leaves no half-written picture.";
+
+struct DrawArguments {
+  std::string folder;
+  io::DrawingRequest request;
+  bool quiet = false;
+};
+
+int run(DrawArguments arguments) {
+  io::DrawingRequest& wanted = arguments.request;
+  if (!wanted.png && !wanted.svg && !wanted.pdf) wanted.png = wanted.svg = true;
+  comm::install_stop_handlers();
+  if (!draw(arguments.folder, wanted, arguments.quiet, comm::stop_signalled)) {
+    std::fprintf(stderr, "tessera: drawing interrupted: the same command goes on\n");
+    return kUnfinishedExitCode;
+  }
+  if (!arguments.quiet) std::printf("drawn in %s\n", arguments.folder.c_str());
+  return 0;
+}
+
+CLI::Range width_range() {
+  const io::JobKey& key = *io::find_job_key("output", "width_px");
+  return {int(key.min), int(key.max)};
+}
+
+std::string not_a_colour(const std::string& text) {
+  const bool is_one = text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
+  return is_one ? "" : "found " + text + ", allowed: #rrggbb";
+}
+
+}  // namespace
+
+void add_draw_command(CLI::App& app, Command& selected) {
+  const auto arguments = std::make_shared<DrawArguments>();
+  CLI::App* draw = app.add_subcommand("draw", "Draw the pictures of a result, at any size");
+  draw->footer(kExamples);
+  draw->add_option("RESULT", arguments->folder, "The folder of the result")->required()->type_name("DIR");
+  draw->add_option("--width", arguments->request.width_px, "Of the pictures; default: output.width_px of the result's job")
+      ->type_name("PX")
+      ->check(width_range());
+  draw->add_flag("--svg", arguments->request.svg, "Draw collage.svg; without any of the three: SVG and PNG");
+  draw->add_flag("--png", arguments->request.png, "Draw collage.png");
+  draw->add_flag("--pdf", arguments->request.pdf, "Draw collage.pdf");
+  draw->add_option("--background", arguments->request.background, "Of the canvas; default: output.background")
+      ->type_name("#RRGGBB")
+      ->check(not_a_colour);
+  draw->add_option("--library", arguments->request.library, "The library, where it is not at its place any more")
+      ->type_name("FILE");
+  draw->add_flag("--quiet", arguments->quiet, "Print no progress, only warnings");
+  draw->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace tessera::cli

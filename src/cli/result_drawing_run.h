@@ -1,0 +1,15 @@
+// Drawing a result, as a command does it: with progress on stderr, and an end by signals and time limits.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "io/result/result_drawing.h"
+
+namespace tessera::cli {
+
+/// Draws what the result in `folder` is to have; a line on stderr counts the pieces that are not drawn from their
+/// originals. False where `stop` ended it (asked from any thread): drawing again goes on. Errors as io::draw_result.
+bool draw(const std::string& folder, const io::DrawingRequest& request, bool quiet, std::function<bool()> stop);
+
+}  // namespace tessera::cli

@@ -1,0 +1,84 @@
+#include "io/result/drawing_notes.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace tessera::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Pieces by reason.
+std::map<std::string, std::size_t> by_reason(const DrawingNotes& notes, DrawnFrom from) {
+  std::map<std::string, std::size_t> pieces;
+  for (const DrawingNote& note : notes.notes) {
+    if (note.from == from) pieces[note.reason] += note.pieces;
+  }
+  return pieces;
+}
+
+std::size_t pieces_of(const DrawingNotes& notes, DrawnFrom from) {
+  std::size_t pieces = 0;
+  for (const DrawingNote& note : notes.notes) pieces += note.from == from ? note.pieces : 0;
+  return pieces;
+}
+
+std::string counted(std::size_t pieces) { return std::to_string(pieces) + (pieces == 1 ? " piece" : " pieces"); }
+
+/// UTF-8, with an ellipsis where something is missing.
+std::string cut(std::string text, std::size_t most_bytes) {
+  if (text.size() <= most_bytes) return text;
+  text.resize(most_bytes - 3);
+  while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0) == 0x80) text.pop_back();
+  if (!text.empty() && (static_cast<unsigned char>(text.back()) & 0x80) != 0) text.pop_back();
+  return text + "...";
+}
+
+std::string line(const std::string& label, const std::string& value) {
+  constexpr std::size_t kLabelWidth = 24, kMostBytes = 78;
+  return "  " + cut(label + std::string(kLabelWidth - label.size(), ' ') + value, kMostBytes - 2) + "\n";
+}
+
+}  // namespace
+
+std::string drawing_json(const DrawingNotes& notes) {
+  Json thumbnails = Json::array(), silhouettes = Json::array();
+  for (const auto& [reason, pieces] : by_reason(notes, DrawnFrom::thumbnail)) {
+    thumbnails.push_back({{"reason", reason}, {"pieces", pieces}});
+  }
+  for (const DrawingNote& note : notes.notes) {
+    if (note.from != DrawnFrom::silhouette) continue;
+    silhouettes.push_back({{"shape", note.shape}, {"reason", note.reason}, {"pieces", note.pieces}});
+  }
+  const std::size_t others = pieces_of(notes, DrawnFrom::thumbnail) + pieces_of(notes, DrawnFrom::silhouette);
+  const Json section{{"pieces_from_originals", notes.pieces - others},
+                     {"from_thumbnails", thumbnails},
+                     {"as_silhouettes", silhouettes}};
+  return section.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string drawing_text(const DrawingNotes& notes) {
+  if (notes.notes.empty()) return "";
+  std::string text = kDrawingHeading;
+  for (const auto& [reason, pieces] : by_reason(notes, DrawnFrom::thumbnail)) {
+    text += line("drawn from thumbnail", counted(pieces) + ": " + reason);
+  }
+  for (const DrawingNote& note : notes.notes) {
+    if (note.from != DrawnFrom::silhouette) continue;
+    text += line("drawn as silhouette", counted(note.pieces) + " of " + note.shape + ": " + note.reason);
+  }
+  return text;
+}
+
+std::string drawing_warning(const DrawingNotes& notes) {
+  std::string text;
+  for (const auto& [reason, pieces] : by_reason(notes, DrawnFrom::thumbnail)) {
+    text += (text.empty() ? "" : "; ") + counted(pieces) + " drawn from thumbnails: " + reason;
+  }
+  for (const auto& [reason, pieces] : by_reason(notes, DrawnFrom::silhouette)) {
+    text += (text.empty() ? "" : "; ") + counted(pieces) + " drawn as silhouettes: " + reason;
+  }
+  return text;
+}
+
+}  // namespace tessera::io

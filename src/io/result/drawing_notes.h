@@ -1,0 +1,37 @@
+// Which pieces of a picture are not drawn from their originals, for the card and for stderr.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tessera::io {
+
+enum class DrawnFrom { thumbnail, silhouette };
+
+/// A shape's pieces.
+struct DrawingNote {
+  std::string shape;  // its name
+  DrawnFrom from = DrawnFrom::thumbnail;
+  std::string reason;
+  std::size_t pieces = 0;
+};
+
+struct DrawingNotes {
+  std::size_t pieces = 0;          // of the collage
+  std::vector<DrawingNote> notes;  // in the order of the library
+};
+
+/// The card's section "drawing" (docs/result-format.md), as JSON.
+std::string drawing_json(const DrawingNotes& notes);
+
+/// The first line of drawing_text().
+inline constexpr const char* kDrawingHeading = "Drawing\n";
+
+/// A section of card.txt, lines of less than 80 characters; empty where all pieces are drawn from their originals.
+std::string drawing_text(const DrawingNotes& notes);
+
+/// One line that counts the pieces by reason; empty as above.
+std::string drawing_warning(const DrawingNotes& notes);
+
+}  // namespace tessera::io

@@ -1,0 +1,37 @@
+// One piece of a collage as it lies in the picture, drawn row by row from its sprite.
+#pragma once
+
+#include <cstddef>
+#include <opencv2/core.hpp>
+
+#include "core/collage/placement.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/similarity.h"
+#include "core/shape/shape.h"
+#include "io/result/sprite.h"
+
+namespace tessera::io {
+
+/// Rows are drawn so many at a time, from multiples of it: however a picture is divided into bands of such rows, its
+/// bytes are the same.
+inline constexpr int kStripRows = 64;
+
+struct PieceDrawing {
+  std::size_t slot = 0;             // the shape's
+  Similarity picture_from_artwork;  // px
+  cv::Rect box;                     // of the picture; empty: the piece lies beside it
+  int sprite_side_px = 0;           // wanted
+};
+
+/// `picture_px`: px of the picture for one of the canvas.
+PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, const Shape& shape, const Outline& clip,
+                                double picture_px, cv::Size picture);
+
+/// Rows [begin, end) of the box, counted in the picture; both are multiples of kStripRows or an end of the box.
+/// Premultiplied BGRA, as wide as the box.
+cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, int end);
+
+/// Lays premultiplied BGRA over a part of the picture (BGR) of the same size.
+void lay_over(const cv::Mat& bgra, cv::Mat picture);
+
+}  // namespace tessera::io

@@ -1,0 +1,98 @@
+#include "io/result/png_stream.h"
+
+#include <png.h>
+
+#include <cerrno>
+#include <csetjmp>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "io/atomic_file.h"
+
+namespace tessera::io {
+namespace {
+
+// Of drawings each filter alone gives smaller files than the choice by libpng's rule, and Paeth's the smallest.
+constexpr int kFilter = PNG_FILTER_PAETH;
+constexpr int kCompression = 6;
+
+/// libpng leaves by longjmp: between setjmp and here stands nothing that needs a destructor.
+[[noreturn]] void leave(png_structp png, png_const_charp) { std::longjmp(png_jmpbuf(png), 1); }
+void ignore(png_structp, png_const_charp) {}
+
+}  // namespace
+
+struct PngStream::Encoder {
+  Encoder() : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, ignore)) {
+    if (png) info = png_create_info_struct(png);
+  }
+  ~Encoder() { png_destroy_write_struct(&png, &info); }
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+
+  bool begin(std::FILE* file, cv::Size size) {
+    if (!png || !info || setjmp(png_jmpbuf(png))) return false;
+    png_init_io(png, file);
+    png_set_IHDR(png, info, png_uint_32(size.width), png_uint_32(size.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, kFilter);
+    png_set_compression_level(png, kCompression);
+    png_write_info(png, info);
+    png_set_bgr(png);
+    return true;
+  }
+
+  bool write(const cv::Mat& bgr) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    for (int y = 0; y < bgr.rows; ++y) png_write_row(png, bgr.ptr(y));
+    return true;
+  }
+
+  bool end() {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_write_end(png, info);
+    return true;
+  }
+
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+};
+
+PngStream::PngStream(const std::string& path, cv::Size size)
+    : path_(path), file_(std::fopen(temporary_path(path).c_str(), "wbe")), encoder_(std::make_unique<Encoder>()) {
+  errno = file_ ? 0 : errno;
+  if (!file_ || !encoder_->begin(file_, size)) fail(errno);
+}
+
+PngStream::~PngStream() {
+  if (!file_) return;
+  std::fclose(file_);
+  std::remove(temporary_path(path_).c_str());
+}
+
+void PngStream::write(const cv::Mat& bgr) {
+  errno = 0;
+  if (!encoder_->write(bgr)) fail(errno);
+}
+
+void PngStream::finish() {
+  errno = 0;
+  if (!encoder_->end()) fail(errno);
+  if (std::fclose(std::exchange(file_, nullptr)) != 0) {
+    const int reason = errno;
+    std::remove(temporary_path(path_).c_str());
+    fail(reason);
+  }
+  commit_temporary_file(path_);
+}
+
+void PngStream::fail(int reason) {
+  if (file_) {
+    std::fclose(std::exchange(file_, nullptr));
+    std::remove(temporary_path(path_).c_str());
+  }
+  throw EnvironmentError("cannot write " + path_ + ": " + std::generic_category().message(reason ? reason : EIO));
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,172 @@
+#include "io/result/result_drawing.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "core/base/error.h"
+#include "io/atomic_file.h"
+#include "io/available_cores.h"
+#include "io/checkpoint/checkpoint_origin.h"
+#include "io/drawing/drawers.h"
+#include "io/job/canvas_file.h"
+#include "io/job/job_library.h"
+#include "io/result/card_drawing.h"
+#include "io/result/placed_pieces.h"
+#include "io/result/png_output.h"
+#include "io/result/result_manifest.h"
+#include "io/result/svg_output.h"
+
+namespace tessera::io {
+namespace {
+
+std::string path_in(const std::string& dir, const std::string& name) { return (std::filesystem::path(dir) / name).string(); }
+
+Job job_of(const std::string& dir, const DrawingRequest& request) {
+  Job job = load_job(path_in(dir, "job.toml"), {});
+  if (request.width_px > 0) job.output.width_px = request.width_px;
+  if (!request.background.empty()) job.output.background = request.background;
+  if (!request.library.empty()) job.library = request.library;
+  return job;
+}
+
+LibraryFile library_of(const Job& job, const ResultManifest& manifest) {
+  LibraryFile library = open_library_of(job);
+  if (library.content_digest() == manifest.library_digest) return library;
+  throw InputError(job.library + ": not the library that the collage was made from; --library FILE says where that is");
+}
+
+Canvas canvas_of(const Job& job, const ResultManifest& manifest) {
+  Canvas canvas = load_canvas(job.canvas);
+  if (canvas_digest(canvas) == manifest.canvas_digest) return canvas;
+  throw InputError(job.canvas.file + ": another content than when the collage was made; put the file back to draw it");
+}
+
+std::vector<Placement> placements_of(const std::string& dir, const ResultManifest& manifest, std::size_t shapes) {
+  const std::vector<Similarity> pieces = read_placed_pieces(dir);
+  if (pieces.size() != manifest.shapes.size()) {
+    throw InputError(path_in(dir, kManifestName) + ": not as many shapes as pieces.geojson has pieces");
+  }
+  std::vector<Placement> placements(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (manifest.shapes[i] >= shapes) throw InputError(path_in(dir, kManifestName) + ": a shape that the library lacks");
+    placements[i].shape = manifest.shapes[i];
+    placements[i].canvas_from_shape = pieces[i];
+  }
+  return placements;
+}
+
+/// Of the shapes that were placed, all that drawing needs.
+void add_shapes(const LibraryFile& library, CollageReport& report) {
+  std::set<std::uint32_t> placed;
+  for (const Placement& placement : report.placements) placed.insert(placement.shape);
+  const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
+  for (const std::uint32_t index : placed) {
+    report.shape_index.push_back(index);
+    report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
+  }
+}
+
+/// Draws one picture after the other; the manifest always tells which of them are there.
+class ResultPictures {
+ public:
+  ResultPictures(const std::string& dir, const CollageReport& report, const ResultManifest& manifest, Drawers& drawers,
+                 const StopWatcher& stop, DrawingObserver& observer)
+      : dir_(dir),
+        report_(report),
+        manifest_(manifest),
+        drawers_(drawers),
+        stop_(stop),
+        observer_(observer),
+        artworks_(report, drawers, stop) {}
+
+  void svg() {
+    begin("collage.svg");
+    write_file_atomically(path_in(dir_, "collage.svg"), drawn_svg("collage.svg"));
+    end("collage.svg");
+  }
+
+  void png() {
+    begin("collage.png");
+    const std::size_t rows = std::size_t(picture_size(report_).height);
+    write_collage_png(path_in(dir_, "collage.png"), report_, artworks_, stop_,
+                      [&](std::size_t done) { observer_.progressed("collage.png", done, rows); });
+    end("collage.png");
+  }
+
+  void pdf() {
+    begin("collage.pdf");
+    constexpr double kPointsOfPx = 72. / 96;  // CSS
+    const std::string svg = drawn_svg("collage.pdf");
+    const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
+    const std::vector<std::uint8_t> pdf = drawers_.pdf_of_svg(bytes, report_.job->output.width_px * kPointsOfPx);
+    stop_.check();
+    write_file_atomically(path_in(dir_, "collage.pdf"), pdf);
+    end("collage.pdf");
+  }
+
+  DrawingNotes notes() const { return artworks_.notes(); }
+
+ private:
+  /// Until the new picture is there, nothing is said about the one before.
+  void begin(const char* name) {
+    stop_.check();
+    if (std::erase_if(manifest_.pictures, [&](const DrawnPicture& p) { return p.file == name; }) > 0) {
+      write_manifest(dir_, manifest_);
+    }
+  }
+
+  void end(const char* name) {
+    const OutputSpec& output = report_.job->output;
+    manifest_.pictures.push_back({name, output.width_px, output.background});
+    write_manifest(dir_, manifest_);
+  }
+
+  std::string drawn_svg(const char* picture) {
+    std::mutex mutex;  // shapes are done in several threads
+    std::size_t done = 0;
+    std::string svg = collage_svg(report_, artworks_, [&] {
+      const std::lock_guard lock(mutex);
+      observer_.progressed(picture, ++done, report_.shapes.size());
+    });
+    stop_.check();
+    return svg;
+  }
+
+  const std::string dir_;
+  const CollageReport& report_;
+  ResultManifest manifest_;
+  Drawers& drawers_;
+  const StopWatcher& stop_;
+  DrawingObserver& observer_;
+  ShapeArtworks artworks_;
+};
+
+}  // namespace
+
+DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, DrawingObserver& observer) {
+  const ResultManifest manifest = read_manifest(dir);
+  const Job job = job_of(dir, request);
+  Drawers drawers({.processes = available_cores()});
+  const StopWatcher stop(observer, drawers);
+  const LibraryFile library = library_of(job, manifest);
+  const Canvas canvas = canvas_of(job, manifest);
+  check_picture_height(job.output, canvas);
+  CollageReport report;
+  report.job = &job;
+  report.canvas = &canvas;
+  report.placements = placements_of(dir, manifest, library.size());
+  add_shapes(library, report);
+  ResultPictures pictures(dir, report, manifest, drawers, stop, observer);
+  if (request.svg) pictures.svg();
+  if (request.png) pictures.png();
+  if (request.pdf) pictures.pdf();
+  const DrawingNotes notes = pictures.notes();
+  add_drawing_to_cards(dir, notes);
+  return notes;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,113 @@
+#include "io/result/result_manifest.h"
+
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "core/base/digest.h"
+#include "core/base/error.h"
+#include "io/atomic_file.h"
+
+namespace tessera::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+
+std::string path_in(const std::string& dir, const char* name) { return (std::filesystem::path(dir) / name).string(); }
+
+std::string hex(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+std::uint64_t number(const std::string& hex_digits) {
+  std::uint64_t value = 0;
+  const char* end = hex_digits.data() + hex_digits.size();
+  const auto [at, error] = std::from_chars(hex_digits.data(), end, value, 16);
+  if (error != std::errc() || at != end) throw InputError("\"" + hex_digits + "\" is no digest");
+  return value;
+}
+
+std::string content(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    throw InputError(path + ": not found; allowed: the folder of a result of tessera collage");
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw InputError(path + ": cannot be read");
+  return bytes;
+}
+
+ResultManifest from_json(const Json& json) {
+  if (json.at("format") != kFormat) throw InputError("another format than " + std::to_string(kFormat));
+  ResultManifest manifest;
+  manifest.finished = json.at("state") == "finished";
+  manifest.pieces_digest = json.at("pieces").at("digest");
+  manifest.shapes = json.at("pieces").at("shapes").get<std::vector<std::uint32_t>>();
+  manifest.job_digest = json.at("job").at("digest");
+  manifest.library = json.at("library").at("file");
+  manifest.library_digest = number(json.at("library").at("digest"));
+  manifest.canvas_digest = number(json.at("canvas").at("digest"));
+  for (const Json& picture : json.at("pictures")) {
+    manifest.pictures.push_back({picture.at("file"), picture.at("width_px"), picture.at("background")});
+  }
+  return manifest;
+}
+
+ResultManifest parsed(const std::string& path) {
+  try {
+    return from_json(Json::parse(content(path)));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(path + ": not a manifest of tessera collage: " + error.what());
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw what.starts_with(path) ? error : InputError(path + ": " + what);
+  }
+}
+
+void check_digest(const std::string& dir, const char* name, const std::string& expected) {
+  if (digest_text(content(path_in(dir, name))) == expected) return;
+  throw InputError(path_in(dir, name) + ": not the file that " + kManifestName + " was written with");
+}
+
+}  // namespace
+
+std::string digest_text(const std::string& bytes) {
+  Digest digest;
+  digest.add_all(std::span(bytes));
+  return hex(digest.value());
+}
+
+void write_manifest(const std::string& dir, const ResultManifest& manifest) {
+  Json pictures = Json::array();
+  for (const DrawnPicture& picture : manifest.pictures) {
+    pictures.push_back({{"file", picture.file}, {"width_px", picture.width_px}, {"background", picture.background}});
+  }
+  const Json json{{"format", kFormat},
+                  {"state", manifest.finished ? "finished" : "unfinished"},
+                  {"pieces", {{"digest", manifest.pieces_digest}, {"shapes", manifest.shapes}}},
+                  {"job", {{"digest", manifest.job_digest}}},
+                  {"library", {{"file", manifest.library}, {"digest", hex(manifest.library_digest)}}},
+                  {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
+                  {"pictures", pictures}};
+  const std::string path = path_in(dir, kManifestName);
+  write_file_atomically(path, json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  flush_folder_of(path);
+}
+
+ResultManifest read_manifest(const std::string& dir) {
+  ResultManifest manifest = parsed(path_in(dir, kManifestName));
+  check_digest(dir, "pieces.geojson", manifest.pieces_digest);
+  check_digest(dir, "job.toml", manifest.job_digest);
+  return manifest;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,45 @@
+// manifest.json: what makes a folder a result (docs/result-format.md). It is written last and says what the files beside
+// it must be: without it, or with files that are others, there is no result.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tessera::io {
+
+inline constexpr const char* kManifestName = "manifest.json";
+inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "collage.pdf"};
+
+struct DrawnPicture {
+  std::string file;  // its name in the folder
+  int width_px = 0;
+  std::string background;
+
+  friend bool operator==(const DrawnPicture&, const DrawnPicture&) = default;
+};
+
+struct ResultManifest {
+  bool finished = false;  // nothing is left to compute
+  std::string pieces_digest;
+  std::string job_digest;
+  std::string library;  // where it was
+  std::uint64_t library_digest = 0;
+  std::uint64_t canvas_digest = 0;
+  std::vector<std::uint32_t> shapes;  // of the pieces, in order of placement: indices in the library
+  std::vector<DrawnPicture> pictures;
+
+  friend bool operator==(const ResultManifest&, const ResultManifest&) = default;
+};
+
+/// Of a file's bytes.
+std::string digest_text(const std::string& bytes);
+
+/// To dir/manifest.json, on the disk when this returns. Throws EnvironmentError.
+void write_manifest(const std::string& dir, const ResultManifest& manifest);
+
+/// Throws InputError where there is none, where it is damaged, or where pieces.geojson or job.toml are not those it was
+/// written with.
+ResultManifest read_manifest(const std::string& dir);
+
+}  // namespace tessera::io

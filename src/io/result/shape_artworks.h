@@ -1,0 +1,66 @@
+// The drawings of the shapes that were placed, as pixels or vectors, and what became of those that could not be drawn.
+// Artwork is foreign: whatever reads it runs in a child process with limits (drawers.h), and a bad drawing costs that
+// drawing.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <mutex>
+#include <opencv2/core.hpp>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/drawing/drawers.h"
+#include "io/result/collage_files.h"
+#include "io/result/drawing_notes.h"
+#include "io/result/sprite.h"
+#include "io/result/stop_watcher.h"
+
+namespace tessera::io {
+
+/// A definition in an SVG document and how it lies in the artwork frame.
+struct SvgSymbol {
+  std::string xml;
+  double artwork_px_per_unit = 1;
+};
+
+/// For several threads.
+class ShapeArtworks {
+ public:
+  /// What is passed must live as long.
+  ShapeArtworks(const CollageReport& report, Drawers& drawers, const StopWatcher& stop);
+
+  /// The original where it can be had; else the library's thumbnail; else, and where the drawing is bad, the silhouette in
+  /// its mean colour. `slot` is the shape's in the report. The page's longest side is `side_px` long or less.
+  /// Throws DrawingStopped.
+  Sprite sprite(std::size_t slot, int side_px);
+  /// The same as an element with this id, the silhouette as a path.
+  SvgSymbol symbol(std::size_t slot, const std::string& id);
+
+  const Outline& clip(std::size_t slot) const { return clips_[slot]; }
+  /// Of all that was asked for.
+  DrawingNotes notes() const;
+
+ private:
+  /// What is to be drawn; empty bytes: nothing but the silhouette.
+  struct Source {
+    std::vector<std::uint8_t> bytes;
+    bool thumbnail = false;
+  };
+
+  Source source_of(std::size_t slot);
+  cv::Mat drawn(std::size_t slot, const Source& source, int side_px);
+  void note(std::size_t slot, DrawnFrom from, const std::string& reason);
+
+  const CollageReport& report_;
+  Drawers& drawers_;
+  const StopWatcher& stop_;
+  std::vector<Outline> clips_;
+  mutable std::mutex mutex_;
+  std::set<std::pair<std::size_t, int>> bad_;  // slots and sides that are not tried again
+  std::map<std::size_t, std::pair<DrawnFrom, std::string>> notes_;  // by slot
+};
+
+}  // namespace tessera::io
