@@ -15,7 +15,9 @@
 
 namespace tessera::cli {
 
-/// Where the result goes.
+struct CollageInput {
+  /// Throws InputError and EnvironmentError.
+  explicit CollageInput(const CollageArguments& arguments);
   CollageInput(const CollageInput&) = delete;  // origin points into it
   CollageInput& operator=(const CollageInput&) = delete;
 

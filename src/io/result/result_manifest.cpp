@@ -98,9 +98,8 @@ void write_manifest(const std::string& dir, const ResultManifest& manifest) {
                   {"library", {{"file", manifest.library}, {"digest", hex(manifest.library_digest)}}},
                   {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
                   {"pictures", pictures}};
-  const std::string path = path_in(dir, kManifestName);
-  write_file_atomically(path, json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
-  flush_folder_of(path);
+  write_file_atomically(path_in(dir, kManifestName),
+                        json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 ResultManifest read_manifest(const std::string& dir) {

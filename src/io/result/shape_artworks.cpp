@@ -105,13 +105,13 @@ DrawingNotes ShapeArtworks::notes() const {
 
 ShapeArtworks::Source ShapeArtworks::source_of(std::size_t slot) {
   const Artwork& artwork = report_.shapes[slot].artwork;
-  Source source{artwork_original(artwork), false};
-  if (!source.bytes.empty()) return source;
+  ArtworkOriginal original = artwork_original(artwork);
+  if (!original.bytes.empty()) return {std::move(original.bytes), false};
   if (artwork.thumbnail_png.empty()) {
-    note(slot, DrawnFrom::silhouette, "neither original nor thumbnail");
+    note(slot, DrawnFrom::silhouette, original.reason + ", and no thumbnail");
     return {};
   }
-  note(slot, DrawnFrom::thumbnail, "original missing");
+  note(slot, DrawnFrom::thumbnail, original.reason);
   return {artwork.thumbnail_png, true};
 }
 
