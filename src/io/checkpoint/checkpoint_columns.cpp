@@ -11,6 +11,7 @@ namespace tessera::io {
 namespace {
 
 constexpr std::size_t kLevels = kMaxPadLevels;
+constexpr std::size_t kMaxJobBytes = 1 << 20;  // a job with every key and long paths has 5 KB
 constexpr std::size_t kMatchedRow = 2 * kLevels + 1;
 
 constexpr std::uint64_t RunStatistics::*kCounts[] = {
@@ -111,6 +112,7 @@ void require_ascending(const std::vector<std::uint32_t>& edges, const char* name
 }
 
 void check_values(const CheckpointColumns& c) {
+  require(c.job.size() <= kMaxJobBytes, "/job is too long");
   require_finite(c.measures, "/statistics/measures");
   for (const auto* column : {&c.placed_pose, &c.placed_score, &c.placed_matched})
     require_finite(*column, "/placements");

@@ -45,6 +45,7 @@ class LibraryFile {
   const std::string& path() const;
   std::size_t size() const;
   PadParameters pad_parameters() const;
+  /// Throws as read().
   LibrarySummary summary() const;
   /// Of all that decides about a collage: PAD parameters, names, lengths, colours, outlines, fields, smoothing levels, in
   /// their order; artwork does not count. Two libraries with the same digest give the same collage, wherever they lie.

@@ -21,6 +21,17 @@ bool is_one_of(const std::string& path, std::initializer_list<const layout::Colu
   return std::any_of(columns.begin(), columns.end(), [&](const layout::Column* c) { return c->path == path; });
 }
 
+/// What `read` returns; InputError of the file where it is damaged.
+template <class Read>
+auto naming_the_file(const std::string& path, Read read) {
+  const Hdf5Silence silence;
+  try {
+    return read();
+  } catch (const Hdf5Error& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 struct LibraryFile::State {
@@ -46,6 +57,8 @@ struct LibraryFile::State {
   std::vector<PartDigests> stored_digests(std::size_t begin, std::size_t end) const;
   std::vector<PartDigests> digests(std::size_t begin, std::size_t end) const;
   std::uint64_t content_digest() const;
+  LibrarySummary summary() const;
+  std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const;
   /// Returns the digests of what was read, which agree with those that are stored.
   std::vector<PartDigests> read_batch(const ShapeRange& range, const LibraryParts& parts) const;
 
@@ -149,14 +162,8 @@ std::uint64_t LibraryFile::State::content_digest() const {
   return digest.value();
 }
 
-LibraryFile::LibraryFile(const std::string& path) {
-  const Hdf5Silence silence;
-  try {
-    state_ = std::make_unique<State>(path);
-  } catch (const Hdf5Error& error) {
-    throw InputError(path + ": " + error.what());
-  }
-}
+LibraryFile::LibraryFile(const std::string& path)
+    : state_(naming_the_file(path, [&] { return std::make_unique<State>(path); })) {}
 
 LibraryFile::~LibraryFile() = default;
 LibraryFile::LibraryFile(LibraryFile&&) noexcept = default;
@@ -166,15 +173,14 @@ const std::string& LibraryFile::path() const { return state_->path; }
 std::size_t LibraryFile::size() const { return state_->head.shapes(); }
 PadParameters LibraryFile::pad_parameters() const { return state_->pad; }
 
-LibrarySummary LibraryFile::summary() const {
-  const Hdf5Silence silence;
+LibrarySummary LibraryFile::State::summary() const {
   LibrarySummary summary;
-  summary.shapes = size();
-  summary.curves = state_->outline.curves();
-  summary.outline_points = state_->outline.points();
-  summary.original_bytes = state_->original.bytes();
-  summary.file_bytes = std::filesystem::file_size(path());
-  for (const ColumnReader* column : state_->columns()) {
+  summary.shapes = head.shapes();
+  summary.curves = outline.curves();
+  summary.outline_points = outline.points();
+  summary.original_bytes = original.bytes();
+  summary.file_bytes = std::filesystem::file_size(path);
+  for (const ColumnReader* column : columns()) {
     const std::string& name = column->column().path;
     const std::string part = name.substr(1, name.rfind('/') - 1);
     auto& parts = summary.stored_bytes_of_part;
@@ -184,28 +190,26 @@ LibrarySummary LibraryFile::summary() const {
   return summary;
 }
 
-std::uint64_t LibraryFile::content_digest() const {
-  const Hdf5Silence silence;
-  try {
-    return state_->content_digest();
-  } catch (const Hdf5Error& error) {
-    throw InputError(path() + ": " + error.what());
+std::vector<Shape> LibraryFile::State::read(std::size_t begin, std::size_t end, const LibraryParts& parts) const {
+  std::vector<Shape> shapes(end - begin);
+  for (std::size_t at = begin; at < end; at += kBatchShapes) {
+    read_batch({at, std::min(end, at + kBatchShapes), shapes.data() + (at - begin)}, parts);
   }
+  return shapes;
+}
+
+LibrarySummary LibraryFile::summary() const {
+  return naming_the_file(path(), [&] { return state_->summary(); });
+}
+
+std::uint64_t LibraryFile::content_digest() const {
+  return naming_the_file(path(), [&] { return state_->content_digest(); });
 }
 
 std::vector<Shape> LibraryFile::read(std::size_t begin, std::size_t end, const LibraryParts& parts) const {
-  const Hdf5Silence silence;
   end = std::min(end, size());
   if (begin >= end) return {};
-  std::vector<Shape> shapes(end - begin);
-  try {
-    for (std::size_t at = begin; at < end; at += kBatchShapes) {
-      state_->read_batch({at, std::min(end, at + kBatchShapes), shapes.data() + (at - begin)}, parts);
-    }
-  } catch (const Hdf5Error& error) {
-    throw InputError(path() + ": " + error.what());
-  }
-  return shapes;
+  return naming_the_file(path(), [&] { return state_->read(begin, end, parts); });
 }
 
 }  // namespace tessera::io

@@ -1,0 +1,185 @@
+// Libraries that someone made to harm: each is refused with its name, or read as it was before; no crash, no hang, no more
+// than 1 GB, and no shape whose field is not its outline's.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/base/error.h"
+#include "core/shape/shape_contradiction.h"
+#include "core/shape/shape_field.h"
+#include "forged_library.h"
+#include "io/library/library_file.h"
+#include "io/result/artwork_original.h"
+#include "master/library_shapes.h"
+#include "scratch_folder.h"
+#include "support/limited_child.h"
+#include "support/synthetic_library.h"
+
+namespace tessera::io {
+namespace {
+
+using test::Forgery;
+using test::ScratchFolder;
+
+const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+
+std::vector<std::uint8_t> small_png(int side_px) {
+  std::vector<std::uint8_t> png;
+  cv::imencode(".png", cv::Mat(side_px, side_px, CV_8UC4, cv::Scalar(10, 200, 30, 255)), png);
+  return png;
+}
+
+bool same(const Shape& a, const Shape& b) {
+  for (std::size_t k = 0; k < a.levels.size(); ++k) {
+    if (a.levels[k].points != b.levels[k].points || a.levels[k].samples != b.levels[k].samples ||
+        a.levels[k].perimeter != b.levels[k].perimeter)
+      return false;
+  }
+  return a.name == b.name && a.outline == b.outline && a.perimeter == b.perimeter && a.radius == b.radius &&
+         a.mean_lab == b.mean_lab && a.field.extent == b.field.extent &&
+         a.field.distance.data() == b.field.distance.data() && a.artwork.thumbnail_png == b.artwork.thumbnail_png &&
+         a.artwork.original == b.artwork.original && a.artwork.unit_px == b.artwork.unit_px;
+}
+
+class HostileLibrary : public testing::Test {
+ protected:
+  void SetUp() override {
+    LibraryWriter writer(path_, {});
+    for (Shape& shape : test::synthetic_library(5)) {
+      shape.field = make_shape_field(shape.outline);
+      shape.artwork.thumbnail_png = small_png(40);
+      shape.artwork.path = folder_.write(shape.name + ".svg", "<svg/>" + shape.name);
+      if (shape.name == "shape1") shape.artwork.original = small_png(100);
+      writer.append(shape);
+    }
+    writer.finish();
+    good_ = LibraryFile(path_).read(0, 100, kEverything);
+    std::ifstream file(path_, std::ios::binary);
+    bytes_.assign(std::istreambuf_iterator<char>(file), {});
+  }
+
+  /// All that the program reads of a library. Returns the message of the refusal, or what is wrong after "WRONG: ".
+  std::string use(bool may_differ) const {
+    try {
+      const LibraryFile library(path_);
+      library.summary();
+      library.content_digest();
+      const std::vector<Shape> shapes = library.read(0, library.size(), kEverything);
+      master::LibraryShapes placed(library);
+      for (std::uint32_t i = 0; i < library.size(); ++i) {
+        placed.shape(i);  // throws where its parts contradict each other
+        artwork_original(shapes[i].artwork);
+        if (!may_differ && (shapes.size() != good_.size() || !same(shapes[i], good_[i]))) return "WRONG: other shapes";
+      }
+      return {};
+    } catch (const InputError& error) {
+      return error.what();
+    } catch (const std::exception& error) {
+      return std::string("WRONG: not an InputError: ") + error.what();
+    }
+  }
+
+  /// Returns whether it was refused.
+  bool try_forgery(std::uint32_t seed) {
+    folder_.write("library.h5", bytes_);
+    test::LibraryForger forger(seed);
+    const Forgery forgery = forger.forge(path_, int(seed) % test::LibraryForger::kKinds);
+    const std::string what = "seed " + std::to_string(seed) + ": " + forgery.what;
+    const test::ChildReport report = test::in_child([&] { return use(forgery.may_differ); });
+    test::expect_survived(report, what);
+    if (!report.said.empty()) test::expect_names_the_file(report.said, path_, what);
+    return !report.said.empty();
+  }
+
+  void try_forgeries(std::uint32_t first, std::uint32_t count) {
+    std::uint32_t refused = 0;
+    for (std::uint32_t seed = first; seed < first + count; ++seed) refused += try_forgery(seed);
+    EXPECT_GT(refused, count * 2 / 3);
+  }
+
+  ScratchFolder folder_;
+  std::string path_ = folder_.path("library.h5");
+  std::string bytes_;
+  std::vector<Shape> good_;
+};
+
+TEST_F(HostileLibrary, IsFineBefore) { EXPECT_EQ(use(false), ""); }
+
+TEST_F(HostileLibrary, TwoHundredForgeries) { try_forgeries(0, 208); }
+
+// Behind the label "long".
+TEST_F(HostileLibrary, DISABLED_ThousandsOfForgeries) { try_forgeries(1000, 4000); }
+
+// What is read must be one shape: a field that is too shallow lets pieces overlap, and the run ends as if all were well.
+TEST_F(HostileLibrary, AFieldThatIsNotItsOutlines) {
+  std::vector<Shape> shapes = good_;
+  const auto refusal = [&] {
+    LibraryWriter writer(path_, {});
+    for (const Shape& shape : shapes) writer.append(shape);
+    writer.finish();
+    return use(true);
+  };
+  ASSERT_EQ(refusal(), "");
+  const std::string message = path_ + ": damaged: shape 2: its distance field is not its outline's; build it again" +
+                              " with tessera library build";
+  for (float& d : shapes[2].field.distance.data()) d *= 0.5f;  // pieces would overlap
+  EXPECT_EQ(refusal(), message);
+  shapes = good_;
+  for (float& d : shapes[2].field.distance.data()) d = std::abs(d);
+  EXPECT_EQ(refusal(), message);
+  shapes = good_;
+  shapes[2].field = shapes[3].field;
+  EXPECT_EQ(refusal(), message);
+  shapes = good_;
+  shapes[2].radius = 0.1f;  // nothing would lie in its window
+  EXPECT_NE(refusal().find("its radius is not its outline's"), std::string::npos);
+  shapes = good_;
+  for (auto& curve : shapes[2].outline.curves) {
+    for (Vec2& p : curve) p = p * 0.5f;
+  }
+  EXPECT_NE(refusal().find("its outline's area is not 1"), std::string::npos);
+}
+
+// A library that asks for a thousand times its size does not get it.
+TEST_F(HostileLibrary, ManyRowsThatInflateWell) {
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
+  const hid_t file = H5Fopen(path_.c_str(), H5F_ACC_RDWR, access);
+  const hid_t set = H5Dopen2(file, "/artwork/original", H5P_DEFAULT);
+  const hsize_t rows = 50'000'000;
+  H5Dset_extent(set, &rows);
+  const std::vector<char> zeros(rows);
+  ASSERT_GE(H5Dwrite(set, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data()), 0);
+  H5Dclose(set);
+  H5Fclose(file);
+  H5Pclose(access);
+  ASSERT_LT(std::filesystem::file_size(path_), 2'000'000u);
+  EXPECT_NE(use(false).find("allowed are 16 times its size"), std::string::npos) << use(false);
+}
+
+TEST_F(HostileLibrary, ThumbnailsThatAreLarge) {
+  const auto refused = [&](std::vector<std::uint8_t> png) {
+    Shape shape = good_[0];
+    shape.artwork.thumbnail_png = std::move(png);
+    try {
+      LibraryWriter(path_, {}).append(shape);
+      return false;
+    } catch (const InputError&) {
+      return true;
+    }
+  };
+  EXPECT_FALSE(refused(small_png(192)));
+  EXPECT_TRUE(refused(small_png(193)));
+  std::vector<std::uint8_t> grey;
+  cv::imencode(".png", cv::Mat(9, 9, CV_8UC1, cv::Scalar(7)), grey);
+  EXPECT_TRUE(refused(grey));
+  std::vector<std::uint8_t> longer = small_png(10);
+  longer.push_back(0);
+  EXPECT_TRUE(refused(longer));
+}
+
+}  // namespace
+}  // namespace tessera::io

@@ -1,0 +1,66 @@
+// What a foreign file does to a process that reads it: told by a child, which may crash, hang or eat memory.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <stdexcept>
+#include <string>
+
+namespace tessera::test {
+
+struct ChildReport {
+  std::string said;            // what `use` returned
+  std::string death;           // empty: it ended by itself
+  std::size_t peak_bytes = 0;  // resident memory at most
+};
+
+/// Runs `use`, which returns a text, in a child that is ended after 20 s. Call it while the process has a single thread.
+template <class Use>
+ChildReport in_child(Use use) {
+  constexpr unsigned kMost_s = 20;
+  int ends[2];
+  if (::pipe(ends) != 0) throw std::runtime_error("pipe");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::close(ends[0]);
+    std::signal(SIGALRM, SIG_DFL);
+    ::alarm(kMost_s);
+    const std::string text = use();
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t written = ::write(ends[1], text.data() + done, text.size() - done);
+      if (written <= 0) break;
+      done += std::size_t(written);
+    }
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  ChildReport report;
+  char block[4096];
+  for (ssize_t got = 0; (got = ::read(ends[0], block, sizeof block)) > 0;) report.said.append(block, std::size_t(got));
+  ::close(ends[0]);
+  int status = 0;
+  rusage usage{};
+  ::wait4(child, &status, 0, &usage);
+  if (WIFSIGNALED(status)) report.death = "signal " + std::to_string(WTERMSIG(status));
+  if (WIFEXITED(status) && WEXITSTATUS(status) != 0) report.death = "exit code " + std::to_string(WEXITSTATUS(status));
+  report.peak_bytes = std::size_t(usage.ru_maxrss) << 10;
+  return report;
+}
+
+/// Neither dead nor hung nor larger than 1 GB.
+inline void expect_survived(const ChildReport& report, const std::string& what) {
+  EXPECT_EQ(report.death, "") << what;
+  EXPECT_LT(report.peak_bytes, std::size_t(1'000'000'000)) << what;
+}
+
+/// One line that begins with the file's name.
+inline void expect_names_the_file(const std::string& message, const std::string& path, const std::string& what) {
+  EXPECT_EQ(message.substr(0, path.size()), path) << what << ": " << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << what << ": " << message;
+}
+
+}  // namespace tessera::test
