@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# hostile_jobs_test.sh TESSERA WRITE_HOSTILE_JOBS NEW_FOLDER: job files that nobody should write, given to the program:
-# no crash, no more than 20 s and 1 GB each; what is refused is refused in one line.
+# hostile_jobs_test.sh TESSERA WRITE_HOSTILE_JOBS NEW_FOLDER DATA_KIB: job files that nobody should write, given to the
+# program: no crash, no more than 20 s and DATA_KIB of memory each (or "unlimited"); what is refused is refused in one line.
 set -uo pipefail
 tessera=$1
 write_hostile_jobs=$2
 folder=$3
+data_kib=$4
 # shellcheck source=tests/support/drawings.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
 unset SLURM_JOB_END_TIME
@@ -20,7 +21,7 @@ run() {
   local expected=$1 code
   shift
   (
-    [[ -n ${TESSERA_SANITIZED-} ]] || ulimit -d 1000000 # KiB of data
+    ulimit -d "$data_kib"
     exec timeout 20 "$tessera" "$@"
   ) >output 2>errors
   code=$?

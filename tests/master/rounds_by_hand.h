@@ -28,9 +28,11 @@ class RoundsByHand {
   }
 
   /// The terms of the candidates that `changed` touches, as they are now.
-  std::vector<DockingTerms> measure(const Window& changed) {
+  std::vector<DockingTerms> measure(const Window& changed) { return measure(collage_.touched_by(changed)); }
+
+  std::vector<DockingTerms> measure(const std::vector<Docking>& dockings) {
     send_field();
-    matcher_.post_measure(collage_.touched_by(changed));
+    matcher_.post_measure(dockings);
     return matcher_.take_measure();
   }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/collage/objective.h"
+#include "core/tuning.h"
 #include "rounds_by_hand.h"
 
 namespace tessera::master {
@@ -58,6 +59,60 @@ TEST_F(CollagePool, ASampleThatIsRenewedLosesItsCandidatesAndIsMatchedAgain) {
   EXPECT_GT(renewed, 20) << "the test needs samples that had candidates";
 }
 
+/// As the matcher would say it, all of the boundary matched or a part of it.
+RefinedDocking found_at(std::uint32_t shape, float scale_px, Vec2 centre, float matched) {
+  Docking docking;
+  docking.shape = shape;
+  docking.canvas_from_shape = {scale_px, 0, centre.x, centre.y};
+  const Shape& s = library()[shape];
+  DockingTerms terms;
+  terms.matched_px = matched * s.perimeter * scale_px;
+  return {docking, terms, true, Extent{-80, -80, 300, 220}, s.perimeter, s.radius};
+}
+
+/// The first one lies beside the canvas, where nothing can push it clear.
+TEST_F(CollagePool, WhatCannotBeMadeClearIsGivenUpForTheNextBest) {
+  CollageSettings s = settings();
+  s.objective.overlap_weight = 0;
+  test::RoundsByHand rounds(make_rectangle_canvas(300, 220), s, library());
+  const std::vector<TargetSample> all = rounds.collage().take_stale_samples();
+  MatchRound round;
+  round.refined = {found_at(3, 21, {-60, -60}, 1), found_at(4, 40, {150, 110}, 0.2f)};
+  round.truncated = {false};
+  rounds.collage().add_candidates({all.front()}, round);
+  Candidate best;
+  ASSERT_TRUE(rounds.collage().choose(best));
+  EXPECT_EQ(best.shape, 4u);
+  std::size_t left = 0;
+  for (const PooledSample& sample : rounds.state().pool) left += sample.candidates.size();
+  EXPECT_EQ(left, 1u) << "the first one is not tried again";
+}
+
+TEST_F(CollagePool, ASampleThatIsGoneIsNotMatchedAgain) {
+  Candidate best;
+  for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
+    collage_.mark_stale(collage_.free().field().value.bounds());
+    collage_.place(best);
+    EXPECT_EQ(rounds_.state().stale.size(), collage_.open_samples());
+  }
+}
+
+TEST_F(CollagePool, WhatTouchesTooLittleOrOverlapsTooMuchDoesNotEnter) {
+  const TargetSample sample = collage_.take_stale_samples().front();
+  const auto enters = [&](float matched, float overlap) {
+    MatchRound round;
+    round.refined = {found_at(4, 40, {150, 110}, matched)};
+    round.refined[0].terms.overlap_px2 = overlap * 40 * 40;
+    round.truncated = {false};
+    collage_.add_candidates({sample}, round);
+    return !rounds_.state().pool.front().candidates.empty();
+  };
+  EXPECT_TRUE(enters(1.01f * kLeastMatched, 0));
+  EXPECT_FALSE(enters(0.99f * kLeastMatched, 0));
+  EXPECT_TRUE(enters(0.5f, 0.99f * kMaxOverlap));
+  EXPECT_FALSE(enters(0.5f, 1.01f * kMaxOverlap));
+}
+
 using Name = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // edge, shape, source
 
 std::map<Name, Candidate> candidates_by_name(const CheckpointState& state) {
@@ -98,6 +153,27 @@ TEST_F(CollagePool, WhatIsMeasuredAgainIsScoredAgainAndCheckedAgain) {
     }
   }
   EXPECT_GT(exact_before, 2) << "the test needs candidates that were checked exactly";
+}
+
+/// The windows of the candidates are large enough.
+TEST_F(CollagePool, WhatIsNotTouchedIsStillTrue) {
+  std::size_t untouched = 0;
+  Candidate best;
+  for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
+    const Window changed = collage_.place(best);
+    collage_.rescore(changed, rounds_.measure(changed));
+    std::vector<Docking> all;
+    std::vector<DockingTerms> expected;
+    for (const PooledSample& sample : rounds_.state().pool) {
+      for (const Candidate& c : sample.candidates) {
+        all.push_back({sample.edge, c.shape, c.source, 0, c.canvas_from_shape});
+        expected.push_back(c.terms);
+        untouched += !c.window.overlaps(changed);
+      }
+    }
+    EXPECT_EQ(rounds_.measure(all), expected);
+  }
+  EXPECT_GT(untouched, 20u);
 }
 
 /// Those with one or none left are matched again where there were more to begin with; two are enough.

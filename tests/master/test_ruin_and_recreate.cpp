@@ -1,13 +1,13 @@
 // When a trial is kept and when it is put back, with a matcher that offers what the test tells it to.
 #include <gtest/gtest.h>
 
-#include <deque>
-
 #include "master/ruin_and_recreate.h"
-#include "support/synthetic_library.h"
+#include "offering_matcher.h"
 
 namespace tessera::master {
 namespace {
+
+using test::piece;
 
 const std::vector<Shape>& library() {
   static const std::vector<Shape> shapes = test::synthetic_library(4);
@@ -22,53 +22,6 @@ CollageSettings settings() {
   return s;
 }
 
-/// Finds one piece a round, the next of `offers`, whatever the field is. What lies in the pool when a piece was placed
-/// beside it is given up.
-class OfferingMatcher : public Matcher {
- public:
-  std::deque<Placement> offers;
-
-  ShapeRange shapes() const override { return {0, std::uint32_t(library().size())}; }
-  void start_field(int, int, Vec2) override {}
-  void update_field(const FieldPatch&) override {}
-  void post_count(const CountRequest& request) override { samples_ = request.samples.size(); }
-  std::vector<DistanceHistogram> take_count() override { return std::vector<DistanceHistogram>(samples_); }
-  void post_dock(const DockRequest&) override {}
-  DockReply take_dock() override {
-    if (offers.empty()) return {};
-    Docking docking;
-    docking.shape = offers.front().shape;
-    docking.canvas_from_shape = offers.front().canvas_from_shape;
-    offers.pop_front();
-    return {{docking}, 1};
-  }
-  void post_refine(const std::vector<Docking>& dockings) override { dockings_ = dockings; }
-  std::vector<RefinedDocking> take_refine() override {
-    std::vector<RefinedDocking> refined;
-    for (const Docking& docking : dockings_) {
-      const Shape& shape = library()[docking.shape];
-      DockingTerms touching;
-      touching.matched_px = shape.perimeter * docking.canvas_from_shape.scale();
-      refined.push_back({docking, touching, true, Extent{0, 0, 200, 200}, shape.perimeter, shape.radius});
-    }
-    return refined;
-  }
-  void post_measure(const std::vector<Docking>& dockings) override { dockings_ = dockings; }
-  std::vector<DockingTerms> take_measure() override {
-    DockingTerms covered;
-    covered.overlap_px2 = 1e9f;
-    return std::vector<DockingTerms>(dockings_.size(), covered);
-  }
-
- private:
-  std::size_t samples_ = 0;
-  std::vector<Docking> dockings_;
-};
-
-Placement piece(std::uint32_t shape, float scale_px, Vec2 centre) {
-  return {shape, Similarity{scale_px, 0, centre.x, centre.y}, 1, 1};
-}
-
 /// A collage of two small pieces in opposite corners of the canvas, where target samples lie beside the hole that they
 /// leave; every trial takes out one of them or both.
 class RuinAndRecreateTest : public testing::Test {
@@ -81,7 +34,7 @@ class RuinAndRecreateTest : public testing::Test {
     collage_.replace_placements(before_);
   }
 
-  Trial try_with(const std::deque<Placement>& offers, bool stopped = false) {
+  Trial try_with(const test::Offers& offers, bool stopped = false) {
     matcher_.offers = offers;
     return ruin_.try_once(trial_++, [stopped] { return stopped; });
   }
@@ -91,7 +44,7 @@ class RuinAndRecreateTest : public testing::Test {
   MatchingContext context_;
   test::VectorShapes shapes_{library()};
   Collage collage_;
-  OfferingMatcher matcher_;
+  test::OfferingMatcher matcher_{library()};
   RunStatistics statistics_;
   Filling filling_;
   RuinAndRecreate ruin_;

@@ -1,0 +1,68 @@
+// A matcher that offers what a test tells it to, for tests of what the master makes of it.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "core/collage/placement.h"
+#include "core/matching/matcher.h"
+#include "support/synthetic_library.h"
+
+namespace tessera::test {
+
+using Offers = std::deque<std::optional<Placement>>;
+
+inline Placement piece(std::uint32_t shape, float scale_px, Vec2 centre) {
+  return {shape, Similarity{scale_px, 0, centre.x, centre.y}, 1, 1};
+}
+
+/// Answers each question for dockings with the next of `offers`, whatever the field is; with nothing where that is
+/// empty. What lies in the pool when a piece was placed beside it is given up.
+class OfferingMatcher : public Matcher {
+ public:
+  explicit OfferingMatcher(const std::vector<Shape>& library) : library_(library) {}
+
+  Offers offers;
+  int questions = 0;  // for dockings
+
+  ShapeRange shapes() const override { return {0, std::uint32_t(library_.size())}; }
+  void start_field(int, int, Vec2) override {}
+  void update_field(const FieldPatch&) override {}
+  void post_count(const CountRequest& request) override { samples_ = request.samples.size(); }
+  std::vector<DistanceHistogram> take_count() override { return std::vector<DistanceHistogram>(samples_); }
+  void post_dock(const DockRequest&) override { ++questions; }
+  DockReply take_dock() override {
+    if (offers.empty()) return {};
+    const std::optional<Placement> offer = offers.front();
+    offers.pop_front();
+    if (!offer) return {};
+    Docking docking;
+    docking.shape = offer->shape;
+    docking.canvas_from_shape = offer->canvas_from_shape;
+    return {{docking}, 1};
+  }
+  void post_refine(const std::vector<Docking>& dockings) override { dockings_ = dockings; }
+  std::vector<RefinedDocking> take_refine() override {
+    std::vector<RefinedDocking> refined;
+    for (const Docking& docking : dockings_) {
+      const Shape& shape = library_[docking.shape];
+      DockingTerms touching;
+      touching.matched_px = shape.perimeter * docking.canvas_from_shape.scale();
+      refined.push_back({docking, touching, true, Extent{0, 0, 200, 200}, shape.perimeter, shape.radius});
+    }
+    return refined;
+  }
+  void post_measure(const std::vector<Docking>& dockings) override { dockings_ = dockings; }
+  std::vector<DockingTerms> take_measure() override {
+    DockingTerms covered;
+    covered.overlap_px2 = 1e9f;
+    return std::vector<DockingTerms>(dockings_.size(), covered);
+  }
+
+ private:
+  const std::vector<Shape>& library_;
+  std::size_t samples_ = 0;
+  std::vector<Docking> dockings_;
+};
+
+}  // namespace tessera::test
