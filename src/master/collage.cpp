@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/collage/objective.h"
+#include "core/field/piece_distance.h"
 #include "core/geometry/extent.h"
 #include "core/matching/refinement.h"
 #include "core/tuning.h"
@@ -18,6 +19,7 @@ constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists that wou
 constexpr float kWindowMargin_px = 3;    // round the boundary points: a px for the outline's bulges between them
 constexpr int kSettleSteps = 20;         // to come clear of neighbours that were placed since the refinement
 constexpr float kSettleShrink = 0.99f;
+constexpr int kExactSteps = 8;  // to correct what fields and boundary points did not see
 
 double area_px2(const Placement& p) {
   const float scale = p.canvas_from_shape.scale();
@@ -51,6 +53,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       opened_(free_, settings.pieces),
       curve_(settings.pieces, settings.match.pad),
       checks_(shapes, free_, opened_, settings_.pieces),
+      outlines_(free_, settings.pieces),
       poses_(context.library_shapes),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
@@ -158,11 +161,8 @@ std::vector<Pool::Ranked> Collage::finalists() {
 
 void Collage::check_exactly(Candidate& candidate) {
   const ExactAreas areas = checks_.areas(candidate);
-  DockingTerms exact = candidate.terms;
-  exact.overlap_px2 = areas.overlap_px2;
-  exact.gap_px2 = areas.gap_px2;
   Candidate measured = candidate;
-  measured.terms = exact;
+  measured.terms = with_exact_areas(candidate.terms, areas);
   candidate.score = score_of(measured);
   candidate.exact = true;
 }
@@ -174,8 +174,20 @@ void Collage::check_ahead() {
   }
 }
 
-/// What was placed since may reach into the candidate: push it free, or give it up. Then it grows.
+/// What was placed since may reach into the candidate: push it free, or give it up. Then it grows, and what it is worth
+/// is measured again.
 bool Collage::settle(Candidate& candidate) {
+  if (!push_clear(candidate)) return false;
+  const ShapeModel& model = shapes_.model(candidate.shape);
+  grow(candidate.canvas_from_shape, model, free_.view(), context_);
+  if (!fit_exactly(candidate)) return false;
+  candidate.terms = docking_terms(candidate.canvas_from_shape, model, free_.view(), context_);
+  check_exactly(candidate);
+  return acceptable(candidate);
+}
+
+/// By the free field, as in the refinement.
+bool Collage::push_clear(Candidate& candidate) {
   const ShapeModel& model = shapes_.model(candidate.shape);
   const FieldView field = free_.view();
   Similarity& pose = candidate.canvas_from_shape;
@@ -187,11 +199,29 @@ bool Collage::settle(Candidate& candidate) {
     pose.b *= kSettleShrink;
     if (pose.scale() < context_.poses.min_scale_px) return false;
   }
-  grow(pose, model, field, context_);
-  candidate.terms = docking_terms(pose, model, field, context_);
   return true;
 }
 
+/// By the outlines themselves.
+bool Collage::fit_exactly(Candidate& candidate) {
+  const Shape& shape = shapes_.shape(candidate.shape);
+  Similarity& pose = candidate.canvas_from_shape;
+  for (int step = 0; step < kExactSteps; ++step) {
+    const std::vector<Vec2> ways = outlines_.conflicts(shape, pose);
+    if (ways.empty()) return true;
+    for (const Vec2& way : ways) {
+      pose.tx += way.x;
+      pose.ty += way.y;
+    }
+    if (step == 0) continue;
+    pose.a *= kSettleShrink;
+    pose.b *= kSettleShrink;
+    context_.poses.pull_in(pose);
+  }
+  return false;
+}
+
+/// Settling may cost a candidate its place: it is the best only if no other is worth more before its own.
 bool Collage::choose(Candidate& best) {
   for (;;) {
     std::vector<Pool::Ranked> ranked = finalists();
@@ -203,11 +233,28 @@ bool Collage::choose(Candidate& best) {
       }
       r.value = c.score * preference(c);
     }
-    const auto first = std::min_element(ranked.begin(), ranked.end());
-    if (first == ranked.end()) return false;
-    best = pool_.at(*first);
-    if (!settings_.settle || settle(best)) return true;
-    pool_.erase(*first);
+    if (ranked.empty()) return false;
+    std::sort(ranked.begin(), ranked.end());
+    if (!settings_.settle) {
+      best = pool_.at(ranked.front());
+      return true;
+    }
+    float best_value = -1;
+    std::vector<Pool::Ranked> given_up;
+    for (const Pool::Ranked& r : ranked) {
+      if (best_value >= r.value) break;
+      Candidate settled = pool_.at(r);
+      if (!settle(settled)) {
+        given_up.push_back(r);
+        continue;
+      }
+      const float value = settled.score * preference(settled);
+      if (value <= best_value) continue;
+      best_value = value;
+      best = settled;
+    }
+    for (const Pool::Ranked& r : given_up) pool_.erase(r);
+    if (best_value >= 0) return true;
   }
 }
 
@@ -215,6 +262,7 @@ Window Collage::place(const Candidate& candidate) {
   const Shape& shape = shapes_.shape(candidate.shape);
   placements_.push_back(
       {candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
+  outlines_.add(placements_.back(), shape.outline);
   poses_[candidate.shape].push_back(candidate.canvas_from_shape);
   covered_px2_ += area_px2(placements_.back());
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
@@ -228,6 +276,7 @@ Window Collage::place(const Candidate& candidate) {
 Window Collage::replace_placements(std::vector<Placement> placements) {
   const std::vector<Placement> changed = difference(placements_, placements);
   placements_ = std::move(placements);
+  outlines_.replace(placements_, shapes_);
   for (std::vector<Similarity>& poses : poses_) poses.clear();
   covered_px2_ = 0;
   for (const Placement& p : placements_) {
@@ -262,8 +311,7 @@ Window Collage::restamp(const std::vector<Placement>& changed) {
 }
 
 float Collage::distance_px(const Placement& p, Vec2 point_px) {
-  const Similarity& pose = p.canvas_from_shape;
-  return pose.scale() * shapes_.shape(p.shape).field.at(pose.inverse().apply(point_px));
+  return PieceDistance(shapes_.shape(p.shape), p.canvas_from_shape, 0).at(point_px);
 }
 
 Window Collage::stamp_window(const Placement& p) { return free_.stamp_window(shapes_.shape(p.shape), p.canvas_from_shape); }

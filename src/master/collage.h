@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/collage/checkpoint_state.h"
+#include "core/collage/placed_outlines.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
 #include "core/field/canvas.h"
@@ -41,8 +42,8 @@ class Collage {
   /// takes: for while the workers match.
   void check_ahead();
 
-  /// The best candidate of the pool after the finalists were checked exactly, made clear of its neighbours and grown;
-  /// false where the pool is dry.
+  /// The best candidate of the pool after the finalists were checked exactly, made clear of its neighbours and grown: by
+  /// what it is worth then. False where the pool is dry.
   bool choose(Candidate& best);
 
   /// Merge: takes the piece out of the free region and brings the target curve up to date. Returns the nodes within
@@ -83,6 +84,8 @@ class Collage {
   std::vector<Pool::Ranked> finalists();
   void check_exactly(Candidate& candidate);
   bool settle(Candidate& candidate);
+  bool push_clear(Candidate& candidate);
+  bool fit_exactly(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
   void drop_shape(std::uint32_t shape);
@@ -105,6 +108,7 @@ class Collage {
   std::map<std::uint32_t, std::uint32_t> passes_;  // how often a sample was matched
   std::uint32_t first_pass_ = 0;
   std::vector<Placement> placements_;
+  PlacedOutlines outlines_;  // of the placements
   std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
   double covered_px2_ = 0;
   Window changed_nodes_;

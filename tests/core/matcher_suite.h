@@ -72,6 +72,19 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithOtherSettings) {
   expect_the_references_round(make_scene(settings, {6, 200, 2, 8}));
 }
 
+/// One angle, or hardly more; the interval's end may be anywhere. One scale, or hardly more.
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithinNarrowRanges) {
+  for (const float half_width_rad : {0.f, 0.002f, 0.1f}) {
+    for (const float middle_rad : {0.f, 1.5707964f, -2.5f}) {
+      CollageSettings settings = scene_settings();
+      settings.pieces.min_rotation_rad = middle_rad - half_width_rad;
+      settings.pieces.max_rotation_rad = middle_rad + half_width_rad;
+      if (half_width_rad == 0.1f) settings.pieces.max_scale_px = settings.pieces.min_scale_px * 1.03f;
+      expect_the_references_round(make_scene(settings, {6, 200, 2, 8}));
+    }
+  }
+}
+
 TEST_P(MatcherSuite, FindsDockingsOfBothKinds) {
   const auto matcher = matcher_of(scene());
   const Round round = run_round(*matcher, scene());
@@ -125,7 +138,9 @@ TEST_P(MatcherSuite, ADrawPutsItsBoundaryPointOnTheSample) {
     const TargetSample& sample = scene().samples[docking.sample];
     const TangentDraw draw = draw_tangent(scene().context, sample, docking.source - kTangentSource);
     EXPECT_EQ(draw.shape, docking.shape);
-    const Vec2 point = docking.canvas_from_shape.apply(scene().models[draw.shape].boundary[draw.boundary_point]);
+    const Vec2 point = docking.canvas_from_shape.apply(
+        scene().models[draw.shape].boundary[docked_point(scene().models[draw.shape], draw, sample,
+                                                         scene().context.docked_rotations)]);
     EXPECT_LT(norm(point - sample.position), 0.01f);
   }
 }

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <set>
+
 #include "core/geometry/closed_curve.h"
 #include "core/base/portable_math.h"
 #include "core/field/free_field.h"
 #include "core/matching/matcher.h"
 #include "core/matching/pair_selection.h"
 #include "core/matching/refinement.h"
+#include "core/tuning.h"
 #include "support/random_curves.h"
 #include "support/synthetic_library.h"
 
@@ -49,13 +52,77 @@ TEST(AlignPyramids, RecoversTheSimilarity) {
     const Similarity truth = random_similarity(20, 120);
     ArclengthPyramid target = shape;
     for (Vec2& p : target.keypoint) p = truth.apply(p);
-    const Alignment found = align_pyramids(shape.keypoint, target, 5, {19, 121});
+    const PoseRange any{19, 121, {}};
+    const Alignment found = align_pyramids(shape.keypoint, target, 5, {19, 121}, any);
     RC_ASSERT(found.valid);
     RC_ASSERT(std::abs(found.canvas_from_shape.a - truth.a) < 0.01f);
     RC_ASSERT(std::abs(found.canvas_from_shape.b - truth.b) < 0.01f);
     RC_ASSERT(norm(found.canvas_from_shape.translation() - truth.translation()) < 0.05f);
-    RC_ASSERT(!align_pyramids(shape.keypoint, target, 5, {truth.scale() * 1.01f, 500}).valid);
+    RC_ASSERT(!align_pyramids(shape.keypoint, target, 5, {truth.scale() * 1.01f, 500}, any).valid);
   }));
+}
+
+/// Of all poses with an allowed rotation and scale the one of least squares: no small step within the range is better.
+TEST(AlignPyramids, IsTheBestOfTheAllowedPoses) {
+  EXPECT_TRUE(rc::check([] {
+    const std::vector<Vec2> curve =
+        gaussian_smoothed(test::random_curve(*rc::gen::inRange<std::uint32_t>(1, 1u << 30), 1024), 0.05f);
+    const ArclengthPyramid shape = sample_pyramids(curve, 0.05f, 16, PadParameters{})[*rc::gen::inRange(0, 16)];
+    const Similarity truth = random_similarity(30, 100);
+    ArclengthPyramid target = shape;
+    for (Vec2& p : target.keypoint) p = truth.apply(p);
+    const float angle = truth.rotation_rad() + 0.01f * float(*rc::gen::inRange(2, 10));
+    const float least_scale = truth.scale() * (1 + 0.01f * float(*rc::gen::inRange(-5, 6)));
+    const PoseRange poses{least_scale, 200, direction_range(angle, angle + 0.3f)};
+    const Alignment found = align_pyramids(shape.keypoint, target, 5, {1, 300}, poses);
+    RC_ASSERT(found.valid);
+    RC_ASSERT(poses.contains(found.canvas_from_shape));
+    RC_ASSERT(std::abs(std::remainder(found.canvas_from_shape.rotation_rad() - angle, 6.2831853f)) < 1e-3f);
+    const auto squares = [&](const Similarity& s) {
+      float sum = 0;
+      for (int i = 0; i < 11; ++i) {
+        const Vec2 d = s.apply(shape.keypoint[i]) - target.keypoint[i];
+        sum += dot(d, d);
+      }
+      return sum;
+    };
+    const float least = squares(found.canvas_from_shape);
+    for (int k = 0; k < 4; ++k) {
+      Similarity other = found.canvas_from_shape;
+      if (k < 2) other.tx += k == 0 ? 0.5f : -0.5f;
+      if (k >= 2) other.ty += k == 2 ? 0.5f : -0.5f;
+      RC_ASSERT(squares(other) > least);
+    }
+  }));
+}
+
+TEST(TangentDocking, TakesOnlyPointsThatAgreeWhereRotationsAreFew) {
+  const std::vector<Shape> shapes = test::synthetic_library(4);
+  CollageSettings s = settings();
+  s.pieces.min_rotation_rad = s.pieces.max_rotation_rad = 0.4f;
+  const MatchingContext context = make_matching_context(s, 4);
+  const auto models = test::models_of(shapes, context, 0, 4);
+  TargetSample sample;
+  sample.edge = 77;
+  sample.position = {200, 100};
+  sample.tangent = {0.6f, 0.8f};
+  int docked = 0;
+  std::set<int> points;
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    const TangentDraw draw = draw_tangent(context, sample, i);
+    const ShapeModel& model = models[draw.shape];
+    const int point = docked_point(model, draw, sample, context.docked_rotations);
+    if (point == kNoPoint) continue;
+    ++docked;
+    points.insert(point);
+    const Similarity pose = tangent_docking(model, point, draw.scale_px, sample, context.poses);
+    EXPECT_NEAR(pose.rotation_rad(), 0.4f, 1e-5f);
+    EXPECT_LT(norm(pose.apply(model.boundary[point]) - sample.position), 0.01f);
+    const Vec2 direction = pose.apply_direction(model.tangent[point]) * (1 / draw.scale_px);
+    EXPECT_GT(dot(direction, sample.tangent), std::cos(kDockingTurn_rad) - 1e-3f);
+  }
+  EXPECT_GT(docked, 350) << "every shape has a side in every direction";
+  EXPECT_GT(points.size(), 10u);
 }
 
 TEST(TangentDocking, AlignsTheFrames) {
@@ -74,9 +141,10 @@ TEST(TangentDocking, AlignsTheFrames) {
     ASSERT_LE(draw.scale_px, 120.001f);
     ++drawn[draw.shape];
     const ShapeModel& model = models[draw.shape];
-    const Similarity pose = tangent_docking(model, draw, sample);
-    EXPECT_LT(norm(pose.apply(model.boundary[draw.boundary_point]) - sample.position), 0.01f);
-    const Vec2 direction = pose.apply_direction(model.tangent[draw.boundary_point]) * (1 / draw.scale_px);
+    const int point = docked_point(model, draw, sample, context.docked_rotations);
+    const Similarity pose = tangent_docking(model, point, draw.scale_px, sample, context.poses);
+    EXPECT_LT(norm(pose.apply(model.boundary[point]) - sample.position), 0.01f);
+    const Vec2 direction = pose.apply_direction(model.tangent[point]) * (1 / draw.scale_px);
     EXPECT_LT(norm(direction - sample.tangent), 1e-3f);
   }
   for (const int count : drawn) EXPECT_GT(count, 60);
@@ -158,11 +226,98 @@ TEST(Rotation, IsLimitedToItsRange) {
   s.pieces.max_rotation_rad = 0.2f;
   const MatchingContext context = make_matching_context(s, 1);
   const auto turned = [](float rad) { return Similarity{30 * std::cos(rad), 30 * std::sin(rad), 0, 0}; };
-  EXPECT_TRUE(context.rotation_allowed(turned(-0.49f)));
-  EXPECT_TRUE(context.rotation_allowed(turned(0.19f)));
-  EXPECT_FALSE(context.rotation_allowed(turned(-0.51f)));
-  EXPECT_FALSE(context.rotation_allowed(turned(0.21f)));
-  EXPECT_FALSE(context.rotation_allowed(turned(3.f)));
+  EXPECT_TRUE(context.poses.contains(turned(-0.49f)));
+  EXPECT_TRUE(context.poses.contains(turned(0.19f)));
+  EXPECT_FALSE(context.poses.contains(turned(-0.51f)));
+  EXPECT_FALSE(context.poses.contains(turned(0.21f)));
+  EXPECT_FALSE(context.poses.contains(turned(3.f)));
+}
+
+/// Any interval, one angle included: what lies outside comes back to its nearest bound, and what lies inside stays.
+TEST(PoseRange, PullsInByAsLittleAsNeeded) {
+  EXPECT_TRUE(rc::check([] {
+    const float low = 0.001f * float(*rc::gen::inRange(-3141, 3141));
+    const float width = *rc::gen::element(0.f, 1e-4f, 0.003f, 0.2f, 2.f, 4.f, 6.f);
+    const float min_scale = float(*rc::gen::inRange(2, 4000));
+    const float max_scale = min_scale * *rc::gen::element(1.0001f, 1.05f, 8.f);
+    const PoseRange poses{min_scale, max_scale, direction_range(low, low + width)};
+    const Similarity before = random_similarity(min_scale * 0.5f, max_scale * 2);
+    Similarity after = before;
+    poses.pull_in(after);
+    RC_ASSERT(poses.contains(after));
+    RC_ASSERT(after.translation() == before.translation());
+    RC_ASSERT(after.scale() >= min_scale);
+    RC_ASSERT(after.scale() <= max_scale);
+    const double turn = std::abs(std::remainder(double(after.rotation_rad()) - before.rotation_rad(), 6.283185307));
+    const double middle = std::remainder(double(before.rotation_rad()) - (low + 0.5 * width), 6.283185307);
+    RC_ASSERT(std::abs(turn - std::max(0., std::abs(middle) - 0.5 * width)) < 1e-5);
+    Similarity again = after;
+    poses.pull_in(again);
+    RC_ASSERT(norm({again.a - after.a, again.b - after.b}) <= 1e-6f * after.scale());
+  }));
+}
+
+TEST(PoseRange, KnowsHowFarAPoseMayTurn) {
+  EXPECT_TRUE(rc::check([] {
+    const float low = 0.001f * float(*rc::gen::inRange(-3141, 3141));
+    const float width = 0.001f * float(*rc::gen::inRange(0, 1500));
+    const PoseRange poses{1, 200, direction_range(low, low + width)};
+    const float at = low + width * 0.01f * float(*rc::gen::inRange(0, 101));
+    const TurnLimits turns = poses.turns({50 * std::cos(at), 50 * std::sin(at), 0, 0});
+    RC_ASSERT(std::abs(2 * std::atan(0.5f * turns.high) - (low + width - at)) < 1e-5f);
+    RC_ASSERT(std::abs(2 * std::atan(0.5f * turns.low) - (low - at)) < 1e-5f);
+  }));
+}
+
+/// Refinement within one angle: only place and size change, and they find the hole.
+TEST(Refine, KeepsTheOneAllowedAngle) {
+  const Shape shape = test::make_library_shape("bean", test::bean_outline());
+  CollageSettings s = settings();
+  s.pieces.min_rotation_rad = s.pieces.max_rotation_rad = 0;
+  const MatchingContext context = make_matching_context(s, 1);
+  const ShapeModel model = test::models_of({shape}, context, 0, 1).front();
+  const CanvasField hole = hole_of(shape, {70, 0, 128, 128}, 256);
+  EXPECT_TRUE(rc::check([&] {
+    Similarity pose{71, 0, 128 + float(*rc::gen::inRange(-3, 4)), 128 + float(*rc::gen::inRange(-3, 4))};
+    RC_ASSERT(refine(pose, model, FieldView(hole), context));
+    RC_ASSERT(pose.b == 0.f);
+    RC_ASSERT(norm(pose.translation() - Vec2{128, 128}) < 1.5f);
+    grow(pose, model, FieldView(hole), context);
+    RC_ASSERT(pose.b == 0.f);
+  }));
+}
+
+/// The smallest piece in a hole of exactly its size: its scale ends at the lower bound, where rounding must not reject it.
+TEST(Refine, RoundingRejectsNothingAtTheBoundsOfScale) {
+  const Shape shape = test::make_library_shape("bean", test::bean_outline());
+  for (const float bound_px : {20.f, 20.001f, 33.333f, 47.11f, 90.07f}) {
+    for (const bool lower : {true, false}) {
+      CollageSettings s = settings();
+      s.pieces.min_scale_px = lower ? bound_px : 15;
+      s.pieces.max_scale_px = lower ? 120 : bound_px;
+      const MatchingContext context = make_matching_context(s, 1);
+      const ShapeModel model = test::models_of({shape}, context, 0, 1).front();
+      // The hole is a little beyond the bound, so that the descent presses against it.
+      const CanvasField hole = hole_of(shape, {bound_px * (lower ? 0.995f : 1.02f), 0, 128, 128}, 256);
+      for (float angle = 0; angle < 0.05f; angle += 0.003f) {
+        Similarity pose{bound_px * std::cos(angle), bound_px * std::sin(angle), 128, 128};
+        ASSERT_TRUE(refine(pose, model, FieldView(hole), context)) << bound_px << " turned by " << angle;
+        EXPECT_GE(pose.scale(), s.pieces.min_scale_px);
+        EXPECT_LE(pose.scale(), s.pieces.max_scale_px);
+      }
+    }
+  }
+}
+
+TEST(Levels, NarrowRangesOfScalesKeepTheirPads) {
+  for (float min_px = 12; min_px < 200; min_px *= 1.013f) {
+    for (const float ratio : {1.001f, 1.05f, 1.1f, 1.3f}) {
+      CollageSettings s;
+      s.pieces.min_scale_px = min_px;
+      s.pieces.max_scale_px = min_px * ratio;
+      EXPECT_FALSE(make_matching_context(s, 1).levels.empty()) << min_px << " to " << min_px * ratio << " px";
+    }
+  }
 }
 
 TEST(SelectPairs, FindsThePlaceWhereTheShapeCameFrom) {
@@ -195,7 +350,7 @@ TEST(DrawTangent, DiffersBetweenPassesAndSamples) {
     std::vector<std::uint32_t> points;
     for (std::uint32_t i = first; i < first + 50; ++i) {
       const TangentDraw draw = draw_tangent(context, sample, i);
-      points.push_back(draw.shape * 1000 + draw.boundary_point);
+      points.push_back(draw.shape * 1000 + (draw.point_bits >> 24));
     }
     return points;
   };

@@ -47,6 +47,20 @@ TEST(Objective, ScaleAwareHasItsFormula) {
   EXPECT_NEAR(objective(terms, kPiece, settings), expected, 1e-6f);
 }
 
+/// The paper's Z has squares of single areas: they change with the areas.
+TEST(ExactAreas, CountForEveryObjective) {
+  const DockingTerms estimated{150, 10, 20, 60, 300};
+  const DockingTerms exact = with_exact_areas(estimated, {20, 60});
+  EXPECT_EQ(exact, (DockingTerms{150, 20, 60, 240, 2700}));
+  const DockingTerms unseen = with_exact_areas({150, 0, 0, 0, 0}, {5, 7});
+  EXPECT_EQ(unseen, (DockingTerms{150, 5, 7, 25, 49}));
+  for (const Objective kind : {Objective::paper, Objective::scale_aware}) {
+    ObjectiveSettings settings;
+    settings.kind = kind;
+    EXPECT_LT(objective(exact, kPiece, settings), objective(estimated, kPiece, settings));
+  }
+}
+
 TEST(ExactAreas, OfADiscInAFreeCanvas) {
   const Shape disc = test::make_test_shape("disc", test::disc_outline());
   const PieceSettings pieces{.min_scale_px = 20, .max_scale_px = 80};

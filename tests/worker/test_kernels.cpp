@@ -302,6 +302,7 @@ test::MatchingScene random_scene(std::uint32_t seed) {
   scene.settings.match.beta = 0.4f;
   scene.settings.pieces.max_scale_px = random.between(60, 250);
   scene.settings.pieces.max_rotation_rad = seed % 2 ? 1.f : 3.1415927f;
+  if (seed == 7) scene.settings.pieces.min_rotation_rad = scene.settings.pieces.max_rotation_rad = 0.05f;
   scene.context = make_matching_context(scene.settings, 7);
   for (int i = 0; i < 7; ++i) scene.models.push_back(random_model(random, scene.context));
   scene.models[5] = scene.models[2];  // twins

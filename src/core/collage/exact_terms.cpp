@@ -45,7 +45,22 @@ void each_node(std::uint64_t word, int k, int y, F f) {
   for (; word != 0; word &= word - 1) f(64 * k + std::countr_zero(word), y);
 }
 
+/// The sum of squares of parts whose sum changes from `before` to `after`.
+float with_sum(float squares, float before, float after) {
+  if (before <= 0) return after * after;
+  const float ratio = after / before;
+  return squares * (ratio * ratio);
+}
+
 }  // namespace
+
+DockingTerms with_exact_areas(DockingTerms terms, const ExactAreas& areas) {
+  terms.overlap_px4 = with_sum(terms.overlap_px4, terms.overlap_px2, areas.overlap_px2);
+  terms.gap_px4 = with_sum(terms.gap_px4, terms.gap_px2, areas.gap_px2);
+  terms.overlap_px2 = areas.overlap_px2;
+  terms.gap_px2 = areas.gap_px2;
+  return terms;
+}
 
 Window exact_window(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
                     const PieceSettings& pieces) {

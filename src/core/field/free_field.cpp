@@ -29,6 +29,14 @@ FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
   for (const float d : field_.value.data()) free_256ths_px2_ += node_256ths_px2(d);
 }
 
+FieldSample FreeField::canvas_sample(Vec2 canvas_px) const {
+  FieldView canvas = view();
+  canvas.value = empty_.data().data();
+  FieldSample sample = field_sample(canvas, canvas_px);
+  sample.value += padding_px_;
+  return sample;
+}
+
 std::int64_t FreeField::node_256ths_px2(float distance_px) const {
   return std::int64_t(256 * std::clamp(distance_px + padding_px_ + 0.5f, 0.f, 1.f));
 }

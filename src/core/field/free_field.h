@@ -22,6 +22,8 @@ class FreeField {
 
   const CanvasField& field() const { return field_; }
   FieldView view() const { return FieldView(field_); }
+  /// Distance to the canvas' own edge, positive inside, with its gradient: without pieces and without padding.
+  FieldSample canvas_sample(Vec2 canvas_px) const;
 
   /// Takes the piece out of the region: d = min(d, distance to the piece - padding). Returns the nodes that changed.
   Window stamp(const Shape& shape, const Similarity& canvas_from_shape);

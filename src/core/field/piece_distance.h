@@ -1,12 +1,14 @@
 // The distance to a piece as it lies on the canvas.
 #pragma once
 
+#include "core/geometry/hull_distance.h"
 #include "core/geometry/similarity.h"
 #include "core/shape/shape.h"
 
 namespace tessera {
 
-/// Signed distance, px, from canvas positions (px) to a piece grown by `padding_px`; positive outside.
+/// Signed distance, px, from canvas positions (px) to a piece grown by `padding_px`; positive outside. Beyond the shape's
+/// own grid a lower bound: of that of the grid and that of the outline's hull the better one.
 class PieceDistance {
  public:
   /// Keeps a reference to the shape.
@@ -14,9 +16,15 @@ class PieceDistance {
       : field_(shape.field),
         shape_from_canvas_(canvas_from_shape.inverse()),
         scale_(canvas_from_shape.scale()),
-        padding_px_(padding_px) {}
+        padding_px_(padding_px),
+        hull_(shape.outline.curves.front()) {}
 
-  float at(Vec2 canvas_px) const { return scale_ * field_.at(shape_from_canvas_.apply(canvas_px)) - padding_px_; }
+  float at(Vec2 canvas_px) const {
+    const Vec2 p = shape_from_canvas_.apply(canvas_px);
+    float beyond;
+    const float nearest = field_.at_nearest(p, beyond);
+    return scale_ * (beyond > 0 ? outside(p, nearest, beyond) : nearest) - padding_px_;
+  }
 
   /// The most by which positions `apart_px` apart differ: bilinear look-up in exact distances is at most sqrt(2) steep,
   /// the rest is for the rounding of the stored field and of the positions.
@@ -31,10 +39,17 @@ class PieceDistance {
  private:
   static constexpr float kRounding_px = 0.05f;
 
+  float outside(Vec2 p, float nearest, float beyond) const {
+    const float by_grid = std::sqrt(nearest * nearest + beyond * beyond);
+    // No more than the way round the nearest point of the grid, so that there is no jump at the grid's edge.
+    return std::min(std::max(by_grid, hull_.at(p)), nearest + beyond);
+  }
+
   const ShapeField& field_;
   Similarity shape_from_canvas_;
   float scale_;
   float padding_px_;
+  HullDistance hull_;
 };
 
 }  // namespace tessera

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,11 +24,20 @@ struct ShapeField {
   Grid<float> distance;
   float extent = 0;
 
-  /// Bilinear; outside the grid the distance to the grid is added, which stays a lower bound of nothing nearer.
+  /// Bilinear within the grid, and a lower bound outside: the outline lies within the grid, which is convex, so from p
+  /// it is seen at an obtuse angle behind the grid's nearest point.
   float at(Vec2 p) const;
+  /// At the point of the grid that is nearest to p; `beyond` is how far p is from that.
+  float at_nearest(Vec2 p, float& beyond) const;
 };
 
 inline float ShapeField::at(Vec2 p) const {
+  float beyond;
+  const float d = at_nearest(p, beyond);
+  return beyond > 0 ? std::sqrt(d * d + beyond * beyond) : d;
+}
+
+inline float ShapeField::at_nearest(Vec2 p, float& beyond) const {
   const Vec2 nearest{std::clamp(p.x, -extent, extent), std::clamp(p.y, -extent, extent)};
   const int last = distance.width() - 1;
   const float nodes_per_unit = float(last) / (2 * extent);
@@ -38,8 +48,8 @@ inline float ShapeField::at(Vec2 p) const {
   const float s = u - float(i), t = v - float(j);
   const float upper = distance(i, j) * (1 - s) + distance(i + 1, j) * s;
   const float lower = distance(i, j + 1) * (1 - s) + distance(i + 1, j + 1) * s;
-  const float inside = upper * (1 - t) + lower * t;
-  return nearest == p ? inside : inside + norm(p - nearest);
+  beyond = nearest == p ? 0.f : norm(p - nearest);
+  return upper * (1 - t) + lower * t;
 }
 
 /// Matching needs both curves smoothed by the same fraction of size (design, method 1), hence a few fixed levels.

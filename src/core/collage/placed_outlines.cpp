@@ -1,0 +1,161 @@
+#include "core/collage/placed_outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/field/piece_distance.h"
+#include "core/tuning.h"
+
+namespace tessera {
+namespace {
+
+/// Positions are written with three decimals, so two of them may come this much nearer to each other.
+constexpr float kWritten_px = 0.002f;
+/// Of the canvas' edge, which is a field: the spacing of the points at which it is looked up.
+constexpr float kEdgeSpacing_px = 1;
+/// A vertex that a field sees this part of the allowed depth inside is worth an exact look: more than the field is wrong.
+constexpr float kSuspectDepth = 0.5f;
+
+bool near(const Box& a, const Box& b, float reach) {
+  return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach &&
+         b.low.y <= a.high.y + reach;
+}
+
+bool within(const Box& box, Vec2 p) {
+  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+}
+
+Vec2 middle(const Box& box) { return (box.low + box.high) * 0.5f; }
+
+/// Of length `by`.
+Vec2 along(Vec2 direction, float by) { return direction * (by / std::max(norm(direction), 1e-6f)); }
+
+template <class F>
+void each_segment(const Outline& outline, F f) {
+  for (const std::vector<Vec2>& curve : outline.curves) {
+    for (std::size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) f(Segment{curve[j], curve[i]});
+  }
+}
+
+/// The nearest points of two boundaries that are nearer than `reach`.
+Approach nearest_boundaries(const PolygonIndex& piece, const PolygonIndex& other, float reach) {
+  Approach best{reach, {}, {}};
+  each_segment(piece.outline(), [&](const Segment& s) {
+    if (best.distance <= 0) return;
+    const Approach a = other.approach(s, best.distance);
+    if (a.distance < best.distance) best = a;
+  });
+  return best;
+}
+
+/// The way out for the deepest vertex of `inner` that lies deeper than `limit` in `outer`; `suspect` leaves out those
+/// that certainly do not.
+template <class Suspect>
+bool deepest_vertex(const PolygonIndex& inner, const PolygonIndex& outer, float limit, Suspect suspect, Vec2& way) {
+  float deepest = limit;
+  for (const std::vector<Vec2>& curve : inner.outline().curves) {
+    for (const Vec2 p : curve) {
+      if (!within(outer.box(), p) || !suspect(p) || !outer.contains(p)) continue;
+      const Approach out = outer.approach(p, kHopelessDepth_px);
+      if (out.distance <= deepest) continue;
+      deepest = out.distance;
+      // Where the boundary is out of reach there is no short way.
+      const Vec2 direction = out.distance < kHopelessDepth_px ? out.there - p : middle(inner.box()) - middle(outer.box());
+      way = along(direction, deepest - limit);
+    }
+  }
+  return deepest > limit;
+}
+
+auto key_of(const Placement& p) {
+  const Similarity& s = p.canvas_from_shape;
+  return std::tuple(p.shape, s.a, s.b, s.tx, s.ty);
+}
+
+}  // namespace
+
+Outline placed_outline(const Outline& outline, const Similarity& canvas_from_shape) {
+  Outline placed = outline;
+  for (std::vector<Vec2>& curve : placed.curves) {
+    for (Vec2& p : curve) p = canvas_from_shape.apply(p);
+  }
+  return placed;
+}
+
+PlacedOutlines::PlacedOutlines(const FreeField& free, const PieceSettings& pieces)
+    : free_(free), needed_px_(pieces.padding_px > 0 ? pieces.padding_px + kWritten_px : -kHardDepth_px) {}
+
+void PlacedOutlines::add(const Placement& placement, const Outline& outline) {
+  placed_.push_back(
+      {placement, std::make_shared<PolygonIndex>(placed_outline(outline, placement.canvas_from_shape))});
+}
+
+void PlacedOutlines::replace(const std::vector<Placement>& placements, ShapeSource& shapes) {
+  std::map<decltype(key_of({})), std::shared_ptr<const PolygonIndex>> known;
+  for (const Placed& placed : placed_) known.emplace(key_of(placed.placement), placed.outline);
+  placed_.clear();
+  for (const Placement& p : placements) {
+    const auto found = known.find(key_of(p));
+    if (found == known.end()) {
+      add(p, shapes.shape(p.shape).outline);
+    } else {
+      placed_.push_back({p, found->second});
+    }
+  }
+}
+
+bool PlacedOutlines::too_near(const PolygonIndex& piece, const PolygonIndex& other, Vec2& way) const {
+  const Approach nearest = nearest_boundaries(piece, other, needed_px_);
+  if (nearest.distance < needed_px_ && nearest.distance > 0) {
+    way = along(nearest.here - nearest.there, needed_px_ - nearest.distance);
+    return true;
+  }
+  // Apart or not, one may lie in the other.
+  const bool crossed = nearest.distance <= 0 || other.contains(piece.outline().curves.front().front()) ||
+                       piece.contains(other.outline().curves.front().front());
+  if (crossed) way = along(middle(piece.box()) - middle(other.box()), needed_px_);
+  return crossed;
+}
+
+bool PlacedOutlines::too_near_the_edge(const PolygonIndex& piece, Vec2& way) const {
+  float worst = needed_px_;
+  each_segment(piece.outline(), [&](const Segment& s) {
+    const Vec2 edge = s.to - s.from;
+    const int steps = 1 + int(norm(edge) / kEdgeSpacing_px);
+    for (int i = 0; i < steps; ++i) {
+      const Vec2 p = s.from + edge * (float(i) / float(steps));
+      const FieldSample at = free_.canvas_sample(p);
+      if (at.value >= worst) continue;
+      worst = at.value;
+      way = along(at.gradient, needed_px_ - worst);
+    }
+  });
+  return worst < needed_px_;
+}
+
+std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity& canvas_from_shape) const {
+  const PolygonIndex piece(placed_outline(shape.outline, canvas_from_shape));
+  const PieceDistance distance(shape, canvas_from_shape, 0);
+  const FieldView free = free_.view();
+  std::vector<Vec2> ways;
+  Vec2 way;
+  for (const Placed& placed : placed_) {
+    const PolygonIndex& other = *placed.outline;
+    if (!near(piece.box(), other.box(), std::max(needed_px_, 0.f))) continue;
+    if (needed_px_ > 0) {
+      if (too_near(piece, other, way)) ways.push_back(way);
+      continue;
+    }
+    const float limit = -needed_px_;
+    const auto in_others = [&](Vec2 p) { return field_value(free, p) < -kSuspectDepth * limit; };
+    const auto in_piece = [&](Vec2 p) { return distance.at(p) < -kSuspectDepth * limit; };
+    if (deepest_vertex(piece, other, limit, in_others, way)) ways.push_back(way);
+    if (deepest_vertex(other, piece, limit, in_piece, way)) ways.push_back(way * -1.f);
+  }
+  if (too_near_the_edge(piece, way)) ways.push_back(way);
+  return ways;
+}
+
+}  // namespace tessera

@@ -1,0 +1,46 @@
+// The outlines of the placed pieces as they are written to pieces.geojson, and the last word on whether another piece may
+// stand beside them: polygon against polygon, where fields and boundary points only estimate.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/collage/placement.h"
+#include "core/field/free_field.h"
+#include "core/geometry/polygon_index.h"
+#include "core/settings.h"
+#include "core/shape/shape_source.h"
+
+namespace tessera {
+
+/// In canvas px.
+Outline placed_outline(const Outline& outline, const Similarity& canvas_from_shape);
+
+class PlacedOutlines {
+ public:
+  /// `free` outlives the outlines: it knows the canvas' edge.
+  PlacedOutlines(const FreeField& free, const PieceSettings& pieces);
+
+  void add(const Placement& placement, const Outline& outline);
+  /// Those of `placements`, in this order.
+  void replace(const std::vector<Placement>& placements, ShapeSource& shapes);
+
+  /// For each neighbour, and for the canvas' edge, that the piece comes too near: by how much it had to move away (px).
+  /// With padding_px, two polygons are at least so far apart, exactly; without, no vertex of one lies deeper than
+  /// kHardDepth_px in the other. Empty: the piece may stand.
+  std::vector<Vec2> conflicts(const Shape& shape, const Similarity& canvas_from_shape) const;
+
+ private:
+  struct Placed {
+    Placement placement;
+    std::shared_ptr<const PolygonIndex> outline;
+  };
+  bool too_near(const PolygonIndex& piece, const PolygonIndex& other, Vec2& way) const;
+  bool too_near_the_edge(const PolygonIndex& piece, Vec2& way) const;
+
+  const FreeField& free_;
+  float needed_px_;  // between the boundaries; negative: how deep one may reach into the other
+  std::vector<Placed> placed_;
+};
+
+}  // namespace tessera

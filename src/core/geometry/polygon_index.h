@@ -1,0 +1,63 @@
+// Closed polygons with their segments in cells, for exact answers about points and segments near by.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/polygon.h"
+
+namespace tessera {
+
+struct Segment {
+  Vec2 from;
+  Vec2 to;
+};
+
+Vec2 nearest_point(const Segment& segment, Vec2 p);
+
+/// The nearest points of two things, and how far they are apart.
+struct Approach {
+  float distance = 0;
+  Vec2 here;
+  Vec2 there;
+};
+
+/// 0 where the segments cross.
+Approach approach_of(const Segment& here, const Segment& there);
+
+class PolygonIndex {
+ public:
+  /// At least one curve of at least one point.
+  explicit PolygonIndex(Outline outline);
+
+  const Outline& outline() const { return outline_; }
+  const Box& box() const { return box_; }
+
+  /// Even-odd rule over all curves; points on the boundary may count either way.
+  bool contains(Vec2 p) const;
+
+  /// From a point or a segment (`here`) to the boundary (`there`). Where the boundary is farther than `reach`, the
+  /// distance is `reach` and the points say nothing.
+  Approach approach(Vec2 here, float reach) const { return approach(Segment{here, here}, reach); }
+  Approach approach(const Segment& here, float reach) const;
+
+ private:
+  struct Cells {
+    int x0, y0, x1, y1;
+  };
+  int column(float x) const;
+  int row(float y) const;
+  Cells cells_round(const Segment& s, float reach) const;
+  template <class F>
+  void each_segment(F f) const;
+
+  Outline outline_;
+  Box box_;
+  float cells_per_unit_ = 0;
+  int columns_ = 1;
+  int rows_ = 1;
+  std::vector<Segment> segments_;      // by cell; those that lie in several stand in each of them
+  std::vector<std::uint32_t> first_;   // of each cell in segments_, and the end
+};
+
+}  // namespace tessera
