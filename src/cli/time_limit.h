@@ -25,8 +25,8 @@ class TimeLimit {
   /// end too late.
   bool near();
 
-  /// Asked within a round: what is left is needed for the files of the result.
-  bool over() const;
+  /// Asked within a round: what is left is needed for the files of the result, and `leaving_s` to leave.
+  bool over(double leaving_s) const;
 
  private:
   double limit_s_;
