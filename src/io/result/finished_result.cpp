@@ -18,7 +18,9 @@ bool picture_is_newest(const fs::path& dir) {
   return !error && picture >= fs::last_write_time(dir / "job.toml", error) && !error;
 }
 
-bool ended_early(const ResultCard& card) { return card.stopped_by == "signal" || card.stopped_by == "time_limit"; }
+bool ended_early(const ResultCard& card) {
+  return card.stopped_by == "signal" || card.stopped_by == "time_limit" || card.stopped_by == "lost_rank";
+}
 
 }  // namespace
 
