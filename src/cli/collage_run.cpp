@@ -60,9 +60,11 @@ io::RunRecord record_of(const CollageInput& input) {
 /// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
 StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const TimeLimit& limit) {
   comm::install_stop_handlers();
-  const StopReason stop_reason = [&limit]() -> const char* {
+  // A rank that cannot say goodbye is killed by mpirun, which takes two seconds.
+  const double leaving_s = ranks.size() > 1 ? 2 : 0;
+  const StopReason stop_reason = [&limit, leaving_s]() -> const char* {
     if (comm::stop_signalled()) return "signal";
-    return limit.over() ? "time_limit" : nullptr;
+    return limit.over(leaving_s) ? "time_limit" : nullptr;
   };
   ranks.interrupt_waits_when(stop_reason);
   ranks.watch_workers(job.comm.silence_s, [](const std::string& line) {

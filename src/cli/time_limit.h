@@ -27,8 +27,8 @@ class TimeLimit {
   /// Asked while the result is drawn, from any thread: it is time to end.
   bool over() const;
 
-  /// Asked within a round: what is left is needed for the files of the result.
-  bool over() const;
+  /// Asked within a round: what is left is needed for the files of the result, and `leaving_s` to leave.
+  bool over(double leaving_s) const;
 
  private:
   double limit_s_;

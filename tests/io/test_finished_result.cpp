@@ -38,6 +38,7 @@ TEST_F(FinishedResult, has_its_job) {
 TEST_F(FinishedResult, is_none_where_it_was_ended_early) {
   EXPECT_FALSE(job_of_finished_result(write_result("signal")));
   EXPECT_FALSE(job_of_finished_result(write_result("time_limit")));
+  EXPECT_FALSE(job_of_finished_result(write_result("lost_rank")));
 }
 
 TEST_F(FinishedResult, is_none_where_a_file_is_missing_or_not_ours) {
