@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/interrupted.h"
 #include "core/collage/checkpoint_state.h"
 #include "io/result/run_log.h"
 #include "io/result/run_record.h"
@@ -32,6 +33,9 @@ class CollageJournal {
   auto watch(Work work) {
     try {
       return work();
+    } catch (const Interrupted& interrupted) {
+      log_.info(std::string("end: stopped by ") + interrupted.reason + " before the first round");
+      throw;
     } catch (const std::exception& error) {
       log_.error(error.what());
       throw;

@@ -58,7 +58,7 @@ io::RunRecord record_of(const CollageInput& input) {
 }
 
 /// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
-StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const TimeLimit& limit) {
+StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const TimeLimit& limit, CollageJournal& journal) {
   comm::install_stop_handlers();
   // A rank that cannot say goodbye is killed by mpirun, which takes two seconds.
   const double leaving_s = ranks.size() > 1 ? 2 : 0;
@@ -67,8 +67,8 @@ StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const Time
     return limit.over(leaving_s) ? "time_limit" : nullptr;
   };
   ranks.interrupt_waits_when(stop_reason);
-  ranks.watch_workers(job.comm.silence_s, [](const std::string& line) {
-    print_warning(line + " (comm.silence_s): the run ends here");
+  ranks.watch_workers(job.comm.silence_s, [&journal](const std::string& line) {
+    journal.warn(line + " (comm.silence_s): the run ends here");
   });
   return stop_reason;
 }
@@ -88,7 +88,7 @@ bool compute(const CollageArguments& arguments, const CollageInput& input, const
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   journal.warn(replaced_result_warning(input.folder, input.job));
   if (input.from) journal.resumed(*input.from);
-  const StopReason stop_reason = watch_waits(ranks, input.job, limit);
+  const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
   announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
   const std::unique_ptr<Matcher> matcher =
       ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library, stop_reason);
