@@ -25,7 +25,7 @@ struct RunStatistics {
   double improve_s = 0;                // of total_s; nothing else here counts what trials do
   double total_s = 0;                  // of the loop, without the set-up of canvas and collage
   double setup_processor_s = 0;        // of this process, before the loop
-  std::string stopped_by;              // "full", "pieces", "coverage", "seconds"; unfinished: "signal" or "time_limit"
+  std::string stopped_by;              // "full", "pieces", "coverage", "seconds"; unfinished: "signal", "time_limit", "lost_rank"
 
   double pruned_fraction() const {
     return docking_choices ? 1.0 - double(dockings_evaluated) / double(docking_choices) : 0.0;

@@ -14,6 +14,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
@@ -108,7 +109,11 @@ std::string how_it_ended(int status) {
   return "crashed its process (" + std::string(::strsignal(WTERMSIG(status))) + ")";
 }
 
-std::string seconds_text(double seconds) { return std::to_string(std::lround(std::ceil(seconds))) + " s"; }
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g s", seconds);
+  return text;
+}
 
 }  // namespace
 

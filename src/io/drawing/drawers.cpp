@@ -200,10 +200,13 @@ std::string Drawers::import_svg(std::span<const std::uint8_t> bytes, const std::
 
 std::variant<ArtworkShape, SkipReason> Drawers::shape(std::span<const std::uint8_t> bytes, const std::string& path,
                                                       const PadParameters& pad) {
-  const DrawingAnswer answer =
-      crew_->draw({.kind = DrawingKind::shape, .pad = pad, .path = std::filesystem::absolute(path), .bytes = bytes});
+  const DrawingAnswer answer = crew_->draw({.kind = DrawingKind::shape, .pad = pad, .path = path, .bytes = bytes});
   try {
-    return decode_shape_answer(answer.bytes());
+    ShapeOrReason result = decode_shape_answer(answer.bytes());
+    if (auto* artwork = std::get_if<ArtworkShape>(&result)) {
+      artwork->shape.artwork.path = std::filesystem::absolute(path);
+    }
+    return result;
   } catch (const std::runtime_error&) {
     throw_garbled(path);
   }

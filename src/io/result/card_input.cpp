@@ -47,7 +47,9 @@ std::string text(const json& card, const std::string& path, const char* section,
 
 }  // namespace
 
-bool is_unfinished(const ResultCard& card) { return card.stopped_by == "signal" || card.stopped_by == "time_limit"; }
+bool is_unfinished(const ResultCard& card) {
+  return card.stopped_by == "signal" || card.stopped_by == "time_limit" || card.stopped_by == "lost_rank";
+}
 
 ResultCard read_card(const std::string& folder) {
   const std::string path = (std::filesystem::path(folder) / "card.json").string();
