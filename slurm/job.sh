@@ -48,7 +48,8 @@ run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
   local ranks=$1 job=$2 out=$3
   shift 3
   local resume=()
-  [[ ! -e $out/checkpoint.h5 ]] || resume=(--resume)
+  # A job that came back after its collage was finished has pictures left to draw.
+  if [[ -e $out/checkpoint.h5 ]] || { ((restarts > 0)) && [[ -e $out/manifest.json ]]; }; then resume=(--resume); fi
   TESSERA_MASTER_NODE=$(hostname)  # rank 0 is beside this script
   export TESSERA_MASTER_NODE
   # --map-by node: as many workers on every node, as far as its tasks allow. --bind-to none: a rank's OpenCL device uses
