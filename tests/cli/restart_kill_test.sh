@@ -18,7 +18,7 @@ finished=0
 resumed=0
 until ((killed >= kills && finished >= 1)); do
   options=(--set checkpoint.every_s=0.001) # after every round, so that many a kill hits the writing
-  if [[ -e out/checkpoint.h5 ]]; then
+  if [[ -e out/checkpoint.h5 || -e out/manifest.json ]]; then
     options+=(--resume)
     resumed=$((resumed + 1))
   elif [[ -e out/checkpoint.previous.h5 ]]; then
@@ -44,7 +44,7 @@ until ((killed >= kills && finished >= 1)); do
     expect_result out
     rm -r out
     finished=$((finished + 1))
-  elif ((${#options[@]} > 2)) && [[ ! -e out/checkpoint.h5 && ! -s out/collage.png ]]; then
+  elif ((${#options[@]} > 2)) && [[ ! -e out/checkpoint.h5 && ! -e out/manifest.json ]]; then
     fail "kill $killed: the checkpoint is lost"
   fi
 done

@@ -45,8 +45,10 @@ while :; do
   interrupt USR2 $((sessions % 3 == 1 ? 3 : 1)) often "${options[@]}"
   [[ $code == 0 ]] && break
   [[ $code == 75 ]] || fail "often: exit code $code"
-  [[ -s often/collage.png && -s often/checkpoint.h5 ]] || fail "often: no picture or no checkpoint"
+  [[ -s often/checkpoint.h5 ]] || fail "often: no checkpoint"
+  [[ ! -e often/collage.png ]] || fail "often: an unfinished run has drawn"
   grep -q 'go on with the same command and --resume' errors || fail "often: no hint"
+  grep -qF '"state":"unfinished"' often/manifest.json || fail "often: another state"
   grep -q 'stopped by *signal' often/card.txt || fail "often: another end"
   grep -q 'of it improving' often/card.txt || greedy=$((greedy + 1))
   sessions=$((sessions + 1))
@@ -55,6 +57,7 @@ while :; do
 done
 ((greedy >= 1 && sessions > greedy)) || fail "often: $sessions interruptions, $greedy of them before improving"
 expect_result often
+[[ -s often/collage.png && -s often/collage.svg ]] || fail "often: not drawn at the end"
 echo "ok often ($sessions interruptions, $greedy of them before improving)"
 
 for signal in INT TERM; do
@@ -64,6 +67,8 @@ done
 start 3 signal_INT --resume
 expect_end 0 "after SIGINT"
 expect_result signal_INT
+"$tessera" draw signal_TERM >output 2>errors || fail "an unfinished collage is not drawn"
+[[ -s signal_TERM/collage.png && -s signal_TERM/checkpoint.h5 ]] || fail "drawing an unfinished collage"
 mv signal_TERM kept
 cp -r kept kept_once
 [[ -f kept/checkpoint.previous.h5 ]] || fail "no previous checkpoint"

@@ -66,17 +66,23 @@ TEST(TimeLimit, is_that_of_the_slurm_job_if_none_is_given) {
 }
 
 TEST(TimeLimit, leaves_time_for_the_files) {
-  EXPECT_EQ(reserve_s(5), 3);
-  EXPECT_EQ(reserve_s(100), 10);
-  EXPECT_EQ(reserve_s(86400), 60);
+  EXPECT_EQ(reserve_s(5), 2);
+  EXPECT_EQ(reserve_s(100), 5);
+  EXPECT_EQ(reserve_s(86400), 20);
 }
 
 TEST(TimeLimit, counts_on_a_round_as_long_as_the_longest) {
-  TimeLimit limit(3.4);
+  TimeLimit limit(2.4);
   EXPECT_FALSE(limit.near());
   std::this_thread::sleep_for(std::chrono::milliseconds(220));
   EXPECT_TRUE(limit.near()) << "0.2 s left beside the reserve, and the last round took as long";
   EXPECT_FALSE(TimeLimit().near());
+}
+
+TEST(TimeLimit, ends_drawing_a_second_early) {
+  EXPECT_TRUE(TimeLimit(1).over());
+  EXPECT_FALSE(TimeLimit(60).over());
+  EXPECT_FALSE(TimeLimit().over());
 }
 
 }  // namespace

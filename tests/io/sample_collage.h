@@ -31,6 +31,8 @@ struct SampleCollage {
     report.placements.push_back({shape, t, 0.75f, 12.5f});
   }
 
+  io::CheckpointOrigin origin() const { return {&job, 11, 22}; }
+
   io::Job job;
   Canvas canvas = make_rectangle_canvas(200, 100);
   io::CollageReport report;

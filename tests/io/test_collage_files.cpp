@@ -8,8 +8,12 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "io/result/card_drawing.h"
+#include "io/result/placed_pieces.h"
+#include "io/result/result_manifest.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
+#include "support/input_error.h"
 
 namespace tessera::io {
 namespace {
@@ -33,10 +37,11 @@ TEST(CollageFiles, WritesThemAllAndNothingElse) {
   const std::string dir = folder.path("out");
   prepare_output_directory(dir);
   EXPECT_TRUE(names_in(dir).empty());
-  for (const bool quick : {false, true}) {
-    const std::string card = write_collage(dir, sample.report, quick);
-    EXPECT_EQ(names_in(dir), (std::set<std::string>{"pieces.geojson", "card.json", "card.txt", "job.toml", "collage.svg",
-                                                    "collage.png"}));
+  for (const bool finished : {false, true}) {
+    const std::string card = publish_result(dir, sample.report, sample.origin(), finished);
+    EXPECT_EQ(names_in(dir),
+              (std::set<std::string>{"pieces.geojson", "card.json", "card.txt", "job.toml", "manifest.json"}));
+    EXPECT_EQ(read_manifest(dir).finished, finished);
     EXPECT_EQ(content_of(dir + "/card.txt"), card);
     // Disc of 40 px squared and ring of 60 px squared on 200 x 100 px.
     EXPECT_NE(card.find("26.0"), std::string::npos) << card;
@@ -48,11 +53,76 @@ TEST(CollageFiles, TheSameReportGivesTheSameBytes) {
   const test::SampleCollage sample;
   for (const char* dir : {"a", "b"}) {
     prepare_output_directory(folder.path(dir));
-    write_collage(folder.path(dir), sample.report, false);
+    publish_result(folder.path(dir), sample.report, sample.origin(), true);
   }
   for (const std::string& name : names_in(folder.path("a"))) {
     EXPECT_EQ(content_of(folder.path("a/" + name)), content_of(folder.path("b/" + name))) << name;
   }
+}
+
+TEST(CollageFiles, ThePicturesOfTheRunBeforeDoNotStandBesideNewPieces) {
+  const test::ScratchFolder folder;
+  const test::SampleCollage sample;
+  for (const char* name : {"collage.png", "collage.svg", "collage.pdf", "collage.png.tmp"}) folder.write(name, "old");
+  publish_result(folder.path(""), sample.report, sample.origin(), true);
+  EXPECT_EQ(names_in(folder.path("")),
+            (std::set<std::string>{"pieces.geojson", "card.json", "card.txt", "job.toml", "manifest.json"}));
+}
+
+TEST(CollageFiles, WhereAFileCannotBeWrittenThereIsNoResult) {
+  const test::ScratchFolder folder;
+  const test::SampleCollage sample;
+  publish_result(folder.path(""), sample.report, sample.origin(), true);
+  fs::create_directories(folder.path("job.toml.tmp/in_the_way"));  // of the last file before the manifest
+  EXPECT_THROW(publish_result(folder.path(""), sample.report, sample.origin(), true), EnvironmentError);
+  EXPECT_THROW(read_manifest(folder.path("")), InputError);
+}
+
+TEST(CollageFiles, AManifestBelongsToItsFiles) {
+  const test::ScratchFolder folder;
+  const test::SampleCollage sample;
+  for (const char* name : {"pieces.geojson", "job.toml"}) {
+    publish_result(folder.path(""), sample.report, sample.origin(), true);
+    const ResultManifest manifest = read_manifest(folder.path(""));
+    EXPECT_EQ(manifest.shapes, (std::vector<std::uint32_t>{7, 3}));
+    write_manifest(folder.path(""), manifest);
+    EXPECT_EQ(read_manifest(folder.path("")), manifest);
+    folder.write(name, content_of(folder.path(name)) + " ");
+    EXPECT_NE(test::message_of([&] { read_manifest(folder.path("")); }).find(name), std::string::npos);
+  }
+  folder.write("manifest.json", R"({"format": 1, "state": "finished"})");
+  EXPECT_NE(test::message_of([&] { read_manifest(folder.path("")); }).find("manifest.json: not a manifest"), std::string::npos);
+}
+
+TEST(CollageFiles, PiecesAreReadBackAsTheyWereWritten) {
+  const test::ScratchFolder folder;
+  const test::SampleCollage sample;
+  publish_result(folder.path(""), sample.report, sample.origin(), true);
+  const std::vector<Similarity> pieces = read_placed_pieces(folder.path(""));
+  ASSERT_EQ(pieces.size(), sample.report.placements.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Similarity& placed = sample.report.placements[i].canvas_from_shape;
+    EXPECT_NEAR(pieces[i].a, placed.a, 0.002);
+    EXPECT_NEAR(pieces[i].b, placed.b, 0.002);
+    EXPECT_EQ(pieces[i].tx, placed.tx);
+    EXPECT_EQ(pieces[i].ty, placed.ty);
+  }
+}
+
+TEST(CollageFiles, TheCardsTellOfTheLatestDrawing) {
+  const test::ScratchFolder folder;
+  const test::SampleCollage sample;
+  const std::string card = publish_result(folder.path(""), sample.report, sample.origin(), true);
+  DrawingNotes notes;
+  notes.pieces = 2;
+  notes.notes = {{"disc", DrawnFrom::thumbnail, "original missing", 1}};
+  for (int i = 0; i < 2; ++i) add_drawing_to_cards(folder.path(""), notes);
+  EXPECT_EQ(content_of(folder.path("card.txt")),
+            card + "Drawing\n  drawn from thumbnail    1 piece: original missing\n");
+  EXPECT_NE(content_of(folder.path("card.json")).find("original missing"), std::string::npos);
+  read_manifest(folder.path(""));
+  add_drawing_to_cards(folder.path(""), {2, {}});
+  EXPECT_EQ(content_of(folder.path("card.txt")), card);
 }
 
 TEST(CollageFiles, PreparesFoldersInFolders) {

@@ -1,12 +1,13 @@
 // What a folder holds already, and whether a job would make something else of it.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
 
 #include "io/result/finished_result.h"
+#include "io/result/result_manifest.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
+#include "support/input_error.h"
 
 namespace tessera::io {
 namespace {
@@ -15,11 +16,10 @@ namespace fs = std::filesystem;
 
 class FinishedResult : public testing::Test {
  protected:
-  std::string write_result(const std::string& stopped_by) {
-    sample_.report.statistics.stopped_by = stopped_by;
+  std::string write_result(bool finished) {
     const std::string dir = scratch_.path("out");
     prepare_output_directory(dir);
-    write_collage(dir, sample_.report, true);
+    publish_result(dir, sample_.report, sample_.origin(), finished);
     return dir;
   }
 
@@ -29,35 +29,55 @@ class FinishedResult : public testing::Test {
 
 TEST_F(FinishedResult, has_its_job) {
   sample_.job.settings.seed = 12;
-  const auto then = job_of_finished_result(write_result("full"));
+  const auto then = job_of_finished_result(write_result(true));
   ASSERT_TRUE(then.has_value());
   EXPECT_EQ(to_toml(*then), to_toml(sample_.job));
   EXPECT_EQ(result_differences(*then, sample_.job), "");
 }
 
 TEST_F(FinishedResult, is_none_where_it_was_ended_early) {
-  EXPECT_FALSE(job_of_finished_result(write_result("signal")));
-  EXPECT_FALSE(job_of_finished_result(write_result("time_limit")));
-  EXPECT_FALSE(job_of_finished_result(write_result("lost_rank")));
+  EXPECT_FALSE(job_of_finished_result(write_result(false)));
 }
 
 TEST_F(FinishedResult, is_none_where_a_file_is_missing_or_not_ours) {
   EXPECT_FALSE(job_of_finished_result(scratch_.path("none")));
-  for (const char* name : {"card.json", "job.toml", "collage.png"}) {
-    const std::string dir = write_result("full");
+  for (const char* name : {"manifest.json", "job.toml", "pieces.geojson"}) {
+    const std::string dir = write_result(true);
     fs::remove(dir + "/" + name);
     EXPECT_FALSE(job_of_finished_result(dir)) << name;
   }
-  const std::string dir = write_result("full");
+  const std::string dir = write_result(true);
   scratch_.write("out/job.toml", "[shapes]\nof = 'another version'\n");
-  fs::last_write_time(dir + "/job.toml", fs::last_write_time(dir + "/collage.png"));
   EXPECT_FALSE(job_of_finished_result(dir));
 }
 
-TEST_F(FinishedResult, is_none_where_the_picture_is_older_than_the_job) {
-  const std::string dir = write_result("full");
-  fs::last_write_time(dir + "/collage.png", fs::last_write_time(dir + "/job.toml") - std::chrono::seconds(1));
-  EXPECT_FALSE(job_of_finished_result(dir));
+TEST_F(FinishedResult, is_checked_before_nothing_is_computed) {
+  const std::string dir = write_result(true);
+  CheckpointOrigin now = sample_.origin();
+  check_finished_result(dir, now);
+  Job other = sample_.job;
+  other.output.width_px = 64;
+  now.job = &other;
+  check_finished_result(dir, now);
+  other.settings.seed = 12;
+  const auto message = [&] { return test::message_of([&] { check_finished_result(dir, now); }); };
+  EXPECT_EQ(message(), dir + ": holds the finished result of another job; seed: then 1, now 12; give what it was then, or "
+                             "leave --resume out to replace it");
+  other = sample_.job;
+  now.library_digest = 12;
+  EXPECT_NE(message().find("library.file: another content"), std::string::npos);
+}
+
+TEST_F(FinishedResult, has_pictures_when_the_manifest_says_so_and_they_are_there) {
+  const std::string dir = write_result(true);
+  EXPECT_FALSE(is_drawn(dir));
+  ResultManifest manifest = read_manifest(dir);
+  manifest.pictures = {{"collage.svg", 400, "#ffffff"}, {"collage.png", 400, "#ffffff"}};
+  write_manifest(dir, manifest);
+  EXPECT_FALSE(is_drawn(dir));
+  scratch_.write("out/collage.svg", "");
+  scratch_.write("out/collage.png", "");
+  EXPECT_TRUE(is_drawn(dir));
 }
 
 TEST(ResultDifferences, name_each_key_with_both_values) {

@@ -1,16 +1,25 @@
 // The picture: where artworks lie, how their edges look, what stands in for lost ones.
 #include <gtest/gtest.h>
+#include <sched.h>
 
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "artwork_samples.h"
-#include "io/result/png_output.h"
+#include "drawn_collage.h"
+#include "io/available_cores.h"
+#include "io/result/drawing_notes.h"
 #include "sample_collage.h"
+#include "scratch_folder.h"
 
 namespace tessera::io {
 namespace {
 
+using test::drawn_picture;
 using test::SampleCollage;
 
 constexpr char kSvgHead[] = R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100">)";
@@ -38,7 +47,7 @@ struct OneSquare : SampleCollage {
 
 TEST(Png, ArtworkLiesWhereItIsPlaced) {
   const OneSquare sample(0);
-  const cv::Mat picture = draw_collage(sample.report, false);
+  const cv::Mat picture = drawn_picture(sample.report);
   EXPECT_EQ(picture.size(), cv::Size(400, 200));
   EXPECT_EQ(at(picture, 161, 100), kRed);
   EXPECT_EQ(at(picture, 198, 61), kRed);
@@ -49,23 +58,16 @@ TEST(Png, ArtworkLiesWhereItIsPlaced) {
   EXPECT_EQ(at(picture, 200, 58), kBackground);
 }
 
-TEST(Png, OfARunWithWorkLeftIsNotLarge) {
-  OneSquare sample(0);
-  sample.job.output.width_px = 5000;
-  EXPECT_EQ(draw_collage(sample.report, true).size(), cv::Size(2000, 1000));
-  EXPECT_EQ(draw_collage(sample.report, false).size(), cv::Size(5000, 2500));
-}
-
 TEST(Png, RotationTurnsFromXToY) {
   const OneSquare sample(std::numbers::pi_v<float> / 2);
-  const cv::Mat picture = draw_collage(sample.report, false);
+  const cv::Mat picture = drawn_picture(sample.report);
   EXPECT_EQ(at(picture, 200, 65), kRed);  // what was on the left is above
   EXPECT_EQ(at(picture, 200, 135), kBlue);
 }
 
 TEST(Png, EdgesAreSmoothAndNoWiderThanAPixelOrTwo) {
   const OneSquare sample(0.3f);
-  const cv::Mat picture = draw_collage(sample.report, false);
+  const cv::Mat picture = drawn_picture(sample.report);
   int mixed = 0;
   for (int x = 0; x < picture.cols; ++x) {
     const cv::Vec3b c = at(picture, x, 100);
@@ -87,7 +89,7 @@ TEST(Png, SmallPiecesAreAveragedNotSampled) {
   sample.report.placements.clear();
   sample.place(7, 80, {60, 50}, 0.7f);  // makes the artwork be drawn large
   sample.place(7, 10, {160, 50}, 0.4f);
-  const cv::Mat picture = draw_collage(sample.report, false);
+  const cv::Mat picture = drawn_picture(sample.report);
   cv::Scalar mean, deviation;
   cv::meanStdDev(picture(cv::Rect(315, 95, 10, 10)), mean, deviation);
   EXPECT_NEAR(mean[0], 128, 6);
@@ -100,7 +102,7 @@ TEST(Png, OutsideOfTheRegionIsWhiteWithASmoothEdge) {
   for (int y = 0; y < 200; ++y) std::fill(mask.row(y) + 100, mask.row(y) + 301, 1.f);
   sample.canvas = make_mask_canvas(mask);
   sample.report.placements.clear();
-  const cv::Mat picture = draw_collage(sample.report, false);
+  const cv::Mat picture = drawn_picture(sample.report);
   EXPECT_EQ(at(picture, 50, 100), cv::Vec3b(255, 255, 255));
   EXPECT_EQ(at(picture, 200, 100), kBackground);
   EXPECT_EQ(at(picture, 103, 100), kBackground);
@@ -109,7 +111,7 @@ TEST(Png, OutsideOfTheRegionIsWhiteWithASmoothEdge) {
 
 TEST(Png, WithoutAnyArtworkTheOutlineIsFilled) {
   const SampleCollage sample;
-  const cv::Mat picture = draw_collage(sample.report, false);
+  const cv::Mat picture = drawn_picture(sample.report);
   const cv::Vec3b disc = at(picture, 100, 100);
   EXPECT_NEAR(disc[0], 145, 3);  // L* = 60 without colour
   EXPECT_EQ(disc[0], disc[2]);
@@ -117,23 +119,45 @@ TEST(Png, WithoutAnyArtworkTheOutlineIsFilled) {
   EXPECT_NE(at(picture, 280, 45), kBackground);
 }
 
-TEST(Png, LostOrDamagedOriginalsGiveWayToTheThumbnail) {
-  for (const std::string& original : {std::string(), std::string("<svg nonsense")}) {
-    OneSquare sample(0);
-    Artwork& artwork = sample.report.shapes[0].artwork;
-    artwork.original.assign(original.begin(), original.end());
-    artwork.path = "/nowhere/lost.svg";
-    artwork.thumbnail_png = test::encoded(cv::Mat(192, 192, CV_8UC4, cv::Scalar(0, 255, 0, 255)), ".png");
-    EXPECT_EQ(at(draw_collage(sample.report, false), 200, 100), cv::Vec3b(0, 255, 0));
-  }
+TEST(Png, LostOriginalsGiveWayToTheThumbnail) {
+  OneSquare sample(0);
+  Artwork& artwork = sample.report.shapes[0].artwork;
+  artwork.original.clear();
+  artwork.path = "/nowhere/lost.svg";
+  artwork.thumbnail_png = test::encoded(cv::Mat(192, 192, CV_8UC4, cv::Scalar(0, 255, 0, 255)), ".png");
+  test::DrawnCollage drawn(sample.report);
+  EXPECT_EQ(at(drawn.picture(), 200, 100), cv::Vec3b(0, 255, 0));
+  const DrawingNotes notes = drawn.artworks.notes();
+  ASSERT_EQ(notes.notes.size(), 1u);
+  EXPECT_EQ(notes.notes[0].from, DrawnFrom::thumbnail);
+  EXPECT_EQ(drawing_warning(notes), "1 piece drawn from thumbnails: original missing");
 }
 
-TEST(Png, QuickDrawsThumbnailsOnly) {
-  OneSquare sample(0);
-  sample.report.shapes[0].artwork.thumbnail_png =
-      test::encoded(cv::Mat(192, 192, CV_8UC4, cv::Scalar(0, 255, 0, 255)), ".png");
-  EXPECT_EQ(at(draw_collage(sample.report, true), 200, 100), cv::Vec3b(0, 255, 0));
-  EXPECT_EQ(at(draw_collage(sample.report, false), 190, 100), kRed);
+TEST(Png, ABadOriginalCostsItsDrawingAndIsNamed) {
+  std::string matrix;
+  for (int i = 0; i < 100 * 100; ++i) matrix += "1 ";
+  const std::string aborts_librsvg = std::string(kSvgHead) + "<filter id=\"f\"><feConvolveMatrix order=\"100\" kernelMatrix=\"" +
+                                     matrix + "\"/></filter><circle cx=\"30\" cy=\"25\" r=\"20\" filter=\"url(#f)\"/></svg>";
+  std::string takes_minutes = kSvgHead;
+  for (int i = 0; i < 40; ++i) takes_minutes += "<g filter=\"url(#f)\">";
+  takes_minutes += "<rect width=\"100\" height=\"100\"/>";
+  for (int i = 0; i < 40; ++i) takes_minutes += "</g>";
+  takes_minutes += "<filter id=\"f\"><feTurbulence numOctaves=\"900\" baseFrequency=\"0.1\"/></filter></svg>";
+  for (const std::string& original : {std::string("<svg nonsense"), aborts_librsvg, takes_minutes}) {
+    SampleCollage sample;
+    test::embed_artwork(sample.report.shapes[0], original, 100, 100, 80);
+    test::embed_artwork(sample.report.shapes[1], kTwoHalves, 100, 100, 80);
+    test::DrawnCollage drawn(sample.report, {.processes = 2, .seconds_per_drawing = 1});
+    const cv::Mat picture = drawn.picture();
+    EXPECT_NEAR(at(picture, 100, 100)[0], 145, 3) << "the disc in its mean colour";
+    EXPECT_EQ(at(picture, 225, 100), kRed) << "the other shape is drawn";
+    const DrawingNotes notes = drawn.artworks.notes();
+    ASSERT_EQ(notes.notes.size(), 1u);
+    EXPECT_EQ(notes.notes[0].shape, "disc");
+    EXPECT_EQ(notes.notes[0].from, DrawnFrom::silhouette);
+    EXPECT_NE(drawing_text(notes).find("drawn as silhouette     1 piece of disc: "), std::string::npos) << drawing_text(notes);
+    EXPECT_NE(drawing_json(notes).find("\"pieces_from_originals\":1"), std::string::npos) << drawing_json(notes);
+  }
 }
 
 TEST(Png, LaterPiecesLieOnEarlierOnesAndPiecesMayCrossTheEdge) {
@@ -141,16 +165,79 @@ TEST(Png, LaterPiecesLieOnEarlierOnesAndPiecesMayCrossTheEdge) {
   sample.place(7, 40, {110, 50}, std::numbers::pi_v<float>);
   sample.place(7, 40, {0, 0}, 0);
   sample.place(7, 40, {900, 900}, 0);
-  const cv::Mat picture = draw_collage(sample.report, false);
+  const cv::Mat picture = drawn_picture(sample.report);
   EXPECT_EQ(at(picture, 210, 100), kBlue);  // turned by half
   EXPECT_EQ(at(picture, 230, 100), kRed);
   EXPECT_EQ(at(picture, 20, 20), kBlue);
 }
 
 TEST(Png, TheFileDecodesToThePicture) {
+  const test::ScratchFolder folder;
   const OneSquare sample(0.2f);
-  const cv::Mat decoded = cv::imdecode(collage_png(sample.report, false), cv::IMREAD_UNCHANGED);
-  EXPECT_EQ(cv::norm(decoded, draw_collage(sample.report, false), cv::NORM_INF), 0);
+  test::DrawnCollage drawn(sample.report);
+  std::size_t rows = 0;
+  write_collage_png(folder.path("collage.png"), sample.report, drawn.artworks, drawn.stop,
+                    [&](std::size_t done) { rows = done; });
+  EXPECT_EQ(rows, 200u);
+  EXPECT_EQ(cv::norm(cv::imread(folder.path("collage.png"), cv::IMREAD_UNCHANGED), drawn.picture(), cv::NORM_INF), 0);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("collage.png.tmp")));
+}
+
+/// One core only, while it lives.
+class OneCore {
+ public:
+  OneCore() {
+    sched_getaffinity(0, sizeof before_, &before_);
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+      if (CPU_ISSET(cpu, &before_)) CPU_SET(cpu, &one);
+      if (CPU_COUNT(&one) == 1) break;
+    }
+    sched_setaffinity(0, sizeof one, &one);
+  }
+  ~OneCore() { sched_setaffinity(0, sizeof before_, &before_); }
+  OneCore(const OneCore&) = delete;
+  OneCore& operator=(const OneCore&) = delete;
+
+ private:
+  cpu_set_t before_;
+};
+
+TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
+  OneSquare sample(0.2f);
+  sample.job.output.width_px = 1500;
+  for (int i = 0; i < 12; ++i) sample.place(7, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));
+  test::DrawnCollage drawn(sample.report);
+  const cv::Mat expected = drawn.picture();
+  ASSERT_EQ(expected.size(), cv::Size(1500, 750));
+  for (const PictureLimits& limits : {PictureLimits{64, 1, 0}, PictureLimits{64, 1 << 20, 300'000},
+                                      PictureLimits{192, std::size_t(1) << 30, std::size_t(1) << 30}}) {
+    EXPECT_EQ(cv::norm(drawn.picture(limits), expected, cv::NORM_INF), 0) << limits.band_rows;
+  }
+  const OneCore one;
+  ASSERT_EQ(available_cores(), 1);
+  EXPECT_EQ(cv::norm(drawn.picture({128, 1, 100'000}), expected, cv::NORM_INF), 0);
+}
+
+/// Wants to stop as soon as it is told of progress.
+class ImpatientDrawing : public test::SilentDrawing {
+ public:
+  bool stop_requested() override { return stop; }
+  std::atomic<bool> stop = false;
+};
+
+TEST(Png, AStopLeavesNoFile) {
+  const test::ScratchFolder folder;
+  const OneSquare sample(0);
+  ImpatientDrawing observer;
+  Drawers drawers({.processes = 1});
+  const StopWatcher stop(observer, drawers);
+  ShapeArtworks artworks(sample.report, drawers, stop);
+  observer.stop = true;
+  EXPECT_THROW(write_collage_png(folder.path("collage.png"), sample.report, artworks, stop, [](std::size_t) {}),
+               DrawingStopped);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path("")));
 }
 
 }  // namespace

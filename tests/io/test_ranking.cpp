@@ -8,6 +8,7 @@
 
 #include "io/result/card_output.h"
 #include "io/result/ranking.h"
+#include "io/result/result_manifest.h"
 #include "io/scratch_folder.h"
 #include "support/input_error.h"
 
@@ -98,6 +99,10 @@ class ResultFolders : public testing::Test {
     run.total_s = 12.5;
     run.stopped_by = "full";
     scratch_.write(name + "/card.json", card_json(quality, run, {}));
+    ResultManifest manifest;
+    for (const char* file : {"pieces.geojson", "job.toml"}) scratch_.write(name + "/" + file, "");
+    manifest.pieces_digest = manifest.job_digest = digest_text("");
+    write_manifest(scratch_.path(name), manifest);
   }
 
   test::ScratchFolder scratch_;
@@ -131,9 +136,13 @@ TEST_F(ResultFolders, are_the_folder_or_its_folders) {
   make_result("all/b", 0.9);
   make_result("all/a", 0.8);
   fs::create_directories(scratch_.path("all/unfinished"));
+  make_result("all/crashed", 0.95);
+  fs::remove(scratch_.path("all/crashed/manifest.json"));
   EXPECT_EQ(result_folders(scratch_.path("all/b")), std::vector<std::string>{scratch_.path("all/b")});
   EXPECT_EQ(result_folders(scratch_.path("all")),
             (std::vector<std::string>{scratch_.path("all/a"), scratch_.path("all/b")}));
+  EXPECT_NE(message_of([&] { result_folders(scratch_.path("all/crashed")); }).find("manifest.json: not found"),
+            std::string::npos);
   EXPECT_NE(message_of([&] { result_folders(scratch_.path("all/unfinished")); }).find("no card.json"),
             std::string::npos);
 }

@@ -7,9 +7,12 @@
 #include <sstream>
 
 #include "io/result/card_output.h"
+#include "io/result/drawing_notes.h"
 #include "io/result/geojson_output.h"
 #include "io/result/ranking.h"
+#include "io/result/result_manifest.h"
 #include "sample_collage.h"
+#include "scratch_folder.h"
 
 namespace tessera::io {
 namespace {
@@ -52,6 +55,26 @@ TEST(ResultFormat, has_every_key_of_the_card) {
   for (const auto& [name, section] : card.items()) expect_all_named(section, documented_section("### " + name));
 }
 
+TEST(ResultFormat, has_every_key_of_the_drawing) {
+  const DrawingNotes notes{2, {{"disc", DrawnFrom::thumbnail, "lost", 1}, {"ring", DrawnFrom::silhouette, "bad", 1}}};
+  const json section = json::parse(drawing_json(notes));
+  const std::string text = documented_section("### drawing");
+  expect_all_named(section, text);
+  for (const char* list : {"from_thumbnails", "as_silhouettes"}) expect_all_named(section[list][0], text);
+}
+
+TEST(ResultFormat, has_every_key_of_the_manifest) {
+  const test::ScratchFolder folder;
+  ResultManifest manifest;
+  manifest.pictures.resize(1);
+  write_manifest(folder.path(""), manifest);
+  std::ifstream file(folder.path("manifest.json"));
+  const json written = json::parse(file);
+  const std::string text = documented_section("## manifest.json");
+  expect_all_named(written, text);
+  expect_all_named(written["pictures"][0], text);
+}
+
 TEST(ResultFormat, has_every_property_of_a_piece) {
   const test::SampleCollage sample;
   const json pieces = json::parse(geojson_text(sample.report));
@@ -59,8 +82,8 @@ TEST(ResultFormat, has_every_property_of_a_piece) {
 }
 
 TEST(ResultFormat, has_every_file) {
-  for (const char* name : {"pieces.geojson", "card.json", "card.txt", "job.toml", "collage.svg", "collage.png",
-                           "run.log"}) {
+  for (const char* name : {"pieces.geojson", "card.json", "card.txt", "job.toml", "manifest.json", "collage.svg",
+                           "collage.png", "collage.pdf", "run.log"}) {
     EXPECT_TRUE(names(documented_section("# The result"), name)) << name;
   }
 }

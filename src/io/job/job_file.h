@@ -23,7 +23,7 @@ struct OutputSpec {
 };
 
 struct CheckpointSpec {
-  double every_s = 60;  // 0 = only where the run is interrupted
+  double every_s = 60;  // 0 = only at the end, and where the run is interrupted
 };
 
 struct CommSpec {

@@ -178,7 +178,7 @@ void add_stop_keys(std::vector<JobKey>& keys) {
 /// Once a minute costs a thousandth of the time at most, and no more than a minute is ever lost.
 void add_checkpoint_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"checkpoint", "every_s", JobKind::number, "s", 0, 1e6, {},
-                              "time between two checkpoints; 0 = only where the run is interrupted"},
+                              "time between two checkpoints; 0 = only at the end, and where the run is interrupted"},
                              FIELD(checkpoint.every_s)));
   keys.back().decides = false;
   keys.back().in_result = false;

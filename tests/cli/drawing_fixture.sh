@@ -1,0 +1,25 @@
+# shellcheck shell=bash disable=SC2154
+# For the tests of drawing, which source it after restart_fixture.sh: a job whose pictures take a while, and what an
+# undisturbed run of it gives, in the folder "expected".
+make_drawn_job() { # TRIALS WIDTH_PX
+  make_job "$1"
+  sed -i "s/width_px = 240/width_px = $2/" job.toml
+  run_ms=$(date +%s%3N)
+  start 1 expected --set checkpoint.every_s=0
+  expect_end 0 "the undisturbed run"
+  run_ms=$(($(date +%s%3N) - run_ms))
+}
+
+# The bytes of the undisturbed run, and nothing half-written.
+expect_drawn() { # OUT
+  local name
+  for name in pieces.geojson collage.png collage.svg; do
+    cmp "expected/$name" "$1/$name" || fail "$1/$name is another one"
+  done
+  [[ -z $(find "$1" -name '*.tmp' -o -name 'checkpoint*') ]] || fail "$1: leftovers"
+}
+
+# Until the result of $started is there, which is then about to be drawn.
+wait_for_manifest() { # OUT
+  until [[ -e $1/manifest.json ]] || ! kill -0 "$started" 2>/dev/null; do sleep 0.005; done
+}

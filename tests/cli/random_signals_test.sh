@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# random_signals_test.sh TESSERA MPIRUN NEW_FOLDER MOMENTS [SEED]: ends runs by Ctrl-C, TERM, USR2 and the time limit at
+# random moments, drawing included, on 1 and 3 ranks. Each ends in time, and goes on to the bytes of an undisturbed run.
+# PATIENCE=3 allows three times as long, for busy machines.
+set -uo pipefail
+tessera=$1
+mpirun=$2
+folder=$3
+moments=$4
+RANDOM=${5:-$$}
+echo "seed ${5:-$$}"
+patience=${PATIENCE:-1}
+# shellcheck source=tests/cli/restart_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
+# shellcheck source=tests/cli/drawing_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/drawing_fixture.sh"
+
+make_drawn_job 20 4000
+seconds() { echo "$(($1 / 1000)).$(printf %03d $(($1 % 1000)))"; }
+
+# What is there tells how to go on; every other finished collage is drawn by tessera draw.
+go_on() { # HOW MANY ENDS SO FAR
+  if [[ ! -e out/checkpoint.h5 && -e out/manifest.json ]] && (($1 % 2)); then
+    "$tessera" draw out >output 2>errors || fail "end $1: tessera draw"
+    return
+  fi
+  local options=()
+  [[ ! -e out/checkpoint.h5 && ! -e out/manifest.json ]] || options=(--resume)
+  start 1 out "${options[@]}"
+  expect_end 0 "end $1: going on"
+}
+
+computing=0
+drawing=0
+for ((n = 0; n < moments; ++n)); do
+  rm -rf out
+  ranks=$((RANDOM % 2 ? 3 : 1))
+  moment_ms=$((RANDOM % (run_ms + run_ms / 4)))
+  how=$((n % 4))
+  most_ms=$(((ranks == 1 ? 2000 : 5000) * patience))
+  if ((how == 3)); then
+    moment_ms=$((moment_ms + 1500))
+    start "$ranks" out --time-limit "$(seconds "$moment_ms")"
+    most_ms=$((500 * patience))
+  else
+    start "$ranks" out
+  fi
+  sleep "$(seconds "$moment_ms")"
+  signals=(INT TERM USR2)
+  ((how == 3)) || kill -s "${signals[how]}" "$started" 2>/dev/null
+  began_ms=$(date +%s%3N)
+  wait "$started" 2>/dev/null
+  code=$?
+  took_ms=$(($(date +%s%3N) - began_ms))
+  [[ $code != 2 ]] || fail "end $n: what was there is refused"
+  if [[ $code == 75 ]] && ((took_ms > most_ms)); then fail "end $n: took $took_ms ms after ${signals[how]-the limit}"; fi
+  [[ $code == 0 || -z $(find out -name 'collage*.tmp' 2>/dev/null) || $ranks == 3 ]] || fail "end $n: a half-written picture"
+  if [[ -e out/manifest.json && ! -e out/checkpoint.h5 && $code != 0 ]]; then
+    drawing=$((drawing + 1))
+  elif [[ -e out/checkpoint.h5 ]]; then
+    computing=$((computing + 1))
+  fi
+  [[ $code == 0 ]] || go_on "$n"
+  expect_drawn out
+done
+echo "ok: $moments ends, $computing while computing, $drawing while drawing"
