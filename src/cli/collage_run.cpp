@@ -64,7 +64,7 @@ StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const Time
   const double leaving_s = ranks.size() > 1 ? 2 : 0;
   const StopReason stop_reason = [&limit, leaving_s]() -> const char* {
     if (comm::stop_signalled()) return "signal";
-    return limit.over(leaving_s) ? "time_limit" : nullptr;
+    return limit.round_over(leaving_s) ? "time_limit" : nullptr;
   };
   ranks.interrupt_waits_when(stop_reason);
   ranks.watch_workers(job.comm.silence_s, [&journal](const std::string& line) {
@@ -113,7 +113,7 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
   io::DrawingRequest pictures;
   pictures.svg = pictures.png = true;
   pictures.library = input.job.library;
-  return draw(input.folder, pictures, arguments.quiet, [&] { return comm::stop_signalled() || limit.over(); });
+  return draw(input.folder, pictures, arguments.quiet, [&] { return comm::stop_signalled() || limit.drawing_over(); });
 }
 
 CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {

@@ -103,7 +103,7 @@ double time_limit_s(const std::string& argument, const char* slurm_end_time, dou
 
 double reserve_s(double limit_s) { return std::clamp(kReserveShare * limit_s, kLeastReserve_s, kMostReserve_s); }
 
-bool TimeLimit::over(double leaving_s) const {
+bool TimeLimit::round_over(double leaving_s) const {
   return watch_.seconds() + reserve_s(limit_s_) + leaving_s >= limit_s_;
 }
 
@@ -114,6 +114,6 @@ bool TimeLimit::near() {
   return now_s + longest_round_s_ + reserve_s(limit_s_) >= limit_s_;
 }
 
-bool TimeLimit::over() const { return watch_.seconds() + kDrawingReserve_s >= limit_s_; }
+bool TimeLimit::drawing_over() const { return watch_.seconds() + kDrawingReserve_s >= limit_s_; }
 
 }  // namespace tessera::cli

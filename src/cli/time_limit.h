@@ -12,8 +12,8 @@ namespace tessera::cli {
 /// and "D-HH:MM:SS" are as in sbatch's --time; "UNLIMITED" is infinite. Throws InputError.
 double parse_time_limit(const std::string& text);
 
-/// `argument` as parse_time_limit takes it, which must leave something beside the reserve (InputError); where it is empty, from `now_s` to `slurm_end_time`, both in seconds since
-/// 1970; infinite where that is null, no number or over.
+/// `argument` as parse_time_limit takes it, which must leave something beside the reserve (InputError); where it is empty,
+/// from `now_s` to `slurm_end_time`, both in seconds since 1970; infinite where that is null, no number or over.
 double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s);
 
 /// Counts from its making.
@@ -24,11 +24,10 @@ class TimeLimit {
   /// Asked before every round: another one as long as the longest so far, and the files of the result, might come to an
   /// end too late.
   bool near();
-  /// Asked while the result is drawn, from any thread: it is time to end.
-  bool over() const;
-
   /// Asked within a round: what is left is needed for the files of the result, and `leaving_s` to leave.
-  bool over(double leaving_s) const;
+  bool round_over(double leaving_s) const;
+  /// Asked while the result is drawn, from any thread: it is time to end.
+  bool drawing_over() const;
 
  private:
   double limit_s_;

@@ -80,9 +80,9 @@ TEST(TimeLimit, counts_on_a_round_as_long_as_the_longest) {
 }
 
 TEST(TimeLimit, ends_drawing_a_second_early) {
-  EXPECT_TRUE(TimeLimit(1).over());
-  EXPECT_FALSE(TimeLimit(60).over());
-  EXPECT_FALSE(TimeLimit().over());
+  EXPECT_TRUE(TimeLimit(1).drawing_over());
+  EXPECT_FALSE(TimeLimit(60).drawing_over());
+  EXPECT_FALSE(TimeLimit().drawing_over());
 }
 
 }  // namespace
