@@ -6,6 +6,7 @@
 #include <set>
 
 #include "artwork_samples.h"
+#include "io/artwork/sha256.h"
 #include "io/artwork/artwork_render.h"
 #include "io/result/png_output.h"
 #include "io/result/svg_output.h"
@@ -94,6 +95,7 @@ TEST(SvgOutput, ReadsTheOriginalFromItsPlace) {
   TwoFaces sample;
   Artwork& artwork = sample.report.shapes[0].artwork;
   artwork.path = folder.write("face.svg", std::string(artwork.original.begin(), artwork.original.end()));
+  artwork.sha256 = sha256_of(artwork.original);
   const std::string embedded = collage_svg(sample.report, false);
   artwork.original.clear();
   EXPECT_EQ(collage_svg(sample.report, false), embedded);
