@@ -11,6 +11,7 @@
 #include "core/shape/shape_contradiction.h"
 #include "core/shape/shape_field.h"
 #include "forged_library.h"
+#include "hdf5_metadata.h"
 #include "io/library/library_file.h"
 #include "io/result/artwork_original.h"
 #include "master/library_shapes.h"
@@ -112,6 +113,22 @@ TEST_F(HostileLibrary, TwoHundredForgeries) { try_forgeries(0, 208); }
 
 // Behind the label "long".
 TEST_F(HostileLibrary, DISABLED_ThousandsOfForgeries) { try_forgeries(1000, 4000); }
+
+// HDF5 itself crashes at one or two in a hundred of these.
+TEST_F(HostileLibrary, ForgedMetadata) {
+  const std::vector<test::MetadataBlock> blocks = test::metadata_blocks(bytes_);
+  ASSERT_GT(blocks.size(), 100u);
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    std::string forged = bytes_;
+    test::forge_metadata(forged, blocks[random() % blocks.size()], random);
+    folder_.write("library.h5", forged);
+    const std::string what = "seed " + std::to_string(seed);
+    const test::ChildReport report = test::in_child([&] { return use(true); });
+    test::expect_survived(report, what);
+    if (!report.said.empty()) test::expect_names_the_file(report.said, path_, what);
+  }
+}
 
 // What is read must be one shape: a field that is too shallow lets pieces overlap, and the run ends as if all were well.
 TEST_F(HostileLibrary, AFieldThatIsNotItsOutlines) {

@@ -7,6 +7,7 @@
 
 #include "artwork_samples.h"
 #include "drawn_collage.h"
+#include "io/artwork/sha256.h"
 #include "io/artwork/artwork_render.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
@@ -95,6 +96,7 @@ TEST(SvgOutput, ReadsTheOriginalFromItsPlace) {
   TwoFaces sample;
   Artwork& artwork = sample.report.shapes[0].artwork;
   artwork.path = folder.write("face.svg", std::string(artwork.original.begin(), artwork.original.end()));
+  artwork.sha256 = sha256_of(artwork.original);
   const std::string embedded = drawn_svg(sample.report);
   artwork.original.clear();
   EXPECT_EQ(drawn_svg(sample.report), embedded);

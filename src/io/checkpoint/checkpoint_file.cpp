@@ -7,6 +7,7 @@
 #include "io/checkpoint/checkpoint_arrays.h"
 #include "io/checkpoint/checkpoint_columns.h"
 #include "io/checkpoint/checkpoint_seal.h"
+#include "io/library/hdf5_trial.h"
 
 namespace tessera::io {
 namespace {
@@ -58,6 +59,17 @@ Hdf5Handle open_for_reading(const std::string& path) {
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), "no HDF5 of our format in it"};
 }
 
+CheckpointColumns read_columns(const std::string& path) {
+  const Hdf5Handle file = open_for_reading(path);
+  std::uint64_t budget_bytes = std::filesystem::file_size(path);
+  CheckpointColumns columns;
+  each_column(columns, [&]<class Number>(const char* name, std::vector<Number>& column, int row, const char* units,
+                                         const char* description) {
+    column = read_array<Number>(file.get(), {name, row, units, description}, budget_bytes);
+  });
+  return columns;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> checkpoint_bytes(const Checkpoint& checkpoint) {
@@ -78,14 +90,8 @@ Checkpoint read_checkpoint(const std::string& path) {
   check_seal(path);
   const Hdf5Silence silence;
   try {
-    const Hdf5Handle file = open_for_reading(path);
-    std::uint64_t budget_bytes = std::filesystem::file_size(path);
-    CheckpointColumns columns;
-    each_column(columns, [&]<class Number>(const char* name, std::vector<Number>& column, int row, const char* units,
-                                           const char* description) {
-      column = read_array<Number>(file.get(), {name, row, units, description}, budget_bytes);
-    });
-    Checkpoint checkpoint = from_columns(columns);
+    try_in_child([&] { read_columns(path); });
+    Checkpoint checkpoint = from_columns(read_columns(path));
     checkpoint.state.name = path;
     return checkpoint;
   } catch (const Hdf5Error& error) {

@@ -6,6 +6,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
+#include "io/library/hdf5_trial.h"
 #include "io/library/library_file.h"
 #include "io/library/library_open.h"
 #include "io/library/library_parts.h"
@@ -163,7 +164,11 @@ std::uint64_t LibraryFile::State::content_digest() const {
 }
 
 LibraryFile::LibraryFile(const std::string& path)
-    : state_(naming_the_file(path, [&] { return std::make_unique<State>(path); })) {}
+    : state_(naming_the_file(path, [&] {
+        // The summary looks up every chunk, so that all metadata are read.
+        try_in_child([&] { State(path).summary(); });
+        return std::make_unique<State>(path);
+      })) {}
 
 LibraryFile::~LibraryFile() = default;
 LibraryFile::LibraryFile(LibraryFile&&) noexcept = default;
