@@ -216,7 +216,7 @@ PoseRecord tangent_docking(constant MatchRecord* match, global const float* cont
   s.b = (ux * target->tangent_y - uy * target->tangent_x) * scale_px;
   s.tx = 0;
   s.ty = 0;
-  s = pulled_in(match, s);
+  if (match->rotation_edge_x > -1) s = pulled_in(match, s);  // the scale was drawn within its range
   s.tx = target->position_x - (s.a * px - s.b * py);
   s.ty = target->position_y - (s.b * px + s.a * py);
   return s;

@@ -76,7 +76,7 @@ TEST(ShapeField, IsALowerBoundBeyondTheGrid) {
   const float e = field.extent;
   for (const Vec2 p : {Vec2{e + 2, 0}, Vec2{-e - 3, -e - 4}, Vec2{e + 0.01f, 0.9f * e}}) {
     EXPECT_LE(field.at(p), norm(p) - 0.6f + 1e-3f);
-    EXPECT_GE(field.at(p), norm(p) - 0.6f - 0.15f);
+    EXPECT_GE(field.at(p), 0.7f * (norm(p) - 0.6f));
   }
 }
 

@@ -182,12 +182,12 @@ TEST(Collage, KeepsThePadding) {
 }
 
 TEST(Collage, KeepsThePaddingWithAnySizesAndRotations) {
-  const Canvas canvas = make_rectangle_canvas(200, 160);
+  const Canvas canvas = make_rectangle_canvas(160, 120);
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     CollageSettings s = settings();
     s.seed = seed;
     s.pieces.padding_px = 3;
-    s.pieces.max_scale_px = 16 * float(seed) + 8;
+    s.pieces.max_scale_px = 16 * float(seed) + 40;
     s.pieces.min_scale_px = s.pieces.max_scale_px / (seed % 2 ? 8 : 2);
     if (seed > 2) s.pieces.min_rotation_rad = s.pieces.max_rotation_rad = 0;
     EXPECT_GE(least_distance_px(canvas, run(canvas, s).placements), 3.0) << "seed " << seed;

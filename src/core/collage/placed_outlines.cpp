@@ -15,8 +15,9 @@ namespace {
 constexpr float kWritten_px = 0.002f;
 /// Of the canvas' edge, which is a field: the spacing of the points at which it is looked up.
 constexpr float kEdgeSpacing_px = 1;
-/// A vertex that a field sees this part of the allowed depth inside is worth an exact look: more than the field is wrong.
-constexpr float kSuspectDepth = 0.5f;
+/// A vertex that a field sees so near, or inside, is worth an exact look: at thin tips fields are wrong by so much and
+/// the allowed depth together.
+constexpr float kSuspect_px = 0.5f;
 
 bool near(const Box& a, const Box& b, float reach) {
   return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach &&
@@ -149,8 +150,8 @@ std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity
       continue;
     }
     const float limit = -needed_px_;
-    const auto in_others = [&](Vec2 p) { return field_value(free, p) < -kSuspectDepth * limit; };
-    const auto in_piece = [&](Vec2 p) { return distance.at(p) < -kSuspectDepth * limit; };
+    const auto in_others = [&](Vec2 p) { return field_value(free, p) < kSuspect_px; };
+    const auto in_piece = [&](Vec2 p) { return distance.at(p) < kSuspect_px; };
     if (deepest_vertex(piece, other, limit, in_others, way)) ways.push_back(way);
     if (deepest_vertex(other, piece, limit, in_piece, way)) ways.push_back(way * -1.f);
   }

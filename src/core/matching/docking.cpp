@@ -103,7 +103,7 @@ Similarity tangent_docking(const ShapeModel& shape, int boundary_point, float sc
   // target tangent times the conjugate of the shape's: the rotation from one to the other.
   s.a = dot(u, sample.tangent) * scale_px;
   s.b = cross(u, sample.tangent) * scale_px;
-  poses.pull_in(s);
+  if (!poses.rotations.all()) poses.pull_in(s);  // the scale was drawn within its range
   s.tx = sample.position.x - (s.a * p.x - s.b * p.y);
   s.ty = sample.position.y - (s.b * p.x + s.a * p.y);
   return s;
