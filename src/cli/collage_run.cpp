@@ -183,9 +183,9 @@ master::CollageResult run_loop(const CollageArguments& arguments, const Input& i
 /// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
 StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const TimeLimit& limit) {
   comm::install_stop_handlers();
-  // A rank that cannot say goodbye is killed by mpirun, which takes two seconds.
-  const double leaving_s = ranks.size() > 1 ? 2 : 0;
-  const StopReason stop_reason = [&limit, leaving_s]() -> const char* {
+  // A rank that does not say goodbye is waited for (rank_program.cpp), then killed by mpirun: each takes two seconds.
+  const double leaving_s = ranks.size() > 1 ? 4 : 0;
+  const StopReason stop_reason = [limit, leaving_s]() -> const char* {
     if (comm::stop_signalled()) return "signal";
     return limit.over(leaving_s) ? "time_limit" : nullptr;
   };
