@@ -58,17 +58,18 @@ io::RunRecord record_of(const CollageInput& input) {
 }
 
 /// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
-StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const TimeLimit& limit, CollageJournal& journal) {
+StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const TimeLimit& limit,
+                       const std::shared_ptr<CollageJournal>& journal) {
   comm::install_stop_handlers();
-  // A rank that cannot say goodbye is killed by mpirun, which takes two seconds.
-  const double leaving_s = ranks.size() > 1 ? 2 : 0;
-  const StopReason stop_reason = [&limit, leaving_s]() -> const char* {
+  // A rank that does not say goodbye is waited for (rank_program.cpp), then killed by mpirun: each takes two seconds.
+  const double leaving_s = ranks.size() > 1 ? 4 : 0;
+  const StopReason stop_reason = [limit, leaving_s]() -> const char* {
     if (comm::stop_signalled()) return "signal";
     return limit.round_over(leaving_s) ? "time_limit" : nullptr;
   };
   ranks.interrupt_waits_when(stop_reason);
-  ranks.watch_workers(job.comm.silence_s, [&journal](const std::string& line) {
-    journal.warn(line + " (comm.silence_s): the run ends here");
+  ranks.watch_workers(job.comm.silence_s, [journal](const std::string& line) {
+    journal->warn(line + " (comm.silence_s): the run ends here");
   });
   return stop_reason;
 }
@@ -84,24 +85,24 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
 
 /// From the empty canvas or a checkpoint to the result without its pictures. False: unfinished.
 bool compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
-             comm::Communicator& ranks, CollageJournal& journal) {
+             comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
-  journal.warn(replaced_result_warning(input.folder, input.job));
-  if (input.from) journal.resumed(*input.from);
+  journal->warn(replaced_result_warning(input.folder, input.job));
+  if (input.from) journal->resumed(*input.from);
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
   announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
   const std::unique_ptr<Matcher> matcher =
       ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library, stop_reason);
-  journal.ranks_are(comm::gather_sites(ranks, master_site(ranks, input.job)));
+  journal->ranks_are(comm::gather_sites(ranks, master_site(ranks, input.job)));
   if (input.start == Start::restart) input.checkpoints.remove();
 
   CollageCheckpoints checkpoints(input.checkpoints, input.origin);
   comm::LoopClock clock(ranks);
   const master::CollageResult result = run_loop(arguments, input, limit, *matcher, checkpoints);
   const RankStatistics times = times_of(clock, result);
-  journal.warn(empty_result_warning(input.folder, input.job, result));
-  journal.keep_warning(checkpoints.warning());
-  const io::RunRecord& record = journal.ended(result.statistics.stopped_by, result.placements.size());
+  journal->warn(empty_result_warning(input.folder, input.job, result));
+  journal->keep_warning(checkpoints.warning());
+  const io::RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
   const std::string card = publish(input, result, times, record, checkpoints) + io::ranks_text(times);
   say(arguments, card + "\nwritten to " + input.folder);
   return !result.unfinished;
@@ -124,8 +125,8 @@ CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
     say(arguments, input.folder + ": finished before, nothing is left to compute");
     if (io::is_drawn(input.folder)) return CollageEnd::finished;
   } else {
-    CollageJournal journal(input.folder, record_of(input));
-    if (!journal.watch([&] { return compute(arguments, input, limit, ranks, journal); })) return CollageEnd::unfinished;
+    const auto journal = std::make_shared<CollageJournal>(input.folder, record_of(input));  // the ranks' watch shares it
+    if (!journal->watch([&] { return compute(arguments, input, limit, ranks, journal); })) return CollageEnd::unfinished;
   }
   return draw_pictures(arguments, input, limit) ? CollageEnd::finished : CollageEnd::not_drawn;
 }

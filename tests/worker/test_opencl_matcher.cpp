@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "core/base/interrupted.h"
 #include "worker/device_group.h"
 #include "worker/opencl_devices.h"
 #include "worker/opencl_matcher.h"
@@ -66,6 +67,25 @@ TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
   set_field(*matcher, scene.field);
   set_field(reference, scene.field);
   expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
+}
+
+TEST(OpenCLMatcher, AQuestionIsGivenUpBetweenLaunches) {
+  const MatchingScene scene = make_scene(scene_settings(), {2, 150, 0, 2});
+  int calls = 0;
+  int left = -1;
+  const auto between_launches = [&] {
+    ++calls;
+    if (--left == 0) throw Interrupted{"signal"};
+  };
+  constexpr std::size_t kOneSampleAtATime = 1;
+  worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, all_of(scene.models),
+                                given(scene.models), between_launches, kOneSampleAtATime);
+  set_field(matcher, scene.field);
+  run_round(matcher, scene);
+  const int calls_of_a_round = calls - 1;  // one was that of the upload
+  ASSERT_GT(calls_of_a_round, 10);
+  left = calls_of_a_round / 2;
+  EXPECT_THROW(run_round(matcher, scene), Interrupted);
 }
 
 TEST(OpenCLMatcher, RefusesToRefineAnotherPartsShape) {
