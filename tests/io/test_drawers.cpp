@@ -1,4 +1,5 @@
 // Drawings made in processes of their own: what comes back, and that a bad one costs only itself.
+#include <glib.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -115,6 +116,23 @@ TEST(Drawers, APanicCostsItsOwnDrawing) {
   Drawers drawers(kTwo);
   EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
   EXPECT_EQ(mistake(drawers, panicking_svg()), "some/file.svg: its process gave up");
+  EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
+}
+
+/// An image of 10,000 x 10,000 px in 10 kB. librsvg leaves out what it has no memory for.
+TEST(Drawers, WhatNeedsTooMuchMemoryIsTold) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer has an allocator of its own";
+#endif
+  const Bytes png = encoded(cv::Mat(10000, 10000, CV_8UC1, cv::Scalar(0)), ".png");
+  gchar* base64 = g_base64_encode(png.data(), png.size());
+  const Bytes bomb = svg(std::string("<image width=\"100\" height=\"50\" xlink:href=\"data:image/png;base64,") + base64 + "\"/>");
+  g_free(base64);
+  Drawers drawers(kTwo);
+  EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
+  EXPECT_EQ(mistake(drawers, bomb), "some/file.svg: needs more than 256 MiB of memory");
+  EXPECT_EQ(mistake(drawers, svg(kDisc, R"(width="99" height="99")"), kMaxArtworkSide_px),
+            "some/file.svg: needs more than 256 MiB of memory");
   EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
 }
 
