@@ -1,10 +1,14 @@
 // Drawings made in processes of their own: what comes back, and that a bad one costs only itself.
+#include <glib.h>
 #include <gtest/gtest.h>
-#include <signal.h>
+#include <fcntl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <future>
 #include <thread>
 
@@ -14,6 +18,7 @@
 #include "io/artwork/svg_import.h"
 #include "io/drawing/drawers.h"
 #include "io/drawing/shape_codec.h"
+#include "scratch_folder.h"
 
 namespace tessera::io {
 namespace {
@@ -118,6 +123,23 @@ TEST(Drawers, APanicCostsItsOwnDrawing) {
   EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
 }
 
+/// An image of 10,000 x 10,000 px in 10 kB. librsvg leaves out what it has no memory for.
+TEST(Drawers, WhatNeedsTooMuchMemoryIsTold) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer has an allocator of its own";
+#endif
+  const Bytes png = encoded(cv::Mat(10000, 10000, CV_8UC1, cv::Scalar(0)), ".png");
+  gchar* base64 = g_base64_encode(png.data(), png.size());
+  const Bytes bomb = svg(std::string("<image width=\"100\" height=\"50\" xlink:href=\"data:image/png;base64,") + base64 + "\"/>");
+  g_free(base64);
+  Drawers drawers(kTwo);
+  EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
+  EXPECT_EQ(mistake(drawers, bomb), "some/file.svg: needs more than 256 MiB of memory");
+  EXPECT_EQ(mistake(drawers, svg(kDisc, R"(width="99" height="99")"), kMaxArtworkSide_px),
+            "some/file.svg: needs more than 256 MiB of memory");
+  EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
+}
+
 TEST(Drawers, WhatTakesTooLongIsEnded) {
   DrawerSettings settings = kTwo;
   settings.seconds_per_drawing = 0.5;
@@ -155,13 +177,45 @@ TEST(Drawers, LeaveNoProcessBehind) {
   expect_no_children();
 }
 
+/// Another program in place of tessera-drawer while it lives.
+class OtherProgram {
+ public:
+  explicit OtherProgram(const std::string& file) { ::setenv("TESSERA_DRAWER", file.c_str(), 1); }
+  ~OtherProgram() { ::setenv("TESSERA_DRAWER", place_.c_str(), 1); }
+
+ private:
+  std::string place_ = std::getenv("TESSERA_DRAWER");
+};
+
 TEST(Drawers, AMissingProgramIsSaid) {
-  const std::string place = std::getenv("TESSERA_DRAWER");
-  ::setenv("TESSERA_DRAWER", "/nowhere/tessera-drawer", 1);
+  for (const char* file : {"/nowhere/tessera-drawer", "/bin/true", "/etc/passwd"}) {
+    const OtherProgram program(file);
+    EXPECT_THROW(Drawers(kTwo).render(svg(kDisc), "a", 100), EnvironmentError) << file;
+  }
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Drawers, InheritNeitherAnEnvironmentOfRanksNorOpenFiles) {
+  const test::ScratchFolder folder;
+  const std::string script = folder.write("program", "#!/bin/sh\n/usr/bin/env > " + folder.path("environment") +
+                                                         "\n/bin/ls /proc/$$/fd > " + folder.path("descriptors") + "\n");
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  const int inherited = ::fcntl(STDOUT_FILENO, F_DUPFD, 77);  // without O_CLOEXEC
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "SLURM_PROCID"}) ::setenv(name, "1", 1);
+  const OtherProgram program(script);
   EXPECT_THROW(Drawers(kTwo).render(svg(kDisc), "a", 100), EnvironmentError);
-  ::setenv("TESSERA_DRAWER", "/bin/true", 1);
-  EXPECT_THROW(Drawers(kTwo).render(svg(kDisc), "a", 100), EnvironmentError);
-  ::setenv("TESSERA_DRAWER", place.c_str(), 1);
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "SLURM_PROCID"}) ::unsetenv(name);
+  ::close(inherited);
+  const std::string environment = content_of(folder.path("environment"));
+  EXPECT_NE(environment.find("LC_ALL=C.UTF-8"), std::string::npos);
+  for (const char* name : {"OMPI_", "PMIX_", "SLURM_"}) EXPECT_EQ(environment.find(name), std::string::npos) << name;
+  const std::string descriptors = "\n" + content_of(folder.path("descriptors"));
+  EXPECT_NE(descriptors.find("\n3\n"), std::string::npos) << descriptors;
+  EXPECT_EQ(descriptors.find("\n" + std::to_string(inherited) + "\n"), std::string::npos) << descriptors;
 }
 
 }  // namespace

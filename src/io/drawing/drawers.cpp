@@ -129,9 +129,7 @@ class Drawers::Crew {
   DrawingAnswer answered(DrawerProcess& process, const DrawingRequest& request) {
     const bool was_used = process.started();
     std::optional<DrawingAnswer> answer = attempt(process, request);
-    const bool exhausted = answer && answer->header.status == DrawingStatus::exhausted;
-    if (exhausted) process.end();
-    if (was_used && (exhausted || (!answer && !process.took_too_long()))) answer = attempt(process, request);
+    if (!answer && was_used && !process.took_too_long()) answer = attempt(process, request);
     if (!answer) throw InputError(request.path + ": " + process.failure());
     if (answer->header.status == DrawingStatus::done) return std::move(*answer);
     throw InputError(request.path + ": " + printable_utf8(text_of(answer->bytes())));

@@ -1,0 +1,51 @@
+// Files that others name: only regular ones are opened.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "core/base/error.h"
+#include "io/regular_file.h"
+#include "scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+std::string mistake(const std::string& path, std::size_t most_bytes = 100) {
+  try {
+    read_regular_file(path, most_bytes);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no mistake found";
+}
+
+TEST(RegularFile, IsReadAlsoThroughALink) {
+  const test::ScratchFolder folder;
+  const std::vector<std::uint8_t> abc = {'a', 'b', 'c'};
+  EXPECT_EQ(read_regular_file(folder.write("file", "abc"), 3), abc);
+  std::filesystem::create_symlink("file", folder.path("link"));
+  EXPECT_EQ(read_regular_file(folder.path("link"), 3), abc);
+  EXPECT_TRUE(read_regular_file(folder.write("empty", ""), 0).empty());
+}
+
+TEST(RegularFile, MayNotBeLargerThanAllowed) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.write("file", std::string((3u << 20) + 1, 'x'));
+  EXPECT_EQ(mistake(file, 2u << 20), file + ": 3 MiB, more than the 2 MiB allowed");
+  EXPECT_EQ(mistake(file, 3u << 20), file + ": 3 MiB, more than the 3 MiB allowed");
+}
+
+TEST(RegularFile, OtherThingsAreRefusedAndNamed) {
+  const test::ScratchFolder folder;
+  const std::string pipe = folder.path("pipe"), link = folder.path("link");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink("pipe", link);
+  const std::string allowed = ", allowed: a regular file";
+  EXPECT_EQ(mistake(pipe), pipe + ": not a readable file: found a pipe" + allowed);
+  EXPECT_EQ(mistake(link), link + ": not a readable file: found a pipe" + allowed);
+  EXPECT_EQ(mistake(folder.path("")), folder.path("") + ": not a readable file: found a folder" + allowed);
+  EXPECT_EQ(mistake("/dev/zero"), "/dev/zero: not a readable file: found a device" + allowed);
+  EXPECT_NE(mistake(folder.path("none")).find("No such file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tessera::io
