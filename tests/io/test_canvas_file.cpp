@@ -1,5 +1,6 @@
 // Canvases from masks: which part is filled, the size in the box, and files that leave nothing to fill.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -126,6 +127,22 @@ TEST_F(CanvasFile, unusable_files_and_sizes_are_mistakes) {
   const std::string ribbon = svg("<rect width=\"9000\" height=\"9\"/>", "width=\"9000\" height=\"9\"");
   EXPECT_NE(mistake({.width_px = 500, .height_px = 500, .file = ribbon}).find("16 px or more"), std::string::npos);
   EXPECT_NE(mistake({.width_px = 9000, .height_px = 500, .file = ribbon}).find("4096 px or less"), std::string::npos);
+}
+
+TEST_F(CanvasFile, only_regular_files_are_opened) {
+  const std::string pipe = folder_.path("pipe.svg");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const CanvasSpec from_pipe{.width_px = 99, .height_px = 99, .file = pipe};  // would wait for a writer
+  EXPECT_EQ(mistake(from_pipe), pipe + ": not a readable file: found a pipe, allowed: a regular file");
+  EXPECT_NE(mistake({.width_px = 99, .height_px = 99, .file = "/dev/zero"}).find("found a device"), std::string::npos);
+  EXPECT_NE(mistake({.width_px = 99, .height_px = 99, .file = folder_.path("")}).find("found a folder"),
+            std::string::npos);
+}
+
+TEST_F(CanvasFile, large_canvases_fit_into_the_memory_of_a_drawing) {
+  const Canvas canvas = load_canvas(
+      {.width_px = 4096, .height_px = 4096, .file = svg("<circle r=\"20\" cx=\"25\" cy=\"25\"/>", "width=\"50\" height=\"50\"")});
+  EXPECT_NEAR(double(canvas.area_px2) / (4096. * 4096), 3.1416 * 20 * 20 / 2500, 0.001);
 }
 
 TEST(PictureHeight, of_narrow_canvases_limits_the_width) {

@@ -1,5 +1,6 @@
 // Draws an artwork file at any size, for the final picture. Artwork is untrusted: svg_page.h and raster_page.h say what
-// is refused, and that drawing a hostile SVG can take any time; survive that in a child process with a limit.
+// is refused, and that drawing a hostile SVG can take any time and memory: Drawers::render (drawers.h) does this in a
+// process with limits.
 #pragma once
 
 #include <cstddef>

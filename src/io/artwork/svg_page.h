@@ -7,7 +7,7 @@
 // - librsvg stops at 1,000,000 elements and 500,000 resolved references.
 // What nothing in this process bounds is the time and memory of drawing (filters, nested masks, huge embedded images):
 // librsvg cannot be interrupted, and 2.54 even aborts the process for an feConvolveMatrix whose matrix has the wrong
-// size. Where hostile files are expected, draw in a child process with limits, as the library builder does.
+// size. Foreign files are therefore drawn by tessera-drawer, in processes with limits (drawers.h).
 #pragma once
 
 #include "io/artwork/artwork_page.h"

@@ -15,10 +15,8 @@
 namespace tessera::io {
 namespace {
 
-constexpr int kGaveUp = 70;
-
 /// Nothing is cleaned up at the end: the kernel does that, and a decoder that failed may have left anything behind.
-[[noreturn]] void end_at_once() { ::_exit(kGaveUp); }
+[[noreturn]] void end_at_once() { ::_exit(kDrawerGaveUp); }
 
 void read_all(void* data, std::size_t bytes) {
   char* to = static_cast<char*>(data);

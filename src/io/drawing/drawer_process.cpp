@@ -14,6 +14,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
@@ -103,12 +104,19 @@ int killed_status(pid_t pid) {
   return status;
 }
 
-std::string how_it_ended(int status) {
+std::string how_it_ended(int status, std::size_t bytes_per_process) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kDrawerOutOfMemory) {
+    return "needs more than " + std::to_string(bytes_per_process >> 20) + " MiB of memory";
+  }
   if (!WIFSIGNALED(status)) return "its process gave up";
   return "crashed its process (" + std::string(::strsignal(WTERMSIG(status))) + ")";
 }
 
-std::string seconds_text(double seconds) { return std::to_string(std::lround(std::ceil(seconds))) + " s"; }
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g s", seconds);
+  return text;
+}
 
 }  // namespace
 
@@ -137,7 +145,7 @@ void DrawerProcess::greet() {
   const bool greeted = receive(&greeting, sizeof greeting, Clock::now() + kMostStartTime);
   if (greeted && greeting.mark == DrawerGreeting{}.mark) return;
   end();
-  throw_cannot_start(greeted ? "it is not of this version of tessera" : how_it_ended(status_));
+  throw_cannot_start(greeted ? "it is not of this version of tessera" : how_it_ended(status_, bytes_per_process_));
 }
 
 std::optional<DrawingAnswer> DrawerProcess::ask(const DrawingRequest& request, double seconds) {
@@ -148,7 +156,7 @@ std::optional<DrawingAnswer> DrawerProcess::ask(const DrawingRequest& request, d
   if (exchange(request, answer, Clock::now() + allowed)) return answer;
   end();
   if (WIFSIGNALED(status_) && WTERMSIG(status_) == SIGXCPU) took_too_long_ = true;
-  failure_ = took_too_long_ ? "took longer than " + seconds_text(seconds) : how_it_ended(status_);
+  failure_ = took_too_long_ ? "took longer than " + seconds_text(seconds) : how_it_ended(status_, bytes_per_process_);
   return std::nullopt;
 }
 

@@ -48,8 +48,7 @@ struct RequestHeader {
 
 enum class DrawingStatus : std::uint32_t {
   done,
-  refused,   // the payload is the reason
-  exhausted  // the same, and the process has no memory left: another one might do it
+  refused  // the payload is the reason
 };
 
 /// Goes before the payload.
@@ -69,6 +68,10 @@ struct DrawingAnswer {
 };
 
 inline constexpr std::size_t kMostReasonBytes = 4096;
+
+/// Exit codes of a drawer.
+inline constexpr int kDrawerGaveUp = 70;
+inline constexpr int kDrawerOutOfMemory = 71;
 
 /// The longest payload that a drawer may answer.
 std::size_t most_answer_bytes(const DrawingRequest& request);

@@ -129,9 +129,7 @@ class Drawers::Crew {
   DrawingAnswer answered(DrawerProcess& process, const DrawingRequest& request) {
     const bool was_used = process.started();
     std::optional<DrawingAnswer> answer = attempt(process, request);
-    const bool exhausted = answer && answer->header.status == DrawingStatus::exhausted;
-    if (exhausted) process.end();
-    if (was_used && (exhausted || (!answer && !process.took_too_long()))) answer = attempt(process, request);
+    if (!answer && was_used && !process.took_too_long()) answer = attempt(process, request);
     if (!answer) throw InputError(request.path + ": " + process.failure());
     if (answer->header.status == DrawingStatus::done) return std::move(*answer);
     throw InputError(request.path + ": " + printable_utf8(text_of(answer->bytes())));
@@ -200,10 +198,13 @@ std::string Drawers::import_svg(std::span<const std::uint8_t> bytes, const std::
 
 std::variant<ArtworkShape, SkipReason> Drawers::shape(std::span<const std::uint8_t> bytes, const std::string& path,
                                                       const PadParameters& pad) {
-  const DrawingAnswer answer =
-      crew_->draw({.kind = DrawingKind::shape, .pad = pad, .path = std::filesystem::absolute(path), .bytes = bytes});
+  const DrawingAnswer answer = crew_->draw({.kind = DrawingKind::shape, .pad = pad, .path = path, .bytes = bytes});
   try {
-    return decode_shape_answer(answer.bytes());
+    ShapeOrReason result = decode_shape_answer(answer.bytes());
+    if (auto* artwork = std::get_if<ArtworkShape>(&result)) {
+      artwork->shape.artwork.path = std::filesystem::absolute(path);
+    }
+    return result;
   } catch (const std::runtime_error&) {
     throw_garbled(path);
   }

@@ -1,8 +1,7 @@
 #include "io/drawing/drawing_service.h"
 
 #include <algorithm>
-#include <exception>
-#include <new>
+#include <stdexcept>
 #include <opencv2/core.hpp>
 #include <string>
 #include <string_view>
@@ -45,9 +44,9 @@ DrawingAnswer image_answer(const cv::Mat& bgra) {
   return answer;
 }
 
-DrawingAnswer reason_answer(DrawingStatus status, std::string_view reason) {
+DrawingAnswer reason_answer(std::string_view reason) {
   DrawingAnswer answer = text_answer(reason.substr(0, kMostReasonBytes));
-  answer.header.status = status;
+  answer.header.status = DrawingStatus::refused;
   return answer;
 }
 
@@ -76,14 +75,10 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
 DrawingAnswer answer_or_reason(const DrawingRequest& request) {
   try {
     return answer_of(request);
-  } catch (const std::bad_alloc&) {
-    return reason_answer(DrawingStatus::exhausted, "needs more memory than a drawing may have");
-  } catch (const cv::Exception& error) {
-    const bool out_of_memory = error.code == cv::Error::StsNoMem;
-    return reason_answer(out_of_memory ? DrawingStatus::exhausted : DrawingStatus::refused,
-                         out_of_memory ? "needs more memory than a drawing may have" : "a damaged image");
+  } catch (const cv::Exception&) {
+    return reason_answer("a damaged image");
   } catch (const std::exception& error) {
-    return reason_answer(DrawingStatus::refused, without_path(error.what(), request.path));
+    return reason_answer(without_path(error.what(), request.path));
   }
 }
 

@@ -5,7 +5,7 @@
 
 namespace tessera::io {
 
-/// Throws InputError where the bytes are of no use, std::bad_alloc where the process may have no more memory.
+/// Throws InputError where the bytes are of no use, what OpenCV throws where it cannot.
 DrawingAnswer answer_of(const DrawingRequest& request);
 
 /// The same, with the reason as answer where that throws.

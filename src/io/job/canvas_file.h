@@ -5,6 +5,7 @@
 
 #include "core/field/canvas.h"
 #include "core/geometry/grid.h"
+#include "io/drawing/drawers.h"
 #include "io/job/job_file.h"
 
 namespace tessera::io {
@@ -12,7 +13,8 @@ namespace tessera::io {
 /// A mask is scaled into the box of the spec's size with its aspect kept; the canvas is then as large as the scaled
 /// page, which touches the box in width or height. The file is drawn in a process with limits (drawers.h). Throws
 /// InputError where the file is no artwork, breaks a limit, becomes narrower than 16 px, or leaves nothing to fill.
-Canvas load_canvas(const CanvasSpec& spec);
+/// `seconds` is how long each of its two drawings at most may take.
+Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
 
 /// A picture of the canvas in that width must not become higher than wide ones may be: throws InputError.
 void check_picture_height(const OutputSpec& output, const Canvas& canvas);

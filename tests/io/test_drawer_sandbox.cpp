@@ -1,0 +1,173 @@
+// What a process may still do when it has limited itself. Each attempt runs in a forked child, since it cannot go back.
+#include <gtest/gtest.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/ptrace.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <functional>
+#include <thread>
+#include <vector>
+
+#include "io/drawing/drawer_sandbox.h"
+#include "scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr std::size_t kBytes = std::size_t(128) << 20;
+
+enum class Layer { limits, system_calls };
+
+/// What `attempt` says in a child that is limited.
+bool succeeds(Layer layer, const std::function<bool()>& attempt) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (layer == Layer::limits) limit_process(kBytes);
+    if (layer == Layer::system_calls && !forbid_system_calls()) ::_exit(2);
+    ::_exit(attempt() ? 1 : 0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+  return WEXITSTATUS(status) != 0;
+}
+
+class SystemCalls : public testing::Test {
+ protected:
+  void SetUp() override {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(forbid_system_calls() ? 0 : 1);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (status != 0) GTEST_SKIP() << "this kernel has no seccomp";
+  }
+
+  static bool allowed(const std::function<bool()>& attempt) { return succeeds(Layer::system_calls, attempt); }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(SystemCalls, FilesAreReadOnly) {
+  const std::string file = folder_.write("there", "abc");
+  const std::string other = folder_.path("new");
+  EXPECT_TRUE(allowed([&] { return ::open(file.c_str(), O_RDONLY) >= 0; }));
+  EXPECT_FALSE(allowed([&] { return ::open(file.c_str(), O_WRONLY) >= 0; }));
+  EXPECT_FALSE(allowed([&] { return ::open(file.c_str(), O_RDWR) >= 0; }));
+  EXPECT_FALSE(allowed([&] { return ::open(file.c_str(), O_RDONLY | O_TRUNC) >= 0; }));
+  EXPECT_FALSE(allowed([&] { return ::open(other.c_str(), O_RDONLY | O_CREAT, 0600) >= 0; }));
+  EXPECT_FALSE(allowed([&] { return ::creat(other.c_str(), 0600) >= 0; }));
+  EXPECT_FALSE(allowed([&] { return ::mkdir(other.c_str(), 0700) == 0; }));
+  EXPECT_FALSE(allowed([&] { return ::unlink(file.c_str()) == 0; }));
+  EXPECT_FALSE(allowed([&] { return ::rename(file.c_str(), other.c_str()) == 0; }));
+  EXPECT_FALSE(allowed([&] { return ::link(file.c_str(), other.c_str()) == 0; }));
+  EXPECT_FALSE(allowed([&] { return ::symlink(file.c_str(), other.c_str()) == 0; }));
+  EXPECT_FALSE(allowed([&] { return ::chmod(file.c_str(), 0777) == 0; }));
+  EXPECT_FALSE(allowed([&] { return ::truncate(file.c_str(), 0) == 0; }));
+  EXPECT_FALSE(allowed([&] { return ::mkfifo(other.c_str(), 0600) == 0; }));
+  EXPECT_EQ(std::filesystem::file_size(file), 3u);
+  EXPECT_FALSE(std::filesystem::exists(other));
+}
+
+TEST_F(SystemCalls, ThereIsNoNetwork) {
+  for (const int family : {AF_INET, AF_INET6, AF_UNIX, AF_NETLINK}) {
+    EXPECT_FALSE(allowed([&] { return ::socket(family, SOCK_STREAM, 0) >= 0; })) << family;
+    EXPECT_FALSE(allowed([&] { return ::socket(family, SOCK_DGRAM, 0) >= 0; })) << family;
+  }
+}
+
+TEST_F(SystemCalls, NoOtherProcessIsStartedOrTouched) {
+  const pid_t parent = ::getpid();
+  EXPECT_FALSE(allowed([] {
+    char* const arguments[] = {const_cast<char*>("false"), nullptr};
+    ::execv("/bin/false", arguments);  // which would say 1
+    return false;
+  }));
+  EXPECT_FALSE(allowed([] {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    return child > 0;
+  }));
+  EXPECT_FALSE(allowed([&] { return ::kill(parent, 0) == 0; }));
+  EXPECT_FALSE(allowed([&] { return ::ptrace(PTRACE_ATTACH, parent, nullptr, nullptr) == 0; }));
+  EXPECT_FALSE(allowed([&] {
+    rlimit limit{};
+    return ::prlimit(parent, RLIMIT_CPU, nullptr, &limit) == 0;
+  }));
+  EXPECT_FALSE(allowed([&] {
+    const rlimit limit{RLIM_INFINITY, RLIM_INFINITY};
+    return ::setrlimit(RLIMIT_CPU, &limit) == 0;
+  }));
+}
+
+TEST_F(SystemCalls, ThreadsAndMemoryAreThere) {
+  EXPECT_TRUE(allowed([] {
+    bool ran = false;
+    std::thread([&] { ran = true; }).join();
+    const std::vector<char> block(std::size_t(50) << 20, 'x');
+    return ran && block[block.size() / 2] == 'x';
+  }));
+}
+
+TEST(ProcessLimits, BoundTheMemory) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer's allocator aborts instead of throwing";
+#endif
+  const auto takes = [](std::size_t bytes) {
+    return [bytes] {
+      try {
+        const std::vector<char> block(bytes, 'x');
+        return block[block.size() / 2] == 'x';
+      } catch (const std::bad_alloc&) {
+        return false;
+      }
+    };
+  };
+  EXPECT_TRUE(succeeds(Layer::limits, takes(kBytes / 2)));
+  EXPECT_FALSE(succeeds(Layer::limits, takes(2 * kBytes)));
+}
+
+TEST(ProcessLimits, NothingIsWrittenToFiles) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.path("new");
+  EXPECT_FALSE(succeeds(Layer::limits, [&] {
+    const int number = ::open(file.c_str(), O_WRONLY | O_CREAT, 0600);
+    return ::write(number, "x", 1) == 1;
+  }));
+  EXPECT_FALSE(succeeds(Layer::limits, [] {
+    rlimit limit{};
+    ::getrlimit(RLIMIT_CORE, &limit);
+    return limit.rlim_max > 0;
+  }));
+}
+
+TEST(ProcessLimits, TheyHoldForItsDescendants) {
+  EXPECT_TRUE(succeeds(Layer::limits, [] { return ::prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) == 1; }));
+}
+
+TEST(ProcessLimits, ItDiesWithItsParent) {
+  int pipe[2];
+  ASSERT_EQ(::pipe(pipe), 0);
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    if (::fork() == 0) {
+      limit_process(kBytes);
+      if (::write(pipe[1], "x", 1) == 1) ::pause();
+      ::_exit(1);
+    }
+    char ready = 0;
+    ::_exit(::read(pipe[0], &ready, 1) == 1 ? 0 : 1);
+  }
+  ::waitpid(parent, nullptr, 0);
+  ::close(pipe[1]);
+  char none = 0;
+  EXPECT_EQ(::read(pipe[0], &none, 1), 0);  // the end of the pipe: nobody has it open any more
+}
+
+}  // namespace
+}  // namespace tessera::io
