@@ -49,11 +49,10 @@ constexpr double kBothProcess_bytes = 175e6;
 constexpr double kCountedNode_bytes = 60;
 constexpr double kCoarseNode_bytes = 18;
 constexpr double kFineCanvas_px2 = 4e6;
-// Master, while the picture is drawn: 40 bytes a picture px at 4 Mpx, 32 at 16, 18 at 64 with five plain drawings, 60
-// at 4 Mpx with 232 of openclipart; and the canvas' fields.
+// Master, while the picture is drawn: as before at 4 Mpx with 232 drawings of openclipart, and from 14 Mpx on what
+// PictureLimits allows (png_output.h) with the bands and copies beside it; and the canvas' fields.
 constexpr double kPicture_bytes = 60;
-constexpr double kFarPicture_bytes = 14;
-constexpr double kFinePicture_px2 = 16e6;
+constexpr double kMostPicture_bytes = 850e6;
 constexpr double kDrawnNode_bytes = 5;
 // Worker, by canvas px: the field on the host and on the device.
 constexpr double kFieldNode_bytes = 10;
@@ -97,7 +96,7 @@ void add_memory(const PlanInput& input, const MatchingContext& context, PlanEsti
   const double kept = kWholeShape_bytes * std::min(double(input.shapes), kKeptShapes);
   const double counting = priced(input.canvas_nodes, kFineCanvas_px2, kCountedNode_bytes, kCoarseNode_bytes);
   const double drawing = kDrawnNode_bytes * input.canvas_nodes +
-                         priced(input.picture_px2, kFinePicture_px2, kPicture_bytes, kFarPicture_bytes);
+                         std::min(kPicture_bytes * input.picture_px2, kMostPicture_bytes);
   const double master = kept + std::max(counting, drawing);  // counted and drawn one after the other
   plan.worker_bytes = kWorkerProcess_bytes + field + library;
   plan.master_bytes = kMasterProcess_bytes + master;

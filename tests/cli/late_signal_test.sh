@@ -10,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
 # shellcheck source=tests/cli/drawing_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/drawing_fixture.sh"
 
-make_drawn_job 10 6000
+make_drawn_job 10 3000
 
 # end_while_drawing SIGNAL RANKS OUT
 end_while_drawing() {
@@ -47,7 +47,7 @@ expect_drawn by_mpirun
 echo "ok mpirun"
 
 # tessera draw itself: the first picture may be there, the second is not.
-rm USR2/collage.*
+rm -f USR2/collage.*
 "$tessera" draw USR2 --width 20000 --png >output 2>errors &
 started=$!
 until [[ -e USR2/collage.png.tmp ]] || ! kill -0 "$started" 2>/dev/null; do sleep 0.005; done

@@ -39,7 +39,7 @@ run 0 library build drawings -o own.h5
 grep -qF 'all that was left out: own.left_out.txt' output || fail "does not say where the list is"
 [[ $(wc -l <own.left_out.txt) == 6 && $(grep -c $'^skipped\t/.*/drawings/empty.\.svg\t.' own.left_out.txt) == 5 ]] ||
   fail "another list: $(cat own.left_out.txt)"
-grep -q $'^merged\t/.*/drawings/bean_again.svg\tthe silhouette of bean$' own.left_out.txt || fail "no copy in the list"
+grep -q $'^merged\t/.*/drawings/bean_again.svg\tthe silhouette and colour of bean$' own.left_out.txt || fail "no copy in the list"
 rm drawings/empty?.svg drawings/bean_again.svg
 run 0 library build drawings -o own.h5
 [[ ! -e own.left_out.txt ]] || fail "the list of the library before is still there"

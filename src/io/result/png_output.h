@@ -16,8 +16,8 @@ namespace tessera::io {
 /// What drawing may take. Its bytes do not depend on it.
 struct PictureLimits {
   int band_rows = 512;  // drawn at a time; a multiple of kStripRows (piece_drawing.h)
-  std::size_t sprite_bytes = std::size_t(192) << 20;
-  std::size_t tile_bytes = std::size_t(256) << 20;  // of pieces that reach into later bands and wait for them
+  std::size_t sprite_bytes = std::size_t(320) << 20;  // as SpriteCache counts them
+  std::size_t tile_bytes = std::size_t(96) << 20;     // of pieces that reach into later bands and wait for them
 };
 
 /// OutputSpec::width_px wide; the height follows from the canvas.

@@ -3,12 +3,17 @@
 #include <utility>
 
 namespace tessera::io {
+namespace {
+
+constexpr std::size_t kCopies = 3;
+
+}  // namespace
 
 SpriteCache::SpriteCache(std::size_t budget_bytes, Make make) : budget_bytes_(budget_bytes), make_(std::move(make)) {}
 
 std::shared_ptr<const Sprite> SpriteCache::get(std::size_t slot, int side_px) {
   const Key key(slot, side_px);
-  const std::size_t most_bytes = 4 * std::size_t(side_px) * std::size_t(side_px);
+  const std::size_t most_bytes = kCopies * 4 * std::size_t(side_px) * std::size_t(side_px);
   std::unique_lock lock(mutex_);
   for (;;) {
     const auto found = entries_.find(key);

@@ -18,7 +18,8 @@ namespace tessera::io {
 /// when it is wanted. What is in use stays.
 class SpriteCache {
  public:
-  /// `make(slot, side_px)` is called from any of the threads, with other arguments at the same time; its sprite has
+  /// While a sprite is made it counts three times: beside it there are its drawing, and that as it came from the process
+  /// that drew it. `make(slot, side_px)` is called from any of the threads, with other arguments at the same time; its sprite has
   /// side_px x side_px pixels at most.
   using Make = std::function<Sprite(std::size_t slot, int side_px)>;
 
