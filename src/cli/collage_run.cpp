@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <memory>
 
 #include "cli/collage_checkpoints.h"
 #include "cli/collage_input.h"
