@@ -6,6 +6,8 @@
 #include "cli/result_drawing_run.h"
 #include "comm/stop_signals.h"
 #include "io/job/job_keys.h"
+#include "io/output_lock.h"
+#include "io/result/result_manifest.h"
 
 namespace tessera::cli {
 namespace {
@@ -28,6 +30,8 @@ struct DrawArguments {
 int run(DrawArguments arguments) {
   io::DrawingRequest& wanted = arguments.request;
   if (!wanted.png && !wanted.svg && !wanted.pdf) wanted.png = wanted.svg = true;
+  io::read_manifest(arguments.folder);  // no lock is left where there is no result
+  const io::OutputLock lock(io::folder_lock_path(arguments.folder), arguments.folder);
   comm::install_stop_handlers();
   if (!draw(arguments.folder, wanted, arguments.quiet, comm::stop_signalled)) {
     std::fprintf(stderr, "tessera: drawing interrupted: the same command goes on\n");

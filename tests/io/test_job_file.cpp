@@ -136,7 +136,7 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, match, "
-            "objective, improve, stop, checkpoint, devices, output");
+            "objective, improve, stop, checkpoint, comm, devices, output");
   EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
             "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
 }
