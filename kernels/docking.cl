@@ -179,7 +179,7 @@ int16 docking_points(DirectionRange range, global const float* contour, int bloc
 
 // The boundary point that a draw docks, or NO_POINT.
 #define NO_POINT (-1)
-int docked_point(constant MatchRecord* match, global const float* contour, uint point_bits,
+INLINE int docked_point(constant MatchRecord* match, global const float* contour, uint point_bits,
                  global const SampleRecord* target) {
   const DirectionRange range = docked_rotations(match);
   if (range.edge_x <= -1) return (int)(((ulong)point_bits * kBoundaryPoints) >> 32);
@@ -205,7 +205,7 @@ int docked_point(constant MatchRecord* match, global const float* contour, uint 
 }
 
 // Frames aligned at a boundary point, at a given scale.
-PoseRecord tangent_docking(constant MatchRecord* match, global const float* contour, uint point, float scale_px,
+INLINE PoseRecord tangent_docking(constant MatchRecord* match, global const float* contour, uint point, float scale_px,
                            global const SampleRecord* target) {
   const float ux = contour[kTangentAt + point];
   const float uy = contour[kTangentAt + kBoundaryPoints + point];

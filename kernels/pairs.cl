@@ -113,7 +113,7 @@ bool may_turn(const Pads* pads, uint source, const Target* target) {
 }
 
 // Equation 1, steps; NO_PAIR where the scale, the sign or the rotation cannot fit.
-uint pair_distance(const Pads* pads, uint source, constant LevelRecord* level, const Target* target) {
+INLINE uint pair_distance(const Pads* pads, uint source, constant LevelRecord* level, const Target* target) {
   const PadRecord record = pads->record[source];
   if (target->scale_length < record.scale_length * (level->scale_low_px * kScaleWindowLow) ||
       target->scale_length > record.scale_length * (level->scale_high_px * kScaleWindowHigh) ||

@@ -59,6 +59,7 @@ bool deepest_vertex(const PolygonIndex& inner, const PolygonIndex& outer, float 
   for (const std::vector<Vec2>& curve : inner.outline().curves) {
     for (const Vec2 p : curve) {
       if (!within(outer.box(), p) || !suspect(p) || !outer.contains(p)) continue;
+      if (outer.approach(p, deepest).distance < deepest) continue;  // as nearly all that are inside
       const Approach out = outer.approach(p, kHopelessDepth_px);
       if (out.distance <= deepest) continue;
       deepest = out.distance;

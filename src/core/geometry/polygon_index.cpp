@@ -110,11 +110,16 @@ Approach PolygonIndex::approach(const Segment& here, float reach) const {
   const float low_y = std::min(here.from.y, here.to.y) - reach;
   const float high_y = std::max(here.from.y, here.to.y) + reach;
   if (low_x > box_.high.x || high_x < box_.low.x || low_y > box_.high.y || high_y < box_.low.y) return best;
+  const bool is_point = here.from == here.to;
   const Cells cells = cells_round(here, reach);
   for (int y = cells.y0; y <= cells.y1; ++y) {
     for (int x = cells.x0; x <= cells.x1; ++x) {
       const std::size_t cell = std::size_t(y) * columns_ + x;
       for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
+        if (is_point) {
+          take_nearer(best, here.from, nearest_point(segments_[i], here.from));
+          continue;
+        }
         const Approach approach = approach_of(here, segments_[i]);
         if (approach.distance < best.distance) best = approach;
       }
