@@ -58,9 +58,13 @@ void throw_if_not_written(const BuildArguments& arguments, const io::LibraryBuil
 void throw_if_no_artwork(const BuildArguments& arguments, const io::ArtworkFiles& files) {
   if (!files.paths.empty()) return;
   std::string message = "no artwork in " + arguments.sources.front() +
-                        (arguments.glob.empty() ? ": looked for svg, svgz, png, webp, tif, tiff, bmp, jpg and jpeg files"
-                                                : ": no file matches " + arguments.glob);
-  if (!files.left_out.empty()) message += "; found " + files.left_out.front().path + ": " + files.left_out.front().reason;
+                        (arguments.glob.empty()
+                             ? ": looked for svg, svgz, png, webp, tif, tiff, bmp, jpg and jpeg files"
+                             : ": no file matches " + arguments.glob);
+  if (!files.left_out.empty()) {
+    const io::UnusedFile& first = files.left_out.front();
+    message += "; found " + first.path + ": " + first.reason;
+  }
   throw InputError(message);
 }
 

@@ -61,7 +61,8 @@ FileDescriptor open_regular_file(const std::string& path) {
 std::vector<std::uint8_t> read_regular_file(const std::string& path, std::size_t most_bytes) {
   const FileDescriptor file = open_regular_file(path);
   const std::size_t size = size_of(file, path);
-  if (size > most_bytes) throw InputError(path + ": " + mebibytes(size) + ", more than the " + mebibytes(most_bytes) + " allowed");
+  if (size > most_bytes)
+    throw InputError(path + ": " + mebibytes(size) + ", more than the " + mebibytes(most_bytes) + " allowed");
   std::vector<std::uint8_t> bytes(size);
   for (std::size_t done = 0; done < size;) {
     const ssize_t got = ::read(file.number(), bytes.data() + done, size - done);

@@ -23,9 +23,9 @@ class FileDescriptor {
   int number_;
 };
 
-/// Opens a regular file for reading; a link is followed to one. What else may stand under a name is refused before it is
-/// opened: a pipe would block, a device may never end or do something. Throws InputError, which names `path` and what it
-/// is.
+/// Opens a regular file for reading; a link is followed to one. What else may stand under a name is refused before it
+/// is opened: a pipe would block, a device may never end or do something. Throws InputError, which names `path` and
+/// what it is.
 FileDescriptor open_regular_file(const std::string& path);
 
 /// The whole of it. Throws InputError where it cannot be read or has more than `most_bytes`.

@@ -56,8 +56,8 @@ class OddSvgs {
   void add_filters(double scale) {
     for (const double order : {7., 30., 100.}) {
       const double n = order * scale;
-      add_filter("convolve" + number(order), "<feConvolveMatrix order=\"" + number(n) + "\" kernelMatrix=\"" +
-                                                 repeated("1 ", n * n) + "\"/>");
+      add_filter("convolve" + number(order),
+                 "<feConvolveMatrix order=\"" + number(n) + "\" kernelMatrix=\"" + repeated("1 ", n * n) + "\"/>");
     }
     add_filter("convolve_wrong_size", "<feConvolveMatrix order=\"" + number(3 + scale) + "\" kernelMatrix=\"1 1 1\"/>");
     const std::string nine = "kernelMatrix=\"1 1 1 1 1 1 1 1 1\"";
@@ -72,7 +72,8 @@ class OddSvgs {
     add_filter("blur_huge", "<feGaussianBlur stdDeviation=\"1e30\"/>",
                "x=\"-1e6\" y=\"-1e6\" width=\"3e6\" height=\"3e6\"");
     add_filter("region_huge", "<feFlood flood-color=\"blue\"/>", "x=\"-1e9\" y=\"-1e9\" width=\"3e9\" height=\"3e9\"");
-    add_filter("turbulence_octaves", "<feTurbulence baseFrequency=\"0.9\" numOctaves=\"" + number(1e4 * scale) + "\"/>");
+    add_filter("turbulence_octaves",
+               "<feTurbulence baseFrequency=\"0.9\" numOctaves=\"" + number(1e4 * scale) + "\"/>");
     add_filter("turbulence_fast", "<feTurbulence baseFrequency=\"1e9\" numOctaves=\"2000000000\"/>");
     add_filter("blur_chain", repeated("<feGaussianBlur stdDeviation=\"50\"/>", 2000 * scale));
     add_filter("tile", "<feTile/><feOffset dx=\"1e30\"/><feDisplacementMap in2=\"SourceGraphic\" scale=\"1e30\"/>");
@@ -84,8 +85,8 @@ class OddSvgs {
     add("deep", repeated("<g>", 10000 * scale) + kDisc + repeated("</g>", 10000 * scale));
     add("filters_nested", "<filter id=\"f\"><feGaussianBlur stdDeviation=\"30\"/></filter>" +
                               repeated("<g filter=\"url(#f)\">", 50 * scale) + kDisc + repeated("</g>", 50 * scale));
-    add("blend_layers", repeated("<g style=\"mix-blend-mode:multiply\">", 100 * scale) + kDisc +
-                            repeated("</g>", 100 * scale));
+    add("blend_layers",
+        repeated("<g style=\"mix-blend-mode:multiply\">", 100 * scale) + kDisc + repeated("</g>", 100 * scale));
     add("many_elements", repeated("<rect width=\"9\" height=\"9\"/>", 50000 * scale) + kDisc);
   }
 
@@ -112,15 +113,16 @@ class OddSvgs {
     add("pattern_chain", chain("<pattern width=\"1\" height=\"1\" patternUnits=\"userSpaceOnUse\" id=\"p",
                                "\">" + whole + "fill=\"url(#p", ")\"/></pattern>", int(15 * scale)) +
                              "<circle cx=\"200\" cy=\"200\" r=\"150\" fill=\"url(#p0)\"/>");
-    add("mask_chain", chain("<mask id=\"m", "\">" + whole + "fill=\"white\" mask=\"url(#m", ")\"/></mask>",
-                            int(50 * scale)) +
-                          "<circle cx=\"200\" cy=\"200\" r=\"150\" fill=\"red\" mask=\"url(#m0)\"/>");
-    add("clip_chain", chain("<clipPath id=\"c", "\">" + whole + "clip-path=\"url(#c", ")\"/></clipPath>",
-                            int(50 * scale)) +
-                          "<circle cx=\"200\" cy=\"200\" r=\"150\" fill=\"red\" clip-path=\"url(#c0)\"/>");
-    add("markers", "<marker id=\"m\" markerWidth=\"300\" markerHeight=\"300\"><g opacity=\"0.5\"><circle r=\"100\"/></g>"
-                   "</marker><path fill=\"none\" stroke=\"red\" marker-mid=\"url(#m)\" d=\"M0 0" +
-                       zigzag(5000 * scale) + "\"/>" + kDisc);
+    add("mask_chain",
+        chain("<mask id=\"m", "\">" + whole + "fill=\"white\" mask=\"url(#m", ")\"/></mask>", int(50 * scale)) +
+            "<circle cx=\"200\" cy=\"200\" r=\"150\" fill=\"red\" mask=\"url(#m0)\"/>");
+    add("clip_chain",
+        chain("<clipPath id=\"c", "\">" + whole + "clip-path=\"url(#c", ")\"/></clipPath>", int(50 * scale)) +
+            "<circle cx=\"200\" cy=\"200\" r=\"150\" fill=\"red\" clip-path=\"url(#c0)\"/>");
+    add("markers",
+        "<marker id=\"m\" markerWidth=\"300\" markerHeight=\"300\"><g opacity=\"0.5\"><circle r=\"100\"/></g>"
+        "</marker><path fill=\"none\" stroke=\"red\" marker-mid=\"url(#m)\" d=\"M0 0" +
+            zigzag(5000 * scale) + "\"/>" + kDisc);
     add("image_of_a_file", "<image width=\"400\" height=\"400\" xlink:href=\"file:///etc/hostname\"/>");
     add("style_of_a_file", "<style>@import url(\"file:///etc/passwd\");</style>" + kDisc);
     add("image_of_itself", "<image id=\"i\" width=\"400\" height=\"400\" xlink:href=\"#i\"/>");
@@ -143,12 +145,13 @@ class OddSvgs {
     add("long_dashes", "<path d=\"M-1e" + number(4 + scale) + " 200 H1e7\" stroke-width=\"50\" " + stroke +
                            "stroke-dasharray=\"0.01\"/>");
     add("path", "<path fill=\"red\" d=\"M0 0" + zigzag(50000 * scale) + "Z\"/>");
-    add("wide_stroke", "<path stroke-linejoin=\"round\" stroke-width=\"300\" " + stroke + "d=\"M0 0" +
-                           zigzag(5000 * scale) + "Z\"/>");
+    add("wide_stroke",
+        "<path stroke-linejoin=\"round\" stroke-width=\"300\" " + stroke + "d=\"M0 0" + zigzag(5000 * scale) + "Z\"/>");
     add("huge_coordinates", "<path fill=\"red\" d=\"M-1e38 -1e38L1e38 1e38L1e300 0Zm1e999 nan\"/>");
-    add("huge_font", "<text x=\"0\" y=\"300\" font-size=\"1e" + number(4 + scale) + "\" fill=\"red\">AWXM</text>" + kDisc);
-    add("long_text", "<text x=\"0\" y=\"300\" font-size=\"100\" fill=\"red\">" + repeated("A", 50000 * scale) +
-                         "</text>" + kDisc);
+    add("huge_font",
+        "<text x=\"0\" y=\"300\" font-size=\"1e" + number(4 + scale) + "\" fill=\"red\">AWXM</text>" + kDisc);
+    add("long_text",
+        "<text x=\"0\" y=\"300\" font-size=\"100\" fill=\"red\">" + repeated("A", 50000 * scale) + "</text>" + kDisc);
     add("transform", "<g transform=\"scale(1e30) rotate(1e30) skewX(90) matrix(0 0 0 0 0 0)\">" + kDisc + "</g>");
   }
 
@@ -165,7 +168,8 @@ class OddSvgs {
   }
 
   void add_document(const std::string& name, const std::string& entities, const std::string& body) {
-    all_.push_back({name + suffix_, document(body, "width=\"400\" height=\"400\"", "<!DOCTYPE svg [" + entities + "]>")});
+    all_.push_back(
+        {name + suffix_, document(body, "width=\"400\" height=\"400\"", "<!DOCTYPE svg [" + entities + "]>")});
   }
 
   void add_documents(double scale) {

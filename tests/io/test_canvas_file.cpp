@@ -140,8 +140,8 @@ TEST_F(CanvasFile, only_regular_files_are_opened) {
 }
 
 TEST_F(CanvasFile, large_canvases_fit_into_the_memory_of_a_drawing) {
-  const Canvas canvas = load_canvas(
-      {.width_px = 4096, .height_px = 4096, .file = svg("<circle r=\"20\" cx=\"25\" cy=\"25\"/>", "width=\"50\" height=\"50\"")});
+  const std::string file = svg("<circle r=\"20\" cx=\"25\" cy=\"25\"/>", "width=\"50\" height=\"50\"");
+  const Canvas canvas = load_canvas({.width_px = 4096, .height_px = 4096, .file = file});
   EXPECT_NEAR(double(canvas.area_px2) / (4096. * 4096), 3.1416 * 20 * 20 / 2500, 0.001);
 }
 

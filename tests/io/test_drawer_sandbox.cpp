@@ -1,6 +1,6 @@
 // What a process may still do when it has limited itself. Each attempt runs in a forked child, since it cannot go back.
-#include <gtest/gtest.h>
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/ptrace.h>

@@ -1,7 +1,7 @@
 // Drawings made in processes of their own: what comes back, and that a bad one costs only itself.
+#include <fcntl.h>
 #include <glib.h>
 #include <gtest/gtest.h>
-#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -130,7 +130,8 @@ TEST(Drawers, WhatNeedsTooMuchMemoryIsTold) {
 #endif
   const Bytes png = encoded(cv::Mat(10000, 10000, CV_8UC1, cv::Scalar(0)), ".png");
   gchar* base64 = g_base64_encode(png.data(), png.size());
-  const Bytes bomb = svg(std::string("<image width=\"100\" height=\"50\" xlink:href=\"data:image/png;base64,") + base64 + "\"/>");
+  const Bytes bomb =
+      svg(std::string("<image width=\"100\" height=\"50\" xlink:href=\"data:image/png;base64,") + base64 + "\"/>");
   g_free(base64);
   Drawers drawers(kTwo);
   EXPECT_NO_THROW(drawers.render(svg(kDisc), "a", 100));
@@ -201,8 +202,9 @@ std::string content_of(const std::string& path) {
 
 TEST(Drawers, InheritNeitherAnEnvironmentOfRanksNorOpenFiles) {
   const test::ScratchFolder folder;
-  const std::string script = folder.write("program", "#!/bin/sh\n/usr/bin/env > " + folder.path("environment") +
-                                                         "\n/bin/ls /proc/$$/fd > " + folder.path("descriptors") + "\n");
+  const std::string script =
+      folder.write("program", "#!/bin/sh\n/usr/bin/env > " + folder.path("environment") + "\n/bin/ls /proc/$$/fd > " +
+                                  folder.path("descriptors") + "\n");
   std::filesystem::permissions(script, std::filesystem::perms::owner_all);
   const int inherited = ::fcntl(STDOUT_FILENO, F_DUPFD, 77);  // without O_CLOEXEC
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "SLURM_PROCID"}) ::setenv(name, "1", 1);

@@ -236,8 +236,8 @@ TEST_F(LibraryBuilder, BuildsFromRealDrawings) {
   EXPECT_LT(mean[0], 250);  // but not only
 }
 
-/// librsvg 2.54 panics: in a process that was forked from this one that would have run this one's clean-up, which removes
-/// the half library.
+/// librsvg 2.54 panics: in a process that was forked from this one that would have run this one's clean-up, which
+/// removes the half library.
 TEST_F(LibraryBuilder, APanicCostsItsOwnFile) {
   std::string matrix;
   for (int i = 0; i < 100 * 100; ++i) matrix += "1 ";

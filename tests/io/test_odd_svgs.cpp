@@ -1,5 +1,6 @@
-// SVGs that mean harm, as artwork of a library, as canvas and as original of a picture: each costs its own drawing, ends in
-// time, and is told with a reason; whoever asks for it keeps its own memory. With an argument all variants are tried.
+// SVGs that mean harm, as artwork of a library, as canvas and as original of a picture: each costs its own drawing,
+// ends in time, and is told with a reason; whoever asks for it keeps its own memory. With an argument all variants are
+// tried.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -31,7 +32,8 @@ constexpr std::size_t kMebibyte = std::size_t(1) << 20;
 /// Beside what a drawing may take: a process with its libraries, and what a test holds itself.
 constexpr std::size_t kOwnBytes = 300 * kMebibyte;
 
-const DrawerSettings kSettings{.processes = kThreads, .seconds_per_drawing = kSeconds, .bytes_per_process = 256 * kMebibyte};
+const DrawerSettings kSettings{
+    .processes = kThreads, .seconds_per_drawing = kSeconds, .bytes_per_process = 256 * kMebibyte};
 
 std::size_t peak_bytes(decltype(RUSAGE_SELF) whose) {
   rusage usage{};

@@ -1,4 +1,5 @@
-// A PNG as it is: a thumbnail of a library, a finished collage. Artwork is read by raster_page.h, which cuts shapes out.
+// A PNG as it is: a thumbnail of a library, a finished collage. Artwork is read by raster_page.h, which cuts shapes
+// out.
 #pragma once
 
 #include <cstdint>

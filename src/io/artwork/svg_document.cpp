@@ -47,15 +47,15 @@ cv::Size2d reach_of_drawing(RsvgHandle* handle) {
 SvgDocument::SvgDocument(std::span<const std::uint8_t> svg, const std::string& path, RsvgHandleFlags flags)
     : path_(path) {
   GError* error = nullptr;
-  const GObjectPtr<GInputStream> stream(
-      g_memory_input_stream_new_from_data(svg.data(), gssize(svg.size()), nullptr));
+  const GObjectPtr<GInputStream> stream(g_memory_input_stream_new_from_data(svg.data(), gssize(svg.size()), nullptr));
   handle_.reset(rsvg_handle_new_from_stream_sync(stream.get(), nullptr, flags, nullptr, &error));
   if (!handle_) throw_input_error(path, "not a readable SVG file", error);
   rsvg_handle_set_dpi(handle_.get(), kPixelsPerInch);
   const std::optional<cv::Size2d> size = size_of_page(handle_.get());
   sized_ = size.has_value();
   size_ = size ? *size : reach_of_drawing(handle_.get());
-  const bool has_area = std::isfinite(size_.width) && std::isfinite(size_.height) && size_.width > 0 && size_.height > 0;
+  const bool has_area =
+      std::isfinite(size_.width) && std::isfinite(size_.height) && size_.width > 0 && size_.height > 0;
   if (!has_area) throw InputError(path + ": the page has no area");
 }
 

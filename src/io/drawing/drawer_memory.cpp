@@ -1,5 +1,5 @@
-// malloc and its kin in tessera-drawer: where there is no memory left, the process ends and says so by its exit code. Some
-// libraries would carry on and leave out what they cannot hold, which nobody would notice in the picture.
+// malloc and its kin in tessera-drawer: where there is no memory left, the process ends and says so by its exit code.
+// Some libraries would carry on and leave out what they cannot hold, which nobody would notice in the picture.
 #include <unistd.h>
 
 #include <cerrno>

@@ -33,9 +33,9 @@ constexpr std::chrono::seconds kMostStartTime(60);
 /// child that takes itself for a rank would disturb the job.
 std::vector<std::string> drawer_environment() {
   std::vector<std::string> environment = {"LC_ALL=C.UTF-8", "RAYON_NUM_THREADS=1", "MALLOC_ARENA_MAX=1"};
-  for (const std::string name : {"HOME", "LD_LIBRARY_PATH", "FONTCONFIG_FILE", "FONTCONFIG_PATH", "XDG_DATA_HOME",
-                                 "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_DIRS", "GDK_PIXBUF_MODULE_FILE",
-                                 "ASAN_OPTIONS", "UBSAN_OPTIONS"}) {
+  for (const std::string name :
+       {"HOME", "LD_LIBRARY_PATH", "FONTCONFIG_FILE", "FONTCONFIG_PATH", "XDG_DATA_HOME", "XDG_CONFIG_HOME",
+        "XDG_CACHE_HOME", "XDG_DATA_DIRS", "GDK_PIXBUF_MODULE_FILE", "ASAN_OPTIONS", "UBSAN_OPTIONS"}) {
     if (const char* value = std::getenv(name.c_str())) environment.push_back(name + "=" + value);
   }
   return environment;
@@ -195,7 +195,8 @@ bool DrawerProcess::wait_for(short events, Clock::time_point deadline) {
 bool DrawerProcess::send(const void* data, std::size_t bytes, Clock::time_point deadline) {
   const char* from = static_cast<const char*>(data);
   while (bytes > 0) {
-    const ssize_t sent = ::send(socket_, from, bytes, MSG_NOSIGNAL);  // a dead child must not kill its parent: no SIGPIPE
+    const ssize_t sent =
+        ::send(socket_, from, bytes, MSG_NOSIGNAL);  // a dead child must not kill its parent: no SIGPIPE
     if (sent > 0) {
       from += sent;
       bytes -= std::size_t(sent);

@@ -26,11 +26,11 @@ enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, sh
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
-  int longest_side_px = 0;                // of page and png
-  double width_pt = 0;                    // of pdf
-  PadParameters pad = {};                 // of shape
-  std::string path = {};                  // stands in messages; a shape's name
-  std::string scope_id = {};              // of svg_import
+  int longest_side_px = 0;                   // of page and png
+  double width_pt = 0;                       // of pdf
+  PadParameters pad = {};                    // of shape
+  std::string path = {};                     // stands in messages; a shape's name
+  std::string scope_id = {};                 // of svg_import
   std::span<const std::uint8_t> bytes = {};  // the file
 };
 

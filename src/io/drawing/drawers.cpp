@@ -60,8 +60,8 @@ void check_side(int longest_side_px, const std::string& path) {
 
 }  // namespace
 
-/// Threads that own a process each. A process dies with the thread that started it (PR_SET_PDEATHSIG), so it must not be
-/// a caller's thread.
+/// Threads that own a process each. A process dies with the thread that started it (PR_SET_PDEATHSIG), so it must not
+/// be a caller's thread.
 class Drawers::Crew {
  public:
   explicit Crew(const DrawerSettings& settings) : settings_(settings) {

@@ -19,8 +19,8 @@
 namespace tessera::io {
 
 struct DrawerSettings {
-  int processes = 1;               // how many drawings are made at a time
-  double seconds_per_drawing = 20; // of wall-clock time, and of CPU time
+  int processes = 1;                                       // how many drawings are made at a time
+  double seconds_per_drawing = 20;                         // of wall-clock time, and of CPU time
   std::size_t bytes_per_process = std::size_t(512) << 20;  // of address space, beyond what a process starts with
 };
 
@@ -31,9 +31,9 @@ class DrawingStopped : public std::runtime_error {
 };
 
 /// All members may be called from several threads at once; a call waits for a free process. `path` stands in messages
-/// only. Unless it says otherwise, a call throws InputError, which names `path` and the reason, where the bytes are of no
-/// use, break a limit of artwork_render.h, or where the process crashed or had to be ended; EnvironmentError where no
-/// process can be started; DrawingStopped.
+/// only. A call throws InputError, which names `path` and the reason, where the bytes are of no use, break a limit of
+/// artwork_render.h, or where the process crashed or had to be ended; EnvironmentError where no process can be started;
+/// DrawingStopped.
 class Drawers {
  public:
   /// Starts no process yet: each starts with the first call that needs it, and again after it died.

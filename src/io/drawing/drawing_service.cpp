@@ -1,8 +1,8 @@
 #include "io/drawing/drawing_service.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <opencv2/core.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 

@@ -17,8 +17,8 @@ struct ArtworkFiles {
 };
 
 /// `sources`: files, taken as they are, and folders, searched to any depth for files (not through links to folders)
-/// whose name matches the shell pattern `glob`; an empty pattern means the extensions of the formats we read. Pictures in
-/// other formats (GIF, PDF, EPS ...) that are found then are named as left out.
+/// whose name matches the shell pattern `glob`; an empty pattern means the extensions of the formats we read. Pictures
+/// in other formats (GIF, PDF, EPS ...) that are found then are named as left out.
 /// Throws InputError where a source does not exist.
 ArtworkFiles find_artwork(const std::vector<std::string>& sources, const std::string& glob);
 

@@ -30,7 +30,8 @@ bool has_sane_size(std::span<const std::uint8_t> png) {
   return std::min(side(16), side(20)) >= 1 && std::max(side(16), side(20)) <= kMaxThumbnailSide_px;
 }
 
-/// Premultiplied BGRA, which is cairo's ARGB32; empty where the thumbnail is damaged: the cell then shows the outline only.
+/// Premultiplied BGRA, which is cairo's ARGB32; empty where the thumbnail is damaged: the cell then shows the outline
+/// only.
 cv::Mat decoded(Drawers& drawers, std::span<const std::uint8_t> png) {
   if (!has_sane_size(png)) return {};
   try {

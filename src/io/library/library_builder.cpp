@@ -142,8 +142,10 @@ class Builder {
 }  // namespace
 
 ShapeLoader artwork_loader(Drawers& drawers, const PadParameters& pad) {
-  return {.load = [&drawers, pad](const std::string& path) { return drawers.shape(read_artwork_file(path), path, pad); },
-          .stop = [&drawers] { drawers.stop(); }};
+  const auto load = [&drawers, pad](const std::string& path) {
+    return drawers.shape(read_artwork_file(path), path, pad);
+  };
+  return {.load = load, .stop = [&drawers] { drawers.stop(); }};
 }
 
 LibraryBuildReport build_library(const ArtworkFiles& files, const std::string& output,

@@ -1,5 +1,6 @@
-// From artwork files to a library file. Every drawing is traced in a process of its own (drawers.h), so that none can hang
-// or crash the build; results are taken in the order of the files, so that the library's bytes do not depend on timing.
+// From artwork files to a library file. Every drawing is traced in a process with limits (drawers.h), so that none can
+// hang or crash the build; results are taken in the order of the files, so that the library's bytes do not depend on
+// timing.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +53,8 @@ struct BuildMonitor {
   std::function<bool()> interrupted;
 };
 
-/// Writes the library at `output`, whole or not at all. Throws EnvironmentError where the file cannot be written or the build was interrupted.
+/// Writes the library at `output`, whole or not at all. Throws EnvironmentError where the file cannot be written or the
+/// build was interrupted.
 LibraryBuildReport build_library(const ArtworkFiles& files, const std::string& output,
                                  const LibraryBuildSettings& settings, const ShapeLoader& loader,
                                  const BuildMonitor& monitor);
