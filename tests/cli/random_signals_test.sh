@@ -60,7 +60,7 @@ for ((n = 0; n < moments; ++n)); do
   elif [[ -e out/checkpoint.h5 ]]; then
     computing=$((computing + 1))
   fi
-  echo "$n: $ranks ranks, ${signals[how]-limit} after $moment_ms ms: exit code $code in $took_ms ms, $(ls out 2>/dev/null | xargs)"
+  echo "$n: $ranks ranks, ${signals[how]-limit} after $moment_ms ms: exit code $code in $took_ms ms"
   [[ $code == 0 ]] || go_on "$n"
   expect_drawn out
 done

@@ -45,6 +45,11 @@ while :; do
   interrupt USR2 $((sessions % 3 == 1 ? 3 : 1)) often "${options[@]}"
   [[ $code == 0 ]] && break
   [[ $code == 75 ]] || fail "often: exit code $code"
+  if grep -qF '"state":"finished"' often/manifest.json; then # the signal came while it was drawn
+    start 1 often --resume
+    expect_end 0 "often: drawing"
+    break
+  fi
   [[ -s often/checkpoint.h5 ]] || fail "often: no checkpoint"
   [[ ! -e often/collage.png ]] || fail "often: an unfinished run has drawn"
   grep -q 'go on with the same command and --resume' errors || fail "often: no hint"

@@ -60,11 +60,12 @@ std::vector<Placement> placements_of(const std::string& dir, const ResultManifes
 }
 
 /// Of the shapes that were placed, all that drawing needs.
-void add_shapes(const LibraryFile& library, CollageReport& report) {
+void add_shapes(const LibraryFile& library, const StopWatcher& stop, CollageReport& report) {
   std::set<std::uint32_t> placed;
   for (const Placement& placement : report.placements) placed.insert(placement.shape);
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
   for (const std::uint32_t index : placed) {
+    stop.check();
     report.shape_index.push_back(index);
     report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
   }
@@ -152,14 +153,16 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   const Job job = job_of(dir, request);
   Drawers drawers({.processes = available_cores()});
   const StopWatcher stop(observer, drawers);
+  stop.check();
   const LibraryFile library = library_of(job, manifest);
+  stop.check();
   const Canvas canvas = canvas_of(job, manifest);
   check_picture_height(job.output, canvas);
   CollageReport report;
   report.job = &job;
   report.canvas = &canvas;
   report.placements = placements_of(dir, manifest, library.size());
-  add_shapes(library, report);
+  add_shapes(library, stop, report);
   ResultPictures pictures(dir, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
   if (request.png) pictures.png();

@@ -56,7 +56,10 @@ SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
 
 ShapeArtworks::ShapeArtworks(const CollageReport& report, Drawers& drawers, const StopWatcher& stop)
     : report_(report), drawers_(drawers), stop_(stop) {
-  for (const Shape& shape : report.shapes) clips_.push_back(artwork_clip(shape));
+  for (const Shape& shape : report.shapes) {
+    stop.check();
+    clips_.push_back(artwork_clip(shape));
+  }
 }
 
 Sprite ShapeArtworks::sprite(std::size_t slot, int side_px) {
