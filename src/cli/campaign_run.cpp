@@ -30,7 +30,8 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
-/// Computed and drawn. Throws InputError where the folder holds the finished result of another job, which would be lost.
+/// Computed and drawn. Throws InputError where the folder holds the finished result of another job, which would be
+/// lost.
 bool is_finished(const std::string& folder, const io::Job& job) {
   const std::optional<io::Job> then = io::job_of_finished_result(folder);
   if (!then) return false;

@@ -15,9 +15,10 @@ constexpr const char* kExamples =
     "  mpirun -n 3 tessera collage jobs/animals.toml    rank 0 is the master, the others are workers\n"
     "  tessera collage jobs/animals.toml --time-limit 1:30:00     stops in time; exit code 75: there is more to do\n"
     "  tessera collage jobs/animals.toml --resume                 goes on where it stopped, or was killed\n"
-    "The result (collage.png and .svg, pieces.geojson, quality card, effective job) is the same on any number of ranks,\n"
-    "and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and what is placed so far\n"
-    "are written, but not drawn (tessera draw). A finished result in DIR is replaced; where it is of another job, a line on stderr says so.\n"
+    "The result (pieces.geojson, quality card, effective job; drawn from them collage.png and .svg) is the same on any\n"
+    "number of ranks, and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and what\n"
+    "is placed so far are written, but not drawn (tessera draw). A finished result in DIR is replaced; where it is of\n"
+    "another job, a line on stderr says so.\n"
     "Every key of a job: docs/job-format.md. Every file of a result: docs/result-format.md";
 
 std::string how_to_go_on(const CollageArguments& arguments) {
