@@ -14,6 +14,7 @@
 #include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/result/collage_files.h"
+#include "io/text_table.h"
 #include "protocol_sim.h"
 
 namespace tessera::bench {
@@ -105,7 +106,7 @@ RoundCosts costs_of(const RoundModel& model, const Job& job, const Options& opti
 }
 
 std::string validation(const RoundModel& model, const std::vector<SimulatedRound>& rounds) {
-  Table table({"measured", "shapes", "loop s", "model s", "error %"});
+  io::TextTable table({"measured", "shapes", "loop s", "model s", "error %"});
   for (std::size_t i = 0; i < rounds.size(); ++i) {
     const ScalingCase& c = model.cases()[i];
     const double model_s = rounds[i].round_s * c.rounds;
@@ -116,7 +117,7 @@ std::string validation(const RoundModel& model, const std::vector<SimulatedRound
 }
 
 std::string prediction_table(const std::vector<Prediction>& predictions) {
-  Table table({"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "asking all itself"});
+  io::TextTable table({"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "asking all itself"});
   const Prediction* one = nullptr;
   for (const Prediction& p : predictions) {
     if (p.job.workers == 1) one = &p;

@@ -29,7 +29,8 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
-/// Computed and drawn. Throws InputError where the folder holds the finished result of another job, which would be lost.
+/// Computed and drawn. Throws InputError where the folder holds the finished result of another job, which would be
+/// lost.
 bool is_finished(const std::string& folder, const io::Job& job) {
   return io::is_finished_result_of(folder, job) && io::is_drawn(folder);
 }

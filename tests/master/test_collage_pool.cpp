@@ -148,7 +148,7 @@ TEST_F(CollagePool, WhatIsMeasuredAgainIsScoredAgainAndCheckedAgain) {
       EXPECT_FALSE(c.exact);
       EXPECT_EQ(c.terms, measured[name]);
       const float scale = c.canvas_from_shape.scale();
-      const PieceSize size{scale, c.perimeter * scale, rounds_.context().max_scale_px};
+      const PieceSize size{scale, c.perimeter * scale, rounds_.context().poses.max_scale_px};
       EXPECT_EQ(c.score, objective(c.terms, size, settings().objective));
     }
   }
