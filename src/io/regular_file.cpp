@@ -20,7 +20,8 @@ std::string kind_of(mode_t mode) {
 }
 
 [[noreturn]] void throw_unreadable(const std::string& path) {
-  throw InputError(path + ": not a readable file: " + std::generic_category().message(errno));
+  throw InputError(path + ": not a readable file: " + std::generic_category().message(errno) +
+                   ", allowed: a regular file");
 }
 
 void check_regular(const struct stat& status, const std::string& path) {

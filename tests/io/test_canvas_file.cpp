@@ -133,7 +133,7 @@ TEST_F(CanvasFile, only_regular_files_are_opened) {
   const std::string pipe = folder_.path("pipe.svg");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const CanvasSpec from_pipe{.width_px = 99, .height_px = 99, .file = pipe};  // would wait for a writer
-  EXPECT_EQ(mistake(from_pipe), pipe + ": not a readable file: found a pipe, allowed: a regular file");
+  EXPECT_EQ(mistake(from_pipe), "canvas.file: " + pipe + ": not a readable file: found a pipe, allowed: a regular file");
   EXPECT_NE(mistake({.width_px = 99, .height_px = 99, .file = "/dev/zero"}).find("found a device"), std::string::npos);
   EXPECT_NE(mistake({.width_px = 99, .height_px = 99, .file = folder_.path("")}).find("found a folder"),
             std::string::npos);

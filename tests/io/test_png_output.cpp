@@ -124,6 +124,7 @@ TEST(Png, LostOriginalsGiveWayToTheThumbnail) {
   Artwork& artwork = sample.report.shapes[0].artwork;
   artwork.original.clear();
   artwork.path = "/nowhere/lost.svg";
+  artwork.sha256 = Sha256{};
   artwork.thumbnail_png = test::encoded(cv::Mat(192, 192, CV_8UC4, cv::Scalar(0, 255, 0, 255)), ".png");
   test::DrawnCollage drawn(sample.report);
   EXPECT_EQ(at(drawn.picture(), 200, 100), cv::Vec3b(0, 255, 0));

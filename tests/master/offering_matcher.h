@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/collage/placement.h"
+#include "core/geometry/polygon.h"
 #include "core/matching/matcher.h"
 #include "support/synthetic_library.h"
 
@@ -14,6 +15,17 @@ using Offers = std::deque<std::optional<Placement>>;
 
 inline Placement piece(std::uint32_t shape, float scale_px, Vec2 centre) {
   return {shape, Similarity{scale_px, 0, centre.x, centre.y}, 1, 1};
+}
+
+/// Where its two nearest edges touch those of a canvas at the upper left or, with the canvas' size, lower right corner:
+/// a piece that touches nothing is worth nothing.
+inline Vec2 centre_at_upper_left(const Shape& shape, float scale_px) {
+  constexpr float kApart_px = 0.5f;
+  return bounding_box(shape.outline.curves.front()).low * (-scale_px) + Vec2{kApart_px, kApart_px};
+}
+inline Vec2 centre_at_lower_right(const Shape& shape, float scale_px, Vec2 canvas_px) {
+  constexpr float kApart_px = 0.5f;
+  return canvas_px - bounding_box(shape.outline.curves.front()).high * scale_px - Vec2{kApart_px, kApart_px};
 }
 
 /// Answers each question for dockings with the next of `offers`, whatever the field is; with nothing where that is

@@ -7,6 +7,7 @@
 
 #include "core/collage/objective.h"
 #include "core/tuning.h"
+#include "offering_matcher.h"
 #include "rounds_by_hand.h"
 
 namespace tessera::master {
@@ -77,7 +78,7 @@ TEST_F(CollagePool, WhatCannotBeMadeClearIsGivenUpForTheNextBest) {
   test::RoundsByHand rounds(make_rectangle_canvas(300, 220), s, library());
   const std::vector<TargetSample> all = rounds.collage().take_stale_samples();
   MatchRound round;
-  round.refined = {found_at(3, 21, {-60, -60}, 1), found_at(4, 40, {150, 110}, 0.2f)};
+  round.refined = {found_at(3, 21, {-60, -60}, 1), found_at(4, 40, test::centre_at_upper_left(library()[4], 40), 0.2f)};
   round.truncated = {false};
   rounds.collage().add_candidates({all.front()}, round);
   Candidate best;

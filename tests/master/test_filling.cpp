@@ -43,11 +43,11 @@ TEST_F(FillingTest, AsksTwiceMoreBeforeTheRegionIsFull) {
 }
 
 TEST_F(FillingTest, WhatIsFoundAtTheLastMomentIsPlacedAndAllBeginsAnew) {
-  matcher_.offers = {{}, {}, piece(1, 40, {60, 60})};
+  matcher_.offers = {{}, {}, piece(1, 40, test::centre_at_upper_left(library()[1], 40))};
   EXPECT_TRUE(filling_.place_one());
   EXPECT_EQ(collage_.placements().size(), 1u);
   matcher_.questions = 0;
-  matcher_.offers = {{}, {}, piece(2, 40, {140, 80})};
+  matcher_.offers = {{}, {}, piece(2, 40, test::centre_at_lower_right(library()[2], 40, {200, 140}))};
   EXPECT_TRUE(filling_.place_one());
   EXPECT_EQ(matcher_.questions, 3);
   EXPECT_EQ(collage_.placements().size(), 2u);

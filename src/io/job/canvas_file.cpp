@@ -19,7 +19,7 @@ std::vector<std::uint8_t> read_canvas_file(const std::string& path) {
   try {
     return read_artwork_file(path);
   } catch (const InputError& error) {
-    throw InputError(std::string("canvas.file: ") + error.what() + "; allowed: an SVG or an image that can be read");
+    throw InputError(std::string("canvas.file: ") + error.what());
   }
 }
 
