@@ -17,6 +17,12 @@ Start start_of(const CollageArguments& arguments) {
   return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
 }
 
+Canvas checked_canvas(const io::Job& job) {
+  Canvas canvas = io::load_canvas(job.canvas);
+  io::check_picture_height(job.output, canvas);
+  return canvas;
+}
+
 /// The folder is there then. Returns the place of its lock.
 std::string locked_folder(const std::string& folder) {
   io::prepare_output_directory(folder);
@@ -34,11 +40,13 @@ CollageInput::CollageInput(const CollageArguments& arguments)
     : start(start_of(arguments)),
       job(io::load_job(arguments.job, arguments.overrides)),
       folder(output_folder(arguments)),
-      lock(locked_folder(folder), folder),
       checkpoints(checked_start(folder, start)),
       library(io::open_library_of(job)),
-      canvas(io::load_canvas(job.canvas)) {
-  io::check_picture_height(job.output, canvas);
+      canvas(checked_canvas(job)),
+      lock(locked_folder(folder), folder) {
+  // Again: another run may have been at work in the folder until it was locked.
+  start = start_of(arguments);
+  checkpoints = checked_start(folder, start);
   origin = io::make_origin(job, library, canvas);
   finished = start == Start::resume && !checkpoints.has_latest();
   if (finished) {

@@ -24,10 +24,10 @@ struct CollageInput {
   Start start;
   io::Job job;
   std::string folder;
-  io::OutputLock lock;  // before anything in the folder is looked at
   io::CheckpointFolder checkpoints;
   io::LibraryFile library;
   Canvas canvas;
+  io::OutputLock lock;  // of the folder; what is in it counts as it is from then on
   io::CheckpointOrigin origin;
   bool finished = false;                // --resume found the finished collage: nothing is left to compute
   std::optional<CheckpointState> from;  // nothing: an empty canvas
