@@ -23,6 +23,11 @@ Canvas checked_canvas(const io::Job& job) {
   return canvas;
 }
 
+/// What is in a folder counts when it is locked; where there is none, there is nothing to wait for.
+io::CheckpointFolder checkpoints_in(const std::string& folder, Start start) {
+  return std::filesystem::exists(folder) ? io::CheckpointFolder(folder) : checked_start(folder, start);
+}
+
 /// The folder is there then. Returns the place of its lock.
 std::string locked_folder(const std::string& folder) {
   io::prepare_output_directory(folder);
@@ -40,12 +45,11 @@ CollageInput::CollageInput(const CollageArguments& arguments)
     : start(start_of(arguments)),
       job(io::load_job(arguments.job, arguments.overrides)),
       folder(output_folder(arguments)),
-      checkpoints(checked_start(folder, start)),
+      checkpoints(checkpoints_in(folder, start)),
       library(io::open_library_of(job)),
       canvas(checked_canvas(job)),
       lock(locked_folder(folder), folder) {
-  // Again: another run may have been at work in the folder until it was locked.
-  start = start_of(arguments);
+  start = start_of(arguments);  // another run may have changed the folder until it was locked
   checkpoints = checked_start(folder, start);
   origin = io::make_origin(job, library, canvas);
   finished = start == Start::resume && !checkpoints.has_latest();
