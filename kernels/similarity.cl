@@ -69,8 +69,10 @@ float2 turn_limits(constant MatchRecord* match, PoseRecord s) {
   const float across = range.middle_x * s.b - range.middle_y * s.a;
   const float to_high = along * range.edge_x + across * range.edge_y;
   const float to_low = along * range.edge_x - across * range.edge_y;
-  if (to_high > 0) limits.y = fmax(0.f, 2 * (along * range.edge_y - across * range.edge_x) / (scale + to_high));
-  if (to_low > 0) limits.x = fmin(0.f, 2 * (-along * range.edge_y - across * range.edge_x) / (scale + to_low));
+  const bool high_ahead = to_high > 0 && (range.edge_x > 0 || across >= 0);
+  const bool low_ahead = to_low > 0 && (range.edge_x > 0 || across <= 0);
+  if (high_ahead) limits.y = fmax(0.f, 2 * (along * range.edge_y - across * range.edge_x) / (scale + to_high));
+  if (low_ahead) limits.x = fmin(0.f, 2 * (-along * range.edge_y - across * range.edge_x) / (scale + to_low));
   return limits;
 }
 

@@ -4,7 +4,6 @@
 #include "cli/collage_input.h"
 #include "cli/collage_run.h"
 #include "cli/commands.h"
-#include "io/checkpoint/checkpoint_folder.h"
 
 namespace tessera::cli {
 namespace {
@@ -27,10 +26,6 @@ constexpr const char* kExamples =
     "Every key of a job: docs/job-format.md. Every file of a result: docs/result-format.md";
 
 std::string how_to_go_on(const CollageArguments& arguments) {
-  const io::CheckpointFolder checkpoints(output_folder(arguments));
-  if (!checkpoints.has_latest() && !checkpoints.has_previous()) {
-    return "unfinished, before the first round: the same command starts again";
-  }
   std::string text = "unfinished: go on with the same command and --resume";
   if (arguments.restart) text += " instead of --restart";
   if (arguments.resume == "previous") text += " instead of --resume=previous";
@@ -42,6 +37,9 @@ int run(const CollageArguments& arguments, comm::Communicator& ranks) {
   switch (run_collage(arguments, ranks)) {
     case CollageEnd::finished: return 0;
     case CollageEnd::unfinished: std::fprintf(stderr, "tessera: %s\n", how_to_go_on(arguments).c_str()); break;
+    case CollageEnd::not_begun:
+      std::fprintf(stderr, "tessera: unfinished, before the first round: the same command starts again\n");
+      break;
     case CollageEnd::not_drawn:
       std::fprintf(stderr, "tessera: collage finished, drawing interrupted: tessera draw %s goes on\n",
                    output_folder(arguments).c_str());

@@ -30,7 +30,7 @@ io::CheckpointFolder checkpoints_in(const std::string& folder, Start start) {
 
 /// The folder is there then. Returns the place of its lock.
 std::string locked_folder(const std::string& folder) {
-  io::prepare_output_directory(folder);
+  io::create_output_directory(folder);
   return io::folder_lock_path(folder);
 }
 
@@ -49,6 +49,8 @@ CollageInput::CollageInput(const CollageArguments& arguments)
       library(io::open_library_of(job)),
       canvas(checked_canvas(job)),
       lock(locked_folder(folder), folder) {
+  io::check_nothing_foreign_is_replaced(folder, arguments.job);
+  io::prepare_output_directory(folder);
   start = start_of(arguments);  // another run may have changed the folder until it was locked
   checkpoints = checked_start(folder, start);
   origin = io::make_origin(job, library, canvas);

@@ -21,6 +21,7 @@
 #include "comm/rank_sites.h"
 #include "comm/stop_signals.h"
 #include "comm/worker_team.h"
+#include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/base/version.h"
 #include "io/result/finished_result.h"
@@ -58,13 +59,14 @@ io::RunRecord record_of(const CollageInput& input) {
   return record;
 }
 
+/// A rank that does not say goodbye is waited for (rank_program.cpp), then killed by mpirun: each takes two seconds.
+double leaving_s(const comm::Communicator& ranks) { return ranks.size() > 1 ? 4 : 0; }
+
 /// Signals and the time limit hold from here on, whatever this rank waits for; so does the watch over the workers.
 StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const TimeLimit& limit,
                        const std::shared_ptr<CollageJournal>& journal) {
   comm::install_stop_handlers();
-  // A rank that does not say goodbye is waited for (rank_program.cpp), then killed by mpirun: each takes two seconds.
-  const double leaving_s = ranks.size() > 1 ? 4 : 0;
-  const StopReason stop_reason = [limit, leaving_s]() -> const char* {
+  const StopReason stop_reason = [limit, leaving_s = leaving_s(ranks)]() -> const char* {
     if (comm::stop_signalled()) return "signal";
     return limit.round_over(leaving_s) ? "time_limit" : nullptr;
   };
@@ -110,17 +112,27 @@ bool compute(const CollageArguments& arguments, const CollageInput& input, const
 }
 
 /// The pictures of a finished collage. False: interrupted.
-bool draw_pictures(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit) {
+bool draw_pictures(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
+                   comm::Communicator& ranks) {
   comm::install_stop_handlers();
   io::DrawingRequest pictures;
   pictures.svg = pictures.png = true;
   pictures.library = input.job.library;
-  return draw(input.folder, pictures, arguments.quiet, [&] { return comm::stop_signalled() || limit.drawing_over(); });
+  try {
+    const bool drawn = draw(input.folder, pictures, arguments.quiet,
+                            [&] { return comm::stop_signalled() || limit.drawing_over(leaving_s(ranks)); });
+    if (!drawn) ranks.hurry();
+    return drawn;
+  } catch (const EnvironmentError& error) {
+    throw EnvironmentError(std::string(error.what()) + "; the collage is finished, tessera draw " + input.folder +
+                           " makes its pictures");
+  }
 }
 
 CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
   const TimeLimit limit(
-      time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr))));
+      time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr)),
+                                    leaving_s(ranks)));
   const CollageInput input(arguments);
   if (input.finished) {
     say(arguments, input.folder + ": finished before, nothing is left to compute");
@@ -129,7 +141,7 @@ CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
     const auto journal = std::make_shared<CollageJournal>(input.folder, record_of(input));  // the ranks' watch shares it
     if (!journal->watch([&] { return compute(arguments, input, limit, ranks, journal); })) return CollageEnd::unfinished;
   }
-  return draw_pictures(arguments, input, limit) ? CollageEnd::finished : CollageEnd::not_drawn;
+  return draw_pictures(arguments, input, limit, ranks) ? CollageEnd::finished : CollageEnd::not_drawn;
 }
 
 }  // namespace
@@ -139,7 +151,7 @@ CollageEnd run_collage(const CollageArguments& arguments, comm::Communicator& ra
   try {
     return lead(arguments, ranks);
   } catch (const Interrupted&) {  // before the first round: what was there is there still
-    return CollageEnd::unfinished;
+    return CollageEnd::not_begun;
   }
 }
 

@@ -31,6 +31,7 @@ enum class CollageEnd {
   finished,
   unfinished,  // a checkpoint, and the result without pictures of what is placed so far
   not_drawn,   // the collage is finished, and a signal or the time limit ended drawing
+  not_begun,   // ended before the first round; what was in the folder is there still
 };
 
 /// On every rank. But for the first end the exit code is to be kUnfinishedExitCode, and the caller says how to go on. Throws

@@ -5,6 +5,8 @@
 #include "cli/commands.h"
 #include "cli/result_drawing_run.h"
 #include "comm/stop_signals.h"
+#include "core/base/error.h"
+#include "io/checkpoint/checkpoint_folder.h"
 #include "io/job/job_keys.h"
 #include "io/output_lock.h"
 #include "io/result/result_manifest.h"
@@ -27,10 +29,20 @@ struct DrawArguments {
   bool quiet = false;
 };
 
+void check_is_result(const std::string& folder) {
+  try {
+    io::read_manifest(folder);
+  } catch (const InputError& error) {
+    const io::CheckpointFolder checkpoints(folder);
+    if (!checkpoints.has_latest() && !checkpoints.has_previous()) throw;
+    throw InputError(std::string(error.what()) + "; a checkpoint is there: tessera collage with --resume makes the result");
+  }
+}
+
 int run(DrawArguments arguments) {
   io::DrawingRequest& wanted = arguments.request;
   if (!wanted.png && !wanted.svg && !wanted.pdf) wanted.png = wanted.svg = true;
-  io::read_manifest(arguments.folder);  // no lock is left where there is no result
+  check_is_result(arguments.folder);  // no lock is left where there is no result
   const io::OutputLock lock(io::folder_lock_path(arguments.folder), arguments.folder);
   comm::install_stop_handlers();
   if (!draw(arguments.folder, wanted, arguments.quiet, comm::stop_signalled)) {

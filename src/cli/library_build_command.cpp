@@ -15,6 +15,7 @@
 #include "io/drawing/drawers.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
+#include "io/library/library_file.h"
 #include "io/output_lock.h"
 
 namespace tessera::cli {
@@ -68,10 +69,22 @@ void throw_if_no_artwork(const BuildArguments& arguments, const io::ArtworkFiles
   throw InputError(message);
 }
 
+/// What is replaced must be a library: a slip of the pen names a drawing.
+void throw_if_not_ours(const BuildArguments& arguments) {
+  std::error_code error;
+  if (!std::filesystem::exists(arguments.output, error)) return;
+  try {
+    const io::LibraryFile library(arguments.output);
+  } catch (const InputError&) {
+    throw InputError(arguments.output + ": is there and is no library; give another name, or remove it");
+  }
+}
+
 int run(const BuildArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const io::ArtworkFiles files = io::find_artwork(arguments.sources, arguments.glob);
   throw_if_no_artwork(arguments, files);
+  throw_if_not_ours(arguments);
   const io::OutputLock lock(arguments.output + ".lock", arguments.output);
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   std::fputs(build_summary(report).c_str(), stdout);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/base/error.h"
 #include "io/library/contact_sheet.h"
 #include "io/library/library_file.h"
 
@@ -55,7 +56,14 @@ void print_bytes(const io::LibrarySummary& summary) {
   row("file", summary.file_bytes);
 }
 
+/// A slip of the pen must not turn a library or a drawing into a picture.
+void check_sheet_name(const std::string& sheet) {
+  if (sheet.empty() || sheet.ends_with(".png")) return;
+  throw InputError("--sheet: found " + sheet + ", allowed: a name that ends in .png");
+}
+
 int run(const InfoArguments& arguments) {
+  check_sheet_name(arguments.sheet);
   const io::LibraryFile library(arguments.library);
   const io::LibrarySummary summary = library.summary();
   print_counts(library, summary);

@@ -6,6 +6,7 @@
 #include "cli/collage_warnings.h"
 #include "cli/progress_bar.h"
 #include "io/drawing/drawers.h"
+#include "io/result/run_log.h"
 
 namespace tessera::cli {
 namespace {
@@ -34,11 +35,17 @@ class DrawingProgress : public io::DrawingObserver {
 
 bool draw(const std::string& folder, const io::DrawingRequest& request, bool quiet, std::function<bool()> stop) {
   DrawingProgress progress(quiet, std::move(stop));
+  io::RunLog log(folder);
   try {
     const std::string warning = io::drawing_warning(io::draw_result(folder, request, progress));
-    if (!warning.empty()) print_warning(folder + ": " + warning);
+    if (!warning.empty()) {
+      print_warning(folder + ": " + warning);
+      log.warning(warning);
+    }
+    log.info("drawn");
     return true;
   } catch (const io::DrawingStopped&) {
+    log.info("drawing interrupted");
     return false;
   }
 }

@@ -86,12 +86,12 @@ double parse_time_limit(const std::string& text) {
   throw refused(text, "seconds, 90s, 90m, 2h, MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS or UNLIMITED, more than 0");
 }
 
-double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s) {
+double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s, double leaving_s) {
   if (!argument.empty()) {
     const double limit_s = parse_time_limit(argument);
-    const double kept_s = reserve_s(limit_s);
+    const double kept_s = reserve_s(limit_s) + leaving_s;
     if (limit_s > kept_s) return limit_s;
-    throw refused(argument, "more than the " + io::fixed(kept_s, 1) + " s that are kept for checkpoint and files");
+    throw refused(argument, "more than the " + io::fixed(kept_s, 1) + " s that are kept for checkpoint, files and leaving");
   }
   double end_s = 0;
   if (slurm_end_time) {
@@ -114,6 +114,8 @@ bool TimeLimit::near() {
   return now_s + longest_round_s_ + reserve_s(limit_s_) >= limit_s_;
 }
 
-bool TimeLimit::drawing_over() const { return watch_.seconds() + kDrawingReserve_s >= limit_s_; }
+bool TimeLimit::drawing_over(double leaving_s) const {
+  return watch_.seconds() + kDrawingReserve_s + leaving_s >= limit_s_;
+}
 
 }  // namespace tessera::cli

@@ -12,9 +12,9 @@ namespace tessera::cli {
 /// and "D-HH:MM:SS" are as in sbatch's --time; "UNLIMITED" is infinite. Throws InputError.
 double parse_time_limit(const std::string& text);
 
-/// `argument` as parse_time_limit takes it, which must leave something beside the reserve (InputError); where it is empty,
-/// from `now_s` to `slurm_end_time`, both in seconds since 1970; infinite where that is null, no number or over.
-double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s);
+/// `argument` as parse_time_limit takes it, which must leave something beside the reserve and `leaving_s` (InputError);
+/// where it is empty, from `now_s` to `slurm_end_time`, both in seconds since 1970; infinite where that is null, no number or over.
+double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s, double leaving_s);
 
 /// Counts from its making.
 class TimeLimit {
@@ -26,8 +26,8 @@ class TimeLimit {
   bool near();
   /// Asked within a round: what is left is needed for the files of the result, and `leaving_s` to leave.
   bool round_over(double leaving_s) const;
-  /// Asked while the result is drawn, from any thread: it is time to end.
-  bool drawing_over() const;
+  /// Asked while the result is drawn, from any thread: it is time to end, and to leave.
+  bool drawing_over(double leaving_s) const;
 
  private:
   double limit_s_;

@@ -78,9 +78,11 @@ class Communicator {
   /// Rank 0, whose workers all have a Heart with the same `silence_s`: from now on a wait that finds one of them lost
   /// (rank_watch.h) calls `report` with a line that names it and throws Interrupted.
   void watch_workers(double silence_s, std::function<void(const std::string& line)> report);
-  /// A wait of this rank was interrupted: somebody may still be at work on what it asked for.
+  /// A wait of this rank was interrupted: somebody may still be at work on what it asked for. Or there is no time left.
   bool gave_up_waiting() const { return gave_up_waiting_; }
   bool lost_a_worker() const { return lost_a_worker_; }
+  /// Rank 0: the job is to end as soon as if a wait had been interrupted.
+  void hurry() { gave_up_waiting_ = true; }
 
   const Traffic& traffic() const { return traffic_; }
   /// Spent in receive since the start, until the messages came; and what looking for them took of the processor.

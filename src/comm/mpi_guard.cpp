@@ -14,6 +14,10 @@ namespace tessera::comm {
 MpiGuard::MpiGuard(int& argc, char**& argv) : exceptions_before_(std::uncaught_exceptions()) {
   int provided = 0;
   BOOST_MPI_CHECK_RESULT(MPI_Init_thread, (&argc, &argv, MPI_THREAD_SERIALIZED, &provided));
+  if (provided < MPI_THREAD_SERIALIZED) {  // heartbeats come from a thread of their own
+    std::fprintf(stderr, "tessera: this MPI library serves a single thread; needed: MPI_THREAD_SERIALIZED\n");
+    MPI_Abort(MPI_COMM_WORLD, kEnvironmentExitCode);
+  }
   BOOST_MPI_CHECK_RESULT(MPI_Comm_set_errhandler, (MPI_COMM_WORLD, MPI_ERRORS_RETURN));
 }
 

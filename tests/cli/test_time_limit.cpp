@@ -32,12 +32,14 @@ TEST(TimeLimit, is_given_as_to_sbatch_but_that_a_plain_number_is_seconds) {
 }
 
 TEST(TimeLimit, unlimited_goes_before_the_slurm_jobs) {
-  EXPECT_TRUE(std::isinf(time_limit_s("UNLIMITED", "1700000100", 1700000000)));
+  EXPECT_TRUE(std::isinf(time_limit_s("UNLIMITED", "1700000100", 1700000000, 0)));
 }
 
 TEST(TimeLimit, must_be_longer_than_what_is_kept_of_it) {
-  EXPECT_THROW(time_limit_s("0.001", nullptr, 0), InputError);
-  EXPECT_EQ(time_limit_s("10", nullptr, 0), 10);
+  EXPECT_THROW(time_limit_s("0.001", nullptr, 0, 0), InputError);
+  EXPECT_EQ(time_limit_s("10", nullptr, 0, 0), 10);
+  EXPECT_THROW(time_limit_s("5", nullptr, 0, 4), InputError) << "several ranks need time to leave";
+  EXPECT_EQ(time_limit_s("7", nullptr, 0, 4), 7);
 }
 
 TEST(TimeLimit, mistakes_are_told_with_what_is_allowed) {
@@ -57,12 +59,12 @@ TEST(TimeLimit, mistakes_are_told_with_what_is_allowed) {
 }
 
 TEST(TimeLimit, is_that_of_the_slurm_job_if_none_is_given) {
-  EXPECT_EQ(time_limit_s("50", "1700000100", 1700000000), 50);
-  EXPECT_EQ(time_limit_s("", "1700000100", 1700000000), 100);
-  EXPECT_TRUE(std::isinf(time_limit_s("", nullptr, 1700000000)));
-  EXPECT_TRUE(std::isinf(time_limit_s("", "", 1700000000)));
-  EXPECT_TRUE(std::isinf(time_limit_s("", "Unknown", 1700000000)));
-  EXPECT_TRUE(std::isinf(time_limit_s("", "1600000000", 1700000000))) << "long over: not this job's";
+  EXPECT_EQ(time_limit_s("50", "1700000100", 1700000000, 0), 50);
+  EXPECT_EQ(time_limit_s("", "1700000100", 1700000000, 0), 100);
+  EXPECT_TRUE(std::isinf(time_limit_s("", nullptr, 1700000000, 0)));
+  EXPECT_TRUE(std::isinf(time_limit_s("", "", 1700000000, 0)));
+  EXPECT_TRUE(std::isinf(time_limit_s("", "Unknown", 1700000000, 0)));
+  EXPECT_TRUE(std::isinf(time_limit_s("", "1600000000", 1700000000, 0))) << "long over: not this job's";
 }
 
 TEST(TimeLimit, leaves_time_for_the_files) {
@@ -80,9 +82,9 @@ TEST(TimeLimit, counts_on_a_round_as_long_as_the_longest) {
 }
 
 TEST(TimeLimit, ends_drawing_a_second_early) {
-  EXPECT_TRUE(TimeLimit(1).drawing_over());
-  EXPECT_FALSE(TimeLimit(60).drawing_over());
-  EXPECT_FALSE(TimeLimit().drawing_over());
+  EXPECT_TRUE(TimeLimit(1).drawing_over(0));
+  EXPECT_FALSE(TimeLimit(60).drawing_over(0));
+  EXPECT_FALSE(TimeLimit().drawing_over(0));
 }
 
 }  // namespace

@@ -269,6 +269,23 @@ TEST(PoseRange, KnowsHowFarAPoseMayTurn) {
   }));
 }
 
+/// In a range of more than half a turn: a bound that is less than a quarter of a turn ahead, and no other, limits.
+TEST(PoseRange, IsNotLimitedByABoundBehindThePose) {
+  EXPECT_TRUE(rc::check([] {
+    const float low = 0.001f * float(*rc::gen::inRange(-3141, 3141));
+    const float width = 0.001f * float(*rc::gen::inRange(3200, 6200));
+    const PoseRange poses{1, 200, direction_range(low, low + width)};
+    const float to_low = width * 0.01f * float(*rc::gen::inRange(0, 101));
+    const float at = low + to_low;
+    const TurnLimits turns = poses.turns({50 * std::cos(at), 50 * std::sin(at), 0, 0});
+    constexpr float kQuarter = 1.5707963f;
+    RC_PRE(std::abs(to_low - kQuarter) > 1e-3f && std::abs(width - to_low - kQuarter) > 1e-3f);
+    const auto limited = [&](float ahead) { return ahead < kQuarter ? 2 * std::tan(0.5f * ahead) : TurnLimits{}.high; };
+    RC_ASSERT(std::abs(turns.high - limited(width - to_low)) < 1e-4f);
+    RC_ASSERT(std::abs(-turns.low - limited(to_low)) < 1e-4f);
+  }));
+}
+
 /// Refinement within one angle: only place and size change, and they find the hole.
 TEST(Refine, KeepsTheOneAllowedAngle) {
   const Shape shape = test::make_library_shape("bean", test::bean_outline());

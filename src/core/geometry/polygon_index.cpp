@@ -20,6 +20,17 @@ void take_nearer(Approach& best, Vec2 here, Vec2 there) {
   if (distance < best.distance) best = {distance, here, there};
 }
 
+Box box_of(const Segment& s) {
+  return {{std::min(s.from.x, s.to.x), std::min(s.from.y, s.to.y)}, {std::max(s.from.x, s.to.x), std::max(s.from.y, s.to.y)}};
+}
+
+/// Whether what lies in the two boxes is certainly further apart than `reach`, rounding included.
+bool out_of_reach(const Box& a, const Box& b, float reach) {
+  const float x = std::max({a.low.x - b.high.x, b.low.x - a.high.x, 0.f});
+  const float y = std::max({a.low.y - b.high.y, b.low.y - a.high.y, 0.f});
+  return x * x + y * y > reach * reach * 1.0001f;
+}
+
 }  // namespace
 
 Vec2 nearest_point(const Segment& segment, Vec2 p) {
@@ -105,17 +116,15 @@ bool PolygonIndex::contains(Vec2 p) const {
 
 Approach PolygonIndex::approach(const Segment& here, float reach) const {
   Approach best{reach, {}, {}};
-  const float low_x = std::min(here.from.x, here.to.x) - reach;
-  const float high_x = std::max(here.from.x, here.to.x) + reach;
-  const float low_y = std::min(here.from.y, here.to.y) - reach;
-  const float high_y = std::max(here.from.y, here.to.y) + reach;
-  if (low_x > box_.high.x || high_x < box_.low.x || low_y > box_.high.y || high_y < box_.low.y) return best;
+  const Box here_box = box_of(here);
+  if (out_of_reach(here_box, box_, reach)) return best;
   const bool is_point = here.from == here.to;
   const Cells cells = cells_round(here, reach);
   for (int y = cells.y0; y <= cells.y1; ++y) {
     for (int x = cells.x0; x <= cells.x1; ++x) {
       const std::size_t cell = std::size_t(y) * columns_ + x;
       for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
+        if (out_of_reach(here_box, box_of(segments_[i]), best.distance)) continue;
         if (is_point) {
           take_nearer(best, here.from, nearest_point(segments_[i], here.from));
           continue;

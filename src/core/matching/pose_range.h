@@ -84,8 +84,11 @@ struct PoseRange {
     const float across = cross(rotations.middle, {s.a, s.b});
     const float to_high = along * edge.x + across * edge.y;  // cosine of the turn to the upper bound, times the scale
     const float to_low = along * edge.x - across * edge.y;
-    if (to_high > 0) limits.high = std::fmax(0.f, 2 * (along * edge.y - across * edge.x) / (scale + to_high));
-    if (to_low > 0) limits.low = std::fmin(0.f, 2 * (-along * edge.y - across * edge.x) / (scale + to_low));
+    // In a range of more than half a turn a bound may be near behind the pose's back, where no turn leads.
+    const bool high_ahead = to_high > 0 && (edge.x > 0 || across >= 0);
+    const bool low_ahead = to_low > 0 && (edge.x > 0 || across <= 0);
+    if (high_ahead) limits.high = std::fmax(0.f, 2 * (along * edge.y - across * edge.x) / (scale + to_high));
+    if (low_ahead) limits.low = std::fmin(0.f, 2 * (-along * edge.y - across * edge.x) / (scale + to_low));
     return limits;
   }
 };

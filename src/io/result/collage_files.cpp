@@ -47,13 +47,35 @@ std::size_t CollageReport::slot_of(std::uint32_t index) const {
   return std::size_t(found - shape_index.begin());
 }
 
-void prepare_output_directory(const std::string& dir) {
+void create_output_directory(const std::string& dir) {
   std::error_code error;
   fs::create_directories(dir, error);
   if (error) throw EnvironmentError("cannot create the output directory " + dir + ": " + error.message());
+}
+
+void prepare_output_directory(const std::string& dir) {
+  create_output_directory(dir);
   const std::string probe = in_directory(dir, ".tessera-write-test");
   write_file_atomically(probe, "write test\n");
+  std::error_code error;
   fs::remove(probe, error);
+}
+
+void check_nothing_foreign_is_replaced(const std::string& dir, const std::string& job_file) {
+  const auto is_there = [&](const char* name) {
+    std::error_code error;
+    return fs::exists(fs::path(dir) / name, error);
+  };
+  std::error_code error;
+  if (fs::equivalent(fs::path(dir) / "job.toml", job_file, error) && !is_there(kManifestName)) {
+    throw InputError(dir + ": a result there would replace the job file " + job_file + "; give another --out");
+  }
+  constexpr const char* kOurs[] = {kManifestName, "run.log", "card.json", "checkpoint.h5", "checkpoint.previous.h5"};
+  if (std::any_of(std::begin(kOurs), std::end(kOurs), is_there)) return;
+  for (const char* name : {"pieces.geojson", "card.txt", "job.toml", "collage.svg", "collage.png", "collage.pdf"}) {
+    if (!is_there(name)) continue;
+    throw InputError(in_directory(dir, name) + ": is there, and no run of tessera left it; give another --out, or remove it");
+  }
 }
 
 std::string publish_result(const std::string& dir, const CollageReport& report, const CheckpointOrigin& origin,

@@ -33,8 +33,15 @@ struct CollageReport {
   const Shape& shape(std::uint32_t index) const { return shapes[slot_of(index)]; }
 };
 
-/// Creates `dir` (and parents) and proves that it can be written; throws EnvironmentError. Called before the work.
+/// With its parents; throws EnvironmentError.
+void create_output_directory(const std::string& dir);
+
+/// Creates `dir` and proves that it can be written; throws EnvironmentError. Called before the work.
 void prepare_output_directory(const std::string& dir);
+
+/// Throws InputError where `dir` holds files with the names of a result's that no run of this program left there, or the
+/// job file that is about to be run: a result would replace them.
+void check_nothing_foreign_is_replaced(const std::string& dir, const std::string& job_file);
 
 /// Makes the run's placements the result in `dir`, so that a crash at any moment leaves either what the folder's
 /// checkpoints hold or a result that is whole: the manifest of the run before goes first, and its pictures with it; then

@@ -33,8 +33,16 @@ Job job_of(const std::string& dir, const DrawingRequest& request) {
   return job;
 }
 
+LibraryFile opened_library(const Job& job) {
+  try {
+    return open_library_of(job);
+  } catch (const InputError& error) {
+    throw InputError(std::string(error.what()) + "; --library FILE of tessera draw says where it is now");
+  }
+}
+
 LibraryFile library_of(const Job& job, const ResultManifest& manifest) {
-  LibraryFile library = open_library_of(job);
+  LibraryFile library = opened_library(job);
   if (library.content_digest() == manifest.library_digest) return library;
   throw InputError(job.library + ": not the library that the collage was made from; --library FILE says where that is");
 }
