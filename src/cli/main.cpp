@@ -3,6 +3,7 @@
 // 75 interrupted with work left (collage_run.h).
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -77,6 +78,7 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
 bool started_by_launcher() { return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMIX_RANK"); }
 
 int run(int argc, char** argv) {
+  std::signal(SIGCHLD, SIG_DFL);  // whoever started us may have ignored it: then nobody learns how a child ended
   const comm::RankProgram program{
       .run = [&](comm::Communicator& ranks) { return parse_and_run(argc, argv, ranks); },
       .report_error = [](const std::string& line) { std::fprintf(stderr, "tessera: %s\n", line.c_str()); }};

@@ -154,7 +154,7 @@ OutputLock::OutputLock(const std::string& path, const std::string& output) : pat
 
 OutputLock::~OutputLock() {
   if (getpid() != owner_) return;
-  unlink(path_.c_str());
+  if (is_file(file_, path_)) unlink(path_.c_str());  // somebody may have removed ours, and another run made its own
   close(file_);
 }
 

@@ -10,9 +10,13 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <variant>
 #include <vector>
+
+#include "core/base/error.h"
 
 namespace tessera::io {
 
@@ -32,7 +36,14 @@ class OrderedWorkers {
  public:
   explicit OrderedWorkers(const OrderedWork<Result>& job) : job_(job) {
     const std::size_t wanted = std::min(job.count, std::size_t(std::max(1, job.threads)));
-    for (std::size_t i = 0; i < wanted; ++i) threads_.emplace_back([this] { work(); });
+    for (std::size_t i = 0; i < wanted; ++i) {
+      try {
+        threads_.emplace_back([this] { work(); });
+      } catch (const std::system_error& error) {  // fewer threads do the same work
+        if (threads_.empty()) throw EnvironmentError(std::string("cannot start a thread: ") + error.what());
+        break;
+      }
+    }
   }
 
   ~OrderedWorkers() {

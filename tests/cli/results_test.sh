@@ -123,3 +123,32 @@ run 0 campaign job.toml --seeds 4 --out campaign
 run 0 campaign job.toml --seeds 4-5 --out campaign
 [[ $(grep -c 'finished before' output) == 1 ]] || fail "the single seed was made again"
 echo "ok a single seed"
+
+# What a stranger left, or a slip of the pen names, is not replaced.
+cp drawings/bean.svg before.svg
+run 2 library build drawings -o drawings/bean.svg
+expect_word 'drawings/bean.svg: is there and is no library; give another name, or remove it'
+cmp before.svg drawings/bean.svg || fail "a drawing was replaced by a library"
+run 2 library info own.h5 --sheet own.h5
+expect_word '--sheet: found own.h5, allowed: a name that ends in .png'
+mkdir -p beside_job
+sed 's#own.h5#../own.h5#' job.toml >beside_job/job.toml
+cp beside_job/job.toml before.toml
+run 2 collage beside_job/job.toml --out beside_job --quiet
+expect_word 'a result there would replace the job file'
+cmp before.toml beside_job/job.toml || fail "a job file was replaced by a result"
+mkdir -p strangers
+echo mine >strangers/collage.png
+run 2 collage job.toml --out strangers --quiet
+expect_word 'strangers/collage.png: is there, and no run of tessera left it'
+[[ $(cat strangers/collage.png) == mine ]] || fail "a stranger's picture was replaced"
+echo "ok strangers' files"
+
+# A folder with a checkpoint alone is told apart from one with nothing.
+mkdir -p killed
+touch killed/checkpoint.h5
+run 2 draw killed
+expect_word 'a checkpoint is there: tessera collage with --resume makes the result'
+run 2 draw drawings
+if grep -q checkpoint errors; then fail "a checkpoint in a folder of drawings"; fi
+echo "ok folders without a result"

@@ -21,13 +21,17 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "io/drawing/drawer_program.h"
 
 namespace tessera::io {
 namespace {
 
+/// A drawing is given up by its CPU time; by the clock only where it took so many times that, and does not compute.
+constexpr double kPatience = 3;
+
 /// Linking its libraries can take long on a busy machine with a cold disk.
-constexpr std::chrono::seconds kMostStartTime(60);
+constexpr double kMostStartTime_s = 60;
 
 /// What of the environment a drawer needs: where libraries, fonts and sanitizer options are. Nothing of MPI or Slurm: a
 /// child that takes itself for a rank would disturb the job.
@@ -142,7 +146,8 @@ void DrawerProcess::start() {
 void DrawerProcess::greet() {
   DrawerGreeting greeting{};
   took_too_long_ = false;
-  const bool greeted = receive(&greeting, sizeof greeting, Clock::now() + kMostStartTime);
+  double left_s = kMostStartTime_s;
+  const bool greeted = receive(&greeting, sizeof greeting, left_s);
   if (greeted && greeting.mark == DrawerGreeting{}.mark) return;
   end();
   throw_cannot_start(greeted ? "it is not of this version of tessera" : how_it_ended(status_, bytes_per_process_));
@@ -150,26 +155,26 @@ void DrawerProcess::greet() {
 
 std::optional<DrawingAnswer> DrawerProcess::ask(const DrawingRequest& request, double seconds) {
   took_too_long_ = false;
-  const auto allowed = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
   allow_cpu_time(seconds);
   DrawingAnswer answer;
-  if (exchange(request, answer, Clock::now() + allowed)) return answer;
+  double left_s = kPatience * seconds;
+  if (exchange(request, answer, left_s)) return answer;
   end();
   if (WIFSIGNALED(status_) && WTERMSIG(status_) == SIGXCPU) took_too_long_ = true;
   failure_ = took_too_long_ ? "took longer than " + seconds_text(seconds) : how_it_ended(status_, bytes_per_process_);
   return std::nullopt;
 }
 
-bool DrawerProcess::exchange(const DrawingRequest& request, DrawingAnswer& answer, Clock::time_point deadline) {
+bool DrawerProcess::exchange(const DrawingRequest& request, DrawingAnswer& answer, double& left_s) {
   const RequestHeader header = header_of(request);
-  const bool sent = send(&header, sizeof header, deadline) &&
-                    send(request.path.data(), request.path.size(), deadline) &&
-                    send(request.scope_id.data(), request.scope_id.size(), deadline) &&
-                    send(request.bytes.data(), request.bytes.size(), deadline);
-  if (!sent || !receive(&answer.header, sizeof answer.header, deadline)) return false;
+  const bool sent = send(&header, sizeof header, left_s) &&
+                    send(request.path.data(), request.path.size(), left_s) &&
+                    send(request.scope_id.data(), request.scope_id.size(), left_s) &&
+                    send(request.bytes.data(), request.bytes.size(), left_s);
+  if (!sent || !receive(&answer.header, sizeof answer.header, left_s)) return false;
   if (answer.header.bytes > most_answer_bytes(request)) return false;
   answer.payload.create(1, int(answer.header.bytes), CV_8U);
-  return receive(answer.payload.data, answer.header.bytes, deadline);
+  return receive(answer.payload.data, answer.header.bytes, left_s);
 }
 
 /// Renewed for each drawing. The process itself cannot raise its limits (drawer_sandbox.h).
@@ -183,16 +188,19 @@ void DrawerProcess::allow_cpu_time(double seconds) {
   ::prlimit(pid_, RLIMIT_CPU, &limit, nullptr);
 }
 
-bool DrawerProcess::wait_for(short events, Clock::time_point deadline) {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-  took_too_long_ = left <= 0;
+/// A longer pause than kMostAtOnce_s is not the drawer's: the job was suspended, or the machine has too much to do.
+bool DrawerProcess::wait_for(short events, double& left_s) {
+  constexpr double kMostAtOnce_s = 1;
+  took_too_long_ = left_s <= 0;
   if (took_too_long_) return false;
+  const Stopwatch watch;
   pollfd watched{socket_, events, 0};
-  ::poll(&watched, 1, int(std::min<long long>(left, 1000)));
+  ::poll(&watched, 1, 1 + int(1000 * std::min(left_s, kMostAtOnce_s)));
+  left_s -= std::min(watch.seconds(), kMostAtOnce_s);
   return true;
 }
 
-bool DrawerProcess::send(const void* data, std::size_t bytes, Clock::time_point deadline) {
+bool DrawerProcess::send(const void* data, std::size_t bytes, double& left_s) {
   const char* from = static_cast<const char*>(data);
   while (bytes > 0) {
     const ssize_t sent =
@@ -201,7 +209,7 @@ bool DrawerProcess::send(const void* data, std::size_t bytes, Clock::time_point 
       from += sent;
       bytes -= std::size_t(sent);
     } else if (sent < 0 && (errno == EAGAIN || errno == EINTR)) {
-      if (!wait_for(POLLOUT, deadline)) return false;
+      if (!wait_for(POLLOUT, left_s)) return false;
     } else {
       return false;
     }
@@ -209,7 +217,7 @@ bool DrawerProcess::send(const void* data, std::size_t bytes, Clock::time_point 
   return true;
 }
 
-bool DrawerProcess::receive(void* data, std::size_t bytes, Clock::time_point deadline) {
+bool DrawerProcess::receive(void* data, std::size_t bytes, double& left_s) {
   char* to = static_cast<char*>(data);
   while (bytes > 0) {
     const ssize_t got = ::recv(socket_, to, bytes, 0);
@@ -217,7 +225,7 @@ bool DrawerProcess::receive(void* data, std::size_t bytes, Clock::time_point dea
       to += got;
       bytes -= std::size_t(got);
     } else if (got < 0 && (errno == EAGAIN || errno == EINTR)) {
-      if (!wait_for(POLLIN, deadline)) return false;
+      if (!wait_for(POLLIN, left_s)) return false;
     } else {
       return false;
     }

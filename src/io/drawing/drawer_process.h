@@ -15,7 +15,6 @@ namespace tessera::io {
 
 class DrawerProcess {
  public:
-  using Clock = std::chrono::steady_clock;
 
   explicit DrawerProcess(std::size_t bytes_per_process) : bytes_per_process_(bytes_per_process) {}
   ~DrawerProcess() { end(); }
@@ -37,10 +36,10 @@ class DrawerProcess {
  private:
   void greet();
   void allow_cpu_time(double seconds);
-  bool send(const void* data, std::size_t bytes, Clock::time_point deadline);
-  bool receive(void* data, std::size_t bytes, Clock::time_point deadline);
-  bool wait_for(short events, Clock::time_point deadline);
-  bool exchange(const DrawingRequest& request, DrawingAnswer& answer, Clock::time_point deadline);
+  bool send(const void* data, std::size_t bytes, double& left_s);
+  bool receive(void* data, std::size_t bytes, double& left_s);
+  bool wait_for(short events, double& left_s);
+  bool exchange(const DrawingRequest& request, DrawingAnswer& answer, double& left_s);
 
   std::size_t bytes_per_process_;
   std::mutex mutex_;  // of pid_: a process that was collected may no longer be killed

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <future>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "core/base/error.h"
@@ -68,7 +69,14 @@ class Drawers::Crew {
     const int count = std::max(1, settings.processes);
     for (int i = 0; i < count; ++i) processes_.push_back(std::make_unique<DrawerProcess>(settings.bytes_per_process));
     const SignalsBlocked blocked;
-    for (const auto& process : processes_) threads_.emplace_back([this, &process] { work(*process); });
+    for (const auto& process : processes_) {
+      try {
+        threads_.emplace_back([this, &process] { work(*process); });
+      } catch (const std::system_error& error) {  // fewer threads do the same work
+        if (threads_.empty()) throw EnvironmentError(std::string("cannot start a thread: ") + error.what());
+        break;
+      }
+    }
   }
 
   ~Crew() {

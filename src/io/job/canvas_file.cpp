@@ -23,21 +23,12 @@ std::vector<std::uint8_t> read_canvas_file(const std::string& path) {
   }
 }
 
-/// For the canvas file, which may be anyone's: a page of the largest size may take three times its pixels.
-DrawerSettings drawer_settings(int side_px, double seconds) {
-  constexpr std::size_t kMebibyte = std::size_t(1) << 20;
-  const std::size_t page_bytes = 4 * std::size_t(side_px) * std::size_t(side_px);
-  return {.seconds_per_drawing = seconds,
-          .bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * page_bytes)};
-}
-
 /// The largest page with the artwork's aspect that fits into twice the spec's box.
-cv::Mat render_into_box(const CanvasSpec& spec, double seconds) {
+cv::Mat render_into_box(const CanvasSpec& spec, Drawers& drawers) {
   const auto bytes = read_canvas_file(spec.file);
   const int box_width = 2 * spec.width_px;
   const int box_height = 2 * spec.height_px;
   const int side = std::max(box_width, box_height);
-  Drawers drawers(drawer_settings(side, seconds));
   const cv::Mat page = drawers.render(bytes, spec.file, side);
   const double fit = std::min(double(box_width) / page.cols, double(box_height) / page.rows);
   return fit >= 1 ? page : drawers.render(bytes, spec.file, std::max(1, int(fit * side)));
@@ -89,10 +80,23 @@ void check_picture_height(const OutputSpec& output, const Canvas& canvas) {
                    std::to_string(int(most_px * canvas.width_px / canvas.height_px)) + " or less");
 }
 
+/// A page of the largest size may take three times its pixels.
+DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds) {
+  constexpr std::size_t kMebibyte = std::size_t(1) << 20;
+  const std::size_t side_px = 2 * std::size_t(std::max(spec.width_px, spec.height_px));
+  return {.seconds_per_drawing = seconds,
+          .bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * 4 * side_px * side_px)};
+}
+
 Canvas load_canvas(const CanvasSpec& spec, double seconds) {
+  Drawers drawers(canvas_drawer_settings(spec, seconds));
+  return load_canvas(spec, drawers);
+}
+
+Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
   if (spec.file.empty()) return make_rectangle_canvas(spec.width_px, spec.height_px);
   check_box(spec);
-  const Grid<float> coverage = mask_coverage(render_into_box(spec, seconds));
+  const Grid<float> coverage = mask_coverage(render_into_box(spec, drawers));
   if (std::min(coverage.width(), coverage.height()) < 2 * kMinCanvas_px) {
     throw InputError("canvas file " + spec.file + ": only " + std::to_string(coverage.width() / 2) + " x " +
                      std::to_string(coverage.height() / 2) + " px in the box of canvas.size_px, allowed: " +

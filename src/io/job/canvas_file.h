@@ -16,6 +16,10 @@ namespace tessera::io {
 /// `seconds` is how long each of its two drawings at most may take.
 Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
 
+/// The same with a process of the caller's, who may stop it.
+Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
+DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
+
 /// A picture of the canvas in that width must not become higher than wide ones may be: throws InputError.
 void check_picture_height(const OutputSpec& output, const Canvas& canvas);
 

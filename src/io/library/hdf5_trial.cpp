@@ -13,13 +13,16 @@
 namespace tessera::io {
 namespace {
 
-constexpr unsigned kMost_s = 20;
+constexpr unsigned kMostCpu_s = 20;
+constexpr unsigned kMost_s = 600;  // by the clock: disks of clusters are slow at times, and jobs are suspended
 
 /// A crash is what the child is for: no message of MPI about it, no core file.
 [[noreturn]] void run_in_child(const std::function<void()>& read) {
   for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGALRM}) std::signal(number, SIG_DFL);
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
+  const rlimit cpu_s{kMostCpu_s, kMostCpu_s};
+  ::setrlimit(RLIMIT_CPU, &cpu_s);
   ::alarm(kMost_s);
   try {
     read();
@@ -36,8 +39,11 @@ void try_in_child(const std::function<void()>& read) {
   if (child < 0) throw Hdf5Error("cannot be checked: no further process can be started");
   if (child == 0) run_in_child(read);
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  pid_t ended = -1;
+  while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) {
   }
+  if (ended < 0) throw Hdf5Error("cannot be checked: the process that tried it is lost");
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) throw Hdf5Error("could not be read within ten minutes");
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw Hdf5Error("damaged or forged: HDF5 cannot take it apart");
 }

@@ -6,7 +6,7 @@
 
 namespace tessera::io {
 
-/// Runs `read` in a child of 20 s at most, which shares nothing with this process. What it throws is no matter here: it is
+/// Runs `read` in a child of 20 s of CPU time at most, which shares nothing with this process. What it throws is no matter here: it is
 /// thrown again when the caller reads. Throws Hdf5Error where the child crashes or takes too long.
 void try_in_child(const std::function<void()>& read);
 

@@ -47,8 +47,10 @@ LibraryFile library_of(const Job& job, const ResultManifest& manifest) {
   throw InputError(job.library + ": not the library that the collage was made from; --library FILE says where that is");
 }
 
-Canvas canvas_of(const Job& job, const ResultManifest& manifest) {
-  Canvas canvas = load_canvas(job.canvas);
+Canvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver& observer) {
+  Drawers drawers(canvas_drawer_settings(job.canvas));
+  const StopWatcher stop(observer, drawers);
+  Canvas canvas = load_canvas(job.canvas, drawers);
   if (canvas_digest(canvas) == manifest.canvas_digest) return canvas;
   throw InputError(job.canvas.file + ": another content than when the collage was made; put the file back to draw it");
 }
@@ -79,6 +81,10 @@ void add_shapes(const LibraryFile& library, const StopWatcher& stop, CollageRepo
   }
 }
 
+/// For a document of all drawings together, in which each of them has been drawn before.
+const DrawerSettings kWholeCollage{
+    .processes = 1, .seconds_per_drawing = 600, .bytes_per_process = std::size_t(4) << 30};
+
 /// Draws one picture after the other; the manifest always tells which of them are there.
 class ResultPictures {
  public:
@@ -87,7 +93,6 @@ class ResultPictures {
       : dir_(dir),
         report_(report),
         manifest_(manifest),
-        drawers_(drawers),
         stop_(stop),
         observer_(observer),
         artworks_(report, drawers, stop) {}
@@ -111,7 +116,9 @@ class ResultPictures {
     constexpr double kPointsOfPx = 72. / 96;  // CSS
     const std::string svg = drawn_svg("collage.pdf");
     const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
-    const std::vector<std::uint8_t> pdf = drawers_.pdf_of_svg(bytes, report_.job->output.width_px * kPointsOfPx);
+    Drawers drawer(kWholeCollage);
+    const StopWatcher stop(observer_, drawer);
+    const std::vector<std::uint8_t> pdf = drawer.pdf_of_svg(bytes, report_.job->output.width_px * kPointsOfPx);
     stop_.check();
     write_file_atomically(path_in(dir_, "collage.pdf"), pdf);
     end("collage.pdf");
@@ -148,7 +155,6 @@ class ResultPictures {
   const std::string dir_;
   const CollageReport& report_;
   ResultManifest manifest_;
-  Drawers& drawers_;
   const StopWatcher& stop_;
   DrawingObserver& observer_;
   ShapeArtworks artworks_;
@@ -164,7 +170,7 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   stop.check();
   const LibraryFile library = library_of(job, manifest);
   stop.check();
-  const Canvas canvas = canvas_of(job, manifest);
+  const Canvas canvas = canvas_of(job, manifest, observer);
   check_picture_height(job.output, canvas);
   CollageReport report;
   report.job = &job;

@@ -45,6 +45,12 @@ std::string hex_colour(cv::Vec3b bgr) {
   return text.data();
 }
 
+/// Without the file's place, which is nobody's business who sees the card.
+std::string reason_of(const InputError& error, const std::string& path) {
+  const std::string text = error.what();
+  return text.starts_with(path) ? text.substr(std::min(text.size(), path.size() + 2)) : text;
+}
+
 SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
   XmlWriter writer;
   writer.start("path").attribute("id", id).attribute("fill", hex_colour(mean_bgr(shape))).attribute("fill-rule", "evenodd");
@@ -88,7 +94,7 @@ SvgSymbol ShapeArtworks::symbol(std::size_t slot, const std::string& id) {
     const int side_px = int(std::clamp(side, 1., double(kMaxBitmapSide_px)));
     return bitmap_symbol(drawers_.render(source.bytes, artwork.path, side_px), id, artwork);
   } catch (const InputError& error) {
-    note(slot, DrawnFrom::silhouette, error.what());
+    note(slot, DrawnFrom::silhouette, reason_of(error, artwork.path));
     return silhouette_symbol(shape, id);
   }
 }
@@ -130,7 +136,7 @@ cv::Mat ShapeArtworks::drawn(std::size_t slot, const Source& source, int side_px
     return source.thumbnail ? drawers_.decode_png(source.bytes, path + " (thumbnail)", kThumbnailSide_px)
                             : drawers_.render(source.bytes, path, side_px);
   } catch (const InputError& error) {
-    note(slot, DrawnFrom::silhouette, error.what());
+    note(slot, DrawnFrom::silhouette, reason_of(error, path));
     const std::lock_guard lock(mutex_);
     bad_.insert({slot, side_px});
     return {};
