@@ -39,7 +39,7 @@ for ((n = 0; n < moments; ++n)); do
   how=$((n % 4))
   most_ms=$(((ranks == 1 ? 2000 : 5000) * patience))
   if ((how == 3)); then
-    moment_ms=$((moment_ms + 1500))
+    moment_ms=$((moment_ms + (ranks == 1 ? 2100 : 6100))) # less than what is kept for the end is refused
     start "$ranks" out --time-limit "$(seconds "$moment_ms")"
     most_ms=$(((ranks == 1 ? 500 : 3000) * patience)) # mpirun starts before the limit counts, and ends after
   else
