@@ -20,7 +20,7 @@ Alignment align_pyramids(constant MatchRecord* match, global const short* shape_
                          global const SampleRecord* target, float scale_low_px, float scale_high_px) {
   Alignment result;
   result.valid = false;
-  const int least_level = kPadLevels > 2 ? kPadLevels - 3 : 0;
+  const int least_level = max(0, kPadLevels - kAlignmentLevels);
   for (int level = kPadLevels - 1; level >= least_level; --level) {
     const int begin = kPadLevels - 1 - level;
     const int end = kPadLevels + 2 + level;
@@ -50,7 +50,7 @@ Alignment align_pyramids(constant MatchRecord* match, global const short* shape_
     const float scale = scale_of(s);
     const float off = scale - best_scale;
     const float residual = (product.w - (best_scale * best_scale - off * off) * product.z) / count;
-    if (residual > kAlignmentTolerance * 4.f * sqrt(product.w / count)) continue;
+    if (residual > kAlignmentTolerance * kAlignmentUnit_px * sqrt(product.w / count)) continue;
     if (scale < scale_low_px || scale > scale_high_px) continue;
     s.tx = mean.z - (s.a * mean.x - s.b * mean.y);
     s.ty = mean.w - (s.b * mean.x + s.a * mean.y);
@@ -66,13 +66,12 @@ Alignment align_pyramids(constant MatchRecord* match, global const short* shape_
 float docking_key(global const float* contour, global const ShapeRecord* shape, PoseRecord s, const Field* field,
                   float max_scale_px) {
   const float scale = scale_of(s);
-  const float hopeless_px = max(5.f, 0.12f * scale);
-  const float near_px = max(4.f, 0.06f * scale);
+  const float hopeless_px = max(kHopelessDocking_px, kHopelessDocking * scale);
+  const float near_px = max(kNearDocking_px, kNearDocking * scale);
   // One look-up settles most: where the disc does not fit, the piece does not.
   const float disc_x = s.tx + (s.a * shape->disc_x - s.b * shape->disc_y);
   const float disc_y = s.ty + (s.b * shape->disc_x + s.a * shape->disc_y);
   if (field_value(field, disc_x, disc_y) < shape->disc_radius * scale - hopeless_px) return NO_DOCKING;
-  const int most_bad = 4;
   int hits = 0;
   int bad = 0;
   for (int block = 0; block < kCoarsePoints / kLanes; ++block) {
@@ -81,10 +80,10 @@ float docking_key(global const float* contour, global const ShapeRecord* shape, 
     if (any_lane(d < -hopeless_px)) return NO_DOCKING;
     const int16 deep = d < -near_px;
     bad += count_lanes(deep);
-    if (bad > most_bad) return NO_DOCKING;
+    if (bad > kMostBadPoints) return NO_DOCKING;
     hits += count_lanes(~deep & (d < near_px));
   }
-  const float contact = ((float)hits - 1.5f * (float)bad) / (float)kCoarsePoints;
+  const float contact = ((float)hits - kBadPointCost * (float)bad) / (float)kCoarsePoints;
   // Large pieces first: they are harder to place later.
   const float size = sqrt(sqrt(scale / max_scale_px));
   if (contact * size < kLeastDockingKey) return NO_DOCKING;  // interior points can only make it less
@@ -95,7 +94,7 @@ float docking_key(global const float* contour, global const ShapeRecord* shape, 
     const int16 used = lane_index() + block * kLanes < coarse_points;
     covered += count_lanes(used & (field_values(field, p.x, p.y) < 0));
   }
-  const float interior = shape->interior_points == 0 ? 0.f : 9.f * (float)covered / (float)shape->interior_points;
+  const float interior = shape->interior_points == 0 ? 0.f : kCoveredCost * (float)covered / (float)shape->interior_points;
   return (contact - interior) * size;
 }
 

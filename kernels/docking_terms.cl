@@ -2,9 +2,6 @@
 
 enum Run { NO_RUN, OVERLAP_RUN, GAP_RUN };
 
-#define NOISE_PX 0.5f
-#define CONTACT_PX 1.f
-
 void finish_run(TermsRecord* terms, int run, float area_px2) {
   if (run == OVERLAP_RUN) {
     terms->overlap_px2 += area_px2;
@@ -22,7 +19,7 @@ int boundary_distances(global const float* contour, PoseRecord s, const Field* f
     vstore16(field_values(field, p.x, p.y), block, distance);
   }
   for (int i = 0; i < kBoundaryPoints; ++i) {
-    if (fabs(distance[i]) < CONTACT_PX) return i;
+    if (fabs(distance[i]) < kContact_px) return i;
   }
   return 0;
 }
@@ -43,7 +40,7 @@ void add_runs(TermsRecord* terms, const float* distance, int first, float step_p
   for (int k = 0; k < kBoundaryPoints; ++k) {
     const float d = distance[first + k < kBoundaryPoints ? first + k : first + k - kBoundaryPoints];
     if (fabs(d) < match->delta_px) terms->matched_px += step_px;
-    const int here = d < -NOISE_PX ? OVERLAP_RUN : d > NOISE_PX && d < match->gap_px ? GAP_RUN : NO_RUN;
+    const int here = d < -kNoise_px ? OVERLAP_RUN : d > kNoise_px && d < match->gap_px ? GAP_RUN : NO_RUN;
     if (here != run) {
       finish_run(terms, run, area_px2);
       run = here;

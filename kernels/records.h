@@ -12,6 +12,7 @@ typedef ulong u64;
 
 #include "core/pad/pad.h"
 #include "core/shape/shape_model.h"
+#include "core/tuning.h"
 
 namespace tessera::worker {
 using u32 = std::uint32_t;
@@ -26,7 +27,6 @@ enum RecordSizes {
   kMaxKeypoints = 2 * kMaxPadLevels + 1,
   kMediumPoints = kBoundaryPoints / kMediumStride,
   kCoarsePoints = kBoundaryPoints / kCoarseStride,
-  kInteriorStride = 3,  // every 3rd interior point takes part in the early reject
   kCoarseInteriorPoints = (kMaxInteriorPoints / kInteriorStride + kLanes) / kLanes * kLanes,
 
   // A shape's points, structure of arrays, in shape units: all x, then all y of each set.

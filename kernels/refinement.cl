@@ -30,8 +30,8 @@ float4 solve(const NormalEquations* equations, Limits growth, Limits turn) {
                    {sum.s6, sum.s7, sum.s8, sum.s9}};
   const float g[4] = {sum.sa, sum.sb, sum.sc, sum.sd};
   const float trace = m[0][0] + m[1][1] + m[2][2] + m[3][3];
-  for (int r = 0; r < 4; ++r) m[r][r] += 0.005f * trace + 0.05f;
-  m[2][2] += 0.0125f * trace;  // growth is the least certain of the four
+  for (int r = 0; r < 4; ++r) m[r][r] += kDamping * trace + kLeastDamping;
+  m[2][2] += kGrowthDamping * trace;
   float d[4];
   for (int r = 0; r < 4; ++r) {
     for (int c = 0; c < r; ++c) {
@@ -114,6 +114,10 @@ typedef struct Descent {
   bool all_points;  // else the medium set
 } Descent;
 
+// One of core/tuning.h.
+#define DESCENT(name) \
+  {name##_steps, name##_first_radius_px, name##_last_radius_px, name##_overlap_weight, name##_all_points}
+
 PoseRecord descended(PoseRecord s, const Piece* piece, Descent descent) {
   global const float* set = piece->contour + (descent.all_points ? kFineAt : kMediumAt);
   const int count = descent.all_points ? kBoundaryPoints : kMediumPoints;
@@ -121,12 +125,12 @@ PoseRecord descended(PoseRecord s, const Piece* piece, Descent descent) {
     const float progress = descent.steps > 1 ? (float)step / (float)(descent.steps - 1) : 1.f;
     const float radius = descent.first_radius_px + (descent.last_radius_px - descent.first_radius_px) * progress;
     const float scale = scale_of(s);
-    const float arm = piece->shape->radius * scale * 0.6f;
+    const float arm = piece->shape->radius * scale * kArm;
     NormalEquations equations = {0, 0};
     for (int block = 0; block < count / kLanes; ++block) {
       add_points(&equations, s, set, count, block, piece->field, arm, radius, descent.overlap_weight);
     }
-    if (equations.points < 3) return s;
+    if (equations.points < kLeastDrawnPoints) return s;
     const float2 turns = turn_limits(piece->match, s);
     const Limits turn = {turns.x * arm, turns.y * arm};
     const Limits growth = {(piece->match->min_scale_px / scale - 1) * arm,
@@ -154,7 +158,7 @@ float depth_px(PoseRecord s, const Piece* piece) {
     const Points p = placed_points(s, piece->contour + kInteriorAt, kMaxInteriorPoints, block);
     const float16 d = -field_values(piece->field, p.x, p.y);
     const int16 covered = (lane_index() + block * kLanes < interior_points) & (d > 0);
-    deepest = max(deepest, covered ? d + 3 : (float16)0);
+    deepest = max(deepest, covered ? d + kInteriorDepth_px : (float16)0);
   }
   return largest_lane(deepest);
 }
@@ -162,11 +166,12 @@ float depth_px(PoseRecord s, const Piece* piece) {
 // Gives whether the refined pose is feasible.
 bool refine(PoseRecord* pose, const Piece* piece) {
   PoseRecord s = *pose;
-  const Descent approach = {6, max(6.f, 0.1f * scale_of(s)), 3.f, 3.f, false};
-  const Descent settle = {3, 2.5f, 2.f, 12.f, false};
-  const Descent push = {2, 1.5f, 1.5f, 25.f, true};
+  const Descent nestle = DESCENT(kNestle);
+  const Descent push = DESCENT(kPush);
+  Descent approach = DESCENT(kApproach);
+  approach.first_radius_px = max(approach.first_radius_px, kApproachRadius * scale_of(s));
   s = descended(s, piece, approach);
-  s = descended(s, piece, settle);
+  s = descended(s, piece, nestle);
   const float hard_depth_px = piece->match->hard_depth_px;
   float depth = depth_px(s, piece);
   for (int pushed = 0; pushed < kPushSteps && depth > hard_depth_px && depth <= kHopelessDepth_px; ++pushed) {

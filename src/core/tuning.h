@@ -1,5 +1,6 @@
-// Every fixed tunable of the algorithm, with its unit and why it has that value. What a user may want to change is in
-// settings.h; what a device may want to change is in kernels/.
+// Every fixed number that decides what the picture looks like, with its unit and why it has that value. What a job may
+// set is in settings.h; where and in what portions something is computed, which changes no picture, stands beside its
+// code. The kernels get theirs from here (worker/kernel_options.cpp).
 #pragma once
 
 #include <algorithm>
@@ -23,38 +24,80 @@ inline int sample_spacing_px(const PieceSettings& p) {
   return std::max(2, int(kSampleSpacing * p.min_scale_px + 0.5f));
 }
 
+/// A PAD that changed by more than this part of a length, plus the slack, is matched again. Coarse levels may change
+/// more: they see far and weigh little.
+inline constexpr float kChangedFine = 0.15f;
+inline constexpr float kChangedCoarse = 0.25f;  // of the coarsest level but one
+inline constexpr float kChangedCoarsest = 0.4f;
+inline constexpr float kChangedSlack_px = 3;  // of a length that is small itself
+
 /// How far around a piece its distances enter the free field; what looks further ahead only needs "far".
 inline float stamp_band_px(const PieceSettings& p) { return std::max(24.f, 0.25f * p.max_scale_px); }
 
-// Matching.
+// Which pairs are docked.
 inline constexpr int kPairsPerShape = 4;     // best local minima kept for a (target sample, shape)
 inline constexpr int kDockingsPerShape = 2;  // of these, the best after docking
 inline constexpr int kDistanceBins = 64;     // of the histogram that finds the global top K percent
-inline constexpr int kShortlist = 16;        // dockings of a target sample that are compared over the whole library
-inline constexpr int kRefined = 6;           // of these, distinct ones that are refined
-inline constexpr int kPoolPerSample = 4;     // refined candidates kept
-inline constexpr int kRematchTangentDockings = 2000;  // when the pool is dry
 /// A pre-test of the scale by the lengths of level 2, which are noisier than the final alignment.
 inline constexpr float kScaleWindowLow = 0.7f;
 inline constexpr float kScaleWindowHigh = 1.4f;
 inline constexpr int kChordLevel = 2;        // whose chord tells scale and rotation before any alignment
-inline constexpr float kLevelSliver = 1.1f;    // less of a level at the end of the scales is not worth its PADs
+inline constexpr float kLevelSliver = 1.1f;  // less of a level at the end of the scales is not worth its PADs
 inline constexpr float kLevelSlack = 1.05f;  // a level serves its octave and so much beyond
+
+// Docking.
+inline constexpr int kAlignmentLevels = 3;  // the longest ones, of which the longest that agrees is aligned
 /// Largest mean residual of the key points: squared, in units of 4 px times their spread.
 inline constexpr float kAlignmentTolerance = 0.64f;
-
+inline constexpr float kAlignmentUnit_px = 4.f;
 /// A docking is turned so far to a rotation that is allowed: as much as frames and PADs of a good fit differ.
 inline constexpr float kDockingTurn_rad = 0.2f;
+inline constexpr int kRematchTangentDockings = 2000;  // when the pool is dry
 
-// Early reject.
+// Early reject, by some boundary and interior points: before refinement a good docking may be off by so much.
+inline constexpr float kHopelessDocking_px = 5;  // a point deeper than this, or this part of the scale, ends it
+inline constexpr float kHopelessDocking = 0.12f;
+inline constexpr float kNearDocking_px = 4;   // a point within this, or this part of the scale, is a hit
+inline constexpr float kNearDocking = 0.06f;  // deeper ones are bad
+inline constexpr int kMostBadPoints = 4;      // of 32
+inline constexpr float kBadPointCost = 1.5f;  // hits
+inline constexpr int kInteriorStride = 3;     // every third interior point is looked at
+inline constexpr float kCoveredCost = 9;      // for the part of all interior points that was seen covered
 inline constexpr float kLeastDockingKey = 0.1f;
+inline constexpr int kShortlist = 16;         // dockings of a target sample that are compared over the whole library
+inline constexpr int kRefined = 6;            // of these, distinct ones that are refined
+inline constexpr float kSameDocking = 0.13f;  // of the scale: refinement would bring both to one pose
 
 // Refinement.
-inline constexpr float kHardDepth_px = 1.4f;     // no boundary point of a placed piece lies deeper in another
-inline constexpr float kPaddedDepth_px = 0.25f;   // nor where a distance is to be kept, in what is kept around others
-inline constexpr float kHopelessDepth_px = 3.f;  // deeper than this, pushing is not worth the time
+/// One descent: `steps` Gauss-Newton steps that draw boundary points nearer than a radius (shrinking from
+/// `first_radius_px` to `last_radius_px`) onto the free region's boundary; a point outside weighs `overlap_weight`.
+struct Descent {
+  int steps;
+  float first_radius_px;
+  float last_radius_px;
+  float overlap_weight;
+  bool all_points;  // else every second boundary point
+};
+/// First from afar, then close by: points outside weigh more and more. `kApproach` begins at this part of the scale
+/// where that is more.
+inline constexpr Descent kApproach{6, 6, 3, 3, false};
+inline constexpr float kApproachRadius = 0.1f;
+inline constexpr Descent kNestle{3, 2.5f, 2, 12, false};
+inline constexpr Descent kPush{2, 1.5f, 1.5f, 25, true};  // what is still too deep
 inline constexpr int kPushSteps = 5;
 inline constexpr float kPushShrink = 0.994f;  // a piece that is still stuck gives way a little
+inline constexpr float kArm = 0.6f;           // of the piece's radius: where growth and rotation are measured
+inline constexpr int kLeastDrawnPoints = 3;   // fewer do not tell where the piece belongs
+/// On the diagonal: parts of the trace, and weights. Growth is the least certain of the four unknowns.
+inline constexpr float kDamping = 0.005f;
+inline constexpr float kLeastDamping = 0.05f;
+inline constexpr float kGrowthDamping = 0.0125f;
+
+inline constexpr float kHardDepth_px = 1.4f;     // no boundary point of a placed piece lies deeper in another
+inline constexpr float kPaddedDepth_px = 0.25f;  // nor where a distance is to be kept, in what is kept around others
+inline constexpr float kHopelessDepth_px = 3.f;  // deeper than this, pushing is not worth the time
+inline constexpr float kInteriorDepth_px = 3.f;  // what an interior point counts deeper: only something thin, and so
+                                                 // certainly visible, reaches it
 
 inline float hard_depth_px(const PieceSettings& p) { return p.padding_px > 0 ? kPaddedDepth_px : kHardDepth_px; }
 /// Kept around pieces so that at least padding_px is left: what depth and the spacing of boundary points take is added.
@@ -62,12 +105,43 @@ inline float kept_distance_px(const PieceSettings& p) {
   return p.padding_px > 0 ? p.padding_px + kPaddedDepth_px + 0.1f : 0.f;
 }
 
-// Candidates.
+// Terms of the objective.
+inline constexpr float kNoise_px = 0.5f;          // smaller distances along the contour are neither gap nor overlap
+inline constexpr float kContact_px = 1.f;         // runs are counted from a point nearer than this, so that none is cut
+inline constexpr float kOverlapDepth_px = 0.25f;  // less, where nodes are counted, is rounding of the fields
+inline constexpr float kReachSlack_px = 1.2f;  // what a disc of the reachable radius covers beyond it, counted in nodes
+inline constexpr float kDefectCost = 5;        // scale_aware: a piece that spoils a fifth of its area counts half
+inline constexpr float kLeastDefect = 0.0025f;  // paper: keeps Z finite for a perfect fit, px² per px² of the piece
+
+// The pool and the choice.
+inline constexpr int kPoolPerSample = 4;       // refined candidates kept
 inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, estimated along the contour
 inline constexpr float kLeastMatched = 0.03f;  // of the piece's boundary: it must touch something
-inline constexpr int kFinalists = 8;          // candidates checked exactly in a round
+inline constexpr float kWindowMargin_px = 3;   // round a candidate's boundary points: the outline bulges between them
+inline constexpr int kRefillBelow = 2;         // a target sample with fewer candidates left is matched again
+inline constexpr float kNearTwinReach =
+    0.5f;                             // two of a shape are near twins with no more than this between, times scale
+inline constexpr int kFinalists = 8;  // candidates checked exactly in a round
+inline constexpr int kFinalistsLookedAt = 64;   // to find so many that differ
+inline constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists that would look the same
+inline constexpr int kEmptyPasses = 2;  // over all samples, with new random dockings each, before the region is full
+
+// Settling of a chosen piece.
+inline constexpr Descent kSettle{2, 0.3f, 0.3f, 30, false};  // out of what was placed since it was refined
+inline constexpr int kSettleSteps = 20;
+inline constexpr float kSettleShrink = 0.99f;
+inline constexpr Descent kGrow{4, 1.5f, 1, 20, false};
 inline constexpr float kGrowStep = 1.015f;
 inline constexpr int kGrowSteps = 12;
-inline constexpr int kRefillBelow = 2;  // a target sample with fewer candidates left is matched again
+inline constexpr float kLeastGrowth = 1.002f;  // a step that gives less is the last
+inline constexpr int kExactSteps = 8;          // out of the outlines that fields and boundary points did not see
+
+// Ruin and recreate. Small pieces alone, some at once: the hole of a large one takes ten rounds to fill and hardly ever
+// ends better. Measured: 6.5 px² gained a matching, against 1.3 with pieces of any size, and 4.7 with one at a time.
+inline constexpr float kRuinedScale = 2.5f;  // of the smallest piece
+inline constexpr int kMostRuined = 4;
+inline constexpr int kRuinedLookedAt = 16;  // small pieces whose distance from the gap is measured
+inline constexpr int kGapDraws = 4096;      // to hit a gap
+inline constexpr float kGapDepth_px = 1.f;  // what is shallower lies between coupled pieces
 
 }  // namespace tessera

@@ -6,20 +6,12 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "core/collage/objective.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/extent.h"
-#include "core/matching/refinement.h"
 #include "core/tuning.h"
 
 namespace tessera::master {
 namespace {
-
-constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists that would look the same
-constexpr float kWindowMargin_px = 3;    // round the boundary points: a px for the outline's bulges between them
-constexpr int kSettleSteps = 20;         // to come clear of neighbours that were placed since the refinement
-constexpr float kSettleShrink = 0.99f;
-constexpr int kExactSteps = 8;  // to correct what fields and boundary points did not see
 
 double area_px2(const Placement& p) {
   const float scale = p.canvas_from_shape.scale();
@@ -54,7 +46,8 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       curve_(settings.pieces, settings.match.pad),
       checks_(shapes, free_, opened_, settings_.pieces),
       outlines_(free_, settings.pieces),
-      poses_(context.library_shapes),
+      scoring_(settings, context.library_shapes),
+      settling_(shapes, free_, outlines_, context_),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
 }
@@ -101,8 +94,8 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     candidate.terms = refined.terms;
     candidate.perimeter = refined.perimeter;
     candidate.radius = refined.radius;
-    if (!may_use(docking.shape) || !acceptable(candidate)) continue;
-    candidate.score = score_of(candidate);
+    if (!scoring_.may_use(docking.shape) || !scoring_.acceptable(candidate)) continue;
+    candidate.score = scoring_.score(candidate);
     candidate.window = nodes_round(refined.extent, free_.field().origin, context_.gap_px + kWindowMargin_px);
     of_sample[docking.sample].push_back(candidate);
   }
@@ -111,164 +104,16 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
   }
 }
 
-bool Collage::may_use(std::uint32_t shape) const {
-  return settings_.pieces.uses == 0 || poses_[shape].size() < std::size_t(settings_.pieces.uses);
-}
-
-/// Repetition costs something, or one shape that fits everywhere fills the canvas (design, method 8).
-float Collage::preference(const Candidate& candidate) const {
-  const std::vector<Similarity>& placed = poses_[candidate.shape];
-  if (placed.empty()) return 1;
-  float factor = std::pow(1.f + float(placed.size()), -settings_.objective.repetition_exponent);
-  const float radius = candidate.radius + 0.5f;
-  for (const Similarity& pose : placed) {
-    const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
-    const Vec2 apart = pose.translation() - candidate.canvas_from_shape.translation();
-    if (dot(apart, apart) < near * near) factor *= settings_.objective.near_twin_factor;
-  }
-  return factor;
-}
-
-float Collage::score_of(const Candidate& candidate) const {
-  const float scale = candidate.canvas_from_shape.scale();
-  const PieceSize size{scale, candidate.perimeter * scale, context_.poses.max_scale_px};
-  return objective(candidate.terms, size, settings_.objective);
-}
-
-bool Collage::acceptable(const Candidate& candidate) const {
-  const float scale = candidate.canvas_from_shape.scale();
-  return candidate.terms.overlap_px2 <= kMaxOverlap * scale * scale &&
-         candidate.terms.matched_px >= kLeastMatched * candidate.perimeter * scale;
-}
-
-std::vector<Pool::Ranked> Collage::finalists() {
-  std::vector<Pool::Ranked> chosen;
-  std::vector<const Candidate*> looks;
-  int examined = 0;
-  const auto worth = [&](const Candidate& c) { return c.score * preference(c); };
-  pool_.best_first(worth, [&](const Pool::Ranked& ranked, const Candidate& c) {
-    const bool repeated = std::any_of(looks.begin(), looks.end(), [&](const Candidate* other) {
-      return other->shape == c.shape && near_copy(other->canvas_from_shape, c.canvas_from_shape, kSameCandidate);
-    });
-    if (!repeated) {
-      chosen.push_back(ranked);
-      looks.push_back(&c);
-    }
-    return ++examined < 8 * kFinalists && chosen.size() < kFinalists;
-  });
-  return chosen;
-}
-
-void Collage::check_exactly(Candidate& candidate) {
-  const ExactAreas areas = checks_.areas(candidate);
-  Candidate measured = candidate;
-  measured.terms = with_exact_areas(candidate.terms, areas);
-  candidate.score = score_of(measured);
-  candidate.exact = true;
-}
-
-void Collage::check_ahead() {
-  for (const Pool::Ranked& ranked : finalists()) {
-    const Candidate& candidate = pool_.at(ranked);
-    if (!candidate.exact) checks_.compute_ahead(candidate);
-  }
-}
-
-/// What was placed since may reach into the candidate: push it free, or give it up. Then it grows, and what it is worth
-/// is measured again.
-bool Collage::settle(Candidate& candidate) {
-  if (!push_clear(candidate)) return false;
-  const ShapeModel& model = shapes_.model(candidate.shape);
-  grow(candidate.canvas_from_shape, model, free_.view(), context_);
-  if (!fit_exactly(candidate)) return false;
-  candidate.terms = docking_terms(candidate.canvas_from_shape, model, free_.view(), context_);
-  check_exactly(candidate);
-  return acceptable(candidate);
-}
-
-/// By the free field, as in the refinement.
-bool Collage::push_clear(Candidate& candidate) {
-  const ShapeModel& model = shapes_.model(candidate.shape);
-  const FieldView field = free_.view();
-  Similarity& pose = candidate.canvas_from_shape;
-  for (int step = 0; depth_px(pose, model, field) > context_.hard_depth_px; ++step) {
-    if (step == kSettleSteps) return false;
-    descend(pose, model, field, {2, 0.3f, 0.3f, 30.f, kMediumStride}, context_.poses);
-    if (depth_px(pose, model, field) <= context_.hard_depth_px) break;
-    pose.a *= kSettleShrink;
-    pose.b *= kSettleShrink;
-    if (pose.scale() < context_.poses.min_scale_px) return false;
-  }
-  return true;
-}
-
-/// By the outlines themselves.
-bool Collage::fit_exactly(Candidate& candidate) {
-  const Shape& shape = shapes_.shape(candidate.shape);
-  Similarity& pose = candidate.canvas_from_shape;
-  for (int step = 0; step < kExactSteps; ++step) {
-    const std::vector<Vec2> ways = outlines_.conflicts(shape, pose);
-    if (ways.empty()) return true;
-    for (const Vec2& way : ways) {
-      pose.tx += way.x;
-      pose.ty += way.y;
-    }
-    if (step == 0) continue;
-    pose.a *= kSettleShrink;
-    pose.b *= kSettleShrink;
-    context_.poses.pull_in(pose);
-  }
-  return false;
-}
-
-/// Settling may cost a candidate its place: it is the best only if no other is worth more before its own.
-bool Collage::choose(Candidate& best) {
-  for (;;) {
-    std::vector<Pool::Ranked> ranked = finalists();
-    for (Pool::Ranked& r : ranked) {
-      Candidate& c = pool_.at(r);
-      if (!c.exact) {
-        check_exactly(c);
-        pool_.rank_again(r);
-      }
-      r.value = c.score * preference(c);
-    }
-    if (ranked.empty()) return false;
-    std::sort(ranked.begin(), ranked.end());
-    if (!settings_.settle) {
-      best = pool_.at(ranked.front());
-      return true;
-    }
-    float best_value = -1;
-    std::vector<Pool::Ranked> given_up;
-    for (const Pool::Ranked& r : ranked) {
-      if (best_value >= r.value) break;
-      Candidate settled = pool_.at(r);
-      if (!settle(settled)) {
-        given_up.push_back(r);
-        continue;
-      }
-      const float value = settled.score * preference(settled);
-      if (value <= best_value) continue;
-      best_value = value;
-      best = settled;
-    }
-    for (const Pool::Ranked& r : given_up) pool_.erase(r);
-    if (best_value >= 0) return true;
-  }
-}
-
 Window Collage::place(const Candidate& candidate) {
   const Shape& shape = shapes_.shape(candidate.shape);
-  placements_.push_back(
-      {candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
+  placements_.push_back({candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
   outlines_.add(placements_.back(), shape.outline);
-  poses_[candidate.shape].push_back(candidate.canvas_from_shape);
+  scoring_.count(placements_.back());
   covered_px2_ += area_px2(placements_.back());
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
   changed_nodes_ = changed_nodes_.united(changed);
   retrace(changed);
-  if (!may_use(candidate.shape)) drop_shape(candidate.shape);
+  if (!scoring_.may_use(candidate.shape)) drop_shape(candidate.shape);
   return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
                       2 + kept_distance_px(settings_.pieces));
 }
@@ -277,10 +122,10 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   const std::vector<Placement> changed = difference(placements_, placements);
   placements_ = std::move(placements);
   outlines_.replace(placements_, shapes_);
-  for (std::vector<Similarity>& poses : poses_) poses.clear();
+  scoring_.forget_placements();
   covered_px2_ = 0;
   for (const Placement& p : placements_) {
-    poses_[p.shape].push_back(p.canvas_from_shape);
+    scoring_.count(p);
     covered_px2_ += area_px2(p);
   }
   pool_ = {};
@@ -314,7 +159,9 @@ float Collage::distance_px(const Placement& p, Vec2 point_px) {
   return PieceDistance(shapes_.shape(p.shape), p.canvas_from_shape, 0).at(point_px);
 }
 
-Window Collage::stamp_window(const Placement& p) { return free_.stamp_window(shapes_.shape(p.shape), p.canvas_from_shape); }
+Window Collage::stamp_window(const Placement& p) {
+  return free_.stamp_window(shapes_.shape(p.shape), p.canvas_from_shape);
+}
 
 void Collage::retrace(const Window& changed) {
   const Window window = opened_.update(free_, changed);
@@ -361,8 +208,8 @@ void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& te
       if (!c.window.overlaps(changed)) return true;
       if (measured == terms.end()) throw std::logic_error("fewer candidates were measured than touched");
       c.terms = *measured++;
-      if (!acceptable(c)) return false;
-      c.score = score_of(c);
+      if (!scoring_.acceptable(c)) return false;
+      c.score = scoring_.score(c);
       c.exact = false;
       return true;
     });

@@ -18,6 +18,8 @@
 #include "core/settings.h"
 #include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
+#include "master/scoring.h"
+#include "master/settling.h"
 
 namespace tessera::master {
 
@@ -77,15 +79,9 @@ class Collage {
   std::size_t open_samples() const { return curve_.sample_count(); }
 
  private:
-  bool may_use(std::uint32_t shape) const;
-  float preference(const Candidate& candidate) const;
-  float score_of(const Candidate& candidate) const;
-  bool acceptable(const Candidate& candidate) const;
   std::vector<Pool::Ranked> finalists();
   void check_exactly(Candidate& candidate);
   bool settle(Candidate& candidate);
-  bool push_clear(Candidate& candidate);
-  bool fit_exactly(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
   void drop_shape(std::uint32_t shape);
@@ -104,12 +100,13 @@ class Collage {
   TargetCurve curve_;
   Pool pool_;
   ExactChecks checks_;
-  std::set<std::uint32_t> stale_;           // edges of samples to be matched
+  std::set<std::uint32_t> stale_;                  // edges of samples to be matched
   std::map<std::uint32_t, std::uint32_t> passes_;  // how often a sample was matched
   std::uint32_t first_pass_ = 0;
   std::vector<Placement> placements_;
   PlacedOutlines outlines_;  // of the placements
-  std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
+  Scoring scoring_;
+  Settling settling_;
   double covered_px2_ = 0;
   Window changed_nodes_;
 };

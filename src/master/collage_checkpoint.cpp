@@ -64,7 +64,8 @@ void Collage::restore(const CheckpointState& state) {
 
 void Collage::check_pieces(const CheckpointState& state) const {
   const auto check = [&](std::uint32_t shape, const Similarity& pose) {
-    if (shape >= poses_.size()) fail(state, "shape " + std::to_string(shape) + " of " + std::to_string(poses_.size()));
+    if (shape >= scoring_.library_shapes())
+      fail(state, "shape " + std::to_string(shape) + " of " + std::to_string(scoring_.library_shapes()));
     if (!sane(pose, settings_.pieces)) fail(state, "a piece out of all proportion");
   };
   for (const Placement& p : state.placements) check(p.shape, p.canvas_from_shape);

@@ -8,13 +8,6 @@
 #include "core/tuning.h"
 
 namespace tessera::master {
-namespace {
-
-constexpr int kEmptyPasses =
-    2;  // over all samples, with new random dockings each time, before the region counts as full
-
-}  // namespace
-
 Filling::Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
                  RunStatistics& statistics)
     : collage_(collage),

@@ -5,19 +5,13 @@
 
 #include "core/base/interrupted.h"
 #include "core/base/portable_math.h"
+#include "core/tuning.h"
 
 namespace tessera::master {
 namespace {
 
 constexpr std::uint64_t kRuin = 0x7275696e;  // keeps these random numbers apart from those of the dockings
 constexpr std::uint32_t kPassesPerTrial = 4;
-/// Small pieces alone, 1 to 4 of them: the hole of a large one takes ten rounds to fill and hardly ever ends better.
-/// Measured: 6.5 px² gained a matching, against 1.3 with pieces of any size, and 4.7 with one at a time.
-constexpr float kMostScale = 2.5f;  // of the smallest
-constexpr std::uint64_t kMostPieces = 4;
-constexpr std::size_t kLookedAt = 16;  // small pieces whose distance from the gap is measured
-constexpr int kGapDraws = 4096;      // to hit a gap
-constexpr float kGapDepth_px = 1.f;  // what is shallower lies between coupled pieces
 
 /// A point in a gap; every free px is as likely. False where there is hardly any.
 bool find_gap(const CanvasField& field, std::uint64_t random, Vec2& gap) {
@@ -38,7 +32,7 @@ RuinAndRecreate::RuinAndRecreate(Collage& collage, Filling& filling, const Colla
     : collage_(collage),
       filling_(filling),
       seed_(settings.seed),
-      most_scale_px_(kMostScale * settings.pieces.min_scale_px),
+      most_scale_px_(kRuinedScale * settings.pieces.min_scale_px),
       most_pieces_(settings.stop.pieces > 0 ? std::size_t(settings.stop.pieces) : SIZE_MAX) {}
 
 /// The small pieces that are nearest to a gap by a disc of their area, nearest first.
@@ -51,7 +45,7 @@ std::vector<std::size_t> RuinAndRecreate::small_pieces_near(Vec2 gap_px) const {
     if (pose.scale() > most_scale_px_) continue;
     nearest.emplace_back(norm(pose.translation() - gap_px) - kDiscRadius * pose.scale(), i);
   }
-  const std::size_t count = std::min(nearest.size(), kLookedAt);
+  const std::size_t count = std::min<std::size_t>(nearest.size(), kRuinedLookedAt);
   std::partial_sort(nearest.begin(), nearest.begin() + std::ptrdiff_t(count), nearest.end());
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < count; ++k) result.push_back(nearest[k].second);
@@ -67,7 +61,7 @@ std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
     nearest.emplace_back(collage_.distance_px(left[i], gap_px), i);
   }
   std::sort(nearest.begin(), nearest.end());
-  nearest.resize(std::min<std::size_t>(nearest.size(), 1 + mix_bits(random) % kMostPieces));
+  nearest.resize(std::min<std::size_t>(nearest.size(), 1 + mix_bits(random) % std::uint64_t(kMostRuined)));
   std::vector<bool> out(left.size(), false);
   for (const auto& [distance_px, i] : nearest) out[i] = true;
   std::size_t kept = 0;
@@ -94,8 +88,7 @@ Trial RuinAndRecreate::try_once(std::uint32_t trial, const std::function<bool()>
     throw;
   }
   const bool interrupted = stopped();
-  if (!interrupted && collage_.placements().size() <= most_pieces_ &&
-      collage_.free().free_256ths_px2() < free_before) {
+  if (!interrupted && collage_.placements().size() <= most_pieces_ && collage_.free().free_256ths_px2() < free_before) {
     return Trial::kept;
   }
   collage_.replace_placements(before);

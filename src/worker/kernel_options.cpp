@@ -24,6 +24,15 @@ void define(std::string& options, const char* name, float value) {
   define(options, name, std::string(text));
 }
 
+/// Its members one by one: kPush_steps and so on.
+void define(std::string& options, const std::string& name, const Descent& descent) {
+  define(options, (name + "_steps").c_str(), descent.steps);
+  define(options, (name + "_first_radius_px").c_str(), descent.first_radius_px);
+  define(options, (name + "_last_radius_px").c_str(), descent.last_radius_px);
+  define(options, (name + "_overlap_weight").c_str(), descent.overlap_weight);
+  define(options, (name + "_all_points").c_str(), int(descent.all_points));
+}
+
 }  // namespace
 
 std::string kernel_options(const cl::Device& device, int pad_levels) {
@@ -52,12 +61,38 @@ std::string kernel_options(const cl::Device& device, int pad_levels) {
   DEFINE(kNoTurnLimit);
   DEFINE(kScaleWindowLow);
   DEFINE(kScaleWindowHigh);
-  DEFINE(kAlignmentTolerance);
-  DEFINE(kLeastDockingKey);
   DEFINE(kOffGridDistance);
-  DEFINE(kHopelessDepth_px);
+
+  DEFINE(kAlignmentLevels);
+  DEFINE(kAlignmentTolerance);
+  DEFINE(kAlignmentUnit_px);
+
+  DEFINE(kHopelessDocking_px);
+  DEFINE(kHopelessDocking);
+  DEFINE(kNearDocking_px);
+  DEFINE(kNearDocking);
+  DEFINE(kMostBadPoints);
+  DEFINE(kBadPointCost);
+  DEFINE(kInteriorStride);
+  DEFINE(kCoveredCost);
+  DEFINE(kLeastDockingKey);
+
+  DEFINE(kApproach);
+  DEFINE(kApproachRadius);
+  DEFINE(kNestle);
+  DEFINE(kPush);
   DEFINE(kPushSteps);
   DEFINE(kPushShrink);
+  DEFINE(kArm);
+  DEFINE(kLeastDrawnPoints);
+  DEFINE(kDamping);
+  DEFINE(kLeastDamping);
+  DEFINE(kGrowthDamping);
+  DEFINE(kHopelessDepth_px);
+  DEFINE(kInteriorDepth_px);
+
+  DEFINE(kNoise_px);
+  DEFINE(kContact_px);
 #undef DEFINE
   define(options, "kTangentSource", std::to_string(kTangentSource) + "u");
   return options;

@@ -9,7 +9,6 @@
 namespace tessera {
 namespace {
 
-constexpr float kOverlapDepth_px = 0.25f;  // less is rounding of the fields
 constexpr int kRim = 2;  // nodes at the window's edge, whose surroundings are cut off
 
 /// The nodes of a window by their distance to the piece.
@@ -78,7 +77,8 @@ ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, 
 
   const PieceNodes piece({shape, canvas_from_shape, kept_distance_px(pieces)}, field.origin, window, reach_px);
   const BitGrid centres_after = both(nodes_above(field.value, window, reach_px), piece.clear);
-  const BitGrid within_reach = dilated_by_disc(centres_after, (reach_px + 1.2f) * (reach_px + 1.2f));
+  const float disc_px = reach_px + kReachSlack_px;
+  const BitGrid within_reach = dilated_by_disc(centres_after, disc_px * disc_px);
   const BitGrid uncovered = nodes_above(field.value, window, 0);
   const Window counted = Window{0, 0, window.width(), window.height()}.grown(-kRim);
   int overlap = 0;

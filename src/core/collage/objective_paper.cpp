@@ -1,15 +1,9 @@
 #include <cmath>
 
 #include "core/collage/objective.h"
+#include "core/tuning.h"
 
 namespace tessera {
-namespace {
-
-/// Keeps Z finite for a perfect fit, px² per px² of the piece.
-constexpr float kLeastDefect = 0.0025f;
-
-}  // namespace
-
 float paper_objective(const DockingTerms& t, const PieceSize& piece, const ObjectiveSettings& w) {
   const float area = piece.scale_px * piece.scale_px;
   const float defect = std::sqrt(w.overlap_weight * t.overlap_px4 + w.gap_weight * t.gap_px4) + kLeastDefect * area;

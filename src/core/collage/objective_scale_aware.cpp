@@ -1,15 +1,10 @@
 #include <cmath>
 
 #include "core/collage/objective.h"
+#include "core/tuning.h"
 
 namespace tessera {
-namespace {
-
-/// A piece that spoils a fifth of its area counts half. Never nothing: a poor piece is better than a hole.
-constexpr float kDefectCost = 5;
-
-}  // namespace
-
+/// Never nothing: a poor piece is better than a hole.
 float scale_aware_objective(const DockingTerms& t, const PieceSize& piece, const ObjectiveSettings& w) {
   const float area = piece.scale_px * piece.scale_px;
   const float defect = (w.overlap_weight * t.overlap_px2 + w.gap_weight * t.gap_px2) / area;

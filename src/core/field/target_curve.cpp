@@ -9,15 +9,13 @@
 namespace tessera {
 namespace {
 
-/// Whether a PAD moved so much that what was matched with the old one no longer holds. Coarse levels may move more:
-/// they see far and weigh little.
+/// Whether a PAD moved so much that what was matched with the old one no longer holds.
 bool changed_much(const ArclengthPyramid& a, const ArclengthPyramid& b, int levels) {
   if (a.convexity != b.convexity) return true;
   for (int i = 0; i < levels; ++i) {
-    const float tolerance = i == levels - 1 ? 0.4f : i == levels - 2 ? 0.25f : 0.15f;
-    const float slack_px = 3;
-    if (std::abs(a.left[i] - b.left[i]) > tolerance * (b.left[i] + slack_px)) return true;
-    if (std::abs(a.right[i] - b.right[i]) > tolerance * (b.right[i] + slack_px)) return true;
+    const float tolerance = i == levels - 1 ? kChangedCoarsest : i == levels - 2 ? kChangedCoarse : kChangedFine;
+    if (std::abs(a.left[i] - b.left[i]) > tolerance * (b.left[i] + kChangedSlack_px)) return true;
+    if (std::abs(a.right[i] - b.right[i]) > tolerance * (b.right[i] + kChangedSlack_px)) return true;
   }
   return false;
 }

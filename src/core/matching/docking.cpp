@@ -15,7 +15,7 @@ constexpr float kRejected = -1.f;
 
 Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales,
                          const PoseRange& poses) {
-  const int least_level = levels > 2 ? levels - 3 : 0;
+  const int least_level = std::max(0, levels - kAlignmentLevels);
   for (int level = levels - 1; level >= least_level; --level) {
     const int begin = levels - 1 - level;
     const int end = levels + 2 + level;
@@ -57,7 +57,7 @@ Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target,
     // The spread that is explained: at the best scale its square, less by the square of what the scale is off.
     const float off = scale - best_scale;
     const float residual = (target_spread - (best_scale * best_scale - off * off) * shape_spread) / count;
-    if (residual > kAlignmentTolerance * 4.f * std::sqrt(target_spread / count)) continue;
+    if (residual > kAlignmentTolerance * kAlignmentUnit_px * std::sqrt(target_spread / count)) continue;
     if (scale < scales.low || scale > scales.high) continue;
     s.tx = target_mean.x - (s.a * shape_mean.x - s.b * shape_mean.y);
     s.ty = target_mean.y - (s.b * shape_mean.x + s.a * shape_mean.y);
@@ -112,31 +112,30 @@ Similarity tangent_docking(const ShapeModel& shape, int boundary_point, float sc
 float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, const FieldView& field,
                   float max_scale_px) {
   const float scale = canvas_from_shape.scale();
-  const float hopeless_px = std::max(5.f, 0.12f * scale);
-  const float near_px = std::max(4.f, 0.06f * scale);
+  const float hopeless_px = std::max(kHopelessDocking_px, kHopelessDocking * scale);
+  const float near_px = std::max(kNearDocking_px, kNearDocking * scale);
   // One look-up settles most: where the disc does not fit, the piece does not.
   if (field_value(field, canvas_from_shape.apply(shape.disc_centre)) < shape.disc_radius * scale - hopeless_px) {
     return kRejected;
   }
   constexpr int kPoints = kBoundaryPoints / kCoarseStride;
-  constexpr int kMaxBad = 4;
   int hits = 0;
   int bad = 0;
   for (int i = 0; i < kBoundaryPoints; i += kCoarseStride) {
     const float d = field_value(field, canvas_from_shape.apply(shape.boundary[i]));
     if (d < -hopeless_px) return kRejected;
     if (d < -near_px) {
-      if (++bad > kMaxBad) return kRejected;
+      if (++bad > kMostBadPoints) return kRejected;
     } else if (d < near_px) {
       ++hits;
     }
   }
   int covered = 0;
-  for (std::size_t i = 0; i < shape.interior.size(); i += 3) {
+  for (std::size_t i = 0; i < shape.interior.size(); i += kInteriorStride) {
     if (field_value(field, canvas_from_shape.apply(shape.interior[i])) < 0) ++covered;
   }
-  const float interior = shape.interior.empty() ? 0.f : 9.f * float(covered) / float(shape.interior.size());
-  const float fit = (float(hits) - 1.5f * float(bad)) / float(kPoints) - interior;
+  const float interior = shape.interior.empty() ? 0.f : kCoveredCost * float(covered) / float(shape.interior.size());
+  const float fit = (float(hits) - kBadPointCost * float(bad)) / float(kPoints) - interior;
   // Large pieces first: they are harder to place later.
   return fit * std::sqrt(std::sqrt(scale / max_scale_px));
 }

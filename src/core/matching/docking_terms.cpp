@@ -2,11 +2,10 @@
 
 #include <cmath>
 
+#include "core/tuning.h"
+
 namespace tessera {
 namespace {
-
-constexpr float kNoise_px = 0.5f;    // smaller distances are neither gap nor overlap
-constexpr float kContact_px = 1.f;   // the runs are counted from a point nearer than this, so that none is cut in two
 
 enum class Run { none, overlap, gap };
 
@@ -41,9 +40,7 @@ DockingTerms docking_terms(const Similarity& canvas_from_shape, const ShapeModel
     const int i = first + k < kBoundaryPoints ? first + k : first + k - kBoundaryPoints;
     const float d = distance[i];
     if (std::abs(d) < context.delta_px) terms.matched_px += step_px;
-    const Run here = d < -kNoise_px                          ? Run::overlap
-                     : d > kNoise_px && d < context.gap_px ? Run::gap
-                                                             : Run::none;
+    const Run here = d < -kNoise_px ? Run::overlap : d > kNoise_px && d < context.gap_px ? Run::gap : Run::none;
     if (here != run) {
       finish_run(terms, run, area_px2);
       run = here;

@@ -8,8 +8,6 @@
 namespace tessera {
 namespace {
 
-constexpr float kSameDocking = 0.13f;  // of the scale: refinement would bring both to one pose
-
 PairReach next_reach(std::vector<std::uint32_t> limits) {
   const auto most = limits.begin() + std::ptrdiff_t(limits.size() * 3 / 4);
   std::nth_element(limits.begin(), most, limits.end());

@@ -33,8 +33,8 @@ struct NormalEquations {
   /// the unknowns above it follow, so that those are the best that go with it.
   void solve(float (&x)[4], const Limits& growth, const Limits& turn) {
     const float trace = m[0][0] + m[1][1] + m[2][2] + m[3][3];
-    for (int r = 0; r < 4; ++r) m[r][r] += 0.005f * trace + 0.05f;
-    m[2][2] += 0.0125f * trace;  // growth is the least certain of the four
+    for (int r = 0; r < 4; ++r) m[r][r] += kDamping * trace + kLeastDamping;
+    m[2][2] += kGrowthDamping * trace;
     float d[4];
     for (int r = 0; r < 4; ++r) {
       for (int c = 0; c < r; ++c) {
@@ -74,19 +74,18 @@ void move(Similarity& s, float dx, float dy, float growth, float angle) {
   s.ty += dy;
 }
 
-constexpr float kArm = 0.6f;  // of the piece's radius: where growth and rotation are measured
-
 }  // namespace
 
 void descend(Similarity& s, const ShapeModel& shape, const FieldView& field, const Descent& descent,
              const PoseRange& poses) {
+  const int stride = descent.all_points ? 1 : kMediumStride;
   for (int step = 0; step < descent.steps; ++step) {
     const float progress = descent.steps > 1 ? float(step) / float(descent.steps - 1) : 1.f;
     const float radius = descent.first_radius_px + (descent.last_radius_px - descent.first_radius_px) * progress;
     const float scale = s.scale();
     const float arm = shape.radius * scale * kArm;
     NormalEquations equations;
-    for (int i = 0; i < kBoundaryPoints; i += descent.stride) {
+    for (int i = 0; i < kBoundaryPoints; i += stride) {
       const Vec2 z = s.apply(shape.boundary[i]);
       const FieldSample f = field_sample(field, z);
       if (f.value > radius) continue;
@@ -101,7 +100,7 @@ void descend(Similarity& s, const ShapeModel& shape, const FieldView& field, con
       const float j[4] = {n.x, n.y, (n.x * ux + n.y * uy) / arm, (n.y * ux - n.x * uy) / arm};
       equations.add(j, f.value, weight);
     }
-    if (equations.points < 3) return;
+    if (equations.points < kLeastDrawnPoints) return;
     float x[4];
     const TurnLimits turns = poses.turns(s);
     equations.solve(x, {(poses.min_scale_px / scale - 1) * arm, (poses.max_scale_px / scale - 1) * arm},
@@ -122,15 +121,16 @@ float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, con
   }
   for (const Vec2& p : shape.interior) {
     const float d = -field_value(field, canvas_from_shape.apply(p));
-    if (d > 0) deepest = std::max(deepest, d + 3);
+    if (d > 0) deepest = std::max(deepest, d + kInteriorDepth_px);
   }
   return deepest;
 }
 
 bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, const MatchingContext& context) {
-  const float first_radius_px = std::max(6.f, 0.1f * s.scale());
-  descend(s, shape, field, {6, first_radius_px, 3.f, 3.f, kMediumStride}, context.poses);
-  descend(s, shape, field, {3, 2.5f, 2.f, 12.f, kMediumStride}, context.poses);
+  Descent approach = kApproach;
+  approach.first_radius_px = std::max(kApproach.first_radius_px, kApproachRadius * s.scale());
+  descend(s, shape, field, approach, context.poses);
+  descend(s, shape, field, kNestle, context.poses);
   float depth = depth_px(s, shape, field);
   for (int push = 0; push < kPushSteps && depth > context.hard_depth_px; ++push) {
     if (depth > kHopelessDepth_px) return false;
@@ -139,7 +139,7 @@ bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, cons
       s.b *= kPushShrink;
       context.poses.pull_in(s);
     }
-    descend(s, shape, field, {2, 1.5f, 1.5f, 25.f, 1}, context.poses);
+    descend(s, shape, field, kPush, context.poses);
     depth = depth_px(s, shape, field);
   }
   return depth <= context.hard_depth_px && context.poses.contains(s);
@@ -151,8 +151,8 @@ void grow(Similarity& s, const ShapeModel& shape, const FieldView& field, const 
     larger.a *= kGrowStep;
     larger.b *= kGrowStep;
     context.poses.pull_in(larger);
-    descend(larger, shape, field, {4, 1.5f, 1.f, 20.f, kMediumStride}, context.poses);
-    const bool grown = larger.scale() > s.scale() * 1.002f;
+    descend(larger, shape, field, kGrow, context.poses);
+    const bool grown = larger.scale() > s.scale() * kLeastGrowth;
     if (!grown || depth_px(larger, shape, field) > context.hard_depth_px) return;
     s = larger;
   }

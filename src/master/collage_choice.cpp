@@ -1,0 +1,87 @@
+// Collage: which candidate becomes the next piece.
+#include <algorithm>
+
+#include "core/tuning.h"
+#include "master/collage.h"
+
+namespace tessera::master {
+
+std::vector<Pool::Ranked> Collage::finalists() {
+  std::vector<Pool::Ranked> chosen;
+  std::vector<const Candidate*> looks;
+  int examined = 0;
+  const auto worth = [&](const Candidate& c) { return c.score * scoring_.preference(c); };
+  pool_.best_first(worth, [&](const Pool::Ranked& ranked, const Candidate& c) {
+    const bool repeated = std::any_of(looks.begin(), looks.end(), [&](const Candidate* other) {
+      return other->shape == c.shape && near_copy(other->canvas_from_shape, c.canvas_from_shape, kSameCandidate);
+    });
+    if (!repeated) {
+      chosen.push_back(ranked);
+      looks.push_back(&c);
+    }
+    return ++examined < kFinalistsLookedAt && chosen.size() < kFinalists;
+  });
+  return chosen;
+}
+
+void Collage::check_exactly(Candidate& candidate) {
+  const ExactAreas areas = checks_.areas(candidate);
+  Candidate measured = candidate;
+  measured.terms = with_exact_areas(candidate.terms, areas);
+  candidate.score = scoring_.score(measured);
+  candidate.exact = true;
+}
+
+void Collage::check_ahead() {
+  for (const Pool::Ranked& ranked : finalists()) {
+    const Candidate& candidate = pool_.at(ranked);
+    if (!candidate.exact) checks_.compute_ahead(candidate);
+  }
+}
+
+/// Makes a piece of the candidate, which may change what it is worth: that is measured again. False: it is given up.
+bool Collage::settle(Candidate& candidate) {
+  if (!settling_.settle(candidate.shape, candidate.canvas_from_shape)) return false;
+  candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context_);
+  check_exactly(candidate);
+  return scoring_.acceptable(candidate);
+}
+
+/// Settling may cost a candidate its place: it is the best only if no other is worth more before its own.
+bool Collage::choose(Candidate& best) {
+  for (;;) {
+    std::vector<Pool::Ranked> ranked = finalists();
+    for (Pool::Ranked& r : ranked) {
+      Candidate& c = pool_.at(r);
+      if (!c.exact) {
+        check_exactly(c);
+        pool_.rank_again(r);
+      }
+      r.value = c.score * scoring_.preference(c);
+    }
+    if (ranked.empty()) return false;
+    std::sort(ranked.begin(), ranked.end());
+    if (!settings_.settle) {
+      best = pool_.at(ranked.front());
+      return true;
+    }
+    float best_value = -1;
+    std::vector<Pool::Ranked> given_up;
+    for (const Pool::Ranked& r : ranked) {
+      if (best_value >= r.value) break;
+      Candidate settled = pool_.at(r);
+      if (!settle(settled)) {
+        given_up.push_back(r);
+        continue;
+      }
+      const float value = settled.score * scoring_.preference(settled);
+      if (value <= best_value) continue;
+      best_value = value;
+      best = settled;
+    }
+    for (const Pool::Ranked& r : given_up) pool_.erase(r);
+    if (best_value >= 0) return true;
+  }
+}
+
+}  // namespace tessera::master

@@ -1,0 +1,51 @@
+#include "master/scoring.h"
+
+#include <cmath>
+
+#include "core/collage/objective.h"
+#include "core/tuning.h"
+
+namespace tessera::master {
+
+Scoring::Scoring(const CollageSettings& settings, std::uint32_t library_shapes)
+    : pieces_(settings.pieces),
+      objective_(settings.objective),
+      poses_(library_shapes) {}
+
+void Scoring::count(const Placement& placement) { poses_[placement.shape].push_back(placement.canvas_from_shape); }
+
+void Scoring::forget_placements() {
+  for (std::vector<Similarity>& poses : poses_) poses.clear();
+}
+
+bool Scoring::may_use(std::uint32_t shape) const {
+  return pieces_.uses == 0 || poses_[shape].size() < std::size_t(pieces_.uses);
+}
+
+bool Scoring::acceptable(const Candidate& candidate) const {
+  const float scale = candidate.canvas_from_shape.scale();
+  return candidate.terms.overlap_px2 <= kMaxOverlap * scale * scale &&
+         candidate.terms.matched_px >= kLeastMatched * candidate.perimeter * scale;
+}
+
+float Scoring::score(const Candidate& candidate) const {
+  const float scale = candidate.canvas_from_shape.scale();
+  const PieceSize size{scale, candidate.perimeter * scale, pieces_.max_scale_px};
+  return objective(candidate.terms, size, objective_);
+}
+
+/// Repetition costs something, or one shape that fits everywhere fills the canvas.
+float Scoring::preference(const Candidate& candidate) const {
+  const std::vector<Similarity>& placed = poses_[candidate.shape];
+  if (placed.empty()) return 1;
+  float factor = std::pow(1.f + float(placed.size()), -objective_.repetition_exponent);
+  const float radius = candidate.radius + kNearTwinReach;
+  for (const Similarity& pose : placed) {
+    const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
+    const Vec2 apart = pose.translation() - candidate.canvas_from_shape.translation();
+    if (dot(apart, apart) < near * near) factor *= objective_.near_twin_factor;
+  }
+  return factor;
+}
+
+}  // namespace tessera::master

@@ -1,0 +1,40 @@
+// What candidates are worth to the collage as it is: the objective, less the cost of repetition (paper section 4; design,
+// methods 7 and 8).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/collage/placement.h"
+#include "core/collage/pool.h"
+#include "core/settings.h"
+
+namespace tessera::master {
+
+class Scoring {
+ public:
+  Scoring(const CollageSettings& settings, std::uint32_t library_shapes);
+
+  /// A piece of this placement stands from now on.
+  void count(const Placement& placement);
+  void forget_placements();
+
+  /// Whether `pieces.uses` leaves another one of the shape.
+  bool may_use(std::uint32_t shape) const;
+  /// Of the candidate's terms alone: no overlap that shows, and it touches something.
+  bool acceptable(const Candidate& candidate) const;
+  /// The objective of the candidate's terms.
+  float score(const Candidate& candidate) const;
+  /// Of its score, what is left to a candidate whose shape stands already, more so where it stands close by. Falls as
+  /// pieces are placed, and never rises but by forget_placements().
+  float preference(const Candidate& candidate) const;
+
+  std::size_t library_shapes() const { return poses_.size(); }
+
+ private:
+  PieceSettings pieces_;
+  ObjectiveSettings objective_;
+  std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
+};
+
+}  // namespace tessera::master

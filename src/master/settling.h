@@ -1,0 +1,35 @@
+// How a candidate becomes a piece: made clear of what was placed since it was refined, grown, and held against its
+// neighbours' outlines (design, methods 6 and 9).
+#pragma once
+
+#include "core/collage/placed_outlines.h"
+#include "core/field/free_field.h"
+#include "core/geometry/similarity.h"
+#include "core/matching/matching_context.h"
+#include "core/shape/shape_source.h"
+
+namespace tessera::master {
+
+class Settling {
+ public:
+  /// All of them outlive it.
+  Settling(ShapeSource& shapes, const FreeField& free, const PlacedOutlines& outlines, const MatchingContext& context)
+      : shapes_(shapes),
+        free_(free),
+        outlines_(outlines),
+        context_(context) {}
+
+  /// Where the shape may stand, near the pose that is given; within the poses allowed. False where it may not.
+  bool settle(std::uint32_t shape, Similarity& canvas_from_shape);
+
+ private:
+  bool push_clear(const ShapeModel& model, Similarity& pose) const;
+  bool fit_exactly(const Shape& shape, Similarity& pose) const;
+
+  ShapeSource& shapes_;
+  const FreeField& free_;
+  const PlacedOutlines& outlines_;
+  const MatchingContext& context_;
+};
+
+}  // namespace tessera::master
