@@ -29,8 +29,8 @@ struct Scene {
     const OpenedField opened(free, settings.pieces);
     TargetCurve curve(settings.pieces, settings.match.pad);
     curve.retrace(opened, free.field().origin, free.field().value.bounds());
-    for (const std::uint32_t edge : curve.sample_edges()) {
-      if (samples.size() < kSamples) samples.push_back(curve.sample(edge));
+    for (const SampleId id : curve.samples()) {
+      if (samples.size() < kSamples) samples.push_back(curve.sample(id));
     }
   }
 

@@ -73,7 +73,7 @@ class Comparison {
 
   Quality quality(const Outcome& outcome) {
     return measure_quality(canvas_, outcome.placements,
-                           [this](std::uint32_t index) -> const Shape& { return shapes_.shape(index); });
+                           [this](ShapeId id) -> const Shape& { return shapes_.shape(id); });
   }
 
  private:
@@ -96,7 +96,7 @@ Canvas seeded_canvas(int size_px, const PieceSettings& pieces, ShapeSource& shap
   Canvas canvas = make_rectangle_canvas(size_px, size_px);
   FreeField free(canvas, pieces);
   const float scale_px = std::min(pieces.max_scale_px, 0.3f * float(size_px));
-  free.stamp(shapes.shape(0), {scale_px, 0, 0.5f * float(size_px), 0.5f * float(size_px)});
+  free.stamp(shapes.shape(ShapeId{0}), {scale_px, 0, 0.5f * float(size_px), 0.5f * float(size_px)});
   canvas.distance = free.field();
   canvas.area_px2 -= double(scale_px) * scale_px;
   return canvas;

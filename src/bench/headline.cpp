@@ -62,7 +62,7 @@ std::vector<TargetSample> samples_around(const TracedOutline& outline, const Sha
   for (int i = 0; i < count; ++i) {
     const Vec2 along = curve[std::size_t((i + 1) % count)] - curve[std::size_t((i + count - 1) % count)];
     samples.push_back(
-        {std::uint32_t(i), 0, curve[std::size_t(i)], along * (1 / norm(along)), pyramids[std::size_t(i)]});
+        {SampleId(i), 0, curve[std::size_t(i)], along * (1 / norm(along)), pyramids[std::size_t(i)]});
   }
   return samples;
 }

@@ -48,8 +48,8 @@ PairScene make_scene(std::size_t shapes, std::size_t samples, int size_px) {
   const OpenedField opened(free, scene.settings.pieces);
   TargetCurve curve(scene.settings.pieces, scene.settings.match.pad);
   curve.retrace(opened, free.field().origin, free.field().value.bounds());
-  for (const std::uint32_t edge : curve.sample_edges()) {
-    if (scene.samples.size() < samples) scene.samples.push_back(curve.sample(edge));
+  for (const SampleId id : curve.samples()) {
+    if (scene.samples.size() < samples) scene.samples.push_back(curve.sample(id));
   }
   return scene;
 }

@@ -97,7 +97,7 @@ void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
                    const float scale = pose.scale();
                    if (scale < range.low || scale > range.high || !context_.poses.contains(pose)) return;
                    ++docked_.evaluated;
-                   dockings.push_back({t, m, source, score(model, pose), pose});
+                   dockings.push_back({t, ShapeId{m}, source, score(model, pose), pose});
                  });
   keep_shortlist(dockings);
   docked_.dockings.insert(docked_.dockings.end(), dockings.begin(), dockings.end());
@@ -111,7 +111,7 @@ void PaperMatcher::post_dock(const DockRequest& request) {
 void PaperMatcher::post_refine(const std::vector<Docking>& dockings) {
   refined_.clear();
   for (const Docking& docking : dockings) {
-    refined_.push_back(feasible_docking(docking, terms_of(docking), models_[docking.shape]));
+    refined_.push_back(feasible_docking(docking, terms_of(docking), models_[index_of(docking.shape)]));
   }
 }
 
@@ -121,7 +121,7 @@ void PaperMatcher::post_measure(const std::vector<Docking>& dockings) {
 }
 
 DockingTerms PaperMatcher::terms_of(const Docking& docking) const {
-  return docking_terms(docking.canvas_from_shape, models_[docking.shape], FieldView(field_), context_);
+  return docking_terms(docking.canvas_from_shape, models_[index_of(docking.shape)], FieldView(field_), context_);
 }
 
 CollageSettings paper_settings(CollageSettings settings) {

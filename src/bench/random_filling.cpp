@@ -46,7 +46,7 @@ std::vector<Placement> fill_at_random(const Canvas& canvas, const CollageSetting
   while (watch.seconds() < seconds) {
     const Vec2 place{uniform(0, float(canvas.width_px)), uniform(0, float(canvas.height_px))};
     const float angle_rad = uniform(pieces.min_rotation_rad, pieces.max_rotation_rad);
-    const std::uint32_t shape = std::uint32_t(bits() % shape_count);
+    const ShapeId shape{std::uint32_t(bits() % shape_count)};
     if (field_value(free.view(), place) <= 0) continue;
     const Similarity pose{std::cos(angle_rad), std::sin(angle_rad), place.x, place.y};
     const float scale_px = largest_scale_px(pose, shapes.model(shape), free.view(), pieces);

@@ -32,28 +32,29 @@ VariedShapes::VariedShapes(const io::LibraryFile& library)
     : outlines_(library.read(0, library.size(), kOutlines)),
       pad_(library.pad_parameters()) {}
 
-Shape VariedShapes::make(std::uint32_t index) const {
+Shape VariedShapes::make(ShapeId id) const {
+  const std::uint32_t index = index_of(id);
   const std::uint32_t originals = std::uint32_t(outlines_.size());
   return varied_shape(outlines_[index % originals], variation_number(index / originals), pad_);
 }
 
-Shape VariedShapes::load(std::uint32_t index) {
+Shape VariedShapes::load(ShapeId id) {
   const Stopwatch watch;
-  Shape shape = make(index);
+  Shape shape = make(id);
   making_s_ += watch.seconds();
   return shape;
 }
 
 std::vector<Shape> VariedShapes::shapes(const ShapeRange& range) const {
-  std::vector<Shape> shapes(range.end - range.begin);
-  io::parallel_for(shapes.size(), [&](std::size_t i) { shapes[i] = make(range.begin + std::uint32_t(i)); });
+  std::vector<Shape> shapes(range.size());
+  io::parallel_for(shapes.size(), [&](std::size_t i) { shapes[i] = make(range.at(std::uint32_t(i))); });
   return shapes;
 }
 
 std::vector<ShapeModel> VariedShapes::models(const ShapeRange& range, const MatchingContext& context) const {
-  std::vector<ShapeModel> models(range.end - range.begin);
+  std::vector<ShapeModel> models(range.size());
   io::parallel_for(models.size(), [&](std::size_t i) {
-    models[i] = make_shape_model(make(range.begin + std::uint32_t(i)), pad_, context.pad, context.levels);
+    models[i] = make_shape_model(make(range.at(std::uint32_t(i))), pad_, context.pad, context.levels);
   });
   return models;
 }

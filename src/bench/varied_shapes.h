@@ -24,10 +24,10 @@ class VariedShapes : public master::CachedShapes {
   double making_s() const { return making_s_; }
 
  protected:
-  Shape load(std::uint32_t index) override;
+  Shape load(ShapeId id) override;
 
  private:
-  Shape make(std::uint32_t index) const;
+  Shape make(ShapeId id) const;
 
   std::vector<Shape> outlines_;
   PadParameters pad_;

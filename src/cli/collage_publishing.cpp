@@ -11,11 +11,12 @@ namespace {
 
 /// Of the shapes that were placed, all that the files need.
 void add_placed_shapes(const io::LibraryFile& library, io::CollageReport& report) {
-  std::set<std::uint32_t> placed;
+  std::set<ShapeId> placed;
   for (const Placement& placement : report.placements) placed.insert(placement.shape);
   const io::LibraryParts parts{.outline = true, .field = false, .levels = 0, .artwork = true, .original = false};
-  for (const std::uint32_t index : placed) {
-    report.shape_index.push_back(index);
+  for (const ShapeId id : placed) {
+    const std::uint32_t index = index_of(id);
+    report.shape_ids.push_back(id);
     report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
   }
 }

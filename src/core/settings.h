@@ -1,5 +1,5 @@
 // Every parameter of the algorithm that a job can set. Units stand in the names; defaults are those of the job format
-// (docs/job-format.md). Fixed tunables stand beside the stage that they tune.
+// (docs/job-format.md). Fixed numbers are in core/tuning.h.
 #pragma once
 
 #include <cstdint>

@@ -7,25 +7,25 @@ constexpr std::size_t kWholeShapesKept = 1024;  // about 80 MB
 
 }  // namespace
 
-const Shape& CachedShapes::shape(std::uint32_t index) {
-  const auto known = position_.find(index);
+const Shape& CachedShapes::shape(ShapeId id) {
+  const auto known = position_.find(id);
   if (known != position_.end()) {
     recent_.splice(recent_.begin(), recent_, known->second);
     return recent_.front().shape;
   }
-  recent_.push_front({index, load(index)});
-  position_[index] = recent_.begin();
+  recent_.push_front({id, load(id)});
+  position_[id] = recent_.begin();
   if (recent_.size() > kWholeShapesKept) {
-    position_.erase(recent_.back().index);
+    position_.erase(recent_.back().id);
     recent_.pop_back();
   }
   return recent_.front().shape;
 }
 
-const ShapeModel& CachedShapes::model(std::uint32_t index) {
-  auto known = models_.find(index);
+const ShapeModel& CachedShapes::model(ShapeId id) {
+  auto known = models_.find(id);
   if (known == models_.end()) {
-    known = models_.emplace(index, make_shape_model(shape(index), PadParameters{}, PadParameters{}, {})).first;
+    known = models_.emplace(id, make_shape_model(shape(id), PadParameters{}, PadParameters{}, {})).first;
   }
   return known->second;
 }

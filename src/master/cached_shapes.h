@@ -12,21 +12,21 @@ namespace tessera::master {
 /// of any size fits. What is kept never changes what is answered.
 class CachedShapes : public ShapeSource {
  public:
-  const Shape& shape(std::uint32_t index) override;
-  const ShapeModel& model(std::uint32_t index) override;
+  const Shape& shape(ShapeId id) override;
+  const ShapeModel& model(ShapeId id) override;
 
  protected:
   /// With outline and field.
-  virtual Shape load(std::uint32_t index) = 0;
+  virtual Shape load(ShapeId id) = 0;
 
  private:
   struct Kept {
-    std::uint32_t index;
+    ShapeId id;
     Shape shape;
   };
   std::list<Kept> recent_;  // latest first
-  std::unordered_map<std::uint32_t, std::list<Kept>::iterator> position_;
-  std::unordered_map<std::uint32_t, ShapeModel> models_;
+  std::unordered_map<ShapeId, std::list<Kept>::iterator> position_;
+  std::unordered_map<ShapeId, ShapeModel> models_;
 };
 
 }  // namespace tessera::master

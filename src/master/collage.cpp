@@ -60,9 +60,9 @@ Window Collage::take_changed_nodes() {
 
 std::vector<TargetSample> Collage::take_stale_samples() {
   std::vector<TargetSample> samples;
-  for (const std::uint32_t edge : stale_) {
-    samples.push_back(curve_.sample(edge));
-    samples.back().pass = first_pass_ + passes_[edge]++;
+  for (const SampleId id : stale_) {
+    samples.push_back(curve_.sample(id));
+    samples.back().pass = first_pass_ + passes_[id]++;
   }
   stale_.clear();
   return samples;
@@ -70,16 +70,16 @@ std::vector<TargetSample> Collage::take_stale_samples() {
 
 void Collage::put_back_stale_samples(const std::vector<TargetSample>& samples) {
   for (const TargetSample& sample : samples) {
-    stale_.insert(sample.edge);
-    const auto passes = passes_.find(sample.edge);
+    stale_.insert(sample.id);
+    const auto passes = passes_.find(sample.id);
     if (--passes->second == 0) passes_.erase(passes);
   }
 }
 
 void Collage::mark_stale(const Window& window) {
-  for (const std::uint32_t edge : curve_.sample_edges()) {
-    const Vec2 node = curve_.sample(edge).position - free_.field().origin;
-    if (window.contains(int(node.x), int(node.y))) stale_.insert(edge);
+  for (const SampleId id : curve_.samples()) {
+    const Vec2 node = curve_.sample(id).position - free_.field().origin;
+    if (window.contains(int(node.x), int(node.y))) stale_.insert(id);
   }
 }
 
@@ -100,7 +100,7 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     of_sample[docking.sample].push_back(candidate);
   }
   for (std::size_t t = 0; t < samples.size(); ++t) {
-    pool_.put(samples[t].edge, std::move(of_sample[t]), round.truncated[t]);
+    pool_.put(samples[t].id, std::move(of_sample[t]), round.truncated[t]);
   }
 }
 
@@ -167,27 +167,27 @@ void Collage::retrace(const Window& changed) {
   const Window window = opened_.update(free_, changed);
   checks_.forget(window);
   const TargetCurve::Change change = curve_.retrace(opened_, free_.field().origin, window);
-  for (const std::uint32_t edge : change.removed) {
-    pool_.erase(edge);
-    stale_.erase(edge);
+  for (const SampleId id : change.removed) {
+    pool_.erase(id);
+    stale_.erase(id);
   }
-  for (const std::uint32_t edge : change.renewed) {
-    pool_.erase(edge);
-    stale_.insert(edge);
+  for (const SampleId id : change.renewed) {
+    pool_.erase(id);
+    stale_.insert(id);
   }
 }
 
-void Collage::drop_shape(std::uint32_t shape) {
-  std::vector<std::uint32_t> edges;
-  for (const auto& [edge, entry] : pool_.entries()) edges.push_back(edge);
-  for (const std::uint32_t edge : edges) review(edge, [&](Candidate& c) { return c.shape != shape; });
+void Collage::drop_shape(ShapeId shape) {
+  std::vector<SampleId> ids;
+  for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
+  for (const SampleId id : ids) review(id, [&](Candidate& c) { return c.shape != shape; });
 }
 
 std::vector<Docking> Collage::touched_by(const Window& changed) const {
   std::vector<Docking> touched;
-  for (const std::uint32_t edge : pool_.reached_by(changed)) {
-    for (const Candidate& c : pool_.entries().at(edge).candidates) {
-      if (c.window.overlaps(changed)) touched.push_back({edge, c.shape, c.source, 0, c.canvas_from_shape});
+  for (const SampleId id : pool_.reached_by(changed)) {
+    for (const Candidate& c : pool_.entries().at(id).candidates) {
+      if (c.window.overlaps(changed)) touched.push_back({0, c.shape, c.source, 0, c.canvas_from_shape});
     }
   }
   return touched;
@@ -203,8 +203,8 @@ std::vector<DockingTerms> Collage::measure(const std::vector<Docking>& dockings)
 
 void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& terms) {
   auto measured = terms.begin();
-  for (const std::uint32_t edge : pool_.reached_by(changed)) {
-    review(edge, [&](Candidate& c) {
+  for (const SampleId id : pool_.reached_by(changed)) {
+    review(id, [&](Candidate& c) {
       if (!c.window.overlaps(changed)) return true;
       if (measured == terms.end()) throw std::logic_error("fewer candidates were measured than touched");
       c.terms = *measured++;
@@ -218,10 +218,10 @@ void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& te
 
 /// A target sample that loses most of its candidates is matched again where there were more.
 template <class Keep>
-void Collage::review(std::uint32_t edge, Keep keep) {
-  const bool lost = pool_.review(edge, keep);
-  const Pool::Entry& entry = pool_.entries().at(edge);
-  if (lost && entry.candidates.size() < kRefillBelow && entry.truncated) stale_.insert(edge);
+void Collage::review(SampleId id, Keep keep) {
+  const bool lost = pool_.review(id, keep);
+  const Pool::Entry& entry = pool_.entries().at(id);
+  if (lost && entry.candidates.size() < kRefillBelow && entry.truncated) stale_.insert(id);
 }
 
 }  // namespace tessera::master

@@ -84,9 +84,9 @@ class Collage {
   bool settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
-  void drop_shape(std::uint32_t shape);
+  void drop_shape(ShapeId shape);
   template <class Keep>
-  void review(std::uint32_t edge, Keep keep);
+  void review(SampleId id, Keep keep);
   void retrace(const Window& changed);
   void check_pieces(const CheckpointState& state) const;
   void check_samples(const CheckpointState& state) const;
@@ -100,8 +100,8 @@ class Collage {
   TargetCurve curve_;
   Pool pool_;
   ExactChecks checks_;
-  std::set<std::uint32_t> stale_;                  // edges of samples to be matched
-  std::map<std::uint32_t, std::uint32_t> passes_;  // how often a sample was matched
+  std::set<SampleId> stale_;                  // to be matched
+  std::map<SampleId, std::uint32_t> passes_;  // how often a sample was matched
   std::uint32_t first_pass_ = 0;
   std::vector<Placement> placements_;
   PlacedOutlines outlines_;  // of the placements

@@ -39,11 +39,11 @@ bool sane(const Window& window, const Window& canvas) {
 
 void Collage::save(CheckpointState& state) const {
   state.placements = placements_;
-  for (const auto& [edge, entry] : pool_.entries()) state.pool.push_back({edge, entry.truncated, entry.candidates});
+  for (const auto& [id, entry] : pool_.entries()) state.pool.push_back({id, entry.truncated, entry.candidates});
   std::sort(state.pool.begin(), state.pool.end(),
-            [](const PooledSample& a, const PooledSample& b) { return a.edge < b.edge; });
+            [](const PooledSample& a, const PooledSample& b) { return a.id < b.id; });
   state.stale.assign(stale_.begin(), stale_.end());
-  for (const auto& [edge, passes] : passes_) state.passes.push_back({edge, passes});
+  for (const auto& [id, passes] : passes_) state.passes.push_back({id, passes});
   state.matched = curve_.matched_pads();
   state.rebuilt_digest = rebuilt_digest();
 }
@@ -55,17 +55,18 @@ void Collage::restore(const CheckpointState& state) {
   if (rebuilt_digest() != state.rebuilt_digest) {
     fail(state, "its pieces do not give the free region that it was written for");
   }
-  for (const PooledSample& sample : state.pool) pool_.put_back(sample.edge, sample.candidates, sample.truncated);
+  for (const PooledSample& sample : state.pool) pool_.put_back(sample.id, sample.candidates, sample.truncated);
   stale_ = {state.stale.begin(), state.stale.end()};
-  for (const SamplePasses& sample : state.passes) passes_[sample.edge] = sample.passes;
+  for (const SamplePasses& sample : state.passes) passes_[sample.id] = sample.passes;
   curve_.set_matched_pads(state.matched);
   changed_nodes_ = free_.field().value.bounds();
 }
 
 void Collage::check_pieces(const CheckpointState& state) const {
-  const auto check = [&](std::uint32_t shape, const Similarity& pose) {
-    if (shape >= scoring_.library_shapes())
-      fail(state, "shape " + std::to_string(shape) + " of " + std::to_string(scoring_.library_shapes()));
+  const auto check = [&](ShapeId shape, const Similarity& pose) {
+    if (index_of(shape) >= scoring_.library_shapes()) {
+      fail(state, "shape " + std::to_string(index_of(shape)) + " of " + std::to_string(scoring_.library_shapes()));
+    }
     if (!sane(pose, settings_.pieces)) fail(state, "a piece out of all proportion");
   };
   for (const Placement& p : state.placements) check(p.shape, p.canvas_from_shape);
@@ -80,20 +81,20 @@ void Collage::check_pieces(const CheckpointState& state) const {
 }
 
 void Collage::check_samples(const CheckpointState& state) const {
-  const auto check = [&](std::uint32_t edge) {
-    if (!curve_.has_sample(edge)) fail(state, "there is no target sample " + std::to_string(edge));
+  const auto check = [&](SampleId id) {
+    if (!curve_.has_sample(id)) fail(state, "there is no target sample " + std::to_string(edge_number(id)));
   };
-  for (const PooledSample& sample : state.pool) check(sample.edge);
-  for (const std::uint32_t edge : state.stale) check(edge);
-  for (const MatchedPad& pad : state.matched) check(pad.edge);
+  for (const PooledSample& sample : state.pool) check(sample.id);
+  for (const SampleId id : state.stale) check(id);
+  for (const MatchedPad& pad : state.matched) check(pad.sample);
 }
 
 std::uint64_t Collage::rebuilt_digest() const {
   Digest digest;
   digest.add_all(std::span<const float>(free_.field().value.data()));
-  for (const std::uint32_t edge : curve_.sample_edges()) {
-    const TargetSample& sample = curve_.sample(edge);
-    digest.add(edge);
+  for (const SampleId id : curve_.samples()) {
+    const TargetSample& sample = curve_.sample(id);
+    digest.add(edge_number(id));
     digest.add_all(std::span<const Vec2>(&sample.position, 1));
     digest.add_all(std::span<const Vec2>(&sample.tangent, 1));
     digest.add_all(std::span<const ArclengthPyramid>(&sample.pyramid, 1));

@@ -27,7 +27,7 @@ class ExactChecks {
   void forget_all() { ahead_.clear(); }
 
  private:
-  using Key = std::tuple<std::uint32_t, float, float, float, float>;  // shape and pose
+  using Key = std::tuple<ShapeId, float, float, float, float>;  // shape and pose
   struct Known {
     Window window;  // of the nodes that the areas depend on
     ExactAreas areas;

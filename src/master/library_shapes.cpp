@@ -10,7 +10,8 @@ constexpr io::LibraryParts kBody{.outline = true, .field = true, .levels = 0, .a
 
 }  // namespace
 
-Shape LibraryShapes::load(std::uint32_t index) {
+Shape LibraryShapes::load(ShapeId id) {
+  const std::uint32_t index = index_of(id);
   Shape shape = std::move(library_.read(index, index + 1, kBody).front());
   const std::string contradiction = shape_contradiction(shape);
   if (!contradiction.empty()) {

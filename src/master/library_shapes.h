@@ -11,7 +11,7 @@ class LibraryShapes : public CachedShapes {
   explicit LibraryShapes(const io::LibraryFile& library) : library_(library) {}
 
  protected:
-  Shape load(std::uint32_t index) override;
+  Shape load(ShapeId id) override;
 
  private:
   const io::LibraryFile& library_;

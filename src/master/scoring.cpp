@@ -12,14 +12,14 @@ Scoring::Scoring(const CollageSettings& settings, std::uint32_t library_shapes)
       objective_(settings.objective),
       poses_(library_shapes) {}
 
-void Scoring::count(const Placement& placement) { poses_[placement.shape].push_back(placement.canvas_from_shape); }
+void Scoring::count(const Placement& placement) { poses_[index_of(placement.shape)].push_back(placement.canvas_from_shape); }
 
 void Scoring::forget_placements() {
   for (std::vector<Similarity>& poses : poses_) poses.clear();
 }
 
-bool Scoring::may_use(std::uint32_t shape) const {
-  return pieces_.uses == 0 || poses_[shape].size() < std::size_t(pieces_.uses);
+bool Scoring::may_use(ShapeId shape) const {
+  return pieces_.uses == 0 || poses_[index_of(shape)].size() < std::size_t(pieces_.uses);
 }
 
 bool Scoring::acceptable(const Candidate& candidate) const {
@@ -36,7 +36,7 @@ float Scoring::score(const Candidate& candidate) const {
 
 /// Repetition costs something, or one shape that fits everywhere fills the canvas.
 float Scoring::preference(const Candidate& candidate) const {
-  const std::vector<Similarity>& placed = poses_[candidate.shape];
+  const std::vector<Similarity>& placed = poses_[index_of(candidate.shape)];
   if (placed.empty()) return 1;
   float factor = std::pow(1.f + float(placed.size()), -objective_.repetition_exponent);
   const float radius = candidate.radius + kNearTwinReach;

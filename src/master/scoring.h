@@ -20,7 +20,7 @@ class Scoring {
   void forget_placements();
 
   /// Whether `pieces.uses` leaves another one of the shape.
-  bool may_use(std::uint32_t shape) const;
+  bool may_use(ShapeId shape) const;
   /// Of the candidate's terms alone: no overlap that shows, and it touches something.
   bool acceptable(const Candidate& candidate) const;
   /// The objective of the candidate's terms.

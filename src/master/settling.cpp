@@ -13,7 +13,7 @@ void shrink(Similarity& pose) {
 
 }  // namespace
 
-bool Settling::settle(std::uint32_t shape, Similarity& canvas_from_shape) {
+bool Settling::settle(ShapeId shape, Similarity& canvas_from_shape) {
   const ShapeModel& model = shapes_.model(shape);
   if (!push_clear(model, canvas_from_shape)) return false;
   grow(canvas_from_shape, model, free_.view(), context_);

@@ -20,7 +20,7 @@ class Settling {
         context_(context) {}
 
   /// Where the shape may stand, near the pose that is given; within the poses allowed. False where it may not.
-  bool settle(std::uint32_t shape, Similarity& canvas_from_shape);
+  bool settle(ShapeId shape, Similarity& canvas_from_shape);
 
  private:
   bool push_clear(const ShapeModel& model, Similarity& pose) const;

@@ -27,10 +27,11 @@ RefineStage::RefineStage(const DeviceLibrary& library)
 /// Gives how many there are.
 std::uint32_t RefineStage::upload(const std::vector<Docking>& dockings) {
   const MatchRecord& match = library_->match();
+  const ShapeRange own{match.first_shape, match.first_shape + match.shapes};
   std::vector<DockingRecord> records;
   records.reserve(dockings.size());
   for (const Docking& docking : dockings) {
-    if (docking.shape < match.first_shape || docking.shape - match.first_shape >= match.shapes) {
+    if (!own.contains(docking.shape)) {
       throw std::out_of_range("a docking is of a shape of another part of the library");
     }
     records.push_back(std::bit_cast<DockingRecord>(docking));

@@ -33,7 +33,7 @@ SampleRecord make_sample_record(const TargetSample& sample, std::uint32_t reach_
   r.position_y = sample.position.y;
   r.tangent_x = sample.tangent.x;
   r.tangent_y = sample.tangent.y;
-  r.edge = sample.edge;
+  r.edge = edge_number(sample.id);
   r.pass = sample.pass;
   r.scale_length = scale_length(sample.pyramid, pad_levels);
   r.convexity = sample.pyramid.convexity;

@@ -57,7 +57,7 @@ TEST(PaperMatcher, RanksByTheObjective) {
   test::set_field(matcher, scene.field);
   for (const RefinedDocking& found : test::run_round(matcher, scene).refined) {
     const float scale = found.docking.canvas_from_shape.scale();
-    const float perimeter_px = scene.models[found.docking.shape].perimeter * scale;
+    const float perimeter_px = scene.models[index_of(found.docking.shape)].perimeter * scale;
     EXPECT_EQ(found.docking.key,
               objective(found.terms, {scale, perimeter_px, scene.context.poses.max_scale_px}, scene.settings.objective));
   }

@@ -32,9 +32,10 @@ TEST(VariedShapes, AreValidAndTheSameWheneverAsked) {
   const io::LibraryFile library(file.path());
   VariedShapes shapes(library);
   for (std::uint32_t index = 0; index < 12; ++index) {
-    const std::vector<Vec2> outer = shapes.shape(index).outline.curves.front();
+    const ShapeId id{index};
+    const std::vector<Vec2> outer = shapes.shape(id).outline.curves.front();
     EXPECT_NEAR(signed_area(outer), 1, 1e-4) << "area 1, interior on the left";
-    EXPECT_EQ(VariedShapes(library).shape(index).outline.curves.front(), outer);
+    EXPECT_EQ(VariedShapes(library).shape(id).outline.curves.front(), outer);
   }
   EXPECT_GT(shapes.making_s(), 0);
 }
@@ -47,7 +48,7 @@ TEST(VariedShapes, ModelsAreThoseOfTheShapes) {
   const std::vector<ShapeModel> models = shapes.models({4, 9}, context);
   ASSERT_EQ(models.size(), 5u);
   for (std::uint32_t i = 0; i < 5; ++i) {
-    EXPECT_EQ(models[i].boundary, shapes.model(4 + i).boundary);
+    EXPECT_EQ(models[i].boundary, shapes.model(ShapeId{4 + i}).boundary);
     EXPECT_EQ(models[i].levels.size(), context.levels.size());
   }
 }

@@ -28,7 +28,7 @@ auto any_vector(Make make, int most = 40) {
 
 TargetSample any_sample() {
   TargetSample sample;
-  sample.edge = any_index();
+  sample.id = SampleId{any_index()};
   sample.pass = any_index();
   sample.position = any_vec2();
   sample.tangent = any_vec2();
@@ -40,7 +40,7 @@ TargetSample any_sample() {
 }
 
 Docking any_docking() {
-  return {any_index(), any_index(), any_index(), any_float(), {any_float(), any_float(), any_float(), any_float()}};
+  return {any_index(), ShapeId{any_index()}, any_index(), any_float(), {any_float(), any_float(), any_float(), any_float()}};
 }
 
 RefinedDocking any_refined() {

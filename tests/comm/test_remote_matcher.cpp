@@ -36,7 +36,7 @@ class EchoMatcher : public Matcher {
   void post_count(const CountRequest& request) override { samples_ = request.samples; }
   std::vector<DistanceHistogram> take_count() override {
     std::vector<DistanceHistogram> counts(samples_.size());
-    for (std::size_t t = 0; t < samples_.size(); ++t) counts[t] = {samples_[t].edge, shapes_.end - shapes_.begin};
+    for (std::size_t t = 0; t < samples_.size(); ++t) counts[t] = {edge_number(samples_[t].id), shapes_.size()};
     return counts;
   }
 
@@ -47,7 +47,7 @@ class EchoMatcher : public Matcher {
     for (std::uint32_t t = 0; t < request_.samples.size(); ++t) {
       for (std::uint32_t shape = shapes_.end; shape-- > shapes_.begin;) {
         const float field_sum = field_(0, 0) + field_(field_.width() - 1, field_.height() - 1);
-        reply.dockings.push_back({t, shape, request_.bin_limit[t], float(shape), {origin_.x, origin_.y, field_sum, 0}});
+        reply.dockings.push_back({t, ShapeId{shape}, request_.bin_limit[t], float(shape), {origin_.x, origin_.y, field_sum, 0}});
       }
     }
     reply.evaluated = request_.tangent_dockings;
@@ -86,7 +86,7 @@ ShapeRange part_of(std::uint32_t shapes, const Communicator& ranks) {
 
 std::vector<TargetSample> samples_of_edges(std::initializer_list<std::uint32_t> edges) {
   std::vector<TargetSample> samples;
-  for (const std::uint32_t edge : edges) samples.emplace_back().edge = edge;
+  for (const std::uint32_t edge : edges) samples.emplace_back().id = SampleId{edge};
   return samples;
 }
 
@@ -147,8 +147,8 @@ TEST(RemoteMatcher, DockingsSeeTheFieldAsItWasWhenPosted) {
     team.update_field({{29, 19, 30, 20}, {41.f}});
     const DockReply before = team.take_dock();
     ASSERT_EQ(before.dockings.size(), 2 * kEchoShapes);
-    EXPECT_EQ(before.dockings[0], (Docking{0, 1, 5, 1.f, {-5.5f, 2.f, 2.f, 0}}));
-    EXPECT_EQ(before.dockings[3], (Docking{1, 0, 9, 0.f, {-5.5f, 2.f, 2.f, 0}}));
+    EXPECT_EQ(before.dockings[0], (Docking{0, ShapeId{1}, 5, 1.f, {-5.5f, 2.f, 2.f, 0}}));
+    EXPECT_EQ(before.dockings[3], (Docking{1, ShapeId{0}, 9, 0.f, {-5.5f, 2.f, 2.f, 0}}));
     EXPECT_EQ(before.evaluated % 300, 0u);
     team.post_dock({samples_of_edges({1}), {5}, 300});
     EXPECT_EQ(team.take_dock().dockings.at(0).canvas_from_shape.tx, 42.f);
@@ -159,7 +159,7 @@ TEST(RemoteMatcher, RefinedDockingsComeBackInTheOrderPosted) {
   with_echo_team([](Matcher& team) {
     std::vector<Docking> dockings(9);
     for (std::uint32_t i = 0; i < dockings.size(); ++i) {
-      dockings[i].shape = i * 5 % kEchoShapes;
+      dockings[i].shape = ShapeId{i * 5 % kEchoShapes};
       dockings[i].key = float(i);
     }
     team.post_refine(dockings);

@@ -104,7 +104,7 @@ TEST_P(MatcherSuite, ShortlistsAreShortAndInOrder) {
     ASSERT_LT(dockings[i].sample, of_sample.size());
     EXPECT_LE(++of_sample[dockings[i].sample], kShortlist);
     EXPECT_GE(dockings[i].key, kLeastDockingKey);
-    EXPECT_LT(dockings[i].shape, scene().models.size());
+    EXPECT_LT(index_of(dockings[i].shape), scene().models.size());
     if (i == 0) continue;
     const Docking& before = dockings[i - 1];
     EXPECT_TRUE(before.sample < dockings[i].sample ||
@@ -139,7 +139,7 @@ TEST_P(MatcherSuite, ADrawPutsItsBoundaryPointOnTheSample) {
     const TangentDraw draw = draw_tangent(scene().context, sample, docking.source - kTangentSource);
     EXPECT_EQ(draw.shape, docking.shape);
     const Vec2 point = docking.canvas_from_shape.apply(
-        scene().models[draw.shape].boundary[docked_point(scene().models[draw.shape], draw, sample,
+        scene().models[index_of(draw.shape)].boundary[docked_point(scene().models[index_of(draw.shape)], draw, sample,
                                                          scene().context.docked_rotations)]);
     EXPECT_LT(norm(point - sample.position), 0.01f);
   }
@@ -220,11 +220,11 @@ TEST_P(MatcherSuite, RefinedDockingsKeepTheirOrderAndAreFeasible) {
     if (!refined.feasible) continue;
     ++feasible;
     const Similarity& pose = refined.docking.canvas_from_shape;
-    EXPECT_LE(depth_px(pose, scene().models[refined.docking.shape], FieldView(scene().field)), scene().context.hard_depth_px + 1e-3f);
+    EXPECT_LE(depth_px(pose, scene().models[index_of(refined.docking.shape)], FieldView(scene().field)), scene().context.hard_depth_px + 1e-3f);
     EXPECT_GE(pose.scale(), pieces.min_scale_px * 0.999f);
     EXPECT_LE(pose.scale(), pieces.max_scale_px * 1.001f);
     EXPECT_GE(refined.terms.matched_px, 0);
-    const ShapeModel& model = scene().models[refined.docking.shape];
+    const ShapeModel& model = scene().models[index_of(refined.docking.shape)];
     EXPECT_EQ(refined.extent, extent_of(model.boundary, pose));
     EXPECT_EQ(refined.perimeter, model.perimeter);
     EXPECT_EQ(refined.radius, model.radius);

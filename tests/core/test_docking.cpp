@@ -103,14 +103,14 @@ TEST(TangentDocking, TakesOnlyPointsThatAgreeWhereRotationsAreFew) {
   const MatchingContext context = make_matching_context(s, 4);
   const auto models = test::models_of(shapes, context, 0, 4);
   TargetSample sample;
-  sample.edge = 77;
+  sample.id = SampleId{77};
   sample.position = {200, 100};
   sample.tangent = {0.6f, 0.8f};
   int docked = 0;
   std::set<int> points;
   for (std::uint32_t i = 0; i < 400; ++i) {
     const TangentDraw draw = draw_tangent(context, sample, i);
-    const ShapeModel& model = models[draw.shape];
+    const ShapeModel& model = models[index_of(draw.shape)];
     const int point = docked_point(model, draw, sample, context.docked_rotations);
     if (point == kNoPoint) continue;
     ++docked;
@@ -130,17 +130,17 @@ TEST(TangentDocking, AlignsTheFrames) {
   const MatchingContext context = make_matching_context(settings(), 4);
   const auto models = test::models_of(shapes, context, 0, 4);
   TargetSample sample;
-  sample.edge = 77;
+  sample.id = SampleId{77};
   sample.position = {200, 100};
   sample.tangent = {0.6f, 0.8f};
   std::array<int, 4> drawn{};
   for (std::uint32_t i = 0; i < 400; ++i) {
     const TangentDraw draw = draw_tangent(context, sample, i);
-    ASSERT_LT(draw.shape, 4u);
+    ASSERT_LT(index_of(draw.shape), 4u);
     ASSERT_GE(draw.scale_px, 20.f);
     ASSERT_LE(draw.scale_px, 120.001f);
-    ++drawn[draw.shape];
-    const ShapeModel& model = models[draw.shape];
+    ++drawn[index_of(draw.shape)];
+    const ShapeModel& model = models[index_of(draw.shape)];
     const int point = docked_point(model, draw, sample, context.docked_rotations);
     const Similarity pose = tangent_docking(model, point, draw.scale_px, sample, context.poses);
     EXPECT_LT(norm(pose.apply(model.boundary[point]) - sample.position), 0.01f);
@@ -360,14 +360,14 @@ TEST(SelectPairs, FindsThePlaceWhereTheShapeCameFrom) {
 /// Long improvement counts many passes, and jobs may draw often: no pass repeats another's draws, nor another sample's.
 TEST(DrawTangent, DiffersBetweenPassesAndSamples) {
   const MatchingContext context = make_matching_context(settings(), 1000);
-  const auto draws = [&](std::uint32_t edge, std::uint32_t pass, std::uint32_t first) {
+  const auto draws = [&](std::uint32_t id, std::uint32_t pass, std::uint32_t first) {
     TargetSample sample;
-    sample.edge = edge;
+    sample.id = SampleId{id};
     sample.pass = pass;
     std::vector<std::uint32_t> points;
     for (std::uint32_t i = first; i < first + 50; ++i) {
       const TangentDraw draw = draw_tangent(context, sample, i);
-      points.push_back(draw.shape * 1000 + (draw.point_bits >> 24));
+      points.push_back(index_of(draw.shape) * 1000 + (draw.point_bits >> 24));
     }
     return points;
   };

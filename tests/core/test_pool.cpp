@@ -18,24 +18,24 @@ TEST(Pool, KeepsTheBestInATotalOrder) {
   std::vector<Candidate> candidates;
   for (std::uint32_t i = 0; i < 7; ++i) {
     Candidate c;
-    c.shape = 10 - i;
+    c.shape = ShapeId{10 - i};
     c.score = i < 5 ? 0.5f : 0.1f * float(i);
     candidates.push_back(c);
   }
-  pool.put(1, candidates, false);
-  const Pool::Entry& entry = pool.entries().at(1);
+  pool.put(SampleId{1}, candidates, false);
+  const Pool::Entry& entry = pool.entries().at(SampleId{1});
   ASSERT_EQ(entry.candidates.size(), std::size_t(kPoolPerSample));
   EXPECT_TRUE(entry.truncated);
-  EXPECT_EQ(entry.candidates[0].shape, 4u);
-  EXPECT_EQ(entry.candidates[1].shape, 5u);
-  EXPECT_EQ(entry.candidates[2].shape, 6u);  // equal scores: the lower shape first
-  EXPECT_EQ(entry.candidates[3].shape, 7u);
+  EXPECT_EQ(entry.candidates[0].shape, ShapeId{4});
+  EXPECT_EQ(entry.candidates[1].shape, ShapeId{5});
+  EXPECT_EQ(entry.candidates[2].shape, ShapeId{6});  // equal scores: the lower shape first
+  EXPECT_EQ(entry.candidates[3].shape, ShapeId{7});
 }
 
 /// Few different scores, so that ties occur.
 Candidate any_candidate() {
   Candidate c;
-  c.shape = *rc::gen::inRange(0u, 5u);
+  c.shape = ShapeId{*rc::gen::inRange(0u, 5u)};
   c.source = *rc::gen::inRange(0u, 100u);
   c.score = 0.1f * float(*rc::gen::inRange(1, 8));
   c.window.x0 = *rc::gen::inRange(-20, 300);
@@ -45,10 +45,12 @@ Candidate any_candidate() {
   return c;
 }
 
-void put_any(Pool& pool, std::uint32_t edges) {
+SampleId any_sample(std::uint32_t samples) { return SampleId{*rc::gen::inRange(0u, samples)}; }
+
+void put_any(Pool& pool, std::uint32_t samples) {
   std::vector<Candidate> candidates(*rc::gen::inRange<std::size_t>(0, 6));
   for (Candidate& c : candidates) c = any_candidate();
-  pool.put(*rc::gen::inRange(0u, edges), candidates, false);
+  pool.put(any_sample(samples), candidates, false);
 }
 
 /// Of each shape a factor that falls, as preferences do.
@@ -56,8 +58,8 @@ using Factors = std::vector<float>;
 
 std::vector<Pool::Ranked> sorted(const Pool& pool, const Factors& factor) {
   std::vector<Pool::Ranked> all;
-  for (const auto& [edge, entry] : pool.entries()) {
-    for (const Candidate& c : entry.candidates) all.push_back({c.score * factor[c.shape], edge, c.ordinal, c.stamp});
+  for (const auto& [id, entry] : pool.entries()) {
+    for (const Candidate& c : entry.candidates) all.push_back({c.score * factor[index_of(c.shape)], id, c.ordinal, c.stamp});
   }
   std::sort(all.begin(), all.end());
   return all;
@@ -69,11 +71,11 @@ TEST(Pool, BestFirstIsTheSortedOrderWhateverHappenedBefore) {
     Factors factor(5, 1.f);
     for (int round = 0; round < 12; ++round) {
       for (int i = 0; i < 10; ++i) put_any(pool, 40);
-      pool.erase(*rc::gen::inRange(0u, 40u));
+      pool.erase(any_sample(40));
       factor[*rc::gen::inRange<std::size_t>(0, 5)] *= 0.7f;
-      for (const auto& [edge, entry] : pool.entries()) {
-        if (edge % 3 != 0) continue;
-        pool.review(edge, [&](Candidate& c) {
+      for (const auto& [id, entry] : pool.entries()) {
+        if (edge_number(id) % 3 != 0) continue;
+        pool.review(id, [&](Candidate& c) {
           c.score = 0.1f * float(*rc::gen::inRange(1, 8));
           return c.source % 4 != 0;
         });
@@ -81,7 +83,7 @@ TEST(Pool, BestFirstIsTheSortedOrderWhateverHappenedBefore) {
       const std::vector<Pool::Ranked> expected = sorted(pool, factor);
       const std::size_t wanted = *rc::gen::inRange<std::size_t>(1, 60);
       std::vector<Pool::Ranked> found;
-      pool.best_first([&](const Candidate& c) { return c.score * factor[c.shape]; },
+      pool.best_first([&](const Candidate& c) { return c.score * factor[index_of(c.shape)]; },
                       [&](const Pool::Ranked& ranked, const Candidate&) {
                         found.push_back(ranked);
                         return found.size() < wanted;
@@ -106,18 +108,18 @@ TEST(Pool, PutBackElsewhereKeepsTheOrder) {
     Pool pool;
     for (int i = 0; i < 30; ++i) put_any(pool, 12);
     Pool again;
-    for (const auto& [edge, entry] : pool.entries()) {
-      pool.review(edge, [&](Candidate& c) {
+    for (const auto& [id, entry] : pool.entries()) {
+      pool.review(id, [&](Candidate& c) {
         c.score = 0.1f * float(*rc::gen::inRange(1, 4));
         return c.source % 4 != 0;
       });
-      again.put_back(edge, entry.candidates, entry.truncated);
+      again.put_back(id, entry.candidates, entry.truncated);
     }
     const auto order = [](Pool& of) {
-      std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> found;
+      std::vector<std::tuple<SampleId, ShapeId, std::uint32_t>> found;
       of.best_first([](const Candidate& c) { return c.score; },
                     [&](const Pool::Ranked& r, const Candidate& c) {
-                      found.emplace_back(r.edge, c.shape, c.source);
+                      found.emplace_back(r.sample, c.shape, c.source);
                       return true;
                     });
       return found;
@@ -131,32 +133,32 @@ TEST(Pool, ForgetsOutdatedRankings) {
   Candidate c;
   c.window = {0, 0, 5, 5};
   const auto best = [&] {
-    std::vector<std::uint32_t> edges;
+    std::vector<SampleId> samples;
     pool.best_first([](const Candidate& k) { return k.score; },
-                    [&](const Pool::Ranked& r, const Candidate&) { return edges.push_back(r.edge), true; });
-    return edges;
+                    [&](const Pool::Ranked& r, const Candidate&) { return samples.push_back(r.sample), true; });
+    return samples;
   };
   for (int i = 0; i < 5000; ++i) {
     c.score = 1 + float(i);
-    pool.put(std::uint32_t(i % 3), {c}, false);
+    pool.put(SampleId(i % 3), {c}, false);
     if (i % 500 == 0) best();
   }
-  EXPECT_EQ(best(), (std::vector<std::uint32_t>{1, 0, 2}));
+  EXPECT_EQ(best(), (std::vector{SampleId{1}, SampleId{0}, SampleId{2}}));
 }
 
 TEST(Pool, FindsWhatAChangeReaches) {
   EXPECT_TRUE(rc::check([] {
     Pool pool;
     for (int i = 0; i < 60; ++i) put_any(pool, 80);
-    for (int i = 0; i < 10; ++i) pool.erase(*rc::gen::inRange(0u, 80u));
+    for (int i = 0; i < 10; ++i) pool.erase(any_sample(80));
     const Window changed = any_candidate().window;
-    std::vector<std::uint32_t> found = pool.reached_by(changed);
+    std::vector<SampleId> found = pool.reached_by(changed);
     std::sort(found.begin(), found.end());
     RC_ASSERT(std::adjacent_find(found.begin(), found.end()) == found.end());
-    for (const auto& [edge, entry] : pool.entries()) {
+    for (const auto& [id, entry] : pool.entries()) {
       const bool reached = std::any_of(entry.candidates.begin(), entry.candidates.end(),
                                        [&](const Candidate& c) { return c.window.overlaps(changed); });
-      if (reached) RC_ASSERT(std::binary_search(found.begin(), found.end(), edge));
+      if (reached) RC_ASSERT(std::binary_search(found.begin(), found.end(), id));
     }
   }));
 }

@@ -80,11 +80,11 @@ TEST(TargetCurve, UpdatingEqualsTracingAfresh) {
 
     RC_ASSERT(updated.free.field().value.data() == free.field().value.data());
     RC_ASSERT(updated.opened.contour().data() == opened.contour().data());
-    RC_ASSERT(updated.curve.sample_edges() == afresh.sample_edges());
-    for (const std::uint32_t edge : afresh.sample_edges()) {
-      RC_ASSERT(updated.curve.sample(edge).pyramid == afresh.sample(edge).pyramid);
-      RC_ASSERT(updated.curve.sample(edge).position == afresh.sample(edge).position);
-      RC_ASSERT(updated.curve.sample(edge).tangent == afresh.sample(edge).tangent);
+    RC_ASSERT(updated.curve.samples() == afresh.samples());
+    for (const SampleId id : afresh.samples()) {
+      RC_ASSERT(updated.curve.sample(id).pyramid == afresh.sample(id).pyramid);
+      RC_ASSERT(updated.curve.sample(id).position == afresh.sample(id).position);
+      RC_ASSERT(updated.curve.sample(id).tangent == afresh.sample(id).tangent);
     }
   }));
 }
@@ -97,7 +97,7 @@ TEST(TargetCurve, ALoopThatIsJoinedGetsItsSamples) {
     updated.place(*rc::gen::inRange(0, 4), joining);
     TargetCurve afresh(pieces, PadParameters{});
     afresh.retrace(updated.opened, updated.free.field().origin, updated.all());
-    RC_ASSERT(updated.curve.sample_edges() == afresh.sample_edges());
+    RC_ASSERT(updated.curve.samples() == afresh.samples());
   }));
 }
 
@@ -115,8 +115,8 @@ TEST(TargetCurve, HasTheFreeRegionOnItsLeft) {
   Target target(make_rectangle_canvas(200, 160));
   target.place(1, {60, 0, 100, 80});
   const FieldView field = target.free.view();
-  for (const std::uint32_t edge : target.curve.sample_edges()) {
-    const TargetSample& s = target.curve.sample(edge);
+  for (const SampleId id : target.curve.samples()) {
+    const TargetSample& s = target.curve.sample(id);
     const Vec2 left{-s.tangent.y, s.tangent.x};
     EXPECT_GT(field_value(field, s.position + left * 2.f), field_value(field, s.position - left * 2.f));
   }

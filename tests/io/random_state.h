@@ -17,12 +17,12 @@ class RandomState {
     state.improving = below(2) == 1;
     state.empty_passes = int(below(3));
     for (std::uint32_t i = below(20); i > 0; --i) {
-      state.placements.push_back({below(100), pose(), number(), number()});
+      state.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});
     }
-    for (const std::uint32_t edge : ascending()) state.pool.push_back({edge, below(2) == 1, candidates()});
+    for (const SampleId id : ascending()) state.pool.push_back({id, below(2) == 1, candidates()});
     state.stale = ascending();
-    for (const std::uint32_t edge : ascending()) state.passes.push_back({edge, below(9)});
-    for (const std::uint32_t edge : ascending()) state.matched.push_back(pad(edge));
+    for (const SampleId id : ascending()) state.passes.push_back({id, below(9)});
+    for (const SampleId id : ascending()) state.matched.push_back(pad(id));
     fill(state.statistics);
     state.rebuilt_digest = std::uint64_t(random_()) << 32 | random_();
     return state;
@@ -33,17 +33,17 @@ class RandomState {
   float number() { return std::uniform_real_distribution<float>(-500, 500)(random_); }
   Similarity pose() { return {number(), number(), number(), number()}; }
 
-  std::vector<std::uint32_t> ascending() {
-    std::vector<std::uint32_t> edges(below(30));
+  std::vector<SampleId> ascending() {
+    std::vector<SampleId> ids(below(30));
     std::uint32_t edge = 0;
-    for (std::uint32_t& e : edges) e = edge += 1 + below(100);
-    return edges;
+    for (SampleId& id : ids) id = SampleId{edge += 1 + below(100)};
+    return ids;
   }
 
   std::vector<Candidate> candidates() {
     std::vector<Candidate> list(below(kPoolPerSample + 1));
     for (Candidate& c : list) {
-      c = {below(100),
+      c = {ShapeId{below(100)},
            below(5000),
            pose(),
            {number(), number(), number(), number(), number()},
@@ -56,8 +56,8 @@ class RandomState {
     return list;
   }
 
-  MatchedPad pad(std::uint32_t edge) {
-    MatchedPad pad{edge, {}, {}, number()};
+  MatchedPad pad(SampleId id) {
+    MatchedPad pad{id, {}, {}, number()};
     for (float& length : pad.left) length = number();
     for (float& length : pad.right) length = number();
     return pad;

@@ -18,15 +18,15 @@ struct SampleCollage {
     job.output.background = "#ffe0c0";
     report.job = &job;
     report.canvas = &canvas;
-    report.shape_index = {7, 3};
+    report.shape_ids = {ShapeId{7}, ShapeId{3}};
     report.shapes = {make_test_shape("disc", disc_outline()), make_test_shape("ring", ring_outline())};
-    place(7, 40, {50, 50}, 0.5f);
-    place(3, 60, {140, 50}, 0);
+    place(ShapeId{7}, 40, {50, 50}, 0.5f);
+    place(ShapeId{3}, 60, {140, 50}, 0);
   }
   SampleCollage(const SampleCollage&) = delete;
   SampleCollage& operator=(const SampleCollage&) = delete;
 
-  void place(std::uint32_t shape, float scale, Vec2 centre, float rotation_rad) {
+  void place(ShapeId shape, float scale, Vec2 centre, float rotation_rad) {
     const Similarity t{scale * std::cos(rotation_rad), scale * std::sin(rotation_rad), centre.x, centre.y};
     report.placements.push_back({shape, t, 0.75f, 12.5f});
   }

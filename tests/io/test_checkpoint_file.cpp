@@ -34,7 +34,7 @@ bool same(const Candidate& a, const Candidate& b) {
 }
 
 bool same(const PooledSample& a, const PooledSample& b) {
-  return a.edge == b.edge && a.truncated == b.truncated &&
+  return a.id == b.id && a.truncated == b.truncated &&
          std::equal(a.candidates.begin(), a.candidates.end(), b.candidates.begin(), b.candidates.end(),
                     [](const Candidate& p, const Candidate& q) { return same(p, q); });
 }

@@ -84,7 +84,7 @@ TEST(CollageFiles, AManifestBelongsToItsFiles) {
   for (const char* name : {"pieces.geojson", "job.toml"}) {
     publish_result(folder.path(""), sample.report, sample.origin(), true);
     const ResultManifest manifest = read_manifest(folder.path(""));
-    EXPECT_EQ(manifest.shapes, (std::vector<std::uint32_t>{7, 3}));
+    EXPECT_EQ(manifest.shapes, (std::vector{ShapeId{7}, ShapeId{3}}));
     write_manifest(folder.path(""), manifest);
     EXPECT_EQ(read_manifest(folder.path("")), manifest);
     folder.write(name, content_of(folder.path(name)) + " ");
@@ -151,8 +151,8 @@ TEST(CollageFiles, AFolderThatCannotBeWrittenIsAnErrorBeforeTheWork) {
 
 TEST(CollageFiles, AShapeThatIsMissingFromTheReportIsABug) {
   const test::SampleCollage sample;
-  EXPECT_EQ(sample.report.shape(3).name, "ring");
-  EXPECT_THROW(sample.report.shape(4), std::out_of_range);
+  EXPECT_EQ(sample.report.shape(ShapeId{3}).name, "ring");
+  EXPECT_THROW(sample.report.shape(ShapeId{4}), std::out_of_range);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ class HostileLibrary : public testing::Test {
       const std::vector<Shape> shapes = library.read(0, library.size(), kEverything);
       master::LibraryShapes placed(library);
       for (std::uint32_t i = 0; i < library.size(); ++i) {
-        placed.shape(i);  // throws where its parts contradict each other
+        placed.shape(ShapeId{i});  // throws where its parts contradict each other
         artwork_original(shapes[i].artwork);
         if (!may_differ && (shapes.size() != good_.size() || !same(shapes[i], good_[i]))) return "WRONG: other shapes";
       }

@@ -35,11 +35,14 @@ constexpr std::size_t kOwnBytes = 300 * kMebibyte;
 const DrawerSettings kSettings{
     .processes = kThreads, .seconds_per_drawing = kSeconds, .bytes_per_process = 256 * kMebibyte};
 
+#ifndef __SANITIZE_ADDRESS__
 std::size_t peak_bytes(decltype(RUSAGE_SELF) whose) {
   rusage usage{};
   ::getrusage(whose, &usage);
   return std::size_t(usage.ru_maxrss) << 10;
 }
+
+#endif
 
 void expect_little_memory() {
 #ifndef __SANITIZE_ADDRESS__

@@ -41,7 +41,7 @@ struct OneSquare : SampleCollage {
     report.shapes[0] = test::make_test_shape("square", test::rectangle_outline(1, 1));
     test::embed_artwork(report.shapes[0], kTwoHalves, 100, 100, 80);
     report.placements.clear();
-    place(7, 40, {100, 50}, rotation_rad);
+    place(ShapeId{7}, 40, {100, 50}, rotation_rad);
   }
 };
 
@@ -87,8 +87,8 @@ TEST(Png, SmallPiecesAreAveragedNotSampled) {
   SampleCollage sample;
   test::embed_artwork(sample.report.shapes[0], stripes + "</svg>", 100, 100, 100);
   sample.report.placements.clear();
-  sample.place(7, 80, {60, 50}, 0.7f);  // makes the artwork be drawn large
-  sample.place(7, 10, {160, 50}, 0.4f);
+  sample.place(ShapeId{7}, 80, {60, 50}, 0.7f);  // makes the artwork be drawn large
+  sample.place(ShapeId{7}, 10, {160, 50}, 0.4f);
   const cv::Mat picture = drawn_picture(sample.report);
   cv::Scalar mean, deviation;
   cv::meanStdDev(picture(cv::Rect(315, 95, 10, 10)), mean, deviation);
@@ -163,9 +163,9 @@ TEST(Png, ABadOriginalCostsItsDrawingAndIsNamed) {
 
 TEST(Png, LaterPiecesLieOnEarlierOnesAndPiecesMayCrossTheEdge) {
   OneSquare sample(0);
-  sample.place(7, 40, {110, 50}, std::numbers::pi_v<float>);
-  sample.place(7, 40, {0, 0}, 0);
-  sample.place(7, 40, {900, 900}, 0);
+  sample.place(ShapeId{7}, 40, {110, 50}, std::numbers::pi_v<float>);
+  sample.place(ShapeId{7}, 40, {0, 0}, 0);
+  sample.place(ShapeId{7}, 40, {900, 900}, 0);
   const cv::Mat picture = drawn_picture(sample.report);
   EXPECT_EQ(at(picture, 210, 100), kBlue);  // turned by half
   EXPECT_EQ(at(picture, 230, 100), kRed);
@@ -208,7 +208,7 @@ class OneCore {
 TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   OneSquare sample(0.2f);
   sample.job.output.width_px = 1500;
-  for (int i = 0; i < 12; ++i) sample.place(7, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));
+  for (int i = 0; i < 12; ++i) sample.place(ShapeId{7}, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));
   test::DrawnCollage drawn(sample.report);
   const cv::Mat expected = drawn.picture();
   ASSERT_EQ(expected.size(), cv::Size(1500, 750));

@@ -53,8 +53,8 @@ struct TwoFaces : SampleCollage {
     // The same ids and classes in both, one page in mm with a view box, one in px without.
     test::embed_artwork(report.shapes[0], face("red", std::string(kXmlns) + R"~(width="160mm" height="120mm" viewBox="0 0 80 60">)~"), 80, 60, 50);
     test::embed_artwork(report.shapes[1], face("blue", std::string(kXmlns) + R"~(width="80" height="60">)~"), 80, 60, 50);
-    place(7, 30, {100, 20}, 1.2f);
-    place(7, 25, {100, 80}, -2.f);
+    place(ShapeId{7}, 30, {100, 20}, 1.2f);
+    place(ShapeId{7}, 25, {100, 80}, -2.f);
   }
 };
 
@@ -109,7 +109,7 @@ TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
   const test::Bytes png = test::encoded(page, ".png");
   test::embed_artwork(sample.report.shapes[0], std::string(png.begin(), png.end()), 300, 200, 106);
   sample.report.placements = {sample.report.placements[1]};
-  sample.report.placements[0].shape = sample.report.shape_index[0];
+  sample.report.placements[0].shape = sample.report.shape_ids[0];
   for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
     EXPECT_GT(picture.at<cv::Vec3b>(100, 280)[2], 200) << "inside";
     EXPECT_LT(picture.at<cv::Vec3b>(100, 280)[0], 50) << "inside";

@@ -14,7 +14,7 @@ namespace tessera::test {
 using Offers = std::deque<std::optional<Placement>>;
 
 inline Placement piece(std::uint32_t shape, float scale_px, Vec2 centre) {
-  return {shape, Similarity{scale_px, 0, centre.x, centre.y}, 1, 1};
+  return {ShapeId{shape}, Similarity{scale_px, 0, centre.x, centre.y}, 1, 1};
 }
 
 /// Where its two nearest edges touch those of a canvas at the upper left or, with the canvas' size, lower right corner:
@@ -57,7 +57,7 @@ class OfferingMatcher : public Matcher {
   std::vector<RefinedDocking> take_refine() override {
     std::vector<RefinedDocking> refined;
     for (const Docking& docking : dockings_) {
-      const Shape& shape = library_[docking.shape];
+      const Shape& shape = library_[index_of(docking.shape)];
       DockingTerms touching;
       touching.matched_px = shape.perimeter * docking.canvas_from_shape.scale();
       refined.push_back({docking, touching, true, Extent{0, 0, 200, 200}, shape.perimeter, shape.radius});

@@ -43,7 +43,7 @@ CollageResult run(const Canvas& canvas, const CollageSettings& s, std::vector<st
 }
 
 Quality quality(const Canvas& canvas, const CollageResult& result) {
-  return measure_quality(canvas, result.placements, [](std::uint32_t i) -> const Shape& { return library()[i]; });
+  return measure_quality(canvas, result.placements, [](ShapeId id) -> const Shape& { return library()[index_of(id)]; });
 }
 
 TEST(Collage, FillsTheCanvasWithoutOverlap) {
@@ -103,7 +103,7 @@ TEST(Collage, RespectsUsesRotationAndPieces) {
   const CollageResult once = run(canvas, s);
   std::vector<int> uses(library().size());
   for (const Placement& p : once.placements) {
-    EXPECT_EQ(++uses[p.shape], 1);
+    EXPECT_EQ(++uses[index_of(p.shape)], 1);
     EXPECT_LE(std::abs(p.canvas_from_shape.rotation_rad()), 0.301f);
   }
   EXPECT_GT(once.placements.size(), 4u);
@@ -139,7 +139,7 @@ TEST(Collage, FillsWithPiecesOfNearlyOneSize) {
 std::vector<Outline> written_outlines(const std::vector<Placement>& placements) {
   std::vector<Outline> outlines;
   for (const Placement& placement : placements) {
-    Outline outline = library()[placement.shape].outline;
+    Outline outline = library()[index_of(placement.shape)].outline;
     for (std::vector<Vec2>& curve : outline.curves) {
       for (Vec2& p : curve) {
         p = placement.canvas_from_shape.apply(p);
@@ -162,7 +162,7 @@ double least_distance_px(const Canvas& canvas, const std::vector<Placement>& pla
     const Similarity& a = placements[i].canvas_from_shape;
     for (std::size_t k = 0; k < i; ++k) {
       const Similarity& b = placements[k].canvas_from_shape;
-      const float radii_px = library()[placements[i].shape].radius * a.scale() + library()[placements[k].shape].radius * b.scale();
+      const float radii_px = library()[index_of(placements[i].shape)].radius * a.scale() + library()[index_of(placements[k].shape)].radius * b.scale();
       if (norm(a.translation() - b.translation()) > radii_px + 8) continue;
       least = std::min(least, test::polygon_distance(outlines[i], outlines[k]));
     }
@@ -285,7 +285,7 @@ TEST(Collage, ImprovingDoesNotDependOnHowTheLibraryIsDivided) {
 TEST(Collage, ImprovingKeepsToTheNumberOfUses) {
   CollageSettings s = improved(20);
   s.pieces.uses = 2;
-  std::map<std::uint32_t, int> uses;
+  std::map<ShapeId, int> uses;
   const CollageResult result = run(make_rectangle_canvas(300, 220), s);
   EXPECT_GT(result.statistics.trials_kept, 0u);
   for (const Placement& p : result.placements) EXPECT_LE(++uses[p.shape], 2);
@@ -342,7 +342,7 @@ TEST(Collage, ASettledPieceIsScoredWhereItEnds) {
       collage.add_candidates(samples, match(matcher, samples, {20, 150}, 1000, reach, statistics));
       Candidate best;
       ASSERT_TRUE(collage.choose(best));
-      const Shape& shape = library()[best.shape];
+      const Shape& shape = library()[index_of(best.shape)];
       const float scale = best.canvas_from_shape.scale();
       const OpenedField opened(collage.free(), s.pieces);
       const ExactAreas areas = exact_areas(shape, best.canvas_from_shape, collage.free(), opened, s.pieces);
@@ -406,7 +406,7 @@ TEST(Collage, PiecesTakenOutAndPutBackLeaveNoTrace) {
   const std::vector<TargetSample> found = worn.take_stale_samples();
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t k = 0; k < found.size(); ++k) {
-    EXPECT_EQ(found[k].edge, expected[k].edge);
+    EXPECT_EQ(found[k].id, expected[k].id);
     EXPECT_EQ(found[k].position, expected[k].position);
     EXPECT_EQ(found[k].tangent, expected[k].tangent);
     EXPECT_EQ(found[k].pyramid, expected[k].pyramid);

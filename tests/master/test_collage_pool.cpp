@@ -13,7 +13,7 @@
 namespace tessera::master {
 namespace {
 
-using Edges = std::set<std::uint32_t>;
+using Samples = std::set<SampleId>;
 
 const std::vector<Shape>& library() {
   static const std::vector<Shape> shapes = test::synthetic_library(12);
@@ -36,10 +36,10 @@ class CollagePool : public testing::Test {
   Collage& collage_ = rounds_.collage();
 };
 
-Edges edges_of(const std::vector<PooledSample>& pool) {
-  Edges edges;
-  for (const PooledSample& sample : pool) edges.insert(sample.edge);
-  return edges;
+Samples samples_of(const std::vector<PooledSample>& pool) {
+  Samples samples;
+  for (const PooledSample& sample : pool) samples.insert(sample.id);
+  return samples;
 }
 
 /// Its candidates were found for another neighbourhood.
@@ -47,13 +47,13 @@ TEST_F(CollagePool, ASampleThatIsRenewedLosesItsCandidatesAndIsMatchedAgain) {
   int renewed = 0;
   Candidate best;
   for (int round = 0; round < kRounds && rounds_.choose(best); ++round) {
-    const Edges pooled_before = edges_of(rounds_.state().pool);
+    const Samples pooled_before = samples_of(rounds_.state().pool);
     const Window changed = collage_.place(best);
     const CheckpointState after = rounds_.state();
-    const Edges pooled = edges_of(after.pool);
-    for (const std::uint32_t edge : after.stale) {
-      EXPECT_FALSE(pooled.contains(edge)) << edge;
-      renewed += pooled_before.contains(edge);
+    const Samples pooled = samples_of(after.pool);
+    for (const SampleId id : after.stale) {
+      EXPECT_FALSE(pooled.contains(id)) << edge_number(id);
+      renewed += pooled_before.contains(id);
     }
     collage_.rescore(changed, rounds_.measure(changed));
   }
@@ -61,11 +61,11 @@ TEST_F(CollagePool, ASampleThatIsRenewedLosesItsCandidatesAndIsMatchedAgain) {
 }
 
 /// As the matcher would say it, all of the boundary matched or a part of it.
-RefinedDocking found_at(std::uint32_t shape, float scale_px, Vec2 centre, float matched) {
+RefinedDocking found_at(ShapeId shape, float scale_px, Vec2 centre, float matched) {
   Docking docking;
   docking.shape = shape;
   docking.canvas_from_shape = {scale_px, 0, centre.x, centre.y};
-  const Shape& s = library()[shape];
+  const Shape& s = library()[index_of(shape)];
   DockingTerms terms;
   terms.matched_px = matched * s.perimeter * scale_px;
   return {docking, terms, true, Extent{-80, -80, 300, 220}, s.perimeter, s.radius};
@@ -78,12 +78,12 @@ TEST_F(CollagePool, WhatCannotBeMadeClearIsGivenUpForTheNextBest) {
   test::RoundsByHand rounds(make_rectangle_canvas(300, 220), s, library());
   const std::vector<TargetSample> all = rounds.collage().take_stale_samples();
   MatchRound round;
-  round.refined = {found_at(3, 21, {-60, -60}, 1), found_at(4, 40, test::centre_at_upper_left(library()[4], 40), 0.2f)};
+  round.refined = {found_at(ShapeId{3}, 21, {-60, -60}, 1), found_at(ShapeId{4}, 40, test::centre_at_upper_left(library()[4], 40), 0.2f)};
   round.truncated = {false};
   rounds.collage().add_candidates({all.front()}, round);
   Candidate best;
   ASSERT_TRUE(rounds.collage().choose(best));
-  EXPECT_EQ(best.shape, 4u);
+  EXPECT_EQ(best.shape, ShapeId{4});
   std::size_t left = 0;
   for (const PooledSample& sample : rounds.state().pool) left += sample.candidates.size();
   EXPECT_EQ(left, 1u) << "the first one is not tried again";
@@ -102,7 +102,7 @@ TEST_F(CollagePool, WhatTouchesTooLittleOrOverlapsTooMuchDoesNotEnter) {
   const TargetSample sample = collage_.take_stale_samples().front();
   const auto enters = [&](float matched, float overlap) {
     MatchRound round;
-    round.refined = {found_at(4, 40, {150, 110}, matched)};
+    round.refined = {found_at(ShapeId{4}, 40, {150, 110}, matched)};
     round.refined[0].terms.overlap_px2 = overlap * 40 * 40;
     round.truncated = {false};
     collage_.add_candidates({sample}, round);
@@ -114,12 +114,15 @@ TEST_F(CollagePool, WhatTouchesTooLittleOrOverlapsTooMuchDoesNotEnter) {
   EXPECT_FALSE(enters(0.5f, 1.01f * kMaxOverlap));
 }
 
-using Name = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // edge, shape, source
+/// Shape, source and place: no two candidates share all of them.
+using Name = std::tuple<ShapeId, std::uint32_t, float, float>;
+
+Name name_of(ShapeId shape, std::uint32_t source, const Similarity& pose) { return {shape, source, pose.tx, pose.ty}; }
 
 std::map<Name, Candidate> candidates_by_name(const CheckpointState& state) {
   std::map<Name, Candidate> result;
   for (const PooledSample& sample : state.pool) {
-    for (const Candidate& c : sample.candidates) result[{sample.edge, c.shape, c.source}] = c;
+    for (const Candidate& c : sample.candidates) result[name_of(c.shape, c.source, c.canvas_from_shape)] = c;
   }
   return result;
 }
@@ -135,7 +138,7 @@ TEST_F(CollagePool, WhatIsMeasuredAgainIsScoredAgainAndCheckedAgain) {
     const std::vector<DockingTerms> terms = rounds_.measure(changed);
     std::map<Name, DockingTerms> measured;
     for (std::size_t i = 0; i < touched.size(); ++i) {
-      measured[{touched[i].sample, touched[i].shape, touched[i].source}] = terms[i];
+      measured[name_of(touched[i].shape, touched[i].source, touched[i].canvas_from_shape)] = terms[i];
     }
     collage_.rescore(changed, terms);
     for (const auto& [name, c] : candidates_by_name(rounds_.state())) {
@@ -167,7 +170,7 @@ TEST_F(CollagePool, WhatIsNotTouchedIsStillTrue) {
     std::vector<DockingTerms> expected;
     for (const PooledSample& sample : rounds_.state().pool) {
       for (const Candidate& c : sample.candidates) {
-        all.push_back({sample.edge, c.shape, c.source, 0, c.canvas_from_shape});
+        all.push_back({0, c.shape, c.source, 0, c.canvas_from_shape});
         expected.push_back(c.terms);
         untouched += !c.window.overlaps(changed);
       }
@@ -188,15 +191,15 @@ TEST_F(CollagePool, ASampleIsMatchedAgainWhenItHasLessThanTwoLeftAndThereWereMor
     for (std::size_t i = 0; i < terms.size(); i += 2) terms[i].overlap_px2 = 1e9f;  // every other one is given up
     collage_.rescore(changed, terms);
     const CheckpointState after = rounds_.state();
-    Edges expected(before.stale.begin(), before.stale.end());
+    Samples expected(before.stale.begin(), before.stale.end());
     ASSERT_EQ(after.pool.size(), before.pool.size());
     for (std::size_t i = 0; i < after.pool.size(); ++i) {
       const std::size_t left = after.pool[i].candidates.size();
       if (left == before.pool[i].candidates.size()) continue;
       ++seen[left];
-      if (left < 2 && after.pool[i].truncated) expected.insert(after.pool[i].edge);
+      if (left < 2 && after.pool[i].truncated) expected.insert(after.pool[i].id);
     }
-    EXPECT_EQ(Edges(after.stale.begin(), after.stale.end()), expected);
+    EXPECT_EQ(Samples(after.stale.begin(), after.stale.end()), expected);
   }
   for (const std::size_t left : {0, 1, 2}) EXPECT_GT(seen[left], 0) << left;
 }

@@ -348,13 +348,13 @@ TEST_F(ForeignState, PiecesInAnotherPlace) {
 }
 
 TEST_F(ForeignState, ShapesThatDoNotExist) {
-  state_.placements[0].shape = 12;
+  state_.placements[0].shape = ShapeId{12};
   expect_complaint("shape 12 of 12");
 }
 
 TEST_F(ForeignState, CandidatesThatDoNotExist) {
   for (PooledSample& sample : state_.pool) {
-    for (Candidate& c : sample.candidates) c.shape = 4'000'000'000u;
+    for (Candidate& c : sample.candidates) c.shape = ShapeId{4'000'000'000u};
   }
   expect_complaint("shape 4000000000 of 12");
 }
@@ -399,7 +399,7 @@ TEST_F(ForeignState, MorePassesThanThereCanBe) {
 }
 
 TEST_F(ForeignState, TargetSamplesThatDoNotExist) {
-  state_.stale.push_back(4'000'000'000u);
+  state_.stale.push_back(SampleId{4'000'000'000u});
   expect_complaint("there is no target sample 4000000000");
   state_.stale.clear();
   state_.matched.push_back({});

@@ -74,10 +74,10 @@ inline std::vector<TargetSample> trace_samples(const FreeField& free, const Coll
   const OpenedField opened(free, settings.pieces);
   TargetCurve curve(settings.pieces, settings.match.pad);
   curve.retrace(opened, free.field().origin, opened.contour().bounds());
-  const std::vector<std::uint32_t> edges = curve.sample_edges();
-  const std::size_t count = std::min(edges.size(), std::size_t(most));
+  const std::vector<SampleId> ids = curve.samples();
+  const std::size_t count = std::min(ids.size(), std::size_t(most));
   std::vector<TargetSample> samples;
-  for (std::size_t i = 0; i < count; ++i) samples.push_back(curve.sample(edges[i * edges.size() / count]));
+  for (std::size_t i = 0; i < count; ++i) samples.push_back(curve.sample(ids[i * ids.size() / count]));
   return samples;
 }
 

@@ -54,8 +54,8 @@ class VectorShapes : public ShapeSource {
       models_.push_back(make_shape_model(shape, PadParameters{}, PadParameters{}, {}));
     }
   }
-  const Shape& shape(std::uint32_t index) override { return shapes_.at(index); }
-  const ShapeModel& model(std::uint32_t index) override { return models_.at(index); }
+  const Shape& shape(ShapeId id) override { return shapes_.at(index_of(id)); }
+  const ShapeModel& model(ShapeId id) override { return models_.at(index_of(id)); }
 
  private:
   const std::vector<Shape>& shapes_;

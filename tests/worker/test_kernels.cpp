@@ -178,7 +178,7 @@ TEST_F(Kernels, FieldLookUps) {
 std::vector<Docking> tied_dockings(Random& random, std::size_t count) {
   std::vector<Docking> dockings(count);
   for (Docking& docking : dockings) {
-    docking.shape = std::uint32_t(random.below(6));
+    docking.shape = ShapeId(random.below(6));
     docking.source = std::uint32_t(random.bits());
     docking.key = kLeastDockingKey * (0.75f + 0.25f * float(random.below(4)));
   }
@@ -309,7 +309,7 @@ test::MatchingScene random_scene(std::uint32_t seed) {
   scene.field = wavy_field(random, 220);
   for (int t = 0; t < 9; ++t) {
     TargetSample sample;
-    sample.edge = std::uint32_t(random.bits());
+    sample.id = SampleId(random.bits());
     sample.pass = std::uint32_t(random.below(4));
     sample.position = random.point(100) + Vec2{100, 100};
     const float angle = random.between(-3, 3);
@@ -359,7 +359,7 @@ TEST_P(RandomScenes, RefinementFromAnywhere) {
   Random random(GetParam() + 1000);
   std::vector<Docking> dockings(200);
   for (Docking& docking : dockings) {
-    docking.shape = std::uint32_t(random.below(int(scene.models.size())));
+    docking.shape = ShapeId(random.below(int(scene.models.size())));
     const float scale = random.between(10, 260);
     const float angle = random.between(-3, 3);
     const Vec2 at = random.point(140) + Vec2{100, 100};

@@ -94,7 +94,7 @@ TEST(OpenCLMatcher, RefusesToRefineAnotherPartsShape) {
                                 given(scene.models, 5));
   Docking docking;
   for (const std::uint32_t shape : {4u, 7u}) {
-    docking.shape = shape;
+    docking.shape = ShapeId{shape};
     EXPECT_THROW(matcher.post_refine({docking}), std::out_of_range);
   }
 }

@@ -16,14 +16,14 @@ namespace tessera {
 /// What the pool holds of one target sample. Of the candidates everything counts but `ordinal` and `stamp`, which are
 /// the pool's own and are given anew.
 struct PooledSample {
-  std::uint32_t edge = 0;
+  SampleId id{};
   bool truncated = false;
   std::vector<Candidate> candidates;  // in the order of the pool's entry
 };
 
 /// How often a target sample was matched: its next random dockings go by it, even if it was gone meanwhile.
 struct SamplePasses {
-  std::uint32_t edge = 0;
+  SampleId id{};
   std::uint32_t passes = 0;
 
   friend bool operator==(const SamplePasses&, const SamplePasses&) = default;
@@ -34,8 +34,8 @@ struct CheckpointState {
   bool improving = false;             // else still filling
   int empty_passes = 0;               // how often all samples were matched again since the last piece, while filling
   std::vector<Placement> placements;  // in the order in which they were placed
-  std::vector<PooledSample> pool;     // ascending edges, as in the lists below
-  std::vector<std::uint32_t> stale;   // target samples to be matched
+  std::vector<PooledSample> pool;     // ascending samples, as in the lists below
+  std::vector<SampleId> stale;        // target samples to be matched
   std::vector<SamplePasses> passes;
   std::vector<MatchedPad> matched;
   RunStatistics statistics;          // so far; stopped_by is empty

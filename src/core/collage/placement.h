@@ -1,15 +1,14 @@
 // The result of a collage: which shape lies where.
 #pragma once
 
-#include <cstdint>
-
 #include "core/geometry/similarity.h"
+#include "core/shape/shape_id.h"
 
 namespace tessera {
 
 /// A candidate that was chosen. Canvas frame: px, y down, origin at the canvas' upper left corner.
 struct Placement {
-  std::uint32_t shape = 0;  // index in the library
+  ShapeId shape{};
   Similarity canvas_from_shape;
   float score = 0;
   float matched_px = 0;  // length of its boundary within match.delta_px of the free region's boundary when placed

@@ -12,59 +12,60 @@ bool ranks_before(const Candidate& a, const Candidate& b) {
   return a.source < b.source;
 }
 
-void Pool::put(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated) {
+void Pool::put(SampleId sample, std::vector<Candidate> candidates, bool truncated) {
   std::sort(candidates.begin(), candidates.end(), ranks_before);
   if (candidates.size() > kPoolPerSample) {
     candidates.resize(kPoolPerSample);
     truncated = true;
   }
-  put_back(edge, std::move(candidates), truncated);
+  put_back(sample, std::move(candidates), truncated);
 }
 
-void Pool::put_back(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated) {
-  erase(edge);
-  Entry& entry = entries_[edge];
+void Pool::put_back(SampleId sample, std::vector<Candidate> candidates, bool truncated) {
+  erase(sample);
+  Entry& entry = entries_[sample];
   entry.candidates = std::move(candidates);
   entry.truncated = truncated;
   for (Candidate& c : entry.candidates) {
     c.ordinal = std::uint32_t(&c - entry.candidates.data());
-    rank(edge, c);
+    rank(sample, c);
     entry.reach = entry.reach.united(c.window);
   }
-  index_.insert(TileIndex::tile_at(entry.reach.x0, entry.reach.y0), edge);
+  index_.insert(TileIndex::tile_at(entry.reach.x0, entry.reach.y0), edge_number(sample));
   widest_ = std::max(widest_, entry.reach.width());
   highest_ = std::max(highest_, entry.reach.height());
 }
 
-void Pool::erase(std::uint32_t edge) {
-  const auto found = entries_.find(edge);
+void Pool::erase(SampleId sample) {
+  const auto found = entries_.find(sample);
   if (found == entries_.end()) return;
-  index_.erase(TileIndex::tile_at(found->second.reach.x0, found->second.reach.y0), edge);
+  index_.erase(TileIndex::tile_at(found->second.reach.x0, found->second.reach.y0), edge_number(sample));
   entries_.erase(found);
 }
 
 void Pool::erase(const Ranked& ranked) {
-  std::vector<Candidate>& candidates = entries_.at(ranked.edge).candidates;
+  std::vector<Candidate>& candidates = entries_.at(ranked.sample).candidates;
   candidates.erase(candidates.begin() + (find(ranked) - candidates.data()));
 }
 
-std::vector<std::uint32_t> Pool::reached_by(const Window& changed) const {
-  std::vector<std::uint32_t> edges;
+std::vector<SampleId> Pool::reached_by(const Window& changed) const {
+  std::vector<SampleId> samples;
   const Window corners{changed.x0 - widest_, changed.y0 - highest_, changed.x1, changed.y1};
-  index_.each(corners, [&](std::uint32_t edge) {
-    if (entries_.at(edge).reach.overlaps(changed)) edges.push_back(edge);
+  index_.each(corners, [&](std::uint32_t thing) {
+    const SampleId sample{thing};
+    if (entries_.at(sample).reach.overlaps(changed)) samples.push_back(sample);
   });
-  return edges;
+  return samples;
 }
 
 void Pool::rank_again(Ranked& ranked) {
   Candidate& candidate = at(ranked);
-  rank(ranked.edge, candidate);
+  rank(ranked.sample, candidate);
   ranked.stamp = candidate.stamp;
 }
 
 Candidate* Pool::find(const Ranked& ranked) {
-  const auto entry = entries_.find(ranked.edge);
+  const auto entry = entries_.find(ranked.sample);
   if (entry == entries_.end()) return nullptr;
   for (Candidate& c : entry->second.candidates) {
     if (c.stamp == ranked.stamp) return &c;
@@ -72,9 +73,9 @@ Candidate* Pool::find(const Ranked& ranked) {
   return nullptr;
 }
 
-void Pool::rank(std::uint32_t edge, Candidate& candidate) {
+void Pool::rank(SampleId sample, Candidate& candidate) {
   candidate.stamp = ++last_stamp_;
-  push({candidate.score, edge, candidate.ordinal, candidate.stamp});
+  push({candidate.score, sample, candidate.ordinal, candidate.stamp});
 }
 
 void Pool::push(const Ranked& ranked) {

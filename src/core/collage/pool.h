@@ -6,16 +6,18 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/field/sample_id.h"
 #include "core/geometry/grid.h"
 #include "core/geometry/similarity.h"
 #include "core/geometry/tile_index.h"
 #include "core/matching/docking_terms.h"
+#include "core/shape/shape_id.h"
 
 namespace tessera {
 
 /// A docking that was refined, found feasible and scored.
 struct Candidate {
-  std::uint32_t shape = 0;
+  ShapeId shape{};
   std::uint32_t source = 0;
   Similarity canvas_from_shape;
   DockingTerms terms;
@@ -39,33 +41,33 @@ class Pool {
   /// A candidate by name, and what it is worth.
   struct Ranked {
     float value;
-    std::uint32_t edge;
+    SampleId sample;
     std::uint32_t ordinal;
     std::uint64_t stamp;
 
     /// A total order: the same candidates in the same order on any machine.
     bool operator<(const Ranked& o) const {
       if (value != o.value) return value > o.value;
-      return edge != o.edge ? edge < o.edge : ordinal < o.ordinal;
+      return sample != o.sample ? sample < o.sample : ordinal < o.ordinal;
     }
   };
 
   /// Takes the best kPoolPerSample; ties by shape, then source.
-  void put(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated);
+  void put(SampleId sample, std::vector<Candidate> candidates, bool truncated);
   /// What entries() said of a target sample: the same candidates in the same order, not sorted again.
-  void put_back(std::uint32_t edge, std::vector<Candidate> candidates, bool truncated);
-  void erase(std::uint32_t edge);
+  void put_back(SampleId sample, std::vector<Candidate> candidates, bool truncated);
+  void erase(SampleId sample);
   void erase(const Ranked& ranked);
 
   Candidate& at(const Ranked& ranked) { return *find(ranked); }
-  const std::unordered_map<std::uint32_t, Entry>& entries() const { return entries_; }  // by target sample's edge
+  const std::unordered_map<SampleId, Entry>& entries() const { return entries_; }
   /// Target samples that may have candidates whose windows overlap `changed`.
-  std::vector<std::uint32_t> reached_by(const Window& changed) const;
+  std::vector<SampleId> reached_by(const Window& changed) const;
 
   /// Drops the candidates of a target sample for which keep(candidate) is false; it may change scores. True where some
   /// were dropped.
   template <class Keep>
-  bool review(std::uint32_t edge, Keep keep);
+  bool review(SampleId sample, Keep keep);
 
   /// After the candidate's score changed.
   void rank_again(Ranked& ranked);
@@ -79,13 +81,13 @@ class Pool {
   static bool ranks_after(const Ranked& a, const Ranked& b) { return b < a; }  // the order of the queue's heap
 
   Candidate* find(const Ranked& ranked);
-  void rank(std::uint32_t edge, Candidate& candidate);
+  void rank(SampleId sample, Candidate& candidate);
   void push(const Ranked& ranked);
   Ranked pop();
   void sweep();
 
-  std::unordered_map<std::uint32_t, Entry> entries_;
-  TileIndex index_;  // edges, by the upper left corner of their entry's reach
+  std::unordered_map<SampleId, Entry> entries_;
+  TileIndex index_;  // samples, by the upper left corner of their entry's reach
   int widest_ = 0;   // of all reaches so far, nodes
   int highest_ = 0;
   std::vector<Ranked> queue_;  // a heap of upper bounds of worth; those with an outdated stamp count no more
@@ -94,13 +96,13 @@ class Pool {
 };
 
 template <class Keep>
-bool Pool::review(std::uint32_t edge, Keep keep) {
-  std::vector<Candidate>& candidates = entries_.at(edge).candidates;
+bool Pool::review(SampleId sample, Keep keep) {
+  std::vector<Candidate>& candidates = entries_.at(sample).candidates;
   std::size_t kept = 0;
   for (Candidate& c : candidates) {
     const float before = c.score;
     if (!keep(c)) continue;
-    if (c.score != before) rank(edge, c);
+    if (c.score != before) rank(sample, c);
     candidates[kept++] = c;
   }
   const bool dropped = kept < candidates.size();

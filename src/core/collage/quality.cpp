@@ -139,7 +139,7 @@ std::array<double, 5> scale_quantiles(const std::vector<Placement>& placements) 
 }
 
 std::size_t count_distinct_shapes(const std::vector<Placement>& placements) {
-  std::set<std::uint32_t> shapes;
+  std::set<ShapeId> shapes;
   for (const Placement& p : placements) shapes.insert(p.shape);
   return shapes.size();
 }
@@ -147,7 +147,7 @@ std::size_t count_distinct_shapes(const std::vector<Placement>& placements) {
 }  // namespace
 
 Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& placements,
-                        const std::function<const Shape&(std::uint32_t)>& shape) {
+                        const std::function<const Shape&(ShapeId)>& shape) {
   std::vector<Outline> pieces_px;
   for (const Placement& p : placements) pieces_px.push_back(in_canvas_frame(shape(p.shape).outline, p.canvas_from_shape));
   const CellCounts counts = count_cells(canvas, pieces_px);

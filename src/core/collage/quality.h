@@ -27,6 +27,6 @@ struct Quality {
 /// `shape(i)` gives library shape i with its outline. Areas are counted on cells of a quarter px (of half or a whole px
 /// on canvases above 4 and 16 Mpx); the boundary is sampled every half px.
 Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& placements,
-                        const std::function<const Shape&(std::uint32_t)>& shape);
+                        const std::function<const Shape&(ShapeId)>& shape);
 
 }  // namespace tessera

@@ -20,8 +20,8 @@ bool changed_much(const ArclengthPyramid& a, const ArclengthPyramid& b, int leve
   return false;
 }
 
-MatchedPad matched_pad(std::uint32_t edge, const ArclengthPyramid& pyramid) {
-  return {edge, pyramid.left, pyramid.right, pyramid.convexity};
+MatchedPad matched_pad(SampleId id, const ArclengthPyramid& pyramid) {
+  return {id, pyramid.left, pyramid.right, pyramid.convexity};
 }
 
 }  // namespace
@@ -61,26 +61,26 @@ TargetCurve::TargetCurve(const PieceSettings& pieces, const PadParameters& pad)
       spacing_px_(sample_spacing_px(pieces)),
       pad_(pad) {}
 
-std::vector<std::uint32_t> TargetCurve::sample_edges() const {
-  std::vector<std::uint32_t> edges;
-  edges.reserve(samples_.size());
-  for (const auto& [edge, held] : samples_) edges.push_back(edge);
-  return edges;
+std::vector<SampleId> TargetCurve::samples() const {
+  std::vector<SampleId> ids;
+  ids.reserve(samples_.size());
+  for (const auto& [id, held] : samples_) ids.push_back(id);
+  return ids;
 }
 
 std::vector<MatchedPad> TargetCurve::matched_pads() const {
   std::vector<MatchedPad> pads;
-  for (const auto& [edge, held] : samples_) {
-    const MatchedPad matched = matched_pad(edge, held.matched);
-    if (matched != matched_pad(edge, held.sample.pyramid)) pads.push_back(matched);
+  for (const auto& [id, held] : samples_) {
+    const MatchedPad matched = matched_pad(id, held.matched);
+    if (matched != matched_pad(id, held.sample.pyramid)) pads.push_back(matched);
   }
   return pads;
 }
 
 void TargetCurve::set_matched_pads(const std::vector<MatchedPad>& pads) {
-  for (auto& [edge, held] : samples_) held.matched = held.sample.pyramid;
+  for (auto& [id, held] : samples_) held.matched = held.sample.pyramid;
   for (const MatchedPad& pad : pads) {
-    ArclengthPyramid& matched = samples_.at(pad.edge).matched;
+    ArclengthPyramid& matched = samples_.at(pad.sample).matched;
     matched.left = pad.left;
     matched.right = pad.right;
     matched.convexity = pad.convexity;
@@ -90,63 +90,63 @@ void TargetCurve::set_matched_pads(const std::vector<MatchedPad>& pads) {
 TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin, const Window& window) {
   contour_.retrace(opened.contour(), origin, window);
   Change change;
-  for (const std::uint32_t edge : reached_by(window)) {
-    const GridEdge e = GridEdge::of(edge, contour_.width());
+  for (const SampleId id : reached_by(window)) {
+    const GridEdge e = GridEdge::of(edge_number(id), contour_.width());
     const int v = contour_.find(e);
-    const auto old = samples_.find(edge);
+    const auto old = samples_.find(id);
     const bool reachable = opened.reachable(e.x, e.y) || opened.reachable(e.x + 1, e.y + 1);
     TileIndex::Region support;
     const bool present = v != LinkedContour::kNone && reachable;
     const bool rejected = present && on_short_loop(v, support);
-    reject(edge, rejected ? std::move(support).tiles() : std::vector<TileIndex::Tile>());
+    reject(id, rejected ? std::move(support).tiles() : std::vector<TileIndex::Tile>());
     if (!present || rejected) {
       if (old == samples_.end()) continue;
-      drop(edge);
-      change.removed.push_back(edge);
+      drop(id);
+      change.removed.push_back(id);
       continue;
     }
     Held held = make_sample(v, std::move(support));
     const bool fresh = old == samples_.end();
     const bool renewed = fresh || changed_much(old->second.matched, held.sample.pyramid, pad_.levels);
     if (!renewed) held.matched = old->second.matched;
-    hold(edge, std::move(held));
-    if (renewed) change.renewed.push_back(edge);
+    hold(id, std::move(held));
+    if (renewed) change.renewed.push_back(id);
   }
   return change;
 }
 
-/// Where a sample may have to be made (again), or to be dropped: ascending edges.
-std::vector<std::uint32_t> TargetCurve::reached_by(const Window& window) const {
-  std::vector<std::uint32_t> edges;
-  supports_.each(window, [&](std::uint32_t edge) { edges.push_back(edge); });
+/// Where a sample may have to be made (again), or to be dropped: ascending.
+std::vector<SampleId> TargetCurve::reached_by(const Window& window) const {
+  std::vector<SampleId> ids;
+  supports_.each(window, [&](std::uint32_t thing) { ids.push_back(SampleId{thing}); });
   contour_.each(window, [&](const GridEdge& e, int) {
-    if (on_raster(e)) edges.push_back(e.number(contour_.width()));
+    if (on_raster(e)) ids.push_back(SampleId{e.number(contour_.width())});
   });
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
 }
 
-void TargetCurve::hold(std::uint32_t edge, Held held) {
-  Held& kept = samples_[edge];
-  supports_.move(edge, kept.support, held.support);
+void TargetCurve::hold(SampleId id, Held held) {
+  Held& kept = samples_[id];
+  supports_.move(edge_number(id), kept.support, held.support);
   kept = std::move(held);
 }
 
-void TargetCurve::drop(std::uint32_t edge) {
-  const auto found = samples_.find(edge);
-  supports_.move(edge, found->second.support, {});
+void TargetCurve::drop(SampleId id) {
+  const auto found = samples_.find(id);
+  supports_.move(edge_number(id), found->second.support, {});
   samples_.erase(found);
 }
 
-/// The tiles of the loop that was too short for a sample at this edge; none: it was not.
-void TargetCurve::reject(std::uint32_t edge, std::vector<TileIndex::Tile> support) {
-  const auto found = rejected_.find(edge);
+/// The tiles of the loop that was too short for a sample here; none: it was not.
+void TargetCurve::reject(SampleId id, std::vector<TileIndex::Tile> support) {
+  const auto found = rejected_.find(id);
   if (found == rejected_.end() && support.empty()) return;
-  std::vector<TileIndex::Tile>& kept = rejected_[edge];
-  supports_.move(edge, kept, support);
+  std::vector<TileIndex::Tile>& kept = rejected_[id];
+  supports_.move(edge_number(id), kept, support);
   if (support.empty()) {
-    rejected_.erase(edge);
+    rejected_.erase(id);
   } else {
     kept = std::move(support);
   }
@@ -173,7 +173,7 @@ void TargetCurve::visit(int v, TileIndex::Region& support) const {
 TargetCurve::Held TargetCurve::make_sample(int v, TileIndex::Region support) {
   Held held;
   const GridEdge& e = contour_.vertex(v).edge;
-  held.sample.edge = e.number(contour_.width());
+  held.sample.id = SampleId{e.number(contour_.width())};
   held.sample.position = contour_.vertex(v).raw;
   held.sample.pyramid = make_pyramid(Walk(*this, v, support), pad_, curvature_dead_zone(sigma_px_));
   const auto& key = held.sample.pyramid.keypoint;

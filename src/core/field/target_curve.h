@@ -23,17 +23,17 @@ class TargetCurve {
   TargetCurve(const PieceSettings& pieces, const PadParameters& pad);
 
   struct Change {
-    std::vector<std::uint32_t> removed;  // samples that are gone, ascending
-    std::vector<std::uint32_t> renewed;  // samples that are new or whose PAD changed much, ascending
+    std::vector<SampleId> removed;  // samples that are gone, ascending
+    std::vector<SampleId> renewed;  // samples that are new or whose PAD changed much, ascending
   };
 
   /// Traces the nodes of `window` again (all others are as before). `origin` is the canvas position of node (0, 0).
   Change retrace(const OpenedField& opened, Vec2 origin, const Window& window);
 
-  const TargetSample& sample(std::uint32_t edge) const { return samples_.at(edge).sample; }
+  const TargetSample& sample(SampleId id) const { return samples_.at(id).sample; }
   std::size_t sample_count() const { return samples_.size(); }
-  bool has_sample(std::uint32_t edge) const { return samples_.contains(edge); }
-  std::vector<std::uint32_t> sample_edges() const;
+  bool has_sample(SampleId id) const { return samples_.contains(id); }
+  std::vector<SampleId> samples() const;
 
   /// Of the samples whose PAD has changed a little since it was matched, ascending: the only part of a curve that does
   /// not follow from the opened field.
@@ -49,23 +49,23 @@ class TargetCurve {
   };
   class Walk;
 
-  std::vector<std::uint32_t> reached_by(const Window& window) const;
+  std::vector<SampleId> reached_by(const Window& window) const;
   bool on_raster(const GridEdge& e) const { return (e.down ? e.x : e.y) % spacing_px_ == 0; }
   void visit(int v, TileIndex::Region& support) const;
   bool on_short_loop(int v, TileIndex::Region& support) const;
   Held make_sample(int v, TileIndex::Region support);
-  void hold(std::uint32_t edge, Held held);
-  void drop(std::uint32_t edge);
-  void reject(std::uint32_t edge, std::vector<TileIndex::Tile> support);
+  void hold(SampleId id, Held held);
+  void drop(SampleId id);
+  void reject(SampleId id, std::vector<TileIndex::Tile> support);
 
   LinkedContour contour_;
   float sigma_px_;
   float shortest_loop_px_;
   int spacing_px_;
   PadParameters pad_;
-  std::map<std::uint32_t, Held> samples_;
-  std::map<std::uint32_t, std::vector<TileIndex::Tile>> rejected_;  // where a loop is too short for a sample
-  TileIndex supports_;  // the edges of samples and of the rejected, by the nodes that they depend on
+  std::map<SampleId, Held> samples_;
+  std::map<SampleId, std::vector<TileIndex::Tile>> rejected_;  // where a loop is too short for a sample
+  TileIndex supports_;  // samples and the rejected, by the nodes that they depend on
 };
 
 }  // namespace tessera

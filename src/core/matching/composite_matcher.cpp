@@ -80,13 +80,13 @@ DockReply CompositeMatcher::take_dock() {
 void CompositeMatcher::post_divided(const std::vector<Docking>& dockings, PostTo post) {
   posted_to_.assign(parts_.size(), {});
   for (const Docking& d : dockings) {
-    if (d.shape < shapes().begin || d.shape >= shapes().end) throw std::out_of_range("a docking of a shape of no part");
+    if (!shapes().contains(d.shape)) throw std::out_of_range("a docking of a shape of no part");
   }
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const ShapeRange range = parts_[p]->shapes();
     std::vector<Docking> own;
     for (std::size_t i = 0; i < dockings.size(); ++i) {
-      if (dockings[i].shape < range.begin || dockings[i].shape >= range.end) continue;
+      if (!range.contains(dockings[i].shape)) continue;
       posted_to_[p].push_back(i);
       own.push_back(dockings[i]);
     }

@@ -68,10 +68,10 @@ Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target,
 
 TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw) {
   const std::uint64_t key =
-      mix_bits(context.seed ^ mix_bits(mix_bits((std::uint64_t(sample.edge) << 32) | sample.pass) ^ draw));
+      mix_bits(context.seed ^ mix_bits(mix_bits((std::uint64_t(edge_number(sample.id)) << 32) | sample.pass) ^ draw));
   const std::uint64_t more = mix_bits(key);
   TangentDraw result;
-  result.shape = std::uint32_t(((key >> 32) * context.library_shapes) >> 32);
+  result.shape = ShapeId(((key >> 32) * context.library_shapes) >> 32);
   result.point_bits = std::uint32_t(key & 0xffffffffull);
   result.scale_px =
       context.poses.min_scale_px * portable_exp2(unit_float(std::uint32_t(more >> 32)) * context.log2_scale_ratio);

@@ -7,14 +7,15 @@
 #include "core/field/field_lookup.h"
 #include "core/field/target_sample.h"
 #include "core/matching/matching_context.h"
+#include "core/shape/shape_id.h"
 #include "core/shape/shape_model.h"
 
 namespace tessera {
 
 /// Larger is better; ties by shape, then source: a total order that no partition of the library changes.
 struct Docking {
-  std::uint32_t sample = 0;  // index into the request's target samples
-  std::uint32_t shape = 0;   // index in the library
+  std::uint32_t sample = 0;  // place among the request's target samples
+  ShapeId shape{};
   /// PAD docking: index of the shape's PAD, counted over the levels in use. Tangent docking: kTangentSource + draw.
   std::uint32_t source = 0;
   float key = 0;
@@ -43,9 +44,9 @@ Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target,
                          const PoseRange& poses);
 
 /// The tangent docking number `draw` of a target sample: shape, boundary point and log-uniform scale from counter-based
-/// random bits keyed by (seed, edge, pass, draw).
+/// random bits keyed by (seed, sample, pass, draw).
 struct TangentDraw {
-  std::uint32_t shape;
+  ShapeId shape;
   std::uint32_t point_bits;  // choose among the boundary points that come into question
   float scale_px;
 };

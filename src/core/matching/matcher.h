@@ -21,15 +21,10 @@
 #include "core/geometry/extent.h"
 #include "core/matching/docking.h"
 #include "core/matching/docking_terms.h"
+#include "core/shape/shape_id.h"
 #include "core/tuning.h"
 
 namespace tessera {
-
-/// Shapes [begin, end) of the library.
-struct ShapeRange {
-  std::uint32_t begin = 0;
-  std::uint32_t end = 0;
-};
 
 /// The nodes of `window` of the free field, row by row.
 struct FieldPatch {

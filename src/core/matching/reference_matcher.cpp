@@ -15,6 +15,8 @@ ReferenceMatcher::ReferenceMatcher(const MatchingContext& context, std::uint32_t
 
 ShapeRange ReferenceMatcher::shapes() const { return {first_shape_, first_shape_ + std::uint32_t(models_.size())}; }
 
+const ShapeModel& ReferenceMatcher::model_of(ShapeId shape) const { return models_[shapes().position_of(shape)]; }
+
 void ReferenceMatcher::start_field(int width, int height, Vec2 origin) {
   field_.value = Grid<float>(width, height);
   field_.origin = origin;
@@ -52,7 +54,7 @@ std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, 
       ++reply.evaluated;
       const float key = docking_key(models_[m], aligned.canvas_from_shape, FieldView(field_), context_.poses.max_scale_px);
       if (key < kLeastDockingKey) continue;
-      of_shape.push_back({t, first_shape_ + std::uint32_t(m), pair.source, key, aligned.canvas_from_shape});
+      of_shape.push_back({t, shapes().at(std::uint32_t(m)), pair.source, key, aligned.canvas_from_shape});
     }
     std::sort(of_shape.begin(), of_shape.end(), docks_better);
     if (of_shape.size() > kDockingsPerShape) of_shape.resize(kDockingsPerShape);
@@ -66,8 +68,8 @@ std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& reque
   std::vector<Docking> kept;
   for (std::uint32_t i = 0; i < request.tangent_dockings; ++i) {
     const TangentDraw draw = draw_tangent(context_, request.samples[t], i);
-    if (draw.shape < shapes().begin || draw.shape >= shapes().end) continue;
-    const ShapeModel& model = models_[draw.shape - first_shape_];
+    if (!shapes().contains(draw.shape)) continue;
+    const ShapeModel& model = model_of(draw.shape);
     const int point = docked_point(model, draw, request.samples[t], context_.docked_rotations);
     if (point == kNoPoint) continue;
     const Similarity pose = tangent_docking(model, point, draw.scale_px, request.samples[t], context_.poses);
@@ -92,13 +94,13 @@ void ReferenceMatcher::post_dock(const DockRequest& request) {
 DockReply ReferenceMatcher::take_dock() { return std::move(docked_); }
 
 DockingTerms ReferenceMatcher::terms_of(const Docking& docking) const {
-  return docking_terms(docking.canvas_from_shape, models_[docking.shape - first_shape_], FieldView(field_), context_);
+  return docking_terms(docking.canvas_from_shape, model_of(docking.shape), FieldView(field_), context_);
 }
 
 void ReferenceMatcher::post_refine(const std::vector<Docking>& dockings) {
   refined_.clear();
   for (const Docking& docking : dockings) {
-    const ShapeModel& model = models_[docking.shape - first_shape_];
+    const ShapeModel& model = model_of(docking.shape);
     Docking moved = docking;
     const bool feasible = refine(moved.canvas_from_shape, model, FieldView(field_), context_);
     refined_.push_back(feasible ? feasible_docking(moved, terms_of(moved), model) : RefinedDocking{moved});

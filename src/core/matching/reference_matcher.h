@@ -27,6 +27,7 @@ class ReferenceMatcher : public Matcher {
  private:
   std::vector<Docking> pad_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply) const;
   std::vector<Docking> tangent_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply) const;
+  const ShapeModel& model_of(ShapeId shape) const;
   DockingTerms terms_of(const Docking& docking) const;
 
   MatchingContext context_;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/matching/matcher.h"
+#include "core/shape/shape_id.h"
 
 namespace tessera {
 

@@ -1,9 +1,8 @@
 // Where the master gets the shapes that it places: one at a time, as they are needed.
 #pragma once
 
-#include <cstdint>
-
 #include "core/shape/shape.h"
+#include "core/shape/shape_id.h"
 #include "core/shape/shape_model.h"
 
 namespace tessera {
@@ -12,9 +11,9 @@ class ShapeSource {
  public:
   virtual ~ShapeSource() = default;
   /// With outline and field. Valid until the next call.
-  virtual const Shape& shape(std::uint32_t index) = 0;
+  virtual const Shape& shape(ShapeId id) = 0;
   /// Without PADs. Valid as long as the source.
-  virtual const ShapeModel& model(std::uint32_t index) = 0;
+  virtual const ShapeModel& model(ShapeId id) = 0;
 };
 
 }  // namespace tessera

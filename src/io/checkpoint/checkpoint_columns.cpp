@@ -31,7 +31,7 @@ Similarity pose_at(const std::vector<float>& column, std::size_t row) {
 }
 
 void append_candidate(CheckpointColumns& to, const Candidate& c) {
-  to.shape.push_back(c.shape);
+  to.shape.push_back(index_of(c.shape));
   to.source.push_back(c.source);
   append(to.pose, c.canvas_from_shape);
   const DockingTerms& t = c.terms;
@@ -44,7 +44,7 @@ void append_candidate(CheckpointColumns& to, const Candidate& c) {
 
 Candidate candidate_at(const CheckpointColumns& from, std::size_t row) {
   Candidate c;
-  c.shape = from.shape[row];
+  c.shape = ShapeId{from.shape[row]};
   c.source = from.source[row];
   c.canvas_from_shape = pose_at(from.pose, row);
   const float* t = from.terms.data() + 5 * row;
@@ -64,7 +64,7 @@ void append_loop(CheckpointColumns& to, const CheckpointState& state) {
   for (const auto count : kCounts) to.counts.push_back(state.statistics.*count);
   for (const auto measure : kMeasures) to.measures.push_back(state.statistics.*measure);
   for (const Placement& p : state.placements) {
-    to.placed_shape.push_back(p.shape);
+    to.placed_shape.push_back(index_of(p.shape));
     append(to.placed_pose, p.canvas_from_shape);
     to.placed_score.push_back(p.score);
     to.placed_matched.push_back(p.matched_px);
@@ -73,7 +73,7 @@ void append_loop(CheckpointColumns& to, const CheckpointState& state) {
 
 void append_pool(CheckpointColumns& to, const CheckpointState& state) {
   for (const PooledSample& sample : state.pool) {
-    to.pool_edge.push_back(sample.edge);
+    to.pool_edge.push_back(edge_number(sample.id));
     to.pool_truncated.push_back(sample.truncated);
     to.pool_candidates.push_back(std::uint32_t(sample.candidates.size()));
     for (const Candidate& c : sample.candidates) append_candidate(to, c);
@@ -81,10 +81,10 @@ void append_pool(CheckpointColumns& to, const CheckpointState& state) {
 }
 
 void append_samples(CheckpointColumns& to, const CheckpointState& state) {
-  to.stale = state.stale;
-  for (const SamplePasses& sample : state.passes) to.passes.insert(to.passes.end(), {sample.edge, sample.passes});
+  for (const SampleId id : state.stale) to.stale.push_back(edge_number(id));
+  for (const SamplePasses& sample : state.passes) to.passes.insert(to.passes.end(), {edge_number(sample.id), sample.passes});
   for (const MatchedPad& pad : state.matched) {
-    to.matched_edge.push_back(pad.edge);
+    to.matched_edge.push_back(edge_number(pad.sample));
     to.matched_pad.insert(to.matched_pad.end(), pad.left.begin(), pad.left.end());
     to.matched_pad.insert(to.matched_pad.end(), pad.right.begin(), pad.right.end());
     to.matched_pad.push_back(pad.convexity);
@@ -158,28 +158,28 @@ void read_loop(const CheckpointColumns& from, CheckpointState& state) {
   for (std::size_t i = 0; i < std::size(kMeasures); ++i) state.statistics.*kMeasures[i] = from.measures[i];
   for (std::size_t i = 0; i < from.placed_shape.size(); ++i) {
     state.placements.push_back(
-        {from.placed_shape[i], pose_at(from.placed_pose, i), from.placed_score[i], from.placed_matched[i]});
+        {ShapeId{from.placed_shape[i]}, pose_at(from.placed_pose, i), from.placed_score[i], from.placed_matched[i]});
   }
 }
 
 void read_pool(const CheckpointColumns& from, CheckpointState& state) {
   std::size_t row = 0;
   for (std::size_t i = 0; i < from.pool_edge.size(); ++i) {
-    PooledSample sample{from.pool_edge[i], from.pool_truncated[i] != 0, {}};
+    PooledSample sample{SampleId{from.pool_edge[i]}, from.pool_truncated[i] != 0, {}};
     for (std::uint32_t k = 0; k < from.pool_candidates[i]; ++k) sample.candidates.push_back(candidate_at(from, row++));
     state.pool.push_back(std::move(sample));
   }
 }
 
 void read_samples(const CheckpointColumns& from, CheckpointState& state) {
-  state.stale = from.stale;
+  for (const std::uint32_t edge : from.stale) state.stale.push_back(SampleId{edge});
   for (std::size_t i = 0; i + 1 < from.passes.size(); i += 2) {
-    state.passes.push_back({from.passes[i], from.passes[i + 1]});
+    state.passes.push_back({SampleId{from.passes[i]}, from.passes[i + 1]});
   }
   for (std::size_t i = 0; i < from.matched_edge.size(); ++i) {
     const float* row = from.matched_pad.data() + kMatchedRow * i;
     MatchedPad pad;
-    pad.edge = from.matched_edge[i];
+    pad.sample = SampleId{from.matched_edge[i]};
     std::copy_n(row, kLevels, pad.left.begin());
     std::copy_n(row + kLevels, kLevels, pad.right.begin());
     pad.convexity = row[2 * kLevels];

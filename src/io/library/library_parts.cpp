@@ -99,7 +99,7 @@ HeadReader::HeadReader(hid_t file, const layout::Columns& columns)
       radius_(file, columns.radius),
       mean_lab_(file, columns.mean_lab) {}
 
-void HeadReader::read(const ShapeRange& range) const {
+void HeadReader::read(const ShapeBatch& range) const {
   const auto name = read_texts(name_, range.begin, range.end);
   const auto perimeter = read_lengths(perimeter_, range.begin, range.end);
   const auto radius = read_lengths(radius_, range.begin, range.end);
@@ -121,7 +121,7 @@ OutlineReader::OutlineReader(hid_t file, const layout::Columns& columns)
   if (first_point_.rows() == 0) out_of_range(first_point_);
 }
 
-std::vector<std::uint64_t> OutlineReader::read(const ShapeRange& range) const {
+std::vector<std::uint64_t> OutlineReader::read(const ShapeBatch& range) const {
   const auto curves = read_offsets(first_curve_, range.begin, range.end, this->curves(), 1, layout::kMaxCurvesPerShape);
   const auto points =
       read_offsets(first_point_, curves.front(), curves.back(), points_.rows(), 3, layout::kMaxPointsPerShape);
@@ -148,7 +148,7 @@ FieldReader::FieldReader(hid_t file, const layout::Columns& columns)
       scale_(file, columns.field_scale),
       extent_(file, columns.field_extent) {}
 
-std::vector<std::uint64_t> FieldReader::read(const ShapeRange& range) const {
+std::vector<std::uint64_t> FieldReader::read(const ShapeBatch& range) const {
   const auto quantised = distance_.read<std::int16_t>(range.begin, range.end);
   const auto step = read_floats(scale_, range.begin, range.end, 1e-9f, 1);
   const auto extent = read_lengths(extent_, range.begin, range.end);
@@ -175,7 +175,7 @@ LevelReader::LevelReader(hid_t file, const layout::LevelColumns& columns, std::s
   check_level_attributes(file, level);
 }
 
-std::vector<std::uint64_t> LevelReader::read(const ShapeRange& range, int pad_levels) const {
+std::vector<std::uint64_t> LevelReader::read(const ShapeBatch& range, int pad_levels) const {
   const auto points = read_points(points_, range.begin, range.end);
   const auto perimeter = read_lengths(perimeter_, range.begin, range.end);
   const auto lengths = read_floats(lengths_, range.begin, range.end, 0, layout::kMaxCoordinate);
@@ -196,7 +196,7 @@ BytesReader::BytesReader(hid_t file, const layout::Column& first, const layout::
       first_(file, first),
       bytes_(file, bytes) {}
 
-void BytesReader::read(const ShapeRange& range, std::vector<std::uint8_t> Artwork::*target) const {
+void BytesReader::read(const ShapeBatch& range, std::vector<std::uint8_t> Artwork::*target) const {
   const auto first = read_offsets(first_, range.begin, range.end, bytes_.rows(), 0, most_);
   for (std::size_t i = 0; i < range.count(); ++i) {
     range.shapes[i].artwork.*target = bytes_.read<std::uint8_t>(first[i], first[i + 1]);
@@ -222,7 +222,7 @@ std::vector<const ColumnReader*> ArtworkReader::columns() const {
   return all;
 }
 
-void ArtworkReader::read(const ShapeRange& range) const {
+void ArtworkReader::read(const ShapeBatch& range) const {
   constexpr auto kLimit = float(layout::kMaxArtworkSize_px);
   const auto size = size_.read<std::int32_t>(range.begin, range.end);
   const auto centroid = read_floats(centroid_, range.begin, range.end, -kLimit, kLimit);
@@ -248,7 +248,7 @@ void ArtworkReader::read(const ShapeRange& range) const {
   }
 }
 
-void ArtworkReader::read_files(const ShapeRange& range) const {
+void ArtworkReader::read_files(const ShapeBatch& range) const {
   const auto path = read_texts(path_, range.begin, range.end);
   for (std::size_t i = 0; i < range.count(); ++i) range.shapes[i].artwork.path = path[i];
   if (beside_) {

@@ -15,7 +15,7 @@
 namespace tessera::io {
 
 /// Shapes [begin, end) of the file and where they are to be read to.
-struct ShapeRange {
+struct ShapeBatch {
   std::size_t begin;
   std::size_t end;
   Shape* shapes;
@@ -27,7 +27,7 @@ struct ShapeRange {
 class HeadReader {
  public:
   HeadReader(hid_t file, const layout::Columns& columns);
-  void read(const ShapeRange& range) const;
+  void read(const ShapeBatch& range) const;
   std::size_t shapes() const { return name_.rows(); }
   std::vector<const ColumnReader*> columns() const { return {&name_, &perimeter_, &radius_, &mean_lab_}; }
 
@@ -38,7 +38,7 @@ class HeadReader {
 class OutlineReader {
  public:
   OutlineReader(hid_t file, const layout::Columns& columns);
-  std::vector<std::uint64_t> read(const ShapeRange& range) const;
+  std::vector<std::uint64_t> read(const ShapeBatch& range) const;
   std::size_t curves() const { return first_point_.rows() - 1; }
   std::size_t points() const { return points_.rows(); }
   std::vector<const ColumnReader*> columns() const { return {&first_curve_, &first_point_, &points_}; }
@@ -50,7 +50,7 @@ class OutlineReader {
 class FieldReader {
  public:
   FieldReader(hid_t file, const layout::Columns& columns);
-  std::vector<std::uint64_t> read(const ShapeRange& range) const;
+  std::vector<std::uint64_t> read(const ShapeBatch& range) const;
   std::vector<const ColumnReader*> columns() const { return {&distance_, &scale_, &extent_}; }
 
  private:
@@ -61,7 +61,7 @@ class FieldReader {
 class LevelReader {
  public:
   LevelReader(hid_t file, const layout::LevelColumns& columns, std::size_t level);
-  std::vector<std::uint64_t> read(const ShapeRange& range, int pad_levels) const;
+  std::vector<std::uint64_t> read(const ShapeBatch& range, int pad_levels) const;
   std::vector<const ColumnReader*> columns() const {
     return {&points_, &perimeter_, &lengths_, &keypoints_, &convexity_};
   }
@@ -76,7 +76,7 @@ class BytesReader {
  public:
   /// A shape has at most `most` bytes.
   BytesReader(hid_t file, const layout::Column& first, const layout::Column& bytes, std::size_t most);
-  void read(const ShapeRange& range, std::vector<std::uint8_t> Artwork::*target) const;
+  void read(const ShapeBatch& range, std::vector<std::uint8_t> Artwork::*target) const;
   std::uint64_t bytes() const { return bytes_.rows(); }
   std::vector<const ColumnReader*> columns() const { return {&first_, &bytes_}; }
 
@@ -90,11 +90,11 @@ class ArtworkReader {
  public:
   /// `folder`: where the library lies now.
   ArtworkReader(hid_t file, const layout::Columns& columns, const std::filesystem::path& folder);
-  void read(const ShapeRange& range) const;
+  void read(const ShapeBatch& range) const;
   std::vector<const ColumnReader*> columns() const;
 
  private:
-  void read_files(const ShapeRange& range) const;
+  void read_files(const ShapeBatch& range) const;
 
   std::filesystem::path folder_;
   ColumnReader path_, size_, centroid_, unit_;

@@ -61,7 +61,7 @@ struct LibraryFile::State {
   LibrarySummary summary() const;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const;
   /// Returns the digests of what was read, which agree with those that are stored.
-  std::vector<PartDigests> read_batch(const ShapeRange& range, const LibraryParts& parts) const;
+  std::vector<PartDigests> read_batch(const ShapeBatch& range, const LibraryParts& parts) const;
 
   std::string path;
   Hdf5Handle file;
@@ -121,7 +121,7 @@ std::vector<PartDigests> LibraryFile::State::stored_digests(std::size_t begin, s
   return part_digest ? part_digest->read<PartDigests>(begin, end) : std::vector<PartDigests>();
 }
 
-std::vector<PartDigests> LibraryFile::State::read_batch(const ShapeRange& range, const LibraryParts& parts) const {
+std::vector<PartDigests> LibraryFile::State::read_batch(const ShapeBatch& range, const LibraryParts& parts) const {
   const std::vector<PartDigests> stored = stored_digests(range.begin, range.end);
   std::vector<PartDigests> found(range.count());
   const auto take = [&](std::size_t part, const std::vector<std::uint64_t>& digests) {

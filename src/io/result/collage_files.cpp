@@ -21,7 +21,7 @@ std::string in_directory(const std::string& dir, const char* name) { return (fs:
 
 Quality measured_quality(const CollageReport& report) {
   return measure_quality(*report.canvas, report.placements,
-                         [&](std::uint32_t index) -> const Shape& { return report.shape(index); });
+                         [&](ShapeId id) -> const Shape& { return report.shape(id); });
 }
 
 void remove_file(const std::string& path) {
@@ -41,10 +41,12 @@ void withdraw(const std::string& dir) {
 
 }  // namespace
 
-std::size_t CollageReport::slot_of(std::uint32_t index) const {
-  const auto found = std::find(shape_index.begin(), shape_index.end(), index);
-  if (found == shape_index.end()) throw std::out_of_range("shape " + std::to_string(index) + " is not in the report");
-  return std::size_t(found - shape_index.begin());
+std::size_t CollageReport::slot_of(ShapeId id) const {
+  const auto found = std::find(shape_ids.begin(), shape_ids.end(), id);
+  if (found == shape_ids.end()) {
+    throw std::out_of_range("shape " + std::to_string(index_of(id)) + " is not in the report");
+  }
+  return std::size_t(found - shape_ids.begin());
 }
 
 void create_output_directory(const std::string& dir) {

@@ -1,7 +1,7 @@
 // What a run leaves in its directory: pieces, quality card, effective job, manifest. The pictures are made from these.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,21 +16,21 @@
 
 namespace tessera::io {
 
-/// All that the output files and pictures are made from. `shapes[i]` is the library shape of index `shape_index[i]`; only shapes that
-/// were placed are there, read with outline, field, thumbnail and embedded original.
+/// All that the output files and pictures are made from. `shapes[i]` is the library's shape `shape_ids[i]`; only shapes
+/// that were placed are there, read with outline, field, thumbnail and embedded original.
 struct CollageReport {
   const Job* job = nullptr;
   const Canvas* canvas = nullptr;
   std::vector<Placement> placements;
-  std::vector<std::uint32_t> shape_index;
+  std::vector<ShapeId> shape_ids;
   std::vector<Shape> shapes;
   RunStatistics statistics;
   RankStatistics ranks;
   RunRecord record;
 
-  /// Where library shape `index` is in `shapes`. Throws std::out_of_range where it is not.
-  std::size_t slot_of(std::uint32_t index) const;
-  const Shape& shape(std::uint32_t index) const { return shapes[slot_of(index)]; }
+  /// Where the shape is in `shapes`. Throws std::out_of_range where it is not.
+  std::size_t slot_of(ShapeId id) const;
+  const Shape& shape(ShapeId id) const { return shapes[slot_of(id)]; }
 };
 
 /// With its parents; throws EnvironmentError.

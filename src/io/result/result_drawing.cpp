@@ -62,7 +62,7 @@ std::vector<Placement> placements_of(const std::string& dir, const ResultManifes
   }
   std::vector<Placement> placements(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (manifest.shapes[i] >= shapes) throw InputError(path_in(dir, kManifestName) + ": a shape that the library lacks");
+    if (index_of(manifest.shapes[i]) >= shapes) throw InputError(path_in(dir, kManifestName) + ": a shape that the library lacks");
     placements[i].shape = manifest.shapes[i];
     placements[i].canvas_from_shape = pieces[i];
   }
@@ -71,12 +71,13 @@ std::vector<Placement> placements_of(const std::string& dir, const ResultManifes
 
 /// Of the shapes that were placed, all that drawing needs.
 void add_shapes(const LibraryFile& library, const StopWatcher& stop, CollageReport& report) {
-  std::set<std::uint32_t> placed;
+  std::set<ShapeId> placed;
   for (const Placement& placement : report.placements) placed.insert(placement.shape);
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
-  for (const std::uint32_t index : placed) {
+  for (const ShapeId id : placed) {
     stop.check();
-    report.shape_index.push_back(index);
+    const std::uint32_t index = index_of(id);
+    report.shape_ids.push_back(id);
     report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
   }
 }

@@ -51,7 +51,7 @@ ResultManifest from_json(const Json& json) {
   ResultManifest manifest;
   manifest.finished = json.at("state") == "finished";
   manifest.pieces_digest = json.at("pieces").at("digest");
-  manifest.shapes = json.at("pieces").at("shapes").get<std::vector<std::uint32_t>>();
+  manifest.shapes = json.at("pieces").at("shapes").get<std::vector<ShapeId>>();
   manifest.job_digest = json.at("job").at("digest");
   manifest.library = json.at("library").at("file");
   manifest.library_digest = number(json.at("library").at("digest"));

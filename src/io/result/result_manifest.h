@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/shape/shape_id.h"
+
 namespace tessera::io {
 
 inline constexpr const char* kManifestName = "manifest.json";
@@ -26,7 +28,7 @@ struct ResultManifest {
   std::string library;  // where it was
   std::uint64_t library_digest = 0;
   std::uint64_t canvas_digest = 0;
-  std::vector<std::uint32_t> shapes;  // of the pieces, in order of placement: indices in the library
+  std::vector<ShapeId> shapes;  // of the pieces, in order of placement
   std::vector<DrawnPicture> pictures;
 
   friend bool operator==(const ResultManifest&, const ResultManifest&) = default;

@@ -100,14 +100,14 @@ SvgSymbol ShapeArtworks::symbol(std::size_t slot, const std::string& id) {
 }
 
 DrawingNotes ShapeArtworks::notes() const {
-  std::map<std::uint32_t, std::size_t> uses;
+  std::map<ShapeId, std::size_t> uses;
   for (const Placement& placement : report_.placements) ++uses[placement.shape];
   DrawingNotes result;
   result.pieces = report_.placements.size();
   const std::lock_guard lock(mutex_);
   for (const auto& [slot, note] : notes_) {
     result.notes.push_back(
-        {report_.shapes[slot].name, note.first, note.second, uses[report_.shape_index[slot]]});
+        {report_.shapes[slot].name, note.first, note.second, uses[report_.shape_ids[slot]]});
   }
   return result;
 }
