@@ -1,41 +1,14 @@
 // When the region counts as full.
 #include <gtest/gtest.h>
 
-#include "master/filling.h"
-#include "offering_matcher.h"
+#include "offered_filling.h"
 
 namespace tessera::master {
 namespace {
 
 using test::piece;
 
-const std::vector<Shape>& library() {
-  static const std::vector<Shape> shapes = test::synthetic_library(4);
-  return shapes;
-}
-
-CollageSettings settings() {
-  CollageSettings s;
-  s.pieces.min_scale_px = 20;
-  s.pieces.max_scale_px = 90;
-  return s;
-}
-
-class FillingTest : public testing::Test {
- protected:
-  explicit FillingTest(const CollageSettings& s = settings())
-      : context_(make_matching_context(s, std::uint32_t(library().size()))),
-        collage_(canvas_, s, context_, shapes_),
-        filling_(collage_, context_, s, matcher_, statistics_) {}
-
-  const Canvas canvas_ = make_rectangle_canvas(200, 140);
-  MatchingContext context_;
-  test::VectorShapes shapes_{library()};
-  Collage collage_;
-  test::OfferingMatcher matcher_{library()};
-  RunStatistics statistics_;
-  Filling filling_;
-};
+using FillingTest = test::OfferedFilling;
 
 TEST_F(FillingTest, AsksTwiceMoreBeforeTheRegionIsFull) {
   EXPECT_FALSE(filling_.place_one());

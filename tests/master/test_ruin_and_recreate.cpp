@@ -2,34 +2,26 @@
 #include <gtest/gtest.h>
 
 #include "master/ruin_and_recreate.h"
-#include "offering_matcher.h"
+#include "offered_filling.h"
 
 namespace tessera::master {
 namespace {
 
 using test::piece;
 
-const std::vector<Shape>& library() {
-  static const std::vector<Shape> shapes = test::synthetic_library(4);
-  return shapes;
-}
-
-CollageSettings settings() {
-  CollageSettings s;
-  s.pieces.min_scale_px = 20;
-  s.pieces.max_scale_px = 90;
-  s.settle = false;  // pieces are placed where the matcher says
-  return s;
-}
-
 /// A collage of two small pieces in opposite corners of the canvas, where target samples lie beside the hole that they
 /// leave; every trial takes out one of them or both.
-class RuinAndRecreateTest : public testing::Test {
+class RuinAndRecreateTest : public test::OfferedFilling {
  protected:
-  explicit RuinAndRecreateTest(const CollageSettings& s = settings())
-      : context_(make_matching_context(s, std::uint32_t(library().size()))),
-        collage_(canvas_, s, context_, shapes_),
-        filling_(collage_, context_, s, matcher_, statistics_),
+  /// Pieces are placed where the matcher says.
+  static CollageSettings unsettled() {
+    CollageSettings s = settings();
+    s.settle = false;
+    return s;
+  }
+
+  explicit RuinAndRecreateTest(const CollageSettings& s = unsettled())
+      : OfferedFilling(s),
         ruin_(collage_, filling_, s) {
     collage_.replace_placements(before_);
   }
@@ -40,13 +32,6 @@ class RuinAndRecreateTest : public testing::Test {
   }
 
   const std::vector<Placement> before_ = {piece(0, 30, {18, 18}), piece(3, 24, {187, 127})};
-  const Canvas canvas_ = make_rectangle_canvas(200, 140);
-  MatchingContext context_;
-  test::VectorShapes shapes_{library()};
-  Collage collage_;
-  test::OfferingMatcher matcher_{library()};
-  RunStatistics statistics_;
-  Filling filling_;
   RuinAndRecreate ruin_;
   std::uint32_t trial_ = 0;
 };
@@ -83,7 +68,7 @@ TEST_F(RuinAndRecreateTest, AnInterruptedTrialIsPutBack) {
 class WithTwoPiecesAtMost : public RuinAndRecreateTest {
  protected:
   static CollageSettings two_pieces() {
-    CollageSettings s = settings();
+    CollageSettings s = unsettled();
     s.stop.pieces = 2;
     return s;
   }

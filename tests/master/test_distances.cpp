@@ -1,0 +1,89 @@
+// How near pieces come to each other and to the canvas' edge, measured on the outlines as they are written.
+#include <gtest/gtest.h>
+
+#include "core/tuning.h"
+#include "support/polygon_distance.h"
+#include "whole_collage.h"
+
+namespace tessera::master {
+namespace {
+
+using namespace whole_collage;
+
+/// As written: with three decimals.
+std::vector<Outline> written_outlines(const std::vector<Placement>& placements) {
+  std::vector<Outline> outlines;
+  for (const Placement& placement : placements) {
+    Outline outline = library()[index_of(placement.shape)].outline;
+    for (std::vector<Vec2>& curve : outline.curves) {
+      for (Vec2& p : curve) {
+        p = placement.canvas_from_shape.apply(p);
+        p = {std::round(p.x * 1000) / 1000, std::round(p.y * 1000) / 1000};
+      }
+    }
+    outlines.push_back(outline);
+  }
+  return outlines;
+}
+
+/// Between two of the pieces, or one of them and the edge of a rectangle, px.
+double least_distance_px(const Canvas& canvas, const std::vector<Placement>& placements) {
+  const std::vector<Outline> outlines = written_outlines(placements);
+  double least = 1e9;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    for (const Vec2 p : outlines[i].curves[0]) {
+      least = std::min({least, double(p.x), double(p.y), double(canvas.width_px) - p.x, double(canvas.height_px) - p.y});
+    }
+    const Similarity& a = placements[i].canvas_from_shape;
+    for (std::size_t k = 0; k < i; ++k) {
+      const Similarity& b = placements[k].canvas_from_shape;
+      const float radii_px = library()[index_of(placements[i].shape)].radius * a.scale() + library()[index_of(placements[k].shape)].radius * b.scale();
+      if (norm(a.translation() - b.translation()) > radii_px + 8) continue;
+      least = std::min(least, test::polygon_distance(outlines[i], outlines[k]));
+    }
+  }
+  return least;
+}
+
+TEST(Distances, KeepsThePadding) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  for (const float padding_px : {1.f, 2.f, 3.f, 7.f}) {
+    CollageSettings s = settings();
+    s.pieces.padding_px = padding_px;
+    const CollageResult result = run(canvas, s);
+    EXPECT_GE(least_distance_px(canvas, result.placements), padding_px);
+    EXPECT_GT(quality(canvas, result).coverage, padding_px < 4 ? 0.5 : 0.3);
+  }
+}
+
+TEST(Distances, KeepsThePaddingWithAnySizesAndRotations) {
+  const Canvas canvas = make_rectangle_canvas(160, 120);
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    CollageSettings s = settings();
+    s.seed = seed;
+    s.pieces.padding_px = 3;
+    s.pieces.max_scale_px = 16 * float(seed) + 40;
+    s.pieces.min_scale_px = s.pieces.max_scale_px / (seed % 2 ? 8 : 2);
+    if (seed > 2) s.pieces.min_rotation_rad = s.pieces.max_rotation_rad = 0;
+    EXPECT_GE(least_distance_px(canvas, run(canvas, s).placements), 3.0) << "seed " << seed;
+  }
+}
+
+/// However thin a tip is, no vertex of a piece lies deep in another.
+TEST(Distances, NoVertexLiesDeepInAnotherPiece) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const std::vector<Placement> placements = run(canvas, settings()).placements;
+  const std::vector<Outline> outlines = written_outlines(placements);
+  float deepest = 0;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    for (std::size_t k = 0; k < outlines.size(); ++k) {
+      const Vec2 apart = placements[i].canvas_from_shape.translation() - placements[k].canvas_from_shape.translation();
+      if (i == k || norm(apart) > 150) continue;
+      for (const Vec2 p : outlines[i].curves[0]) deepest = std::max(deepest, -test::signed_distance(outlines[k], p));
+    }
+  }
+  EXPECT_LE(deepest, kHardDepth_px + 0.01f);
+}
+
+}  // namespace
+}  // namespace tessera::master

@@ -1,0 +1,113 @@
+// A state that does not belong to canvas and library, or was damaged, is refused with the reason.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/base/error.h"
+#include "stopped_collage.h"
+
+namespace tessera::master {
+namespace {
+
+using namespace stopped_collage;
+
+/// A state after some rounds, for damage.
+class ForeignState : public testing::Test {
+ protected:
+  void SetUp() override {
+    KeepLatest keeper;
+    StopAfter stop(4);
+    run(settings(), {}, stop, {nullptr, &keeper});
+    state_ = keeper.latest;
+    state_.name = "checkpoint.h5";
+  }
+
+  std::string complaint() const {
+    SilentObserver silent;
+    try {
+      run(settings(), {}, silent, {&state_, nullptr});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+
+  void expect_complaint(const std::string& what) const {
+    EXPECT_EQ(complaint(), "checkpoint.h5: not a checkpoint of this canvas and library: " + what +
+                               "; --restart removes it and starts again");
+  }
+
+  CheckpointState state_;
+};
+
+TEST_F(ForeignState, IsFineBeforeTheChange) { EXPECT_EQ(complaint(), "none"); }
+
+TEST_F(ForeignState, PiecesInAnotherPlace) {
+  state_.placements[1].canvas_from_shape.tx += 0.25f;
+  state_.pool.clear();
+  state_.stale.clear();
+  state_.matched.clear();
+  expect_complaint("its pieces do not give the free region that it was written for");
+}
+
+TEST_F(ForeignState, ShapesThatDoNotExist) {
+  state_.placements[0].shape = ShapeId{12};
+  expect_complaint("shape 12 of 12");
+}
+
+TEST_F(ForeignState, CandidatesThatDoNotExist) {
+  for (PooledSample& sample : state_.pool) {
+    for (Candidate& c : sample.candidates) c.shape = ShapeId{4'000'000'000u};
+  }
+  expect_complaint("shape 4000000000 of 12");
+}
+
+TEST_F(ForeignState, AbsurdPoses) {
+  for (const float absurd : {1e30f, -1e9f, std::numeric_limits<float>::quiet_NaN()}) {
+    state_.placements[0].canvas_from_shape.ty = absurd;
+    expect_complaint("a piece out of all proportion");
+  }
+  for (const float scale_px : {0.f, 1.f, 1e6f}) {
+    state_.placements[0].canvas_from_shape = {scale_px, 0, 10, 10};
+    expect_complaint("a piece out of all proportion");
+  }
+}
+
+TEST_F(ForeignState, AbsurdWindows) {
+  for (const int absurd : {std::numeric_limits<int>::min(), -1'000'000, 5000}) {
+    for (PooledSample& sample : state_.pool) {
+      for (Candidate& c : sample.candidates) c.window.x0 = absurd;
+    }
+    expect_complaint("a candidate out of all proportion");
+  }
+}
+
+TEST_F(ForeignState, AbsurdShapeSizes) {
+  for (const float size : {0.f, -5.f, 1e30f, std::numeric_limits<float>::quiet_NaN()}) {
+    for (float Candidate::*member : {&Candidate::perimeter, &Candidate::radius}) {
+      const CheckpointState whole = state_;
+      for (PooledSample& sample : state_.pool) {
+        for (Candidate& c : sample.candidates) c.*member = size;
+      }
+      expect_complaint("a candidate out of all proportion");
+      state_ = whole;
+    }
+  }
+}
+
+TEST_F(ForeignState, MorePassesThanThereCanBe) {
+  state_.empty_passes = 3;
+  EXPECT_EQ(complaint(), "checkpoint.h5: not a checkpoint of this job: 3 passes without a piece; --restart removes it and "
+                         "starts again");
+}
+
+TEST_F(ForeignState, TargetSamplesThatDoNotExist) {
+  state_.stale.push_back(SampleId{4'000'000'000u});
+  expect_complaint("there is no target sample 4000000000");
+  state_.stale.clear();
+  state_.matched.push_back({});
+  expect_complaint("there is no target sample 0");
+}
+
+}  // namespace
+}  // namespace tessera::master

@@ -1,0 +1,108 @@
+// A question to the matcher that is given up, wherever it is, leaves a state from which the loop goes on.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/base/interrupted.h"
+#include "stopped_collage.h"
+
+namespace tessera::master {
+namespace {
+
+using namespace stopped_collage;
+
+/// Is told to stop at one of its questions: where it would be posted, or where its answer would be taken.
+class InterruptedMatcher : public Matcher {
+ public:
+  InterruptedMatcher(Matcher& matcher, std::size_t calls) : matcher_(matcher), left_(calls) {}
+
+  ShapeRange shapes() const override { return matcher_.shapes(); }
+  void start_field(int width, int height, Vec2 origin) override { matcher_.start_field(width, height, origin); }
+  void update_field(const FieldPatch& patch) override { call().update_field(patch); }
+  void post_count(const CountRequest& request) override { call().post_count(request); }
+  std::vector<DistanceHistogram> take_count() override { return call().take_count(); }
+  void post_dock(const DockRequest& request) override { call().post_dock(request); }
+  DockReply take_dock() override { return call().take_dock(); }
+  void post_refine(const std::vector<Docking>& dockings) override { call().post_refine(dockings); }
+  std::vector<RefinedDocking> take_refine() override { return call().take_refine(); }
+  void post_measure(const std::vector<Docking>& dockings) override { call().post_measure(dockings); }
+  std::vector<DockingTerms> take_measure() override { return call().take_measure(); }
+
+  std::size_t calls_left() const { return left_; }
+
+ private:
+  Matcher& call() {
+    if (left_ == 0) throw std::logic_error("asked again after an interruption");
+    if (--left_ == 0) throw Interrupted{"signal"};
+    return matcher_;
+  }
+
+  Matcher& matcher_;
+  std::size_t left_;
+};
+
+constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
+
+/// Gives the question up with which the matcher was called for the `calls`-th time.
+CollageResult run_until_call(const CollageSettings& s, std::size_t& calls, const Checkpoints& checkpoints) {
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+  CompositeMatcher matcher = test::divided_matcher(library(), context, {});
+  InterruptedMatcher interrupted(matcher, calls);
+  test::VectorShapes shapes(library());
+  SilentObserver silent;
+  const CollageResult result = make_collage(canvas(), s, interrupted, shapes, silent, checkpoints);
+  calls -= interrupted.calls_left();
+  return result;
+}
+
+void check_given_up_questions(const CollageSettings& s) {
+  std::size_t all_calls = kNever;
+  const CollageResult whole = run_until_call(s, all_calls, {});
+  ASSERT_GT(all_calls, 50u);
+  constexpr std::size_t kInterruptions = 10;
+  std::size_t interrupted_again = 0;
+  for (std::size_t i = 0; i < kInterruptions; ++i) {
+    KeepLatest keeper;
+    std::size_t calls = 1 + (all_calls - 1) * i / (kInterruptions - 1) - i % 3 * (i < kInterruptions - 1 && i > 0);
+    const CollageResult interrupted = run_until_call(s, calls, {nullptr, &keeper});
+    EXPECT_TRUE(interrupted.unfinished && interrupted.gave_up_question) << i;
+    EXPECT_EQ(interrupted.statistics.stopped_by, "signal");
+    const CheckpointState first = keeper.latest;
+    calls = 2 + i;  // and soon once more
+    if (!run_until_call(s, calls, {&first, &keeper}).unfinished) continue;
+    ++interrupted_again;
+    const CheckpointState second = keeper.latest;
+    SilentObserver silent;
+    const CollageResult found = run(s, {4}, silent, {&second, nullptr});
+    EXPECT_EQ(found.placements, whole.placements) << i;
+    EXPECT_EQ(found.statistics.rounds, whole.statistics.rounds) << i;
+    EXPECT_EQ(found.statistics.trials, whole.statistics.trials) << i;
+    EXPECT_EQ(found.statistics.trials_kept, whole.statistics.trials_kept) << i;
+  }
+  EXPECT_GE(interrupted_again, kInterruptions - 2) << "only the last ones may end before they are interrupted again";
+}
+
+TEST(GivenUpQuestion, ChangesNothing) { check_given_up_questions(settings()); }
+
+TEST(GivenUpQuestion, ChangesNothingInATrial) { check_given_up_questions(improved()); }
+
+TEST(GivenUpQuestion, ChangesNothingWithOtherSettingsToo) { check_given_up_questions(with_few_uses()); }
+
+/// The last calls are those of the passes in which nothing is found any more.
+TEST(GivenUpQuestion, MayBeAnyOfTheLastPasses) {
+  std::size_t all_calls = kNever;
+  const CollageResult whole = run_until_call(settings(), all_calls, {});
+  bool in_empty_pass = false;
+  for (std::size_t back = 0; back < 10; ++back) {
+    KeepLatest keeper;
+    std::size_t calls = all_calls - back;
+    EXPECT_TRUE(run_until_call(settings(), calls, {nullptr, &keeper}).unfinished);
+    in_empty_pass |= keeper.latest.empty_passes > 0;
+    SilentObserver silent;
+    EXPECT_EQ(run(settings(), {}, silent, {&keeper.latest, nullptr}).placements, whole.placements) << back;
+  }
+  EXPECT_TRUE(in_empty_pass);
+}
+
+}  // namespace
+}  // namespace tessera::master

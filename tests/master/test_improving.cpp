@@ -1,0 +1,59 @@
+// Ruin and recreate as a part of the whole loop.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "whole_collage.h"
+
+namespace tessera::master {
+namespace {
+
+using namespace whole_collage;
+
+TEST(Improving, CoversMoreAndKeepsTheRules) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const Quality before = quality(canvas, run(canvas, settings()));
+  const CollageResult result = run(canvas, improved(40));
+  const Quality after = quality(canvas, result);
+  EXPECT_EQ(result.statistics.trials, 40u);
+  EXPECT_GT(result.statistics.trials_kept, 2u);
+  EXPECT_GT(after.coverage, before.coverage + 0.003);
+  EXPECT_LT(after.overlap, 0.01);
+  EXPECT_LT(after.outside, 0.001);
+}
+
+TEST(Improving, DoesNotDependOnHowTheLibraryIsDivided) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  const CollageResult whole = run(canvas, improved(15));
+  EXPECT_GT(whole.statistics.trials_kept, 0u);
+  EXPECT_EQ(run(canvas, improved(15), {1, 2, 9}).placements, whole.placements);
+}
+
+TEST(Improving, KeepsToTheNumberOfUses) {
+  CollageSettings s = improved(20);
+  s.pieces.uses = 2;
+  std::map<ShapeId, int> uses;
+  const CollageResult result = run(make_rectangle_canvas(300, 220), s);
+  EXPECT_GT(result.statistics.trials_kept, 0u);
+  for (const Placement& p : result.placements) EXPECT_LE(++uses[p.shape], 2);
+}
+
+/// The limits of [stop] hold while improving, too.
+TEST(Improving, KeepsToTheLimitsOfStop) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const CollageResult greedy = run(canvas, settings());
+  CollageSettings s = improved(60);
+  const CollageResult free = run(canvas, s);
+  ASSERT_GT(free.placements.size(), greedy.placements.size());
+  EXPECT_EQ(free.statistics.rounds, greedy.statistics.rounds) << "the card's iterations are those of the greedy part";
+  s.stop.pieces = int(greedy.placements.size()) + 1;
+  EXPECT_LE(run(canvas, s).placements.size(), std::size_t(s.stop.pieces));
+  s = improved(60);
+  s.stop.coverage = float(quality(canvas, greedy).coverage) + 0.001f;
+  const CollageResult covered = run(canvas, s);
+  EXPECT_EQ(covered.statistics.stopped_by, "coverage");
+  EXPECT_LT(covered.statistics.trials, 60u);
+}
+
+}  // namespace
+}  // namespace tessera::master

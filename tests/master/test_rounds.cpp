@@ -1,0 +1,121 @@
+// What holds from round to round: pieces are scored where they end, and what is computed ahead or undone leaves no trace.
+#include <gtest/gtest.h>
+
+#include "core/collage/exact_terms.h"
+#include "core/collage/objective.h"
+#include "core/matching/docking_terms.h"
+#include "master/collage.h"
+#include "whole_collage.h"
+
+namespace tessera::master {
+namespace {
+
+using namespace whole_collage;
+
+/// Rounds by hand, with or without checking ahead while the matcher would count.
+std::vector<Placement> placed_in_rounds(int rounds, bool checking_ahead) {
+  const CollageSettings s = settings();
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+  CompositeMatcher matcher = test::divided_matcher(library(), context, {});
+  test::VectorShapes shapes(library());
+  Collage collage(make_rectangle_canvas(300, 220), s, context, shapes);
+  const CanvasField& field = collage.free().field();
+  matcher.start_field(field.value.width(), field.value.height(), field.origin);
+  RunStatistics statistics;
+  PairReach reach;
+  for (int round = 0; round < rounds; ++round) {
+    matcher.update_field(read_patch(field.value, field.value.bounds()));
+    const std::vector<TargetSample> samples = collage.take_stale_samples();
+    int calls = 0;
+    const MatchRound found = match(matcher, samples, {20, 150}, 1000, reach, statistics, [&] {
+      ++calls;
+      if (checking_ahead) collage.check_ahead();
+    });
+    EXPECT_EQ(calls, samples.empty() ? 0 : 1);
+    collage.add_candidates(samples, found);
+    if (checking_ahead) collage.check_ahead();
+    Candidate best;
+    if (!collage.choose(best)) break;
+    const Window changed = collage.place(best);
+    matcher.update_field(read_patch(field.value, field.value.bounds()));
+    matcher.post_measure(collage.touched_by(changed));
+    collage.rescore(changed, matcher.take_measure());
+  }
+  return collage.placements();
+}
+
+/// Settling moves, shrinks and grows a piece: what it is worth is what it is worth where it ends, by its exact areas.
+TEST(Rounds, ASettledPieceIsScoredWhereItEnds) {
+  for (const Objective kind : {Objective::scale_aware, Objective::paper}) {
+    CollageSettings s = settings();
+    s.objective.kind = kind;
+    const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+    CompositeMatcher matcher = test::divided_matcher(library(), context, {});
+    test::VectorShapes shapes(library());
+    Collage collage(make_rectangle_canvas(300, 220), s, context, shapes);
+    const CanvasField& field = collage.free().field();
+    matcher.start_field(field.value.width(), field.value.height(), field.origin);
+    RunStatistics statistics;
+    PairReach reach;
+    for (int round = 0; round < 8; ++round) {
+      matcher.update_field(read_patch(field.value, field.value.bounds()));
+      const std::vector<TargetSample> samples = collage.take_stale_samples();
+      collage.add_candidates(samples, match(matcher, samples, {20, 150}, 1000, reach, statistics));
+      Candidate best;
+      ASSERT_TRUE(collage.choose(best));
+      const Shape& shape = library()[index_of(best.shape)];
+      const float scale = best.canvas_from_shape.scale();
+      const OpenedField opened(collage.free(), s.pieces);
+      const ExactAreas areas = exact_areas(shape, best.canvas_from_shape, collage.free(), opened, s.pieces);
+      const PieceSize size{scale, best.perimeter * scale, s.pieces.max_scale_px};
+      EXPECT_FLOAT_EQ(best.score, objective(with_exact_areas(best.terms, areas), size, s.objective));
+      EXPECT_EQ(best.terms, docking_terms(best.canvas_from_shape, shapes.model(best.shape), collage.free().view(), context));
+      const Window changed = collage.place(best);
+      matcher.update_field(read_patch(field.value, field.value.bounds()));
+      matcher.post_measure(collage.touched_by(changed));
+      collage.rescore(changed, matcher.take_measure());
+    }
+  }
+}
+
+TEST(Rounds, CheckingAheadChangesNothing) {
+  const std::vector<Placement> expected = placed_in_rounds(14, false);
+  EXPECT_GT(expected.size(), 10u);
+  EXPECT_EQ(placed_in_rounds(14, true), expected);
+}
+
+/// A collage that went there and back is as if it had never gone: the same field, the same samples.
+TEST(Rounds, PiecesTakenOutAndPutBackLeaveNoTrace) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const CollageSettings s = settings();
+  const std::vector<Placement> placements = run(canvas, s).placements;
+  test::VectorShapes shapes(library());
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+  Collage fresh(canvas, s, context, shapes);
+  fresh.replace_placements(placements);
+  Collage worn(canvas, s, context, shapes);
+  worn.replace_placements(placements);
+  for (std::size_t i = 0; i < placements.size(); i += 3) {
+    std::vector<Placement> fewer = placements;
+    fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+    worn.replace_placements(fewer);
+    worn.replace_placements(placements);
+  }
+  EXPECT_EQ(worn.free().free_256ths_px2(), fresh.free().free_256ths_px2());
+  EXPECT_EQ(worn.free().field().value.data(), fresh.free().field().value.data());
+  const Window all = canvas.distance.value.bounds();
+  fresh.mark_stale(all);
+  worn.mark_stale(all);
+  const std::vector<TargetSample> expected = fresh.take_stale_samples();
+  const std::vector<TargetSample> found = worn.take_stale_samples();
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    EXPECT_EQ(found[k].id, expected[k].id);
+    EXPECT_EQ(found[k].position, expected[k].position);
+    EXPECT_EQ(found[k].tangent, expected[k].tangent);
+    EXPECT_EQ(found[k].pyramid, expected[k].pyramid);
+  }
+}
+
+}  // namespace
+}  // namespace tessera::master
