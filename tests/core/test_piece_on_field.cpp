@@ -3,6 +3,7 @@
 #include <rapidcheck.h>
 
 #include "core/collage/exact_terms.h"
+#include "core/collage/placed_outlines.h"
 #include "core/field/nodes_near.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/distance_transform.h"
@@ -106,6 +107,38 @@ ExactAreas areas_node_by_node(const Shape& shape, const Similarity& pose, const 
     }
   }
   return areas;
+}
+
+/// Of all points of the outline, 1 px apart or less, the least distance to the canvas' edge.
+float least_distance_to_edge_px(const Outline& placed, const FreeField& free) {
+  float least = INFINITY;
+  for (const std::vector<Vec2>& curve : placed.curves) {
+    for (std::size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
+      const int steps = 1 + int(norm(curve[i] - curve[j]));
+      for (int k = 0; k < steps; ++k) {
+        const Vec2 p = curve[j] + (curve[i] - curve[j]) * (float(k) / float(steps));
+        least = std::min(least, free.canvas_sample(p).value);
+      }
+    }
+  }
+  return least;
+}
+
+TEST(PieceOnField, NoPieceStandsTooNearTheCanvasEdge) {
+  Grid<float> disc(400, 340);
+  for (int y = 0; y < disc.height(); ++y) {
+    for (int x = 0; x < disc.width(); ++x) disc(x, y) = (x - 200) * (x - 200) + (y - 170) * (y - 170) < 160 * 160;
+  }
+  EXPECT_TRUE(rc::check([&] {
+    const PieceSettings pieces = any_pieces();
+    const FreeField free(*rc::gen::arbitrary<bool>() ? make_mask_canvas(disc) : make_rectangle_canvas(200, 170),
+                         pieces);
+    const Shape& shape = any_shape();
+    const Similarity pose = any_pose();
+    const float least_px = least_distance_to_edge_px(placed_outline(shape.outline, pose), free);
+    const bool too_near = least_px < (pieces.padding_px > 0 ? pieces.padding_px + 0.002f : -kHardDepth_px);
+    RC_ASSERT(PlacedOutlines(free, pieces).conflicts(shape, pose).empty() == !too_near);
+  }));
 }
 
 TEST(PieceOnField, NodesNearerThanALimitAreThoseOfEveryNode) {
