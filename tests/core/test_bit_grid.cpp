@@ -27,6 +27,20 @@ TEST(BitGrid, ARunIsItsNodes) {
   }));
 }
 
+TEST(BitGrid, AWindowIsItsNodes) {
+  for (const Window& window : {Window{0, 0, 1, 1}, {62, 1, 66, 3}, {3, 2, 130, 4}, {64, 0, 128, 4}, {5, 1, 5, 2}}) {
+    BitGrid set(130, 4);
+    set.set(window);
+    for (int y = 0; y < 4; ++y) {
+      for (int x = 0; x < 130; ++x) {
+        EXPECT_EQ(set.test(x, y), window.contains(x, y));
+        EXPECT_EQ(set.any({x, y, x + 1, y + 1}), window.contains(x, y));
+      }
+    }
+    EXPECT_EQ(set.any({0, 0, 130, 4}), !window.empty());
+  }
+}
+
 TEST(BitGrid, NodesAboveAThresholdInAWindow) {
   Grid<float> field(150, 4);
   for (std::size_t i = 0; i < field.data().size(); ++i) field.data()[i] = float(i * 7 % 11);

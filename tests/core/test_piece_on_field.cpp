@@ -3,6 +3,8 @@
 #include <rapidcheck.h>
 
 #include "core/collage/exact_terms.h"
+#include "core/collage/placed_outlines.h"
+#include "core/field/nodes_near.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/distance_transform.h"
 #include "core/tuning.h"
@@ -80,7 +82,8 @@ ExactAreas areas_node_by_node(const Shape& shape, const Similarity& pose, const 
                               const OpenedField& opened, const PieceSettings& pieces) {
   const CanvasField& field = free.field();
   const float reach_px = reachable_radius_px(pieces);
-  const Window window = piece_window(shape.outline, pose, field.origin, 2 * reach_px + 3).intersected(field.value.bounds());
+  const Window window =
+      piece_window(shape.outline, pose, field.origin, 2 * reach_px + 3).intersected(field.value.bounds());
   ExactAreas areas;
   if (window.width() <= 4 || window.height() <= 4) return areas;
   const PieceDistance piece(shape, pose, kept_distance_px(pieces));
@@ -104,6 +107,61 @@ ExactAreas areas_node_by_node(const Shape& shape, const Similarity& pose, const 
     }
   }
   return areas;
+}
+
+/// Of all points of the outline, 1 px apart or less, the least distance to the canvas' edge.
+float least_distance_to_edge_px(const Outline& placed, const FreeField& free) {
+  float least = INFINITY;
+  for (const std::vector<Vec2>& curve : placed.curves) {
+    for (std::size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
+      const int steps = 1 + int(norm(curve[i] - curve[j]));
+      for (int k = 0; k < steps; ++k) {
+        const Vec2 p = curve[j] + (curve[i] - curve[j]) * (float(k) / float(steps));
+        least = std::min(least, free.canvas_sample(p).value);
+      }
+    }
+  }
+  return least;
+}
+
+TEST(PieceOnField, NoPieceStandsTooNearTheCanvasEdge) {
+  Grid<float> disc(400, 340);
+  for (int y = 0; y < disc.height(); ++y) {
+    for (int x = 0; x < disc.width(); ++x) disc(x, y) = (x - 200) * (x - 200) + (y - 170) * (y - 170) < 160 * 160;
+  }
+  EXPECT_TRUE(rc::check([&] {
+    const PieceSettings pieces = any_pieces();
+    const FreeField free(*rc::gen::arbitrary<bool>() ? make_mask_canvas(disc) : make_rectangle_canvas(200, 170),
+                         pieces);
+    const Shape& shape = any_shape();
+    const Similarity pose = any_pose();
+    const float least_px = least_distance_to_edge_px(placed_outline(shape.outline, pose), free);
+    const bool too_near = least_px < (pieces.padding_px > 0 ? pieces.padding_px + 0.002f : -kHardDepth_px);
+    RC_ASSERT(PlacedOutlines(free, pieces).conflicts(shape, pose).empty() == !too_near);
+  }));
+}
+
+TEST(PieceOnField, NodesNearerThanALimitAreThoseOfEveryNode) {
+  EXPECT_TRUE(rc::check([] {
+    const Shape& shape = any_shape();
+    const Similarity pose = any_pose();
+    const PieceDistance piece(shape, pose, 0);
+    const Vec2 origin{-5.5f, -5.5f};
+    const Window window = piece_window(shape.outline, pose, origin, float(*rc::gen::inRange(0, 30)));
+    const float limit_px = 0.5f * float(*rc::gen::inRange(-10, 40));
+    BitGrid asked(window.width(), window.height());
+    for (int y = 0; y < asked.height(); y += *rc::gen::inRange(1, 9))
+      asked.set_run(y, y % asked.width(), asked.width());
+    const BitGrid everywhere = nodes_nearer_than(limit_px, piece, origin, window);
+    const BitGrid where_asked = nodes_nearer_than(limit_px, piece, origin, window, asked);
+    for (int y = 0; y < window.height(); ++y) {
+      for (int x = 0; x < window.width(); ++x) {
+        const bool nearer = piece.at(origin + Vec2{float(window.x0 + x), float(window.y0 + y)}) < limit_px;
+        RC_ASSERT(everywhere.test(x, y) == nearer);
+        if (asked.test(x, y)) RC_ASSERT(where_asked.test(x, y) == nearer);
+      }
+    }
+  }));
 }
 
 TEST(PieceOnField, ExactAreasCountEveryNode) {

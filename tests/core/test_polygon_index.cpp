@@ -53,6 +53,19 @@ TEST(PolygonIndex, ApproachesAsNearAsBruteForce) {
   }));
 }
 
+TEST(PolygonIndex, IsNearerThanAReachWhereItsApproachIs) {
+  EXPECT_TRUE(rc::check([] {
+    const PolygonIndex index(placed(any_outline()));
+    const Box box = index.box();
+    for (int k = 0; k < 50; ++k) {
+      const Vec2 p{box.low.x + box.width() * 0.001f * float(*rc::gen::inRange(-300, 1300)),
+                   box.low.y + box.height() * 0.001f * float(*rc::gen::inRange(-300, 1300))};
+      const float reach = 0.1f * float(*rc::gen::inRange(1, 200));
+      RC_ASSERT(index.nearer_than(reach, p) == (index.approach(p, reach).distance < reach));
+    }
+  }));
+}
+
 TEST(PolygonIndex, ContainsByTheEvenOddRule) {
   EXPECT_TRUE(rc::check([] {
     const Outline outline = placed(any_outline());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/field/linked_contour.h"
 #include "core/tuning.h"
 #include "support/synthetic_shapes.h"
 
@@ -54,7 +55,9 @@ struct Target {
   TargetCurve curve;
 
   explicit Target(const Canvas& canvas, const PieceSettings& pieces = kPieces)
-      : free(canvas, pieces), opened(free, pieces), curve(pieces, PadParameters{}) {
+      : free(canvas, pieces),
+        opened(free, pieces),
+        curve(pieces, PadParameters{}) {
     trace(all());
   }
   Window all() const { return free.field().value.bounds(); }
@@ -63,6 +66,34 @@ struct Target {
     return trace(opened.update(free, free.stamp(shapes()[shape], pose)));
   }
 };
+
+/// Some values are 0, which is not above 0.
+void scatter(Grid<float>& field, const Window& window) {
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) field(x, y) = float(*rc::gen::inRange(-1, 2));
+  }
+}
+
+TEST(LinkedContour, HasAVertexOnEveryEdgeThatIsCrossed) {
+  EXPECT_TRUE(rc::check([] {
+    Grid<float> field(*rc::gen::inRange(60, 140), *rc::gen::inRange(6, 12), -1.f);
+    LinkedContour contour(2);
+    const Window inner = field.bounds().grown(-1);
+    for (int step = 0; step < 3; ++step) {
+      const int x = *rc::gen::inRange(1, inner.x1);
+      const Window window = step == 0 ? inner : Window{x, 2, x + *rc::gen::inRange(1, 70), 5}.intersected(inner);
+      scatter(field, window);
+      contour.retrace(field, {}, step == 0 ? field.bounds() : window);
+      for (int y = 0; y + 1 < field.height(); ++y) {
+        for (int i = 0; i + 1 < field.width(); ++i) {
+          const bool here = field(i, y) > 0;
+          RC_ASSERT((contour.find({i, y, false}) != LinkedContour::kNone) == (here != (field(i + 1, y) > 0)));
+          RC_ASSERT((contour.find({i, y, true}) != LinkedContour::kNone) == (here != (field(i, y + 1) > 0)));
+        }
+      }
+    }
+  }));
+}
 
 TEST(TargetCurve, UpdatingEqualsTracingAfresh) {
   EXPECT_TRUE(rc::check([] {

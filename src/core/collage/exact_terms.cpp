@@ -1,7 +1,9 @@
 #include "core/collage/exact_terms.h"
 
 #include <bit>
+#include <cmath>
 
+#include "core/field/nodes_near.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/bit_grid.h"
 #include "core/tuning.h"
@@ -11,29 +13,10 @@ namespace {
 
 constexpr int kRim = 2;  // nodes at the window's edge, whose surroundings are cut off
 
-/// The nodes of a window by their distance to the piece.
-struct PieceNodes {
-  BitGrid inside;  // below 0
-  BitGrid clear;   // above clear_px
-
-  PieceNodes(const PieceDistance& piece, Vec2 origin, const Window& window, float clear_px)
-      : inside(window.width(), window.height()), clear(window.width(), window.height()) {
-    for (int y = 0; y < window.height(); ++y) {
-      for (int x = 0; x < window.width();) {
-        const float d = piece.at({origin.x + float(window.x0 + x), origin.y + float(window.y0 + y)});
-        const float to_limit_px = std::min(std::abs(d), std::abs(d - clear_px));
-        const int end = std::min(window.width(), x + PieceDistance::nodes_on_same_side(to_limit_px));
-        if (d < 0) inside.set_run(y, x, end);
-        if (d > clear_px) clear.set_run(y, x, end);
-        x = end;
-      }
-    }
-  }
-};
-
-BitGrid both(BitGrid a, const BitGrid& b) {
+/// The nodes of `a` that are not in `b`.
+BitGrid without(BitGrid a, const BitGrid& b) {
   for (int y = 0; y < a.height(); ++y) {
-    for (int k = 0; k < a.words(); ++k) a.row(y)[k] &= b.row(y)[k];
+    for (int k = 0; k < a.words(); ++k) a.row(y)[k] &= ~b.row(y)[k];
   }
   return a;
 }
@@ -75,8 +58,12 @@ ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, 
   const Window window = exact_window(shape, canvas_from_shape, free, pieces);
   if (window.width() <= 2 * kRim || window.height() <= 2 * kRim) return {};
 
-  const PieceNodes piece({shape, canvas_from_shape, kept_distance_px(pieces)}, field.origin, window, reach_px);
-  const BitGrid centres_after = both(nodes_above(field.value, window, reach_px), piece.clear);
+  const PieceDistance piece(shape, canvas_from_shape, kept_distance_px(pieces));
+  const BitGrid inside_piece = nodes_nearer_than(0, piece, field.origin, window);
+  const BitGrid centres = nodes_above(field.value, window, reach_px);
+  const float up_to_reach_px = std::nextafter(reach_px, INFINITY);
+  const BitGrid centres_after =
+      without(centres, nodes_nearer_than(up_to_reach_px, piece, field.origin, window, centres));
   const float disc_px = reach_px + kReachSlack_px;
   const BitGrid within_reach = dilated_by_disc(centres_after, disc_px * disc_px);
   const BitGrid uncovered = nodes_above(field.value, window, 0);
@@ -85,7 +72,7 @@ ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, 
   int gap = 0;
   for (int y = 0; y < window.height(); ++y) {
     for (int k = 0; k < uncovered.words(); ++k) {
-      const std::uint64_t inside = piece.inside.row(y)[k];
+      const std::uint64_t inside = inside_piece.row(y)[k];
       const std::uint64_t free_here = uncovered.row(y)[k];
       each_node(inside & ~free_here, k, y, [&](int i, int j) {
         overlap += field.value(window.x0 + i, window.y0 + j) < -kOverlapDepth_px;

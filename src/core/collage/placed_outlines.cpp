@@ -58,13 +58,14 @@ bool deepest_vertex(const PolygonIndex& inner, const PolygonIndex& outer, float 
   float deepest = limit;
   for (const std::vector<Vec2>& curve : inner.outline().curves) {
     for (const Vec2 p : curve) {
-      if (!within(outer.box(), p) || !suspect(p) || !outer.contains(p)) continue;
-      if (outer.approach(p, deepest).distance < deepest) continue;  // as nearly all that are inside
+      // Nearly all that are suspect are near the boundary.
+      if (!within(outer.box(), p) || !suspect(p) || outer.nearer_than(deepest, p) || !outer.contains(p)) continue;
       const Approach out = outer.approach(p, kHopelessDepth_px);
       if (out.distance <= deepest) continue;
       deepest = out.distance;
       // Where the boundary is out of reach there is no short way.
-      const Vec2 direction = out.distance < kHopelessDepth_px ? out.there - p : middle(inner.box()) - middle(outer.box());
+      const Vec2 direction =
+          out.distance < kHopelessDepth_px ? out.there - p : middle(inner.box()) - middle(outer.box());
       way = along(direction, deepest - limit);
     }
   }
@@ -87,11 +88,11 @@ Outline placed_outline(const Outline& outline, const Similarity& canvas_from_sha
 }
 
 PlacedOutlines::PlacedOutlines(const FreeField& free, const PieceSettings& pieces)
-    : free_(free), needed_px_(pieces.padding_px > 0 ? pieces.padding_px + kWritten_px : -kHardDepth_px) {}
+    : free_(free),
+      needed_px_(pieces.padding_px > 0 ? pieces.padding_px + kWritten_px : -kHardDepth_px) {}
 
 void PlacedOutlines::add(const Placement& placement, const Outline& outline) {
-  placed_.push_back(
-      {placement, std::make_shared<PolygonIndex>(placed_outline(outline, placement.canvas_from_shape))});
+  placed_.push_back({placement, std::make_shared<PolygonIndex>(placed_outline(outline, placement.canvas_from_shape))});
 }
 
 void PlacedOutlines::replace(const std::vector<Placement>& placements, ShapeSource& shapes) {
@@ -123,6 +124,9 @@ bool PlacedOutlines::too_near(const PolygonIndex& piece, const PolygonIndex& oth
 
 bool PlacedOutlines::too_near_the_edge(const PolygonIndex& piece, Vec2& way) const {
   float worst = needed_px_;
+  const Box& box = piece.box();
+  const float half_diagonal_px = norm(box.high - middle(box));
+  if (free_.canvas_sample(middle(box)).value - PieceDistance::most_change_px(half_diagonal_px) > worst) return false;
   each_segment(piece.outline(), [&](const Segment& s) {
     const Vec2 edge = s.to - s.from;
     const int steps = 1 + int(norm(edge) / kEdgeSpacing_px);

@@ -16,6 +16,15 @@ constexpr float kClosed = -0.3f;
 /// Discs are centred on nodes whose distance is the radius or up to this much more.
 constexpr float kDiscBand_px = 1.5f;
 
+/// Of the nodes up to `reach` from the one in the middle, both ways.
+Grid<float> distances_to_middle(int reach) {
+  Grid<float> distances(2 * reach + 1, 2 * reach + 1);
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) distances(x + reach, y + reach) = std::sqrt(float(x * x + y * y));
+  }
+  return distances;
+}
+
 }  // namespace
 
 Window piece_window(const Outline& outline, const Similarity& canvas_from_shape, Vec2 origin, float margin_px) {
@@ -23,7 +32,9 @@ Window piece_window(const Outline& outline, const Similarity& canvas_from_shape,
 }
 
 FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
-    : field_(canvas.distance), padding_px_(kept_distance_px(pieces)), band_px_(stamp_band_px(pieces)) {
+    : field_(canvas.distance),
+      padding_px_(kept_distance_px(pieces)),
+      band_px_(stamp_band_px(pieces)) {
   for (float& d : field_.value.data()) d -= padding_px_;
   empty_ = field_.value;
   for (const float d : field_.value.data()) free_256ths_px2_ += node_256ths_px2(d);
@@ -87,7 +98,8 @@ OpenedField::OpenedField(const FreeField& free, const PieceSettings& pieces)
     : opening_px_(opening_radius_px(pieces)),
       reachable_px_(reachable_radius_px(pieces)),
       contour_(free.field().value.width(), free.field().value.height(), kClosed),
-      reachable_(contour_.width(), contour_.height(), 0) {
+      reachable_(contour_.width(), contour_.height(), 0),
+      to_middle_(distances_to_middle(int(opening_px_ + kDiscBand_px) + 2)) {
   update(free, contour_.bounds());
 }
 
@@ -108,8 +120,7 @@ void OpenedField::open(const Grid<float>& distance, const Window& window) {
     }
   }
   // The union of discs round all nodes at least opening_px deep is that round the shallowest of them, plus the core.
-  const int reach = int(opening_px_ + kDiscBand_px) + 2;
-  const Window centres = window.grown(reach).intersected(distance.bounds());
+  const Window centres = window.grown(to_middle_.width() / 2).intersected(distance.bounds());
   for (int y = centres.y0; y < centres.y1; ++y) {
     for (int x = centres.x0; x < centres.x1; ++x) {
       const float d = distance(x, y);
@@ -117,10 +128,9 @@ void OpenedField::open(const Grid<float>& distance, const Window& window) {
       const int r = int(d) + 2;
       const Window disc = Window{x - r, y - r, x + r + 1, y + r + 1}.intersected(window);
       for (int b = disc.y0; b < disc.y1; ++b) {
-        for (int a = disc.x0; a < disc.x1; ++a) {
-          const float inside = d - std::sqrt(float((a - x) * (a - x) + (b - y) * (b - y)));
-          contour_(a, b) = std::max(contour_(a, b), inside);
-        }
+        const float* to_node = to_middle_.row(b - y + to_middle_.height() / 2) + (to_middle_.width() / 2 - x);
+        float* row = contour_.row(b);
+        for (int a = disc.x0; a < disc.x1; ++a) row[a] = std::max(row[a], d - to_node[a]);
       }
     }
   }

@@ -69,6 +69,7 @@ class OpenedField {
   float reachable_px_;
   Grid<float> contour_;
   Grid<std::uint8_t> reachable_;
+  Grid<float> to_middle_;  // from each node of the largest disc that is drawn
 };
 
 }  // namespace tessera

@@ -1,7 +1,10 @@
 #include "core/field/linked_contour.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
+#include "core/geometry/bit_grid.h"
 #include "core/pad/pyramid.h"
 
 namespace tessera {
@@ -15,6 +18,28 @@ Vec2 crossing(const Grid<float>& contour, Vec2 origin, const GridEdge& e) {
   return origin + (e.down ? Vec2{float(e.x), float(e.y) + t} : Vec2{float(e.x) + t, float(e.y)});
 }
 
+/// Calls f(x, y) for those of the cells, row by row, of whose corners some lie above 0 and some do not: few of many.
+template <class F>
+void each_crossed(const Grid<float>& contour, const Window& cells, F f) {
+  if (cells.empty()) return;
+  const BitGrid above = nodes_above(contour, {cells.x0, cells.y0, cells.x1 + 1, cells.y1 + 1}, 0);
+  const auto next = [&](const std::uint64_t* row, int k) {
+    return row[k] >> 1 | (k + 1 < above.words() ? row[k + 1] << 63 : 0);
+  };
+  for (int y = 0; y < cells.height(); ++y) {
+    const std::uint64_t* upper = above.row(y);
+    const std::uint64_t* lower = above.row(y + 1);
+    for (int k = 0; k < above.words(); ++k) {
+      const std::uint64_t any = upper[k] | lower[k] | next(upper, k) | next(lower, k);
+      const std::uint64_t all = upper[k] & lower[k] & next(upper, k) & next(lower, k);
+      for (std::uint64_t crossed = any & ~all; crossed != 0; crossed &= crossed - 1) {
+        const int x = 64 * k + std::countr_zero(crossed);
+        if (x < cells.width()) f(cells.x0 + x, cells.y0 + y);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void LinkedContour::retrace(const Grid<float>& contour, Vec2 origin, const Window& window) {
@@ -25,9 +50,7 @@ void LinkedContour::retrace(const Grid<float>& contour, Vec2 origin, const Windo
   cut_window(window);
   const Window cells =
       Window{window.x0 - 1, window.y0 - 1, window.x1, window.y1}.intersected({0, 0, width_ - 1, contour.height() - 1});
-  for (int y = cells.y0; y < cells.y1; ++y) {
-    for (int x = cells.x0; x < cells.x1; ++x) trace_cell(contour, origin, x, y);
-  }
+  each_crossed(contour, cells, [&](int x, int y) { trace_cell(contour, origin, x, y); });
   forget_smoothing(window);
 }
 
@@ -68,7 +91,6 @@ void LinkedContour::trace_cell(const Grid<float>& contour, Vec2 origin, int x, i
   for (int k = 0; k < 4; ++k) {
     if (corner[k] > 0) mask |= 1 << k;  // not (corner[k] > 0) << k: g++ 12 with -fsanitize=undefined miscompiles it
   }
-  if (mask == 0 || mask == 15) return;
   const GridEdge edge[4] = {{x, y, false}, {x + 1, y, true}, {x, y + 1, false}, {x, y, true}};
   const auto inside = [&](int k) { return (mask >> (k & 3) & 1) != 0; };
   int leaving[2] = {};

@@ -27,8 +27,8 @@ class LinkedContour {
     bool measured = false;
     int next = -1;
     int previous = -1;
-    Vec2 raw;     // on the line itself
-    Vec2 smooth;  // valid where `smoothed`; what follows, where `measured`
+    Vec2 raw;               // on the line itself
+    Vec2 smooth;            // valid where `smoothed`; what follows, where `measured`
     float edge_after = 0;   // length of the smoothed line to the next vertex
     float turning_rad = 0;  // of the smoothed line here, absolute
   };

@@ -1,6 +1,8 @@
 #include "core/geometry/bit_grid.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 namespace tessera {
 namespace {
@@ -35,27 +37,57 @@ void add_moved(BitGrid& sum, const BitGrid& set, int down) {
   }
 }
 
+/// Calls f(k, bits) for the words of a row that hold nodes [x0, x1), with the bits of these.
+template <class F>
+void each_word_of_run(int x0, int x1, F f) {
+  for (int x = x0; x < x1;) {
+    const int end = std::min(x1, (x | 63) + 1);
+    f(x >> 6, kAllBits >> (64 - (end - x)) << (x & 63));
+    x = end;
+  }
+}
+
+/// Of eight bytes that are 0 or 1, the first as the lowest bit.
+std::uint64_t bits_of_bytes(const std::uint8_t* byte) {
+  static_assert(std::endian::native == std::endian::little);
+  std::uint64_t bytes;
+  std::memcpy(&bytes, byte, sizeof bytes);
+  return bytes * 0x0102040810204080ull >> 56;
+}
+
 /// One bit for each of `count` values, 64 at most. In two steps, of which the compiler does the first for many at once.
 std::uint64_t bits_above(const float* value, int count, float threshold) {
-  std::uint8_t above[64];
+  std::uint8_t above[64] = {};
   for (int i = 0; i < count; ++i) above[i] = value[i] > threshold;
   std::uint64_t bits = 0;
-  for (int i = 0; i < count; ++i) bits |= std::uint64_t(above[i]) << i;
+  for (int i = 0; i < 64; i += 8) bits |= bits_of_bytes(above + i) << i;
   return bits;
 }
 
 }  // namespace
 
 BitGrid::BitGrid(int width, int height)
-    : width_(width), height_(height), words_((width + 63) / 64), bits_(std::size_t(words_) * height, 0) {}
+    : width_(width),
+      height_(height),
+      words_((width + 63) / 64),
+      bits_(std::size_t(words_) * height, 0) {}
 
 void BitGrid::set_run(int y, int x0, int x1) {
   std::uint64_t* words = row(y);
-  for (int x = x0; x < x1;) {
-    const int end = std::min(x1, (x | 63) + 1);
-    words[x >> 6] |= kAllBits >> (64 - (end - x)) << (x & 63);
-    x = end;
+  each_word_of_run(x0, x1, [&](int k, std::uint64_t run) { words[k] |= run; });
+}
+
+void BitGrid::set(const Window& window) {
+  for (int y = window.y0; y < window.y1; ++y) set_run(y, window.x0, window.x1);
+}
+
+bool BitGrid::any(const Window& window) const {
+  std::uint64_t found = 0;
+  for (int y = window.y0; y < window.y1; ++y) {
+    const std::uint64_t* words = row(y);
+    each_word_of_run(window.x0, window.x1, [&](int k, std::uint64_t run) { found |= words[k] & run; });
   }
+  return found != 0;
 }
 
 BitGrid nodes_above(const Grid<float>& field, const Window& window, float threshold) {

@@ -17,6 +17,9 @@ class BitGrid {
   bool test(int x, int y) const { return (row(y)[x >> 6] >> (x & 63) & 1) != 0; }
   /// Sets nodes [x0, x1) of row y.
   void set_run(int y, int x0, int x1);
+  void set(const Window& window);
+  /// Whether a node of the window is in the set.
+  bool any(const Window& window) const;
 
   /// Node x is bit x & 63 of word x >> 6; bits beyond the width are zero.
   int words() const { return words_; }

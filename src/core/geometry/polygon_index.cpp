@@ -21,11 +21,12 @@ void take_nearer(Approach& best, Vec2 here, Vec2 there) {
 }
 
 Box box_of(const Segment& s) {
-  return {{std::min(s.from.x, s.to.x), std::min(s.from.y, s.to.y)}, {std::max(s.from.x, s.to.x), std::max(s.from.y, s.to.y)}};
+  return {{std::min(s.from.x, s.to.x), std::min(s.from.y, s.to.y)},
+          {std::max(s.from.x, s.to.x), std::max(s.from.y, s.to.y)}};
 }
 
 /// Whether what lies in the two boxes is certainly further apart than `reach`, rounding included.
-bool out_of_reach(const Box& a, const Box& b, float reach) {
+inline bool out_of_reach(const Box& a, const Box& b, float reach) {
   const float x = std::max({a.low.x - b.high.x, b.low.x - a.high.x, 0.f});
   const float y = std::max({a.low.y - b.high.y, b.low.y - a.high.y, 0.f});
   return x * x + y * y > reach * reach * 1.0001f;
@@ -52,7 +53,9 @@ Approach approach_of(const Segment& here, const Segment& there) {
   return best;
 }
 
-PolygonIndex::PolygonIndex(Outline outline) : outline_(std::move(outline)), box_(bounding_box(outline_.curves.front())) {
+PolygonIndex::PolygonIndex(Outline outline)
+    : outline_(std::move(outline)),
+      box_(bounding_box(outline_.curves.front())) {
   for (const std::vector<Vec2>& curve : outline_.curves) {
     const Box box = bounding_box(curve);
     box_.low = {std::min(box_.low.x, box.low.x), std::min(box_.low.y, box.low.y)};
@@ -106,7 +109,8 @@ bool PolygonIndex::contains(Vec2 p) const {
       if ((s.from.y > p.y) == (s.to.y > p.y)) continue;
       const float at = s.from.x + (s.to.x - s.from.x) * ((p.y - s.from.y) / (s.to.y - s.from.y));
       // A segment counts in the one cell where the line through p meets it.
-      if (at > p.x && std::clamp(column(at), column(std::min(s.from.x, s.to.x)), column(std::max(s.from.x, s.to.x))) == x) {
+      if (at > p.x &&
+          std::clamp(column(at), column(std::min(s.from.x, s.to.x)), column(std::max(s.from.x, s.to.x))) == x) {
         inside = !inside;
       }
     }
@@ -114,27 +118,45 @@ bool PolygonIndex::contains(Vec2 p) const {
   return inside;
 }
 
+template <class F>
+void PolygonIndex::each_near(const Segment& s, float reach, F f) const {
+  const Cells cells = cells_round(s, reach);
+  for (int y = cells.y0; y <= cells.y1; ++y) {
+    // The cells of a row follow each other in segments_.
+    const std::uint32_t* row = first_.data() + std::size_t(y) * columns_;
+    for (std::uint32_t i = row[cells.x0]; i < row[cells.x1 + 1]; ++i) {
+      if (!f(segments_[i])) return;
+    }
+  }
+}
+
 Approach PolygonIndex::approach(const Segment& here, float reach) const {
   Approach best{reach, {}, {}};
   const Box here_box = box_of(here);
   if (out_of_reach(here_box, box_, reach)) return best;
   const bool is_point = here.from == here.to;
-  const Cells cells = cells_round(here, reach);
-  for (int y = cells.y0; y <= cells.y1; ++y) {
-    for (int x = cells.x0; x <= cells.x1; ++x) {
-      const std::size_t cell = std::size_t(y) * columns_ + x;
-      for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
-        if (out_of_reach(here_box, box_of(segments_[i]), best.distance)) continue;
-        if (is_point) {
-          take_nearer(best, here.from, nearest_point(segments_[i], here.from));
-          continue;
-        }
-        const Approach approach = approach_of(here, segments_[i]);
-        if (approach.distance < best.distance) best = approach;
-      }
+  each_near(here, reach, [&](const Segment& s) {
+    if (out_of_reach(here_box, box_of(s), best.distance)) return true;
+    if (is_point) {
+      take_nearer(best, here.from, nearest_point(s, here.from));
+      return true;
     }
-  }
+    const Approach approach = approach_of(here, s);
+    if (approach.distance < best.distance) best = approach;
+    return true;
+  });
   return best;
+}
+
+bool PolygonIndex::nearer_than(float reach, Vec2 p) const {
+  const Box here{p, p};
+  if (out_of_reach(here, box_, reach)) return false;
+  bool found = false;
+  each_near({p, p}, reach, [&](const Segment& s) {
+    if (!out_of_reach(here, box_of(s), reach)) found = norm(p - nearest_point(s, p)) < reach;
+    return !found;
+  });
+  return found;
 }
 
 }  // namespace tessera

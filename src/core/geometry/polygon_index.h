@@ -40,6 +40,8 @@ class PolygonIndex {
   /// distance is `reach` and the points say nothing.
   Approach approach(Vec2 here, float reach) const { return approach(Segment{here, here}, reach); }
   Approach approach(const Segment& here, float reach) const;
+  /// Whether approach(p, reach) is nearer than `reach`: done with the first segment that is.
+  bool nearer_than(float reach, Vec2 p) const;
 
  private:
   struct Cells {
@@ -50,14 +52,17 @@ class PolygonIndex {
   Cells cells_round(const Segment& s, float reach) const;
   template <class F>
   void each_segment(F f) const;
+  /// Calls f(segment) for those of the cells within `reach` of `s` while it returns true.
+  template <class F>
+  void each_near(const Segment& s, float reach, F f) const;
 
   Outline outline_;
   Box box_;
   float cells_per_unit_ = 0;
   int columns_ = 1;
   int rows_ = 1;
-  std::vector<Segment> segments_;      // by cell; those that lie in several stand in each of them
-  std::vector<std::uint32_t> first_;   // of each cell in segments_, and the end
+  std::vector<Segment> segments_;     // by cell; those that lie in several stand in each of them
+  std::vector<std::uint32_t> first_;  // of each cell in segments_, and the end
 };
 
 }  // namespace tessera

@@ -1,0 +1,86 @@
+#include "core/field/nodes_near.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tessera {
+namespace {
+
+constexpr int kLargest = 16;  // nodes across the blocks that are looked at first
+constexpr int kSmallest = 4;  // and across those whose nodes are looked at one by one
+
+class Search {
+ public:
+  Search(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window, const BitGrid* asked)
+      : limit_px_(limit_px),
+        piece_(piece),
+        origin_(origin),
+        window_(window),
+        asked_(asked),
+        nearer_(window.width(), window.height()) {}
+
+  BitGrid found() && {
+    each_block({0, 0, window_.width(), window_.height()}, kLargest, [this](const Window& block) { look_at(block); });
+    return std::move(nearer_);
+  }
+
+ private:
+  template <class F>
+  static void each_block(const Window& window, int across, F f) {
+    for (int y = window.y0; y < window.y1; y += across) {
+      for (int x = window.x0; x < window.x1; x += across) {
+        f(Window{x, y, x + across, y + across}.intersected(window));
+      }
+    }
+  }
+
+  /// Where the node in the middle is so far from the limit that the corners are on its side, all are.
+  void look_at(const Window& block) {
+    if (asked_ && !asked_->any(block)) return;
+    const int x = (block.x0 + block.x1) / 2;
+    const int y = (block.y0 + block.y1) / 2;
+    const float beyond_px = distance(x, y) - limit_px_;
+    const float corner_px = std::sqrt(float((x - block.x0) * (x - block.x0) + (y - block.y0) * (y - block.y0)));
+    if (std::abs(beyond_px) > PieceDistance::most_change_px(corner_px)) {
+      if (beyond_px < 0) nearer_.set(block);
+    } else if (std::max(block.width(), block.height()) > kSmallest) {
+      each_block(block, (std::max(block.width(), block.height()) + 1) / 2, [&](const Window& part) { look_at(part); });
+    } else {
+      look_at_nodes(block);
+    }
+  }
+
+  float distance(int x, int y) const {
+    return piece_.at({origin_.x + float(window_.x0 + x), origin_.y + float(window_.y0 + y)});
+  }
+
+  void look_at_nodes(const Window& block) {
+    for (int y = block.y0; y < block.y1; ++y) {
+      for (int x = block.x0; x < block.x1; ++x) {
+        if (asked_ && !asked_->test(x, y)) continue;
+        if (distance(x, y) < limit_px_) nearer_.set_run(y, x, x + 1);
+      }
+    }
+  }
+
+  float limit_px_;
+  const PieceDistance& piece_;
+  Vec2 origin_;
+  Window window_;
+  const BitGrid* asked_;  // none: all nodes
+  BitGrid nearer_;
+};
+
+}  // namespace
+
+BitGrid nodes_nearer_than(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window) {
+  return Search(limit_px, piece, origin, window, nullptr).found();
+}
+
+BitGrid nodes_nearer_than(float limit_px, const PieceDistance& piece, Vec2 origin, const Window& window,
+                          const BitGrid& asked) {
+  return Search(limit_px, piece, origin, window, &asked).found();
+}
+
+}  // namespace tessera
