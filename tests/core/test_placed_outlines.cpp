@@ -25,9 +25,20 @@ const std::vector<Shape>& shapes() {
                             test::make_test_shape("ring", test::ring_outline(0.7f))};
     for (std::uint32_t seed = 1; seed < 4; ++seed)
       made.push_back(test::make_test_shape("blob", test::blob_outline(seed)));
+    made.push_back(test::make_test_shape("spikes", test::star_outline(7, 0.25f)));
+    for (Shape& shape : made) {  // brute force takes its time
+      for (std::vector<Vec2>& curve : shape.outline.curves) curve = test::resampled(curve, 80);
+    }
     return made;
   }();
   return all;
+}
+
+/// Four vertices and long sides.
+Shape square() {
+  Shape shape = test::make_test_shape("square", test::rectangle_outline(1, 1));
+  shape.outline.curves = {{{-0.5f, -0.5f}, {0.5f, -0.5f}, {0.5f, 0.5f}, {-0.5f, 0.5f}}};
+  return shape;
 }
 
 PieceSettings padded_by(float padding_px) {
@@ -178,6 +189,40 @@ TEST(PlacedOutlines, WithoutPaddingEachVertexThatLiesTooDeepIsAConflict) {
     if (piece_too_deep) RC_ASSERT(is_way_out(ways.front(), of_piece, other));
     if (other_too_deep) RC_ASSERT(is_way_out(ways.back() * -1.f, of_other, piece));
   }));
+}
+
+/// Positions are written with three decimals.
+TEST(PlacedOutlines, PaddingIsKeptBetweenRoundedPositionsToo) {
+  Scene scene(kPadding_px);
+  scene.outlines.add({0, pose(40, 0, {200, 200}), 1, 1}, square().outline);
+  const auto conflicts = [&](float distance_px) {
+    return scene.outlines.conflicts(square(), pose(40, 0, {240 + distance_px, 210}));
+  };
+  EXPECT_EQ(conflicts(kPadding_px + 0.001f).size(), 1u);
+  EXPECT_TRUE(conflicts(kPadding_px + 0.003f).empty());
+}
+
+/// From one middle to the other.
+TEST(PlacedOutlines, TheWayOutOfALargeOverlapLeadsAwayFromTheNeighbour) {
+  for (const float padding_px : {0.f, kPadding_px}) {
+    Scene scene(padding_px);
+    scene.add(1, pose(60, 0, {200, 200}));
+    const std::vector<Vec2> ways = scene.outlines.conflicts(shapes()[1], pose(30, 0, {210, 200}));
+    ASSERT_FALSE(ways.empty());
+    for (const Vec2 way : ways) EXPECT_GT(way.x, 5 * std::abs(way.y)) << padding_px;
+  }
+}
+
+/// It may reach into a long side and touch no vertex.
+TEST(PlacedOutlines, TheCanvasEdgeIsLookedForAlongTheSides) {
+  Grid<float> coverage(800, 800, 1.f);  // two cells a px
+  for (int y = 340; y < 366; ++y) {
+    for (int x = 412; x < 420; ++x) coverage(x, y) = 0;
+  }
+  const FreeField free(make_mask_canvas(coverage), padded_by(0));
+  const PlacedOutlines outlines(free, padded_by(0));
+  EXPECT_TRUE(outlines.conflicts(square(), pose(40, 0, {200, 203})).empty());
+  EXPECT_EQ(outlines.conflicts(square(), pose(40, 0, {200, 200})).size(), 1u);
 }
 
 TEST(PlacedOutlines, TheCanvasEdgeIsANeighbour) {
