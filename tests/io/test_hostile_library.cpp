@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <opencv2/imgcodecs.hpp>
 
@@ -152,6 +153,37 @@ TEST_F(HostileLibrary, ManyRowsThatInflateWell) {
   });
   ASSERT_LT(std::filesystem::file_size(path_), 2'000'000u);
   EXPECT_NE(use(false).find("allowed are 16 times its size"), std::string::npos) << use(false);
+}
+
+/// A chunk is what HDF5 would make of it, or it is refused: another program must not see another shape in it.
+TEST_F(HostileLibrary, ChunksThatHdf5WouldReadOtherwise) {
+  using Bytes = std::vector<std::uint8_t>;
+  const test::Column column = layout::library_columns(5).outline_points;
+  const auto refusal = [&](std::uint32_t skipped_filters,
+                           const std::function<Bytes(Bytes, const ChunkPacking&)>& make) {
+    folder_.write("library.h5", bytes_);
+    test::change_library(path_, [&](hid_t file) {
+      const test::OpenColumn open = test::open_column(file, column);
+      const ChunkPacking packing = test::packing_of(open, column);
+      test::store_chunk_at(open, 0, make(test::read_chunk_at(open, 0, packing), packing), skipped_filters);
+      H5Dclose(open.set);
+    });
+    return use(false);
+  };
+  const std::string chunk = path_ + ": data set /outline/points is damaged: the chunk of row 0: ";
+  EXPECT_EQ(refusal(0, test::packed), "");
+  EXPECT_EQ(refusal(1, test::packed), chunk + "filters are skipped");
+  const auto with_a_tail = [](Bytes content, const ChunkPacking& packing) {
+    Bytes stored = test::packed(content, packing);
+    stored.resize(stored.size() - 4);  // its checksum
+    stored.push_back(7);
+    return test::with_checksum(stored);
+  };
+  EXPECT_EQ(refusal(0, with_a_tail), chunk + "it does not inflate to its size");
+  const auto far_too_long = [](const Bytes& content, const ChunkPacking& packing) {
+    return test::with_checksum(Bytes(2 * packing.bytes + content.size(), 7));
+  };
+  EXPECT_EQ(refusal(0, far_too_long), chunk + "more bytes are stored than it can need");
 }
 
 TEST_F(HostileLibrary, ThumbnailsThatAreLarge) {
