@@ -2,23 +2,12 @@
 # For the tests of checkpoints, which source it: a job with a library of its own in $folder, and how to run it.
 # Needs: $tessera, $mpirun, $folder (new).
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-unset SLURM_JOB_END_TIME
-# shellcheck source=tests/support/drawings.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
-
-fail() {
-  echo "FAILED $*"
-  cat output errors 2>/dev/null
-  exit 1
-}
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 # Folder, drawings, library, job, and the pieces of a run without interruption: expected.geojson; it took $run_ms.
 make_job() {
-  rm -rf "$folder"
-  mkdir -p "$folder"
-  cd "$folder" || exit 1
-  make_drawings drawings
-  "$tessera" library build drawings -o own.h5 >output 2>errors || fail "library"
+  enter_folder
   cat >job.toml <<END
 [library]
 file = 'own.h5'

@@ -179,8 +179,10 @@ start 1 damaged --resume=previous
 expect_end 0 "from the previous checkpoint"
 expect_result damaged
 unfinished damaged
-change_byte damaged/checkpoint.h5 5000
 change_byte damaged/checkpoint.previous.h5 5000
+expect_error 'damaged/checkpoint.previous.h5: damaged' damaged --resume=previous
+grep -q -- 'damaged/checkpoint.h5 is good: --resume goes on from it; --restart' errors || fail "no way back to the latest"
+change_byte damaged/checkpoint.h5 5000
 expect_error 'damaged/checkpoint.h5: damaged' damaged --resume
 grep -q 'is good' errors && fail "offers a damaged checkpoint"
 expect_error 'damaged/checkpoint.previous.h5: damaged' damaged --resume=previous

@@ -4,32 +4,10 @@
 set -uo pipefail
 tessera=$1
 folder=$2
-# shellcheck source=tests/support/drawings.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
-unset SLURM_JOB_END_TIME
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
-fail() {
-  echo "FAILED $*"
-  cat output errors
-  exit 1
-}
-
-# run CODE COMMAND...: tessera's exit code; what it says goes to the files output and errors.
-run() {
-  local expected=$1 code
-  shift
-  "$tessera" "$@" >output 2>errors
-  code=$?
-  [[ $code == "$expected" ]] || fail "exit code $code, not $expected: $*"
-}
-expect_silence() { [[ ! -s errors ]] || fail "$1"; }
-expect_word() { grep -qF -- "$1" errors || fail "not on stderr: $1"; }
-
-rm -rf "$folder"
-mkdir -p "$folder"
-cd "$folder" || exit 1
-make_drawings drawings
-run 0 library build drawings -o own.h5
+enter_folder
 [[ ! -e own.left_out.txt ]] || fail "a list of what was left out, and nothing was"
 
 # What was left out is listed beside the library, every file of it; a list does not outlive its library.
@@ -45,18 +23,7 @@ run 0 library build drawings -o own.h5
 [[ ! -e own.left_out.txt ]] || fail "the list of the library before is still there"
 echo "ok what a library left out"
 
-cat >job.toml <<'END_OF_JOB'
-[library]
-file = 'own.h5'
-[canvas]
-size_px = [120, 90]
-[pieces]
-scale_px = [14, 60]
-[stop]
-pieces = 2
-[output]
-width_px = 120
-END_OF_JOB
+write_job '120, 90' '14, 60' 120
 
 # The same job may be run again; another one is a word on stderr, even of a quiet run.
 run 0 collage job.toml --out result --quiet

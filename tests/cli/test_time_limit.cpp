@@ -81,6 +81,22 @@ TEST(TimeLimit, counts_on_a_round_as_long_as_the_longest) {
   EXPECT_FALSE(TimeLimit().near());
 }
 
+TEST(TimeLimit, remembers_the_longest_round) {
+  TimeLimit limit(3);
+  limit.near();
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  limit.near();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_TRUE(limit.near()) << "0.4 s left beside the reserve, and the round before the last took 0.6";
+}
+
+TEST(TimeLimit, keeps_time_to_leave) {
+  EXPECT_FALSE(TimeLimit(60).round_over(50));
+  EXPECT_TRUE(TimeLimit(60).round_over(58));
+  EXPECT_FALSE(TimeLimit(60).drawing_over(58));
+  EXPECT_TRUE(TimeLimit(60).drawing_over(59.5));
+}
+
 TEST(TimeLimit, ends_drawing_a_second_early) {
   EXPECT_TRUE(TimeLimit(1).drawing_over(0));
   EXPECT_FALSE(TimeLimit(60).drawing_over(0));

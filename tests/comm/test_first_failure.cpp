@@ -1,6 +1,8 @@
 // Of several ranks that fail, the first one tells why: the others mostly fail because it did.
 #include <gtest/gtest.h>
 
+#include <new>
+
 #include "comm/failure.h"
 #include "comm/in_process_communicator.h"
 #include "core/base/error.h"
@@ -18,6 +20,17 @@ TEST(FirstFailure, IsTheOneThatTheMasterTells) {
     ADD_FAILURE() << "nothing was thrown";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "the cause");
+  }
+}
+
+/// Another machine may have the memory; the job is not at fault.
+TEST(FirstFailure, WantOfMemoryIsTheMachines) {
+  try {
+    throw std::bad_alloc();
+  } catch (...) {
+    const Failure failure = describe_current_exception();
+    EXPECT_EQ(failure.exit_code, kEnvironmentExitCode);
+    EXPECT_EQ(failure.text, "out of memory");
   }
 }
 

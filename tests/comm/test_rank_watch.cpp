@@ -78,6 +78,21 @@ TEST_F(RankWatchTest, a_worker_that_never_answers_is_lost) {
   EXPECT_EQ(watch_.lost()->what, "has been busy with one question for 601 s");
 }
 
+TEST_F(RankWatchTest, whoever_waits_for_an_hour_is_not_busy) {
+  watch_.heard(1, {.waiting = true, .for_s = RankWatch::kMostBusy * kSilence_s + 1});
+  EXPECT_FALSE(watch_.lost());
+}
+
+TEST_F(RankWatchTest, whoever_has_just_begun_to_wait_may_have_answered) {
+  wait(6);
+  watch_.heard(1, {.waiting = true, .for_s = 100});
+  watch_.heard(2, {.waiting = true, .for_s = 0.5});
+  wait(6);
+  EXPECT_FALSE(watch_.lost()) << "the answer of rank 2 is on its way";
+  watch_.heard(2, {.waiting = true, .for_s = 11});
+  EXPECT_TRUE(watch_.lost());
+}
+
 TEST_F(RankWatchTest, a_message_that_all_wait_for_is_lost) {
   const auto all_idle_for = [&](double idle_s) {
     watch_.heard(1, {.waiting = true, .for_s = idle_s});

@@ -146,6 +146,23 @@ TEST(Pool, ForgetsOutdatedRankings) {
   EXPECT_EQ(best(), (std::vector{SampleId{1}, SampleId{0}, SampleId{2}}));
 }
 
+/// Enough of them that what is outdated is swept out.
+TEST(Pool, IsInOrderAfterASweep) {
+  Pool pool;
+  std::uint32_t state = 1;
+  for (std::uint32_t i = 0; i < 6000; ++i) {
+    Candidate c;
+    c.window = {0, 0, 5, 5};
+    c.score = float((state = state * 1664525u + 1013904223u) >> 8);
+    pool.put(i % 1500, {c}, false);
+  }
+  std::vector<float> scores;
+  pool.best_first([](const Candidate& c) { return c.score; },
+                  [&](const Pool::Ranked& r, const Candidate&) { return scores.push_back(r.value), true; });
+  EXPECT_EQ(scores.size(), 1500u);
+  EXPECT_TRUE(std::is_sorted(scores.rbegin(), scores.rend()));
+}
+
 TEST(Pool, FindsWhatAChangeReaches) {
   EXPECT_TRUE(rc::check([] {
     Pool pool;

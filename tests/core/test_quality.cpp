@@ -50,6 +50,10 @@ TEST(Quality, OneSquareInTheMiddle) {
   EXPECT_NEAR(q.largest_gap_px, 30 * std::sqrt(2.) / (1 + std::sqrt(2.)), 0.4);
 }
 
+TEST(Quality, ACanvasThatIsCoveredHasNoGap) {
+  EXPECT_EQ(measure(make_rectangle_canvas(20, 20), {at(kSquare, 40, {10, 10})}).largest_gap_px, 0);
+}
+
 TEST(Quality, OverlapCountsEveryPieceBeyondTheFirst) {
   const Quality q = measure(make_rectangle_canvas(100, 100),
                             {at(kSquare, 40, {50, 50}), at(kSquare, 40, {70, 50}), at(kSquare, 20, {60, 50})});

@@ -14,15 +14,9 @@
 #include "io/checkpoint/checkpoint_columns.h"
 #include "io/checkpoint/checkpoint_seal.h"
 #include "io/library/hdf5_handles.h"
+#include "support/hostile_file.h"
 
 namespace tessera::test {
-
-/// What was done, and whether a reader may take the file for another checkpoint: who seals numbers of his own gets what he
-/// asked for, as long as they are possible ones.
-struct ForgedCheckpoint {
-  std::string what;
-  bool may_differ = false;
-};
 
 class CheckpointForger {
  public:
@@ -33,7 +27,7 @@ class CheckpointForger {
 
   static constexpr int kKinds = 8;
 
-  ForgedCheckpoint forge(const std::string& path, int kind) {
+  Forgery forge(const std::string& path, int kind) {
     switch (kind) {
       case 0: return flipped(path, false);
       case 1: return flipped(path, true);
@@ -69,7 +63,8 @@ class CheckpointForger {
   }
 
   static void write(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
   }
 
   static void seal_again(const std::string& path) {
@@ -78,7 +73,7 @@ class CheckpointForger {
     write(path, bytes);
   }
 
-  ForgedCheckpoint flipped(const std::string& path, bool sealed) {
+  Forgery flipped(const std::string& path, bool sealed) {
     std::vector<std::uint8_t> bytes = bytes_of(path);
     for (std::size_t i = 1 + below(8); i > 0; --i) {
       std::uint8_t& byte = bytes[sealed ? io::kSealBytes + below(bytes.size() - io::kSealBytes) : below(bytes.size())];
@@ -89,7 +84,7 @@ class CheckpointForger {
     return {sealed ? "some bytes, sealed again" : "some bytes", sealed};
   }
 
-  ForgedCheckpoint cut(const std::string& path) {
+  Forgery cut(const std::string& path) {
     const auto size = std::filesystem::file_size(path);
     const std::size_t left = below(size);
     std::filesystem::resize_file(path, left);
@@ -99,7 +94,7 @@ class CheckpointForger {
     return {"cut to " + std::to_string(left) + (sealed ? ", sealed again" : ""), sealed};
   }
 
-  ForgedCheckpoint other_seal(const std::string& path) {
+  Forgery other_seal(const std::string& path) {
     std::vector<std::uint8_t> bytes = bytes_of(path);
     const std::size_t at = below(80);
     bytes[at] = std::uint8_t(bytes[at] ^ (1 + below(255)));
@@ -108,7 +103,7 @@ class CheckpointForger {
   }
 
   /// Other types, layouts and filters.
-  ForgedCheckpoint other_data_set(const std::string& path) {
+  Forgery other_data_set(const std::string& path) {
     const std::string name = any_path();
     const std::size_t way = below(8);
     change(path, [&](hid_t file) {
@@ -141,7 +136,7 @@ class CheckpointForger {
     return {"data set of way " + std::to_string(way) + " for " + name};
   }
 
-  ForgedCheckpoint absurd_numbers(const std::string& path) {
+  Forgery absurd_numbers(const std::string& path) {
     const std::string name = any_path();
     change(path, [&](hid_t file) {
       const hid_t set = H5Dopen2(file, name.c_str(), H5P_DEFAULT);
@@ -150,8 +145,14 @@ class CheckpointForger {
       if (!bytes.empty()) {
         H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data());
         const std::size_t element = H5Tget_size(type);
-        const std::uint64_t kWords[] = {0, 1, ~0ull, 0x7fc000007fc00000ull, 0x7f8000007f800000ull, 0x8000000080000000ull,
-                                        0x7fffffff7fffffffull, 0x4f0000004f000000ull};
+        const std::uint64_t kWords[] = {0,
+                                        1,
+                                        ~0ull,
+                                        0x7fc000007fc00000ull,
+                                        0x7f8000007f800000ull,
+                                        0x8000000080000000ull,
+                                        0x7fffffff7fffffffull,
+                                        0x4f0000004f000000ull};
         for (std::size_t i = 1 + below(3); i > 0; --i)
           std::memcpy(bytes.data() + below(bytes.size() / element) * element, &kWords[below(8)], element);
         H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data());
@@ -162,7 +163,7 @@ class CheckpointForger {
     return {"numbers of " + name, true};
   }
 
-  ForgedCheckpoint other_length(const std::string& path) {
+  Forgery other_length(const std::string& path) {
     const std::string name = any_path();
     change(path, [&](hid_t file) {
       const hid_t old = H5Dopen2(file, name.c_str(), H5P_DEFAULT);
@@ -186,7 +187,7 @@ class CheckpointForger {
     return {"another length of " + name, true};
   }
 
-  ForgedCheckpoint other_link(const std::string& path) {
+  Forgery other_link(const std::string& path) {
     const std::string name = any_path();
     const std::string other = any_path();
     const std::size_t way = below(5);

@@ -79,6 +79,14 @@ TEST_F(Checkpoints, AreRemovedWithTheirLeftovers) {
   expect_files({"collage.png"});
 }
 
+/// Whoever is interrupted while they go still finds the latest.
+TEST_F(Checkpoints, TheLatestGoesLast) {
+  keep("one");
+  fs::create_directories(folder_.previous() + "/in the way");
+  EXPECT_THROW(folder_.remove(), EnvironmentError);
+  EXPECT_TRUE(folder_.has_latest());
+}
+
 TEST_F(Checkpoints, AFullDiskKeepsBoth) {
   keep("one");
   keep("two");
@@ -176,6 +184,15 @@ TEST_F(Origin, AnotherCanvas) {
   now.canvas.height_px = 900;
   EXPECT_EQ(complaint(origin(now, make_rectangle_canvas(100, 81))),
             other_job("canvas.size_px: then [1000, 1000], now [1000, 900]"));
+}
+
+TEST_F(Origin, ACanvasOfAnotherSizeIsAnotherWhateverItsDistances) {
+  const Canvas canvas = make_rectangle_canvas(100, 80);
+  for (int Canvas::*side : {&Canvas::width_px, &Canvas::height_px}) {
+    Canvas other = canvas;
+    ++(other.*side);
+    EXPECT_NE(canvas_digest(other), canvas_digest(canvas));
+  }
 }
 
 TEST_F(Origin, ALibraryThatMovedIsTheSame) {

@@ -2,22 +2,17 @@
 // more than 1 GB.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <fstream>
-
-#include "core/base/error.h"
 #include "forged_checkpoint.h"
 #include "io/checkpoint/checkpoint_file.h"
 #include "io/job/job_file.h"
 #include "master/collage_loop.h"
 #include "scratch_folder.h"
 #include "support/divided_matcher.h"
-#include "support/limited_child.h"
+#include "support/hostile_file.h"
 
 namespace tessera::io {
 namespace {
 
-using test::ForgedCheckpoint;
 using test::ScratchFolder;
 
 class StopAfter : public master::SilentObserver {
@@ -37,7 +32,7 @@ class KeepLatest : public master::CheckpointKeeper {
   CheckpointState latest;
 };
 
-class HostileCheckpoint : public testing::Test {
+class HostileCheckpoint : public test::HostileFile {
  protected:
   void SetUp() override {
     settings_.pieces.min_scale_px = 18;
@@ -59,43 +54,30 @@ class HostileCheckpoint : public testing::Test {
     return keeper.latest;
   }
 
-  /// What a restart does with it: reads it and rebuilds its state. Returns the refusal, or what is wrong after "WRONG: ".
-  std::string use(bool may_differ) const {
-    try {
-      const Checkpoint checkpoint = read_checkpoint(path_);
-      if (checkpoint.job != job_text_) {
-        job_from_toml(checkpoint.job, path_ + ", its job");
-        if (!may_differ) return "WRONG: another job";
-      }
-      StopAfter stop(0);
-      const CheckpointState again = go_on(&checkpoint.state, stop);
-      if (!may_differ && (again.placements != good_.placements || again.stale != good_.stale ||
-                          again.pool.size() != good_.pool.size() || again.rebuilt_digest != good_.rebuilt_digest))
-        return "WRONG: another state";
-      return {};
-    } catch (const InputError& error) {
-      return error.what();
-    } catch (const std::exception& error) {
-      return std::string("WRONG: not an InputError: ") + error.what();
+  /// As a restart does: it reads the file and rebuilds its state.
+  std::string read(bool may_differ) const override {
+    const Checkpoint checkpoint = read_checkpoint(path_);
+    if (checkpoint.job != job_text_) {
+      job_from_toml(checkpoint.job, path_ + ", its job");
+      if (!may_differ) return "another job";
     }
+    StopAfter stop(0);
+    const CheckpointState again = go_on(&checkpoint.state, stop);
+    if (!may_differ && (again.placements != good_.placements || again.stale != good_.stale ||
+                        again.pool.size() != good_.pool.size() || again.rebuilt_digest != good_.rebuilt_digest))
+      return "another state";
+    return {};
   }
 
-  bool try_forgery(std::uint32_t seed) {
-    folder_.write("checkpoint.h5", {bytes_.begin(), bytes_.end()});
+  test::Forgery forge(std::uint32_t seed) override {
+    write_good();
     test::CheckpointForger forger(seed);
-    const ForgedCheckpoint forgery = forger.forge(path_, int(seed) % test::CheckpointForger::kKinds);
-    const std::string what = "seed " + std::to_string(seed) + ": " + forgery.what;
-    const test::ChildReport report = test::in_child([&] { return use(forgery.may_differ); });
-    test::expect_survived(report, what);
-    if (!report.said.empty()) test::expect_names_the_file(report.said, path_, what);
-    return !report.said.empty();
+    return forger.forge(path_, int(seed) % test::CheckpointForger::kKinds);
   }
 
-  void try_forgeries(std::uint32_t first, std::uint32_t count) {
-    std::uint32_t refused = 0;
-    for (std::uint32_t seed = first; seed < first + count; ++seed) refused += try_forgery(seed);
-    EXPECT_GT(refused, count / 2);
-  }
+  const std::string& path() const override { return path_; }
+
+  void write_good() { folder_.write("checkpoint.h5", {bytes_.begin(), bytes_.end()}); }
 
   const Canvas canvas_ = make_rectangle_canvas(160, 120);
   const std::string job_text_ = "seed = 7\n[library]\nfile = \"/a.h5\"\n[canvas]\nsize_px = [160, 120]\n";
@@ -108,14 +90,14 @@ class HostileCheckpoint : public testing::Test {
 };
 
 TEST_F(HostileCheckpoint, IsFineBefore) {
-  folder_.write("checkpoint.h5", {bytes_.begin(), bytes_.end()});
+  write_good();
   EXPECT_EQ(use(false), "");
 }
 
-TEST_F(HostileCheckpoint, TwoHundredForgeries) { try_forgeries(0, 200); }
+TEST_F(HostileCheckpoint, TwoHundredForgeries) { EXPECT_GT(try_forgeries(0, 200), 200u / 2); }
 
 // Behind the label "long".
-TEST_F(HostileCheckpoint, DISABLED_ThousandsOfForgeries) { try_forgeries(1000, 4000); }
+TEST_F(HostileCheckpoint, DISABLED_ThousandsOfForgeries) { EXPECT_GT(try_forgeries(1000, 4000), 4000u / 2); }
 
 }  // namespace
 }  // namespace tessera::io

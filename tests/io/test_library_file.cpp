@@ -251,10 +251,12 @@ TEST(LibraryWriter, RefusesShapesThatNoReaderWouldTake) {
   refuses([](Shape& s) { s.perimeter = NAN; });
   refuses([](Shape& s) { s.outline.curves.clear(); });
   refuses([](Shape& s) { s.outline.curves[0][1].x = INFINITY; });
+  refuses([](Shape& s) { s.outline.curves[0].resize(2); });
   refuses([](Shape& s) { s.field.distance(5, 7) = NAN; });
   refuses([](Shape& s) { s.field.distance = Grid<float>(64, 64); });
   refuses([](Shape& s) { s.levels[2].samples.pop_back(); });
   refuses([](Shape& s) { s.levels[1].samples[3].left[2] = NAN; });
+  refuses([](Shape& s) { s.levels[1].samples[3].convexity = 1.5f; });
   refuses([](Shape& s) { s.name = std::string(1000, 'x'); });
   refuses([](Shape& s) { s.artwork.unit_px = 0; });
   writer.append(good);

@@ -1,0 +1,21 @@
+// A worker that is not heard of ends every wait of rank 0, and is told once.
+#include <gtest/gtest.h>
+
+#include "comm/in_process_communicator.h"
+#include "core/base/interrupted.h"
+
+namespace tessera::comm {
+namespace {
+
+TEST(LostWorker, IsToldOnceHoweverManyWaitsItEnds) {
+  InProcessNetwork network(2);
+  const std::unique_ptr<Communicator> master = network.connect(0);
+  std::vector<std::string> told;
+  master->watch_workers(0.05, [&](const std::string& line) { told.push_back(line); });
+  for (int wait = 0; wait < 3; ++wait) EXPECT_THROW(master->receive(1, Tag::hello), Interrupted);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told.front().find("has not been heard of"), std::string::npos) << told.front();
+}
+
+}  // namespace
+}  // namespace tessera::comm

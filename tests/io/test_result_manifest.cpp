@@ -1,0 +1,33 @@
+// What a folder's manifest must say before anything else of the folder is believed.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "io/result/collage_files.h"
+#include "io/result/result_manifest.h"
+#include "sample_collage.h"
+#include "scratch_folder.h"
+#include "support/input_error.h"
+
+namespace tessera::io {
+namespace {
+
+TEST(ResultManifest, of_another_format_is_refused) {
+  const test::ScratchFolder scratch;
+  const test::SampleCollage sample;
+  const std::string dir = scratch.path("");
+  publish_result(dir, sample.report, sample.origin(), true);
+  const std::string path = scratch.path(kManifestName);
+  std::ifstream file(path);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string format = "\"format\":1";
+  ASSERT_NE(text.find(format), std::string::npos);
+  EXPECT_TRUE(read_manifest(dir).finished);
+  text.replace(text.find(format), format.size(), "\"format\":2");
+  scratch.write(kManifestName, text);
+  EXPECT_EQ(test::message_of([&] { read_manifest(dir); }), path + ": another format than 1");
+}
+
+}  // namespace
+}  // namespace tessera::io

@@ -1,0 +1,47 @@
+// What a candidate is worth follows from the nodes of its window: a piece that touches none of them leaves its score.
+#include <gtest/gtest.h>
+
+#include "core/collage/exact_terms.h"
+#include "rounds_by_hand.h"
+
+namespace tessera::master {
+namespace {
+
+const std::vector<Shape>& library() {
+  static const std::vector<Shape> shapes = test::synthetic_library(12);
+  return shapes;
+}
+
+CollageSettings settings() {
+  CollageSettings s;
+  s.seed = 3;
+  s.pieces.min_scale_px = 20;
+  s.pieces.max_scale_px = 90;
+  return s;
+}
+
+bool holds(const Window& window, const Window& part) { return part.intersected(window) == part; }
+
+/// The windows are known from some boundary points, the exact areas are those of the whole outline.
+TEST(CandidateWindows, HoldTheNodesThatAreCountedExactly) {
+  constexpr int kRim = 2;  // at the edge of the exact window, where nodes are looked at and not counted
+  test::RoundsByHand rounds(make_rectangle_canvas(300, 220), settings(), library());
+  int windows = 0;
+  Candidate best;
+  for (int round = 0; round < 5 && rounds.choose(best); ++round) {
+    for (const PooledSample& sample : rounds.state().pool) {
+      for (const Candidate& c : sample.candidates) {
+        const Window exact =
+            exact_window(library()[c.shape], c.canvas_from_shape, rounds.collage().free(), settings().pieces);
+        EXPECT_TRUE(holds(c.window, exact.grown(-kRim))) << "shape " << c.shape;
+        ++windows;
+      }
+    }
+    const Window changed = rounds.collage().place(best);
+    rounds.collage().rescore(changed, rounds.measure(changed));
+  }
+  EXPECT_GT(windows, 100);
+}
+
+}  // namespace
+}  // namespace tessera::master

@@ -1,0 +1,64 @@
+// A collage whose placements are replaced knows no more of what was matched before than a new one.
+#include <gtest/gtest.h>
+
+#include "rounds_by_hand.h"
+
+namespace tessera::master {
+namespace {
+
+const std::vector<Shape>& library() {
+  static const std::vector<Shape> shapes = test::synthetic_library(12);
+  return shapes;
+}
+
+CollageSettings settings() {
+  CollageSettings s;
+  s.seed = 3;
+  s.pieces.min_scale_px = 20;
+  s.pieces.max_scale_px = 90;
+  return s;
+}
+
+/// A collage in which some samples have changed a little since they were matched, and the piece that comes next.
+class ReplacePlacements : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (int round = 0; round < 20 && rounds_.state().matched.empty(); ++round) {
+      ASSERT_TRUE(rounds_.choose(next_));
+      const Window changed = rounds_.collage().place(next_);
+      rounds_.collage().rescore(changed, rounds_.measure(changed));
+    }
+    ASSERT_FALSE(rounds_.state().matched.empty()) << "the test needs samples that changed a little";
+    ASSERT_TRUE(rounds_.choose(next_));
+  }
+
+  const Canvas canvas_ = make_rectangle_canvas(300, 220);
+  test::RoundsByHand rounds_{canvas_, settings(), library()};
+  Candidate next_;
+};
+
+TEST_F(ReplacePlacements, ForgetsWhatItsSamplesWereMatchedWith) {
+  rounds_.collage().replace_placements(rounds_.state().placements);
+  const CheckpointState state = rounds_.state();
+  EXPECT_TRUE(state.matched.empty());
+  EXPECT_TRUE(state.pool.empty());
+  EXPECT_TRUE(state.stale.empty());
+  EXPECT_TRUE(state.passes.empty());
+}
+
+/// Changes add up from now on, and not from what was matched before.
+TEST_F(ReplacePlacements, GoesOnAsACollageThatBeginsWithThem) {
+  test::RoundsByHand fresh(canvas_, settings(), library());
+  const std::vector<Placement> placements = rounds_.state().placements;
+  for (test::RoundsByHand* rounds : {&rounds_, &fresh}) {
+    rounds->collage().replace_placements(placements);
+    rounds->collage().mark_stale(canvas_.distance.value.bounds());
+    rounds->collage().take_stale_samples();
+    rounds->collage().place(next_);
+  }
+  EXPECT_EQ(rounds_.state().stale, fresh.state().stale);
+  EXPECT_TRUE(rounds_.state().matched == fresh.state().matched);
+}
+
+}  // namespace
+}  // namespace tessera::master
