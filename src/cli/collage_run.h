@@ -29,9 +29,10 @@ inline constexpr int kUnfinishedExitCode = 75;
 
 enum class CollageEnd {
   finished,
-  unfinished,  // a checkpoint, and the result without pictures of what is placed so far
-  not_drawn,   // the collage is finished, and a signal or the time limit ended drawing
-  not_begun,   // ended before the first round; what was in the folder is there still
+  unfinished,      // a checkpoint, and the result without pictures of what is placed so far
+  nothing_placed,  // a checkpoint, and the finished result of an earlier run as it was
+  not_drawn,       // the collage is finished, and a signal or the time limit ended drawing
+  not_begun,       // ended before the first round; what was in the folder is there still
 };
 
 /// On every rank. But for the first end the exit code is to be kUnfinishedExitCode, and the caller says how to go on. Throws
