@@ -17,9 +17,8 @@ constexpr const char* kExamples =
     "  tessera collage jobs/animals.toml --resume                 goes on where it stopped, or was killed\n"
     "  tessera collage jobs/animals.toml --resume=auto            the same, and starts where there is no checkpoint\n"
     "--time-limit takes seconds (90; sbatch would mean minutes), 90s, 90m, 2h, and sbatch's MM:SS, HH:MM:SS, D-HH,\n"
-    "D-HH:MM, D-HH:MM:SS and UNLIMITED. --resume=auto starts where there is no checkpoint, leaves a finished result "
-    "of\n"
-    "the same job as it is, and refuses one of another job.\n"
+    "D-HH:MM, D-HH:MM:SS, UNLIMITED and INFINITE. --resume=auto starts where there is no checkpoint, leaves a finished\n"
+    "result of the same job as it is, and refuses one of another job.\n"
     "The result (pieces.geojson, quality card, effective job; drawn from them collage.png and .svg) is the same on "
     "any\n"
     "number of ranks, and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and "
@@ -88,8 +87,9 @@ void add_collage_command(CLI::App& app, Command& selected) {
           ->check(CLI::IsMember({"latest", "previous", "auto"}));
   collage->add_flag("--restart", arguments->restart, "Remove the checkpoints in DIR and start again")->excludes(resume);
   collage
-      ->add_option("--time-limit", arguments->time_limit,
-                   "Stop so early that all is written by then; default: the end of the Slurm job")
+      ->add_option_function<std::string>(
+          "--time-limit", [arguments](const std::string& limit) { arguments->time_limit = limit; },
+          "Stop so early that all is written by then; default: the end of the Slurm job")
       ->type_name("LIMIT");
   collage->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };

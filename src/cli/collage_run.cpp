@@ -91,6 +91,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   journal->warn(replaced_result_warning(input.folder, input.job));
+  journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
   announce_run(ranks, program_identity(), input.job, input.origin.library_digest);

@@ -2,6 +2,7 @@
 // the others are workers; a single rank is both.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,14 @@
 namespace tessera::cli {
 
 struct CollageArguments {
-  std::string job;                     // the file
-  std::string out;                     // the folder; empty = out/<name of the job file>
-  std::vector<std::string> overrides;  // "section.key=value"
-  bool quiet = false;                  // neither progress nor card; warnings all the same
-  std::string resume;                  // "latest" or "previous": from that checkpoint; "auto": from the one that is
-                                       // there, if any; empty = from the start
-  bool restart = false;                // even where there is a checkpoint
-  std::string time_limit;              // time_limit.h; empty = none but Slurm's
+  std::string job;                        // the file
+  std::string out;                        // the folder; empty = out/<name of the job file>
+  std::vector<std::string> overrides;     // "section.key=value"
+  bool quiet = false;                     // neither progress nor card; warnings all the same
+  std::string resume;                     // "latest" or "previous": from that checkpoint; "auto": from the one that is
+                                          // there, if any; empty = from the start
+  bool restart = false;                   // even where there is a checkpoint
+  std::optional<std::string> time_limit;  // time_limit.h; nothing = none but Slurm's
 };
 
 /// Where the result goes.
