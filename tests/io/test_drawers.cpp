@@ -2,6 +2,8 @@
 #include <fcntl.h>
 #include <glib.h>
 #include <gtest/gtest.h>
+#include <linux/landlock.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -193,6 +195,69 @@ TEST(Drawers, AMissingProgramIsSaid) {
     const OtherProgram program(file);
     EXPECT_THROW(Drawers(kTwo).render(svg(kDisc), "a", 100), EnvironmentError) << file;
   }
+}
+
+/// Says what a drawer of another build says.
+std::string greeting_program(const test::ScratchFolder& folder, const std::string& build) {
+  const std::string script =
+      folder.write("program", "#!/bin/sh\nprintf 'drawer02" + build + "' >&3\nhead -c " +
+                                  std::to_string(56 - build.size()) + " /dev/zero >&3\nsleep 10\n");
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  return script;
+}
+
+TEST(Drawers, ADrawerOfAnotherBuildIsSaid) {
+  const test::ScratchFolder folder;
+  const OtherProgram program(greeting_program(folder, "0.0.1, commit abc"));
+  try {
+    Drawers(kTwo).render(svg(kDisc), "a", 100);
+    ADD_FAILURE() << "it was taken";
+  } catch (const EnvironmentError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("program: it is tessera 0.0.1, commit abc, and this program is tessera "), std::string::npos)
+        << message;
+    EXPECT_NE(message.find("both must be of one build"), std::string::npos) << message;
+  }
+}
+
+/// A font that is read through a link out of the fonts' folder, in place of the drawer's files.
+class OwnFonts {
+ public:
+  explicit OwnFonts(const test::ScratchFolder& folder) : fonts_(folder.path("fonts")) {
+    std::filesystem::create_directories(fonts_);
+    std::filesystem::create_directories(folder.path("private"));
+    std::filesystem::copy(kSans, fonts_);
+    std::filesystem::copy(kMono, folder.path("private/mono.ttf"));
+    const std::string config = folder.write("fonts.conf", "<fontconfig><dir>" + fonts_ + "</dir></fontconfig>");
+    ::setenv("FONTCONFIG_FILE", config.c_str(), 1);
+  }
+  ~OwnFonts() { ::unsetenv("FONTCONFIG_FILE"); }
+
+  static bool are_there() { return std::filesystem::exists(kSans) && std::filesystem::exists(kMono); }
+  std::string mono() const { return fonts_ + "/mono.ttf"; }
+
+ private:
+  static constexpr const char* kSans = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  static constexpr const char* kMono = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
+
+  std::string fonts_;
+};
+
+TEST(Drawers, ReadNothingInAPrivateFolder) {
+  if (::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 1) {
+    GTEST_SKIP() << "this kernel has no Landlock";
+  }
+  if (!OwnFonts::are_there()) GTEST_SKIP() << "DejaVu's fonts are not installed";
+  const test::ScratchFolder folder;
+  const OwnFonts fonts(folder);
+  const Bytes text = svg("<text x=\"5\" y=\"40\" font-size=\"30\" font-family=\"DejaVu Sans Mono\">illi</text>");
+  const auto drawn = [&] { return Drawers(kTwo).render(text, "a", 300); };
+  const cv::Mat without = drawn();
+  std::filesystem::create_symlink(folder.path("private/mono.ttf"), fonts.mono());
+  EXPECT_TRUE(equal(drawn(), without));
+  std::filesystem::remove(fonts.mono());
+  std::filesystem::copy(folder.path("private/mono.ttf"), fonts.mono());
+  EXPECT_FALSE(equal(drawn(), without)) << "the font makes no difference";
 }
 
 std::string content_of(const std::string& path) {
