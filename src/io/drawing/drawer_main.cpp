@@ -80,10 +80,9 @@ int main(int argc, char** argv) {
   std::set_terminate(end_at_once);
   if (argc != 3) end_at_once();
   cv::setNumThreads(1);  // the processes are the parallelism
-  const std::vector<std::string> readable = files_of_decoders();
   limit_process(std::strtoull(argv[1], nullptr, 10));
   if (::getppid() != std::atol(argv[2])) end_at_once();  // the parent died before it could be watched
-  confine_to_files(readable);
+  confine_to_files(files_of_decoders());
   forbid_system_calls();
   serve();
 }
