@@ -23,6 +23,31 @@ if [[ -z ${SLURM_JOB_END_TIME-} ]] && end=$(date -d "$(squeue -h -j "$SLURM_JOB_
   export SLURM_JOB_END_TIME=$end
 fi
 
+# The templates' --signal, and the minute that Slurm may be early; what is left before it is all that is computed.
+readonly signal_lead_s=180
+
+warn_of_short_limit() {
+  [[ ${SLURM_JOB_END_TIME-} =~ ^[0-9]+$ ]] || return 0
+  local left_s=$((SLURM_JOB_END_TIME - $(date +%s)))
+  ((left_s > 0 && left_s <= signal_lead_s)) || return 0
+  echo "warning: the job ends in $left_s s, and Slurm's signal before the time limit may come $signal_lead_s s early:" \
+    "little or nothing will be computed each time it is queued; give it more time (sbatch --time=00:30:00)" >&2
+}
+
+# The program would refuse them beside --resume=auto, and does not know of the template.
+refuse_other_starts() {  # options of tessera collage...
+  local option
+  for option in "$@"; do
+    case $option in
+      --restart | --resume | --resume=*)
+        echo "$option: not in a template, which goes on from a checkpoint where there is one (--resume=auto) and comes back" \
+          "by itself; to start again give another folder, or remove checkpoint.h5 and checkpoint.previous.h5 from it" >&2
+        exit 2
+        ;;
+    esac
+  done
+}
+
 readonly checkpointed=75  # exit code of `tessera collage` that wrote a checkpoint and wants to go on
 
 # Runs a command and hands it the signals that Slurm sends to the batch shell. Its exit code goes to `status`.
@@ -50,6 +75,8 @@ run_forwarding() {
 run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
   local ranks=$1 job=$2 out=$3
   shift 3
+  refuse_other_starts "$@"
+  warn_of_short_limit
   TESSERA_MASTER_NODE=$(hostname)  # rank 0 is beside this script
   export TESSERA_MASTER_NODE
   # --map-by node: as many workers on every node, as far as its tasks allow. --bind-to none: a rank's OpenCL device uses

@@ -12,11 +12,17 @@ namespace {
 
 constexpr std::size_t kNamesShown = 3;
 constexpr std::size_t kMergedShown = 10;
-constexpr int kMaxReasonWidth = 60;
 
 std::string file_name(const std::string& path) { return io::printable_utf8(std::filesystem::path(path).filename()); }
 
-/// Where a reason has details after a colon (a parser's message), the table counts what stands before it.
+/// Of a line that counts files.
+std::string count_column(std::size_t count) {
+  char text[32];
+  std::snprintf(text, sizeof text, "  %5zu  ", count);
+  return text;
+}
+
+/// Where a reason has details after a colon (a parser's message), files are counted by what stands before it.
 std::string reason_class(const std::string& reason) { return io::printable_utf8(reason.substr(0, reason.find(": "))); }
 
 std::string text_of(const std::vector<std::string>& names) {
@@ -37,25 +43,15 @@ std::string first_names(const std::vector<std::string>& paths) {
   return text_of(names);
 }
 
-std::string table_row(const std::string& reason, int width, const std::string& count, const std::string& names) {
-  char text[64];
-  std::snprintf(text, sizeof text, "  %6s  ", count.c_str());
-  const int padding = std::max(0, width - int(reason.size()));
-  return "  " + reason + std::string(std::size_t(padding), ' ') + text + names + "\n";
-}
-
-std::string skipped_table(const std::vector<io::UnusedFile>& skipped) {
+std::string skipped_lines(const std::vector<io::UnusedFile>& skipped) {
   std::map<std::string, std::vector<std::string>> paths_of_reason;
   for (const io::UnusedFile& file : skipped) paths_of_reason[reason_class(file.reason)].push_back(file.path);
   std::vector<std::pair<std::string, std::vector<std::string>>> rows(paths_of_reason.begin(), paths_of_reason.end());
   std::stable_sort(rows.begin(), rows.end(),
                    [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
-  int width = 0;
-  for (const auto& [reason, paths] : rows) width = std::max(width, int(reason.size()));
-  width = std::min(width, kMaxReasonWidth);
-  std::string text = "skipped " + std::to_string(skipped.size()) + ":\n" + table_row("reason", width, "files", "first");
+  std::string text = "skipped " + std::to_string(skipped.size()) + ":\n";
   for (const auto& [reason, paths] : rows) {
-    text += table_row(reason, width, std::to_string(paths.size()), first_names(paths));
+    text += count_column(paths.size()) + reason + ": " + first_names(paths) + "\n";
   }
   return text;
 }
@@ -73,12 +69,20 @@ std::string merged_lines(const std::vector<io::LibraryBuildReport::Merged>& merg
 
 std::string build_summary(const io::LibraryBuildReport& report) {
   std::string text;
-  if (!report.with_specks.empty()) {
-    text += "specks beside the largest part left out in " + std::to_string(report.with_specks.size()) + ": " +
-            first_names(report.with_specks) + "\n";
+  if (!report.trimmed.empty()) {
+    text += "small parts that do not touch the largest are not in the silhouettes of " +
+            std::to_string(report.trimmed.size()) + " (join them to have them): " + first_names(report.trimmed) + "\n";
   }
   if (!report.merged.empty()) text += merged_lines(report.merged);
-  if (!report.skipped.empty()) text += skipped_table(report.skipped);
+  if (!report.skipped.empty()) text += skipped_lines(report.skipped);
+  return text;
+}
+
+std::string build_counts(const io::LibraryBuildReport& report) {
+  std::string text = std::to_string(report.files) + (report.files == 1 ? " file" : " files") + ": " +
+                     std::to_string(report.shapes) + (report.shapes == 1 ? " shape" : " shapes");
+  if (!report.merged.empty()) text += ", " + std::to_string(report.merged.size()) + " merged with these";
+  if (!report.skipped.empty()) text += ", " + std::to_string(report.skipped.size()) + " skipped";
   return text;
 }
 

@@ -7,8 +7,11 @@
 
 namespace tessera::cli {
 
-/// What was merged and left out, and a table of the reasons why files were skipped: how many, and the first names.
-/// Empty where nothing of the kind happened; otherwise whole lines.
+/// What was merged and left out, and why files were skipped: for each reason how many, and the first names. Empty where
+/// nothing of the kind happened; otherwise whole lines.
 std::string build_summary(const io::LibraryBuildReport& report);
+
+/// What became of all the files: "9 files: 5 shapes, 1 merged with these, 3 skipped".
+std::string build_counts(const io::LibraryBuildReport& report);
 
 }  // namespace tessera::cli

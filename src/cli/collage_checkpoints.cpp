@@ -46,11 +46,13 @@ struct Found {
   bool there;
 };
 
-void require(const Found& wanted, const Found& other) {
+/// `damage`: why the result in the folder is not one that was finished.
+void require(const Found& wanted, const Found& other, const std::string& damage) {
   if (wanted.there) return;
   throw InputError(wanted.path + ": no such file" +
                    (other.there ? "; " + other.path + " is there: " + other.option + " goes on from it"
-                                : ", nothing to go on with (a finished run removes it); leave --resume out to start"));
+                                : ", nothing to go on with (a finished run removes it); leave --resume out to start") +
+                   (damage.empty() ? "" : "; the result in its folder is not whole: " + damage));
 }
 
 }  // namespace
@@ -65,8 +67,9 @@ io::CheckpointFolder checked_start(const std::string& result_folder, Start start
   io::CheckpointFolder folder(result_folder);
   const Found latest{folder.latest(), "--resume", folder.has_latest()};
   const Found previous{folder.previous(), "--resume=previous", folder.has_previous()};
-  if (start == Start::resume && !io::job_of_finished_result(result_folder)) require(latest, previous);
-  if (start == Start::resume_previous) require(previous, latest);
+  const std::string damage = io::damage_of_result(result_folder);
+  if (start == Start::resume && !io::job_of_finished_result(result_folder)) require(latest, previous, damage);
+  if (start == Start::resume_previous) require(previous, latest, damage);
   if (start == Start::fresh && (latest.there || previous.there)) {
     const Found& best = latest.there ? latest : previous;
     throw InputError(best.path + ": unfinished work; " + best.option + " goes on with it, " + kStartAgain);
@@ -107,9 +110,7 @@ void CollageCheckpoints::keep(const CheckpointState& state) {
   since_latest_.lap();
 }
 
-std::string CollageCheckpoints::warning() const {
-  return failure_.empty() ? "" : "no checkpoint: " + failure_;
-}
+std::string CollageCheckpoints::warning() const { return failure_.empty() ? "" : "no checkpoint: " + failure_; }
 
 void CollageCheckpoints::require_one() const {
   if (!folder_.has_latest()) throw EnvironmentError("unfinished, and without a checkpoint: " + failure_);

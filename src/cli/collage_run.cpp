@@ -86,11 +86,12 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
   return master::make_collage(input.canvas, input.job.settings, matcher, shapes, progress, {from, &checkpoints});
 }
 
-/// From the empty canvas or a checkpoint to the result without its pictures. False: unfinished.
-bool compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
-             comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
+/// From the empty canvas or a checkpoint to the result without its pictures.
+CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
+                   comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   journal->warn(replaced_result_warning(input.folder, input.job));
+  journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
   announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
@@ -106,9 +107,13 @@ bool compute(const CollageArguments& arguments, const CollageInput& input, const
   journal->warn(empty_result_warning(input.folder, input.job, result));
   journal->keep_warning(checkpoints.warning());
   const io::RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
+  if (leaves_older_result(input, result)) {
+    checkpoints.require_one();
+    return CollageEnd::nothing_placed;
+  }
   const std::string card = publish(input, result, times, record, checkpoints) + io::ranks_text(times);
   say(arguments, card + "\nwritten to " + input.folder);
-  return !result.unfinished;
+  return result.unfinished ? CollageEnd::unfinished : CollageEnd::finished;
 }
 
 /// The pictures of a finished collage. False: interrupted.
@@ -130,16 +135,17 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
 }
 
 CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
-  const TimeLimit limit(
-      time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr)),
-                                    leaving_s(ranks)));
+  const TimeLimit limit(time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"),
+                                     double(std::time(nullptr)), leaving_s(ranks)));
   const CollageInput input(arguments);
   if (input.finished) {
     say(arguments, input.folder + ": finished before, nothing is left to compute");
     if (io::is_drawn(input.folder)) return CollageEnd::finished;
   } else {
-    const auto journal = std::make_shared<CollageJournal>(input.folder, record_of(input));  // the ranks' watch shares it
-    if (!journal->watch([&] { return compute(arguments, input, limit, ranks, journal); })) return CollageEnd::unfinished;
+    const auto journal =
+        std::make_shared<CollageJournal>(input.folder, record_of(input));  // the ranks' watch shares it
+    const CollageEnd end = journal->watch([&] { return compute(arguments, input, limit, ranks, journal); });
+    if (end != CollageEnd::finished) return end;
   }
   return draw_pictures(arguments, input, limit, ranks) ? CollageEnd::finished : CollageEnd::not_drawn;
 }

@@ -2,6 +2,7 @@
 // the others are workers; a single rank is both.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,14 @@
 namespace tessera::cli {
 
 struct CollageArguments {
-  std::string job;                     // the file
-  std::string out;                     // the folder; empty = out/<name of the job file>
-  std::vector<std::string> overrides;  // "section.key=value"
-  bool quiet = false;                  // neither progress nor card; warnings all the same
-  std::string resume;                  // "latest" or "previous": from that checkpoint; "auto": from the one that is
-                                       // there, if any; empty = from the start
-  bool restart = false;                // even where there is a checkpoint
-  std::string time_limit;              // time_limit.h; empty = none but Slurm's
+  std::string job;                        // the file
+  std::string out;                        // the folder; empty = out/<name of the job file>
+  std::vector<std::string> overrides;     // "section.key=value"
+  bool quiet = false;                     // neither progress nor card; warnings all the same
+  std::string resume;                     // "latest" or "previous": from that checkpoint; "auto": from the one that is
+                                          // there, if any; empty = from the start
+  bool restart = false;                   // even where there is a checkpoint
+  std::optional<std::string> time_limit;  // time_limit.h; nothing = none but Slurm's
 };
 
 /// Where the result goes.
@@ -29,9 +30,10 @@ inline constexpr int kUnfinishedExitCode = 75;
 
 enum class CollageEnd {
   finished,
-  unfinished,  // a checkpoint, and the result without pictures of what is placed so far
-  not_drawn,   // the collage is finished, and a signal or the time limit ended drawing
-  not_begun,   // ended before the first round; what was in the folder is there still
+  unfinished,      // a checkpoint, and the result without pictures of what is placed so far
+  nothing_placed,  // a checkpoint, and the finished result of an earlier run as it was
+  not_drawn,       // the collage is finished, and a signal or the time limit ended drawing
+  not_begun,       // ended before the first round; what was in the folder is there still
 };
 
 /// On every rank. But for the first end the exit code is to be kUnfinishedExitCode, and the caller says how to go on. Throws

@@ -35,6 +35,9 @@ std::string what_to_try(const io::Job& job) {
 }  // namespace
 
 std::string replaced_result_warning(const std::string& folder, const io::Job& job) {
+  if (const std::string damage = io::damage_of_result(folder); !damage.empty()) {
+    return folder + ": this run replaces a result that is not whole: " + damage;
+  }
   const std::optional<io::Job> then = io::job_of_finished_result(folder);
   const std::string differences = then ? io::result_differences(*then, job) : "";
   if (differences.empty()) return "";

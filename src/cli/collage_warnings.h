@@ -8,7 +8,7 @@
 
 namespace tessera::cli {
 
-/// Empty where `folder` holds no finished result, or that of the same job.
+/// Empty where `folder` holds no result, an unfinished one, or the finished one of the same job.
 std::string replaced_result_warning(const std::string& folder, const io::Job& job);
 
 /// Empty where there are pieces, or where the run may still go on to some.

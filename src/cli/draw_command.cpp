@@ -9,7 +9,7 @@
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/job/job_keys.h"
 #include "io/output_lock.h"
-#include "io/result/result_manifest.h"
+#include "io/result/finished_result.h"
 
 namespace tessera::cli {
 namespace {
@@ -31,11 +31,12 @@ struct DrawArguments {
 
 void check_is_result(const std::string& folder) {
   try {
-    io::read_manifest(folder);
+    io::read_result(folder);
   } catch (const InputError& error) {
     const io::CheckpointFolder checkpoints(folder);
     if (!checkpoints.has_latest() && !checkpoints.has_previous()) throw;
-    throw InputError(std::string(error.what()) + "; a checkpoint is there: tessera collage with --resume makes the result");
+    throw InputError(std::string(error.what()) +
+                     "; a checkpoint is there: tessera collage with --resume makes the result");
   }
 }
 
@@ -59,7 +60,8 @@ CLI::Range width_range() {
 }
 
 std::string not_a_colour(const std::string& text) {
-  const bool is_one = text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
+  const bool is_one =
+      text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
   return is_one ? "" : "found " + text + ", allowed: #rrggbb";
 }
 
@@ -70,7 +72,8 @@ void add_draw_command(CLI::App& app, Command& selected) {
   CLI::App* draw = app.add_subcommand("draw", "Draw the pictures of a result, at any size");
   draw->footer(kExamples);
   draw->add_option("RESULT", arguments->folder, "The folder of the result")->required()->type_name("DIR");
-  draw->add_option("--width", arguments->request.width_px, "Of the pictures; default: output.width_px of the result's job")
+  draw->add_option("--width", arguments->request.width_px,
+                   "Of the pictures; default: output.width_px of the result's job")
       ->type_name("PX")
       ->check(width_range());
   draw->add_flag("--svg", arguments->request.svg, "Draw collage.svg; without any of the three: SVG and PNG");

@@ -49,24 +49,17 @@ io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, cons
 
 void throw_if_not_written(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
   if (report.written) return;
-  const std::string files = std::to_string(report.files) + (report.files == 1 ? " file" : " files");
-  if (report.shapes == 0) throw InputError(arguments.output + " was not written: no usable shape in " + files);
   const io::UnusedFile& first = report.skipped.front();
-  throw InputError(arguments.output + " was not written: --strict, and " + std::to_string(report.skipped.size()) +
-                   " of " + files + " cannot be used, the first is " + first.path + ": " + first.reason);
+  const std::string why = report.shapes == 0 ? "no usable shape in " : "--strict; ";
+  throw InputError(arguments.output + " was not written: " + why + build_counts(report) + "; the first is " +
+                   first.path + ": " + first.reason);
 }
 
-void throw_if_no_artwork(const BuildArguments& arguments, const io::ArtworkFiles& files) {
-  if (!files.paths.empty()) return;
-  std::string message = "no artwork in " + arguments.sources.front() +
-                        (arguments.glob.empty()
-                             ? ": looked for svg, svgz, png, webp, tif, tiff, bmp, jpg and jpeg files"
-                             : ": no file matches " + arguments.glob);
-  if (!files.left_out.empty()) {
-    const io::UnusedFile& first = files.left_out.front();
-    message += "; found " + first.path + ": " + first.reason;
-  }
-  throw InputError(message);
+void throw_if_nothing_found(const BuildArguments& arguments, const io::ArtworkFiles& files) {
+  if (!files.paths.empty() || !files.left_out.empty()) return;
+  throw InputError("no artwork in " + arguments.sources.front() +
+                   (arguments.glob.empty() ? ": looked for svg, svgz, png, webp, tif, tiff, bmp, jpg and jpeg files"
+                                           : ": no file matches " + arguments.glob));
 }
 
 /// What is replaced must be a library: a slip of the pen names a drawing.
@@ -83,19 +76,20 @@ void throw_if_not_ours(const BuildArguments& arguments) {
 int run(const BuildArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const io::ArtworkFiles files = io::find_artwork(arguments.sources, arguments.glob);
-  throw_if_no_artwork(arguments, files);
+  throw_if_nothing_found(arguments, files);
   throw_if_not_ours(arguments);
   const io::OutputLock lock(arguments.output + ".lock", arguments.output);
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   std::fputs(build_summary(report).c_str(), stdout);
-  throw_if_not_written(arguments, report);
   io::write_left_out_list(arguments.output, report);
   if (!io::left_out_list(report).empty()) {
     std::printf("all that was left out: %s\n", io::left_out_path(arguments.output).c_str());
   }
+  throw_if_not_written(arguments, report);
   const std::chrono::duration<double> elapsed_s = std::chrono::steady_clock::now() - start;
-  std::printf("%s: %zu shapes from %zu files, %.1f MB, %.1f s\n", arguments.output.c_str(), report.shapes, report.files,
-              double(std::filesystem::file_size(arguments.output)) * 1e-6, elapsed_s.count());
+  std::printf("%s, %.1f MB, %.1f s; of %s\n", arguments.output.c_str(),
+              double(std::filesystem::file_size(arguments.output)) * 1e-6, elapsed_s.count(),
+              build_counts(report).c_str());
   return 0;
 }
 

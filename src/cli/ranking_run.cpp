@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "cli/collage_warnings.h"
 #include "io/number_text.h"
 #include "io/result/collage_files.h"
 #include "io/result/ranking.h"
@@ -18,19 +19,22 @@ std::string output_folder(const RankingArguments& arguments) {
 std::vector<io::ResultCard> cards_of(const std::vector<std::string>& arguments) {
   std::vector<io::ResultCard> cards;
   for (const std::string& argument : arguments) {
-    for (const std::string& folder : io::result_folders(argument)) cards.push_back(io::read_card(folder));
+    const io::FoundResults found = io::result_folders(argument);
+    for (const std::string& damage : found.damages) print_warning("not ranked: " + damage);
+    for (const std::string& folder : found.whole) cards.push_back(io::read_card(folder));
   }
   return cards;
 }
 
 std::string table_text(const std::vector<io::RankedResult>& results) {
-  io::TextTable table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces", "shapes",
-                      "gap px", "time s"});
+  io::TextTable table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces",
+                       "shapes", "gap px", "time s"});
   for (const io::RankedResult& result : results) {
     const Quality& q = result.card.quality;
     const auto percent = [](double fraction, int decimals) { return io::fixed(100 * fraction, decimals); };
-    table.add({result.card.folder + (io::is_unfinished(result.card) ? " (unfinished)" : ""), std::to_string(result.rank), io::fixed(result.score, 2), percent(q.coverage, 2),
-               percent(q.overlap, 3), percent(q.outside, 3), percent(q.shared_boundary, 1), std::to_string(q.pieces),
+    table.add({result.card.folder + (io::is_unfinished(result.card) ? " (unfinished)" : ""),
+               std::to_string(result.rank), io::fixed(result.score, 2), percent(q.coverage, 2), percent(q.overlap, 3),
+               percent(q.outside, 3), percent(q.shared_boundary, 1), std::to_string(q.pieces),
                std::to_string(q.distinct_shapes), io::fixed(q.largest_gap_px, 1), io::fixed(result.card.total_s, 1)});
   }
   return table.text();

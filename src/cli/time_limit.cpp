@@ -1,6 +1,7 @@
 #include "cli/time_limit.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <optional>
 
@@ -61,9 +62,16 @@ std::optional<double> with_colons(std::string_view text, double unit_s) {
   return sum_s;
 }
 
+/// sbatch's two words, in any case.
+bool is_without_limit(std::string_view text) {
+  std::string word(text);
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::toupper(c); });
+  return word == "UNLIMITED" || word == "INFINITE";
+}
+
 /// The forms of sbatch's --time, but that a plain number is seconds. Infinite: no limit.
 std::optional<double> any_form(std::string_view text) {
-  if (text == "UNLIMITED") return std::numeric_limits<double>::infinity();
+  if (is_without_limit(text)) return std::numeric_limits<double>::infinity();
   if (const std::size_t dash = text.find('-'); dash != std::string_view::npos) {
     const std::optional<double> days = whole(text.substr(0, dash));
     const std::optional<double> rest_s = with_colons(text.substr(dash + 1), 3600);
@@ -75,7 +83,7 @@ std::optional<double> any_form(std::string_view text) {
 }
 
 InputError refused(const std::string& text, const std::string& allowed) {
-  return InputError("--time-limit: found " + text + ", allowed: " + allowed);
+  return InputError("--time-limit: found " + (text.empty() ? "an empty text" : text) + ", allowed: " + allowed);
 }
 
 }  // namespace
@@ -86,12 +94,14 @@ double parse_time_limit(const std::string& text) {
   throw refused(text, "seconds, 90s, 90m, 2h, MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS or UNLIMITED, more than 0");
 }
 
-double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s, double leaving_s) {
-  if (!argument.empty()) {
-    const double limit_s = parse_time_limit(argument);
+double time_limit_s(const std::optional<std::string>& argument, const char* slurm_end_time, double now_s,
+                    double leaving_s) {
+  if (argument) {
+    const double limit_s = parse_time_limit(*argument);
     const double kept_s = reserve_s(limit_s) + leaving_s;
     if (limit_s > kept_s) return limit_s;
-    throw refused(argument, "more than the " + io::fixed(kept_s, 1) + " s that are kept for checkpoint, files and leaving");
+    throw refused(*argument,
+                  "more than the " + io::fixed(kept_s, 1) + " s that are kept for checkpoint, files and leaving");
   }
   double end_s = 0;
   if (slurm_end_time) {
@@ -99,6 +109,14 @@ double time_limit_s(const std::string& argument, const char* slurm_end_time, dou
     std::from_chars(text.data(), text.data() + text.size(), end_s);
   }
   return end_s > now_s ? end_s - now_s : std::numeric_limits<double>::infinity();
+}
+
+std::string short_limit_warning(double limit_s, double leaving_s) {
+  const double kept_s = reserve_s(limit_s) + leaving_s;
+  if (limit_s > kept_s) return "";
+  return "the Slurm job ends in " + io::fixed(limit_s, 0) + " s, and " + io::fixed(kept_s, 0) +
+         " s are kept for checkpoint, files and leaving: nothing will be computed; give the job more time (sbatch "
+         "--time)";
 }
 
 double reserve_s(double limit_s) { return std::clamp(kReserveShare * limit_s, kLeastReserve_s, kMostReserve_s); }

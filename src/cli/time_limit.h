@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "core/base/stopwatch.h"
@@ -9,18 +10,25 @@
 namespace tessera::cli {
 
 /// In seconds, more than 0: "90" and "90.5" are seconds, "90m" and "2h" say so; "MM:SS", "HH:MM:SS", "D-HH", "D-HH:MM"
-/// and "D-HH:MM:SS" are as in sbatch's --time; "UNLIMITED" is infinite. Throws InputError.
+/// and "D-HH:MM:SS" are as in sbatch's --time; "UNLIMITED" and "INFINITE", in any case, are infinite. Throws InputError.
 double parse_time_limit(const std::string& text);
 
 /// `argument` as parse_time_limit takes it, which must leave something beside the reserve and `leaving_s` (InputError);
-/// where it is empty, from `now_s` to `slurm_end_time`, both in seconds since 1970; infinite where that is null, no number or over.
-double time_limit_s(const std::string& argument, const char* slurm_end_time, double now_s, double leaving_s);
+/// without one, from `now_s` to `slurm_end_time`, both in seconds since 1970; infinite where that is null, no number or
+/// over.
+double time_limit_s(const std::optional<std::string>& argument, const char* slurm_end_time, double now_s,
+                    double leaving_s);
+
+/// Of a limit that leaves nothing beside the reserve: a Slurm job's, since time_limit_s refuses another. Empty where it
+/// does leave something.
+std::string short_limit_warning(double limit_s, double leaving_s);
 
 /// Counts from its making.
 class TimeLimit {
  public:
   explicit TimeLimit(double limit_s = std::numeric_limits<double>::infinity()) : limit_s_(limit_s) {}
 
+  double seconds() const { return limit_s_; }
   /// Asked before every round: another one as long as the longest so far, and the files of the result, might come to an
   /// end too late.
   bool near();

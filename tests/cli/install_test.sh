@@ -43,6 +43,21 @@ bare tessera collage "$share/jobs/heart.toml" --set library.file=own.h5 --set 'c
 grep -q "\"command_line\": \"tessera collage $share/jobs/heart.toml" result/card.json || fail "another command in the card"
 echo "ok a library and a collage"
 
+# The lines of the README for the jobs that came with it, with other drawings and fewer pieces.
+# shellcheck disable=SC2016  # as it stands there
+for line in 'cp -r $HOME/tessera/share/tessera/jobs .' 'mkdir out' 'tessera library build /usr/share/openclipart' \
+  '-o out/animals.h5' 'tessera collage jobs/animals.toml'; do
+  grep -qF -- "$line" "$share/README.md" || fail "the README lacks: $line"
+done
+cp -r "$share/jobs" .
+mkdir out
+bare tessera library build drawings -o out/animals.h5 >output 2>errors || fail "the jobs' library"
+for job in animals heart; do
+  bare tessera collage "jobs/$job.toml" --set stop.pieces=2 --set output.width_px=100 >output 2>errors || fail "jobs/$job.toml"
+  [[ -s out/$job/collage.png ]] || fail "no result of jobs/$job.toml"
+done
+echo "ok the jobs that came with it"
+
 # What the templates do before they compute: the program is the one in PATH, then TESSERA_ROOT's, then the one beside
 # them; without any, one says what to do.
 found() {  # VARIABLE=VALUE...: prints the program that program.sh of $slurm finds

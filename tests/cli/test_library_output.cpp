@@ -29,7 +29,7 @@ TEST(BuildSummary, IsEmptyWhereAllIsUsed) {
 
 TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
   io::LibraryBuildReport report;
-  report.with_specks = {"/a/deer.svg"};
+  report.trimmed = {"/a/deer.svg"};
   report.merged = {{"/a/red.svg", "blue"}};
   report.skipped = {{"/a/x.svg", "not a readable SVG file: line 3: no"},
                     {"/a/b\n.svg", "hairlines"},
@@ -37,14 +37,25 @@ TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
                     {"/b/c.svg", "hairlines"},  // a copy
                     {"/a/d.svg", "hairlines"},
                     {"/a/e.svg", "hairlines"}};
-  EXPECT_EQ(build_summary(report),
-            "specks beside the largest part left out in 1: deer.svg\n"
-            "merged 1 with the same silhouette and colour:\n"
-            "  red.svg = blue\n"
-            "skipped 6:\n"
-            "  reason                    files  first\n"
-            "  hairlines                     5  b_.svg, c.svg, d.svg, ...\n"
-            "  not a readable SVG file       1  x.svg\n");
+  EXPECT_EQ(
+      build_summary(report),
+      "small parts that do not touch the largest are not in the silhouettes of 1 (join them to have them): deer.svg\n"
+      "merged 1 with the same silhouette and colour:\n"
+      "  red.svg = blue\n"
+      "skipped 6:\n"
+      "      5  hairlines: b_.svg, c.svg, d.svg, ...\n"
+      "      1  not a readable SVG file: x.svg\n");
+}
+
+TEST(BuildCounts, AddUpToTheFiles) {
+  io::LibraryBuildReport report;
+  report.files = report.shapes = 1;
+  EXPECT_EQ(build_counts(report), "1 file: 1 shape");
+  report.files = 9;
+  report.shapes = 5;
+  report.merged.resize(1);
+  report.skipped.resize(3);
+  EXPECT_EQ(build_counts(report), "9 files: 5 shapes, 1 merged with these, 3 skipped");
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ TEST(TimeLimit, is_given_as_to_sbatch_but_that_a_plain_number_is_seconds) {
   EXPECT_EQ(parse_time_limit("0-00:30"), 1800);
   EXPECT_EQ(parse_time_limit("1-12:30"), 131400);
   EXPECT_EQ(parse_time_limit("1-00:00:01"), 86401);
-  EXPECT_TRUE(std::isinf(parse_time_limit("UNLIMITED")));
+  for (const char* word : {"UNLIMITED", "unlimited", "Unlimited", "INFINITE", "infinite"}) {
+    EXPECT_TRUE(std::isinf(parse_time_limit(word))) << word;
+  }
 }
 
 TEST(TimeLimit, unlimited_goes_before_the_slurm_jobs) {
@@ -44,8 +46,9 @@ TEST(TimeLimit, must_be_longer_than_what_is_kept_of_it) {
 
 TEST(TimeLimit, mistakes_are_told_with_what_is_allowed) {
   for (const char* text :
-       {"0", "-5", "", "soon", "1:3", "1:60", "1:2:3", "1:60:00", "0:00:00", "::", "1:00:00:00", "1e9", "inf", "nan", "5 ",
-        "s", "5d", "-", "1-", "-1", "1-1:2", "1-1-1", "1.5:00", "1-00:00:00:00", "1-12m", "0-00", "unlimited?"}) {
+       {"0",     "-5",     "soon",          "1:3",   "1:60", "1:2:3",     "1:60:00", "0:00:00", "::", "1:00:00:00",
+        "1e9",   "inf",    "nan",           "5 ",    "s",    "5d",        "-",       "1-",      "-1", "1-1:2",
+        "1-1-1", "1.5:00", "1-00:00:00:00", "1-12m", "0-00", "unlimited?"}) {
     try {
       parse_time_limit(text);
       ADD_FAILURE() << text;
@@ -58,13 +61,31 @@ TEST(TimeLimit, mistakes_are_told_with_what_is_allowed) {
   }
 }
 
+TEST(TimeLimit, that_is_empty_is_a_mistake) {
+  try {
+    time_limit_s("", "1700000100", 1700000000, 0);
+    ADD_FAILURE() << "taken for none";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("--time-limit: found an empty text, allowed: ")) << error.what();
+  }
+}
+
+TEST(TimeLimit, of_a_slurm_job_that_is_too_short_is_told) {
+  EXPECT_EQ(short_limit_warning(3, 4),
+            "the Slurm job ends in 3 s, and 6 s are kept for checkpoint, files and leaving: nothing will be computed; "
+            "give the job more time (sbatch --time)");
+  EXPECT_NE(short_limit_warning(2, 0), "");
+  EXPECT_EQ(short_limit_warning(3, 0), "");
+  EXPECT_EQ(short_limit_warning(std::numeric_limits<double>::infinity(), 4), "");
+}
+
 TEST(TimeLimit, is_that_of_the_slurm_job_if_none_is_given) {
   EXPECT_EQ(time_limit_s("50", "1700000100", 1700000000, 0), 50);
-  EXPECT_EQ(time_limit_s("", "1700000100", 1700000000, 0), 100);
-  EXPECT_TRUE(std::isinf(time_limit_s("", nullptr, 1700000000, 0)));
-  EXPECT_TRUE(std::isinf(time_limit_s("", "", 1700000000, 0)));
-  EXPECT_TRUE(std::isinf(time_limit_s("", "Unknown", 1700000000, 0)));
-  EXPECT_TRUE(std::isinf(time_limit_s("", "1600000000", 1700000000, 0))) << "long over: not this job's";
+  EXPECT_EQ(time_limit_s({}, "1700000100", 1700000000, 0), 100);
+  EXPECT_TRUE(std::isinf(time_limit_s({}, nullptr, 1700000000, 0)));
+  EXPECT_TRUE(std::isinf(time_limit_s({}, "", 1700000000, 0)));
+  EXPECT_TRUE(std::isinf(time_limit_s({}, "Unknown", 1700000000, 0)));
+  EXPECT_TRUE(std::isinf(time_limit_s({}, "1600000000", 1700000000, 0))) << "long over: not this job's";
 }
 
 TEST(TimeLimit, leaves_time_for_the_files) {

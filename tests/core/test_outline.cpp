@@ -128,8 +128,8 @@ TEST(Outline, PixelsOfTheSourceCount) {
 }
 
 TEST(Outline, EveryReasonHasAName) {
-  EXPECT_EQ(to_string(SkipReason::several_large_components), "several large components");
-  EXPECT_EQ(to_string(SkipReason::hairlines), "hairlines");
+  EXPECT_EQ(to_string(SkipReason::several_large_components), "several large parts that do not touch; save each as a file of its own, or join them");
+  EXPECT_EQ(to_string(SkipReason::hairlines), "thin lines alone; fill what they enclose, or make them thicker");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "io/drawing/drawer_files.h"
 #include "io/drawing/drawer_sandbox.h"
 #include "scratch_folder.h"
 
@@ -112,6 +113,54 @@ TEST_F(SystemCalls, ThreadsAndMemoryAreThere) {
     const std::vector<char> block(std::size_t(50) << 20, 'x');
     return ran && block[block.size() / 2] == 'x';
   }));
+}
+
+/// In a child that is confined to `readable`, as a drawer is.
+bool confined(const std::vector<std::string>& readable, const std::function<bool()>& attempt) {
+  return succeeds(Layer::limits, [&] { return confine_to_files(readable) && attempt(); });
+}
+
+class Files : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!confined({}, [] { return true; })) GTEST_SKIP() << "this kernel has no Landlock";
+  }
+
+  static bool opens(const std::string& path) { return ::open(path.c_str(), O_RDONLY) >= 0; }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(Files, OnlyThoseThatDecodersNeedAreRead) {
+  const std::string file = folder_.write("private", "abc");
+  const std::vector<std::string> readable = files_of_decoders();
+  const auto is_read = [&](const std::string& path) { return confined(readable, [&] { return opens(path); }); };
+  for (const std::string& path : {file, folder_.path(""), std::string("/etc/passwd"), std::string("/"),
+                                  "/proc/" + std::to_string(::getppid()) + "/environ"}) {
+    EXPECT_FALSE(is_read(path)) << path;
+  }
+  for (const char* path :
+       {"/usr/share", "/etc/fonts/fonts.conf", "/etc/ld.so.cache", "/proc/self/statm", "/dev/null"}) {
+    EXPECT_TRUE(is_read(path)) << path;
+  }
+}
+
+TEST_F(Files, NeitherHomeNorARootIsReadable) {
+  const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "/root";
+  for (const std::string& path : files_of_decoders()) {
+    EXPECT_TRUE(path.size() > 1 && path != home && path != home + "/") << path;
+  }
+}
+
+TEST_F(Files, ALinkCountsAsWhatItLeadsTo) {
+  std::filesystem::create_directories(folder_.path("public"));
+  const std::string hidden = folder_.write("private", "abc");
+  const std::string open = folder_.write("public/open", "abc");
+  std::filesystem::create_symlink(hidden, folder_.path("public/link"));
+  const std::vector<std::string> readable = {folder_.path("public"), "/nowhere"};
+  EXPECT_TRUE(confined(readable, [&] { return opens(open); }));
+  EXPECT_FALSE(confined(readable, [&] { return opens(folder_.path("public/link")); }));
+  EXPECT_FALSE(confined(readable, [&] { return ::open(open.c_str(), O_WRONLY) >= 0; }));
 }
 
 TEST(ProcessLimits, BoundTheMemory) {

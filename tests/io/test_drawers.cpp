@@ -2,6 +2,10 @@
 #include <fcntl.h>
 #include <glib.h>
 #include <gtest/gtest.h>
+#include <linux/landlock.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -178,6 +182,111 @@ TEST(Drawers, LeaveNoProcessBehind) {
   expect_no_children();
 }
 
+/// While it lives a thread's stack is so large that the address space has room for so many of them; a stack that cannot
+/// be mapped is no thread. Stacks of threads that have ended are of another size, so they are not taken again.
+class RoomForStacks {
+ public:
+  explicit RoomForStacks(int count) {
+    ::pthread_getattr_default_np(&usual_);
+    pthread_attr_t large;
+    ::pthread_getattr_default_np(&large);
+    ::pthread_attr_setstacksize(&large, kStack_bytes);
+    ::pthread_setattr_default_np(&large);
+    ::pthread_attr_destroy(&large);
+    const std::size_t bytes = std::size_t(count) * kStack_bytes + kStack_bytes / 2;
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    ::getrlimit(RLIMIT_AS, &before_);
+    const rlimit little{pages * std::size_t(::sysconf(_SC_PAGESIZE)) + bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_AS, &little);
+  }
+  ~RoomForStacks() {
+    ::setrlimit(RLIMIT_AS, &before_);
+    ::pthread_setattr_default_np(&usual_);
+    ::pthread_attr_destroy(&usual_);
+  }
+
+ private:
+  static constexpr std::size_t kStack_bytes = std::size_t(512) << 20;
+
+  pthread_attr_t usual_{};
+  rlimit before_{};
+};
+
+std::size_t threads_of_this_process() {
+  const std::filesystem::directory_iterator tasks("/proc/self/task");
+  return std::size_t(std::distance(begin(tasks), end(tasks)));
+}
+
+TEST(Drawers, FewerThreadsDoTheSameWork) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer maps a shadow of all addresses";
+#endif
+  DrawerSettings many = kTwo;
+  many.processes = 64;
+  const auto drawers = [&] {
+    const RoomForStacks few(3);
+    return std::make_unique<Drawers>(many);
+  }();
+  EXPECT_LE(threads_of_this_process(), 1u + 3);
+  EXPECT_GT(threads_of_this_process(), 1u);
+  std::vector<std::future<cv::Mat>> drawings;
+  for (int i = 0; i < 6; ++i) {
+    drawings.push_back(std::async(std::launch::async, [&, i] { return drawers->render(svg(kDisc), "a", 100 + i); }));
+  }
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(drawings[std::size_t(i)].get().cols, 100 + i);
+}
+
+TEST(Drawers, WithoutAnyThreadItIsSaid) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer maps a shadow of all addresses";
+#endif
+  const RoomForStacks none(0);
+  try {
+    const Drawers drawers(kTwo);
+    ADD_FAILURE() << "a thread without a stack";
+  } catch (const EnvironmentError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("cannot start a thread: ")) << error.what();
+  }
+}
+
+std::vector<pid_t> children_of(pid_t process) {
+  std::vector<pid_t> children;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task")) {
+    std::ifstream list(task.path() / "children");
+    for (pid_t child = 0; list >> child;) children.push_back(child);
+  }
+  return children;
+}
+
+/// As a batch system suspends a job: the process and its drawer, for longer than a drawing may take by the clock.
+TEST(Drawers, SuspensionLosesNoDrawing) {
+  int go[2], ready[2];
+  ASSERT_EQ(::pipe(go) + ::pipe(ready), 0);
+  const pid_t job = ::fork();
+  if (job == 0) {
+    Drawers drawers({.processes = 1, .seconds_per_drawing = 1});
+    char byte = 0;
+    drawers.render(svg(kDisc), "a", 100);
+    if (::write(ready[1], "x", 1) != 1 || ::read(go[0], &byte, 1) != 1) ::_exit(2);
+    ::_exit(mistake(drawers, svg(kDisc)) == "no mistake found" ? 0 : 1);
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  const std::vector<pid_t> drawer = children_of(job);
+  ASSERT_EQ(drawer.size(), 1u);
+  ::kill(drawer[0], SIGSTOP);
+  ASSERT_EQ(::write(go[1], "x", 1), 1);
+  std::this_thread::sleep_for(300ms);  // the drawing is asked for, and does not come
+  ::kill(job, SIGSTOP);
+  std::this_thread::sleep_for(4s);
+  for (const pid_t process : {drawer[0], job}) ::kill(process, SIGCONT);
+  int status = 0;
+  ::waitpid(job, &status, 0);
+  EXPECT_EQ(status, 0);
+  for (const int end : {go[0], go[1], ready[0], ready[1]}) ::close(end);
+}
+
 /// Another program in place of tessera-drawer while it lives.
 class OtherProgram {
  public:
@@ -193,6 +302,69 @@ TEST(Drawers, AMissingProgramIsSaid) {
     const OtherProgram program(file);
     EXPECT_THROW(Drawers(kTwo).render(svg(kDisc), "a", 100), EnvironmentError) << file;
   }
+}
+
+/// Says what a drawer of another build says.
+std::string greeting_program(const test::ScratchFolder& folder, const std::string& build) {
+  const std::string script =
+      folder.write("program", "#!/bin/sh\nprintf 'drawer02" + build + "' >&3\nhead -c " +
+                                  std::to_string(56 - build.size()) + " /dev/zero >&3\nsleep 10\n");
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  return script;
+}
+
+TEST(Drawers, ADrawerOfAnotherBuildIsSaid) {
+  const test::ScratchFolder folder;
+  const OtherProgram program(greeting_program(folder, "0.0.1, commit abc"));
+  try {
+    Drawers(kTwo).render(svg(kDisc), "a", 100);
+    ADD_FAILURE() << "it was taken";
+  } catch (const EnvironmentError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("program: it is tessera 0.0.1, commit abc, and this program is tessera "), std::string::npos)
+        << message;
+    EXPECT_NE(message.find("both must be of one build"), std::string::npos) << message;
+  }
+}
+
+/// A font that is read through a link out of the fonts' folder, in place of the drawer's files.
+class OwnFonts {
+ public:
+  explicit OwnFonts(const test::ScratchFolder& folder) : fonts_(folder.path("fonts")) {
+    std::filesystem::create_directories(fonts_);
+    std::filesystem::create_directories(folder.path("private"));
+    std::filesystem::copy(kSans, fonts_);
+    std::filesystem::copy(kMono, folder.path("private/mono.ttf"));
+    const std::string config = folder.write("fonts.conf", "<fontconfig><dir>" + fonts_ + "</dir></fontconfig>");
+    ::setenv("FONTCONFIG_FILE", config.c_str(), 1);
+  }
+  ~OwnFonts() { ::unsetenv("FONTCONFIG_FILE"); }
+
+  static bool are_there() { return std::filesystem::exists(kSans) && std::filesystem::exists(kMono); }
+  std::string mono() const { return fonts_ + "/mono.ttf"; }
+
+ private:
+  static constexpr const char* kSans = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  static constexpr const char* kMono = "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf";
+
+  std::string fonts_;
+};
+
+TEST(Drawers, ReadNothingInAPrivateFolder) {
+  if (::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 1) {
+    GTEST_SKIP() << "this kernel has no Landlock";
+  }
+  if (!OwnFonts::are_there()) GTEST_SKIP() << "DejaVu's fonts are not installed";
+  const test::ScratchFolder folder;
+  const OwnFonts fonts(folder);
+  const Bytes text = svg("<text x=\"5\" y=\"40\" font-size=\"30\" font-family=\"DejaVu Sans Mono\">illi</text>");
+  const auto drawn = [&] { return Drawers(kTwo).render(text, "a", 300); };
+  const cv::Mat without = drawn();
+  std::filesystem::create_symlink(folder.path("private/mono.ttf"), fonts.mono());
+  EXPECT_TRUE(equal(drawn(), without));
+  std::filesystem::remove(fonts.mono());
+  std::filesystem::copy(folder.path("private/mono.ttf"), fonts.mono());
+  EXPECT_FALSE(equal(drawn(), without)) << "the font makes no difference";
 }
 
 std::string content_of(const std::string& path) {

@@ -35,20 +35,35 @@ TEST_F(FinishedResult, has_its_job) {
   EXPECT_EQ(result_differences(*then, sample_.job), "");
 }
 
-TEST_F(FinishedResult, is_none_where_it_was_ended_early) {
-  EXPECT_FALSE(job_of_finished_result(write_result(false)));
-}
+TEST_F(FinishedResult, is_none_where_it_was_ended_early) { EXPECT_FALSE(job_of_finished_result(write_result(false))); }
 
 TEST_F(FinishedResult, is_none_where_a_file_is_missing_or_not_ours) {
   EXPECT_FALSE(job_of_finished_result(scratch_.path("none")));
-  for (const char* name : {"manifest.json", "job.toml", "pieces.geojson"}) {
+  for (const char* name : {"manifest.json", "job.toml", "pieces.geojson", "card.json", "card.txt"}) {
     const std::string dir = write_result(true);
     fs::remove(dir + "/" + name);
     EXPECT_FALSE(job_of_finished_result(dir)) << name;
+    EXPECT_NE(test::message_of([&] { read_result(dir); }).find(name), std::string::npos);
   }
   const std::string dir = write_result(true);
   scratch_.write("out/job.toml", "[shapes]\nof = 'another version'\n");
   EXPECT_FALSE(job_of_finished_result(dir));
+}
+
+TEST_F(FinishedResult, says_which_file_is_missing_or_another_where_there_is_a_manifest) {
+  EXPECT_EQ(damage_of_result(scratch_.path("none")), "");
+  const std::string dir = write_result(true);
+  EXPECT_EQ(damage_of_result(dir), "");
+  for (const char* name : {"job.toml", "pieces.geojson", "card.json", "card.txt"}) {
+    write_result(false);
+    fs::remove(dir + "/" + name);
+    EXPECT_TRUE(damage_of_result(dir).starts_with(dir + "/" + name + ": not found")) << damage_of_result(dir);
+  }
+  write_result(true);
+  scratch_.write("out/card.json", "{");
+  EXPECT_TRUE(damage_of_result(dir).starts_with(dir + "/card.json: not JSON"));
+  fs::remove(dir + "/manifest.json");
+  EXPECT_EQ(damage_of_result(dir), "") << "no result at all";
 }
 
 TEST_F(FinishedResult, is_checked_before_nothing_is_computed) {
@@ -61,8 +76,10 @@ TEST_F(FinishedResult, is_checked_before_nothing_is_computed) {
   check_finished_result(dir, now);
   other.settings.seed = 12;
   const auto message = [&] { return test::message_of([&] { check_finished_result(dir, now); }); };
-  EXPECT_EQ(message(), dir + ": holds the finished result of another job; seed: then 1, now 12; give what it was then, or "
-                             "leave --resume out to replace it");
+  EXPECT_EQ(message(),
+            dir +
+                ": holds the finished result of another job; seed: then 1, now 12; give what it was then, or "
+                "leave --resume out to replace it");
   other = sample_.job;
   now.library_digest = 12;
   EXPECT_NE(message().find("library.file: another content"), std::string::npos);

@@ -99,9 +99,16 @@ TEST_F(LibraryBuilder, NamesPicturesInOtherFormats) {
     reasons.push_back(file.reason);
   }
   EXPECT_EQ(names, (std::vector<std::string>{"b.GIF", "c.pdf", "d.eps", "f.heic", "g.svg"}));
-  EXPECT_EQ(reasons[0], "a format that is not read: gif; convert it to SVG or PNG");
+  EXPECT_EQ(reasons[0], "a format that is not read; convert it to SVG or PNG: gif");
   EXPECT_EQ(reasons[4], "not a regular file");
   EXPECT_TRUE(found("*.svg").left_out.size() == 1);  // the pipe
+  for (const ArtworkFiles& files : {found("*.GIF"), find_artwork({folder_.path("in/b.GIF")}, "")}) {
+    EXPECT_TRUE(files.paths.empty());
+    ASSERT_EQ(files.left_out.size(), 1u);
+    EXPECT_EQ(files.left_out[0].reason, reasons[0]);
+  }
+  EXPECT_EQ(find_artwork({folder_.path("in/g.svg")}, "").left_out[0].reason, reasons[4]);
+  EXPECT_EQ(report.files, 6u) << "all but the text";
 }
 
 TEST_F(LibraryBuilder, WritesShapesInTheOrderOfTheFiles) {
@@ -137,7 +144,7 @@ TEST_F(LibraryBuilder, SkipsWithReasons) {
   EXPECT_EQ(report.skipped[0].path, folder_.path("in/b.svg"));
   EXPECT_EQ(report.skipped[0].reason, to_string(SkipReason::hairlines));
   EXPECT_EQ(report.skipped[1].reason, "not a drawing");
-  EXPECT_EQ(report.with_specks, std::vector<std::string>{folder_.path("in/e.svg")});
+  EXPECT_EQ(report.trimmed, std::vector<std::string>{folder_.path("in/e.svg")});
 }
 
 TEST_F(LibraryBuilder, StrictWritesNothingWhereAFileIsSkipped) {
@@ -299,12 +306,12 @@ TEST(LeftOutList, has_a_line_a_file_whatever_its_name) {
   EXPECT_EQ(left_out_list(report), "");
   report.skipped = {{"/a/x\ty.svg", "not a readable SVG file: line 3:\n no"}, {"/a/b.svg", "hairlines"}};
   report.merged = {{"/a/red.svg", "blue"}};
-  report.with_specks = {"/a/deer.svg"};
+  report.trimmed = {"/a/deer.svg"};
   EXPECT_EQ(left_out_list(report),
             "skipped\t/a/x_y.svg\tnot a readable SVG file: line 3:_ no\n"
             "skipped\t/a/b.svg\thairlines\n"
             "merged\t/a/red.svg\tthe silhouette and colour of blue\n"
-            "specks\t/a/deer.svg\tsmall parts beside the largest\n");
+            "trimmed\t/a/deer.svg\tsmall parts that do not touch the largest are not in the silhouette; join them to have them\n");
 }
 
 }  // namespace

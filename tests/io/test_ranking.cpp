@@ -100,10 +100,14 @@ class ResultFolders : public testing::Test {
     run.stopped_by = "full";
     scratch_.write(name + "/card.json", card_json(quality, run, {}));
     ResultManifest manifest;
-    for (const char* file : {"pieces.geojson", "job.toml"}) scratch_.write(name + "/" + file, "");
-    manifest.pieces_digest = manifest.job_digest = digest_text("");
+    for (const char* file : {"pieces.geojson", "card.txt"}) scratch_.write(name + "/" + file, "");
+    scratch_.write(name + "/job.toml", kJob);
+    manifest.pieces_digest = digest_text("");
+    manifest.job_digest = digest_text(kJob);
     write_manifest(scratch_.path(name), manifest);
   }
+
+  static constexpr const char* kJob = "[library]\nfile = '/a.h5'\n";
 
   test::ScratchFolder scratch_;
 };
@@ -138,13 +142,27 @@ TEST_F(ResultFolders, are_the_folder_or_its_folders) {
   fs::create_directories(scratch_.path("all/unfinished"));
   make_result("all/crashed", 0.95);
   fs::remove(scratch_.path("all/crashed/manifest.json"));
-  EXPECT_EQ(result_folders(scratch_.path("all/b")), std::vector<std::string>{scratch_.path("all/b")});
-  EXPECT_EQ(result_folders(scratch_.path("all")),
+  EXPECT_EQ(result_folders(scratch_.path("all/b")).whole, std::vector<std::string>{scratch_.path("all/b")});
+  EXPECT_EQ(result_folders(scratch_.path("all")).whole,
             (std::vector<std::string>{scratch_.path("all/a"), scratch_.path("all/b")}));
   EXPECT_NE(message_of([&] { result_folders(scratch_.path("all/crashed")); }).find("manifest.json: not found"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { result_folders(scratch_.path("all/unfinished")); }).find("no card.json"),
+  EXPECT_NE(message_of([&] { result_folders(scratch_.path("all/unfinished")); }).find("no whole result"),
             std::string::npos);
+}
+
+TEST_F(ResultFolders, what_is_not_whole_is_left_out_and_said) {
+  make_result("all/a", 0.8);
+  make_result("all/lost", 0.9);
+  fs::remove(scratch_.path("all/lost/card.json"));
+  const FoundResults found = result_folders(scratch_.path("all"));
+  EXPECT_EQ(found.whole, std::vector<std::string>{scratch_.path("all/a")});
+  ASSERT_EQ(found.damages.size(), 1u);
+  EXPECT_TRUE(found.damages.front().starts_with(scratch_.path("all/lost/card.json") + ": not found"));
+  const auto message = [&](const char* folder) { return message_of([&] { result_folders(scratch_.path(folder)); }); };
+  EXPECT_NE(message("all/lost").find("card.json: not found"), std::string::npos);
+  fs::remove_all(scratch_.path("all/a"));
+  EXPECT_NE(message("all").find("lost/card.json: not found"), std::string::npos);
 }
 
 TEST_F(ResultFolders, the_files_of_a_ranking) {

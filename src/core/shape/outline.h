@@ -13,7 +13,7 @@ namespace tessera {
 
 enum class SkipReason { empty, too_small, several_large_components, plain_rectangle, hairlines };
 
-/// For messages and tables, e.g. "several large components".
+/// For messages and tables: what it is, and what the user can do about it.
 std::string to_string(SkipReason reason);
 
 /// Artwork frame (px).

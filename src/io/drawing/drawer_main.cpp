@@ -7,7 +7,9 @@
 #include <exception>
 #include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
+#include "io/drawing/drawer_files.h"
 #include "io/drawing/drawer_protocol.h"
 #include "io/drawing/drawer_sandbox.h"
 #include "io/drawing/drawing_service.h"
@@ -65,7 +67,7 @@ void answer_next_request() {
 
 /// librsvg's panics unwind the stack; here they end.
 [[noreturn]] void serve() noexcept {
-  const DrawerGreeting greeting;
+  const DrawerGreeting greeting = greeting_of_this_build();
   write_all(&greeting, sizeof greeting);
   while (true) answer_next_request();
 }
@@ -80,6 +82,7 @@ int main(int argc, char** argv) {
   cv::setNumThreads(1);  // the processes are the parallelism
   limit_process(std::strtoull(argv[1], nullptr, 10));
   if (::getppid() != std::atol(argv[2])) end_at_once();  // the parent died before it could be watched
+  confine_to_files(files_of_decoders());
   forbid_system_calls();
   serve();
 }

@@ -23,6 +23,7 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "io/drawing/drawer_program.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
@@ -116,6 +117,13 @@ std::string how_it_ended(int status, std::size_t bytes_per_process) {
   return "crashed its process (" + std::string(::strsignal(WTERMSIG(status))) + ")";
 }
 
+/// Requests and answers go as they are in memory, so builds do not mix.
+std::string another_build(const DrawerGreeting& drawer, const DrawerGreeting& expected) {
+  if (drawer.mark != expected.mark || drawer.build.back() != 0) return "it is of another version of tessera";
+  return "it is tessera " + printable_utf8(drawer.build.data()) + ", and this program is tessera " +
+         expected.build.data() + "; both must be of one build";
+}
+
 std::string seconds_text(double seconds) {
   char text[32];
   std::snprintf(text, sizeof text, "%g s", seconds);
@@ -140,17 +148,19 @@ void DrawerProcess::start() {
   ::close(sockets[1]);  // the child's own: that it closes is how we learn of its death
   socket_ = sockets[0];
   ::fcntl(socket_, F_SETFL, O_NONBLOCK);
-  greet();
+  greet(program);
 }
 
-void DrawerProcess::greet() {
+void DrawerProcess::greet(const std::string& program) {
   DrawerGreeting greeting{};
   took_too_long_ = false;
   double left_s = kMostStartTime_s;
   const bool greeted = receive(&greeting, sizeof greeting, left_s);
-  if (greeted && greeting.mark == DrawerGreeting{}.mark) return;
+  const DrawerGreeting expected = greeting_of_this_build();
+  if (greeted && greeting == expected) return;
   end();
-  throw_cannot_start(greeted ? "it is not of this version of tessera" : how_it_ended(status_, bytes_per_process_));
+  throw_cannot_start(greeted ? program + ": " + another_build(greeting, expected)
+                             : how_it_ended(status_, bytes_per_process_));
 }
 
 std::optional<DrawingAnswer> DrawerProcess::ask(const DrawingRequest& request, double seconds) {
@@ -167,8 +177,7 @@ std::optional<DrawingAnswer> DrawerProcess::ask(const DrawingRequest& request, d
 
 bool DrawerProcess::exchange(const DrawingRequest& request, DrawingAnswer& answer, double& left_s) {
   const RequestHeader header = header_of(request);
-  const bool sent = send(&header, sizeof header, left_s) &&
-                    send(request.path.data(), request.path.size(), left_s) &&
+  const bool sent = send(&header, sizeof header, left_s) && send(request.path.data(), request.path.size(), left_s) &&
                     send(request.scope_id.data(), request.scope_id.size(), left_s) &&
                     send(request.bytes.data(), request.bytes.size(), left_s);
   if (!sent || !receive(&answer.header, sizeof answer.header, left_s)) return false;

@@ -15,7 +15,6 @@ namespace tessera::io {
 
 class DrawerProcess {
  public:
-
   explicit DrawerProcess(std::size_t bytes_per_process) : bytes_per_process_(bytes_per_process) {}
   ~DrawerProcess() { end(); }
   DrawerProcess(const DrawerProcess&) = delete;
@@ -34,7 +33,7 @@ class DrawerProcess {
   void kill();
 
  private:
-  void greet();
+  void greet(const std::string& program);
   void allow_cpu_time(double seconds);
   bool send(const void* data, std::size_t bytes, double& left_s);
   bool receive(void* data, std::size_t bytes, double& left_s);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/version.h"
+
 namespace tessera::io {
 namespace {
 
@@ -21,6 +23,13 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
 }
 
 }  // namespace
+
+DrawerGreeting greeting_of_this_build() {
+  DrawerGreeting greeting;
+  const std::string build = std::string(program_version()) + ", commit " + program_commit();
+  std::copy_n(build.begin(), std::min(build.size(), greeting.build.size() - 1), greeting.build.begin());
+  return greeting;
+}
 
 std::size_t most_answer_bytes(const DrawingRequest& request) {
   return std::max(kMostReasonBytes, most_result_bytes(request));

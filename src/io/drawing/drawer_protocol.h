@@ -17,10 +17,16 @@ namespace tessera::io {
 /// Where a drawer finds its socket.
 inline constexpr int kDrawerSocket = 3;
 
-/// The first thing that a drawer says, when it has limited itself.
+/// The first thing that a drawer says, when it has limited itself: which build it is of. Filled up with zeros.
 struct DrawerGreeting {
-  std::array<char, 8> mark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '1'};
+  std::array<char, 8> mark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '2'};
+  std::array<char, 56> build = {};
+
+  friend bool operator==(const DrawerGreeting&, const DrawerGreeting&) = default;
 };
+
+/// Of this program's version and commit.
+DrawerGreeting greeting_of_this_build();
 
 enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf };
 

@@ -37,21 +37,26 @@ bool contains(const std::array<std::string_view, N>& extensions, const std::stri
 }
 
 std::string format_reason(const std::string& extension) {
-  return "a format that is not read: " + extension.substr(1) + "; convert it to SVG or PNG";
+  return "a format that is not read; convert it to SVG or PNG: " + extension.substr(1);
 }
 
-void take_file(const fs::directory_entry& file, const std::string& glob, ArtworkFiles& found) {
-  const std::string extension = extension_of(file.path());
-  const bool wanted = glob.empty() ? contains(kExtensions, extension)
-                                   : ::fnmatch(glob.c_str(), file.path().filename().c_str(), 0) == 0;
+/// A file that the user wants, whether it was named or found.
+void take_wanted(const fs::path& file, ArtworkFiles& found) {
+  const std::string extension = extension_of(file);
   std::error_code error;
-  if (wanted && file.is_regular_file(error)) {
-    found.paths.push_back(file.path());
-  } else if (wanted && !file.is_directory(error)) {
-    found.left_out.push_back({file.path(), "not a regular file"});
-  } else if (glob.empty() && contains(kOtherExtensions, extension)) {
-    found.left_out.push_back({file.path(), format_reason(extension)});
+  if (contains(kOtherExtensions, extension)) {
+    found.left_out.push_back({file, format_reason(extension)});
+  } else if (fs::is_regular_file(file, error)) {
+    found.paths.push_back(file);
+  } else {
+    found.left_out.push_back({file, "not a regular file"});
   }
+}
+
+bool is_wanted(const fs::path& file, const std::string& glob) {
+  if (!glob.empty()) return ::fnmatch(glob.c_str(), file.filename().c_str(), 0) == 0;
+  const std::string extension = extension_of(file);
+  return contains(kExtensions, extension) || contains(kOtherExtensions, extension);
 }
 
 void search_folder(const fs::path& folder, const std::string& glob, ArtworkFiles& found) {
@@ -60,8 +65,8 @@ void search_folder(const fs::path& folder, const std::string& glob, ArtworkFiles
     std::error_code ignored;
     if (at->is_directory(ignored) && !at->is_symlink(ignored)) {
       search_folder(at->path(), glob, found);
-    } else {
-      take_file(*at, glob, found);
+    } else if (is_wanted(at->path(), glob) && !at->is_directory(ignored)) {
+      take_wanted(at->path(), found);
     }
   }
   if (error) found.left_out.push_back({folder, "a folder that cannot be read"});
@@ -100,7 +105,7 @@ ArtworkFiles find_artwork(const std::vector<std::string>& sources, const std::st
     if (fs::is_directory(path, error)) {
       search_folder(path, glob, found);
     } else if (fs::exists(path, error)) {
-      found.paths.push_back(path);
+      take_wanted(path, found);
     } else {
       throw InputError(source + ": no such file or folder");
     }

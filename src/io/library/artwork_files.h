@@ -12,13 +12,13 @@ struct UnusedFile {
 };
 
 struct ArtworkFiles {
-  std::vector<std::string> paths;      // absolute, sorted bytewise, each file once however many links lead to it
-  std::vector<UnusedFile> left_out;    // folders that cannot be listed, pictures in formats that are not read
+  std::vector<std::string> paths;    // absolute, sorted bytewise, each file once however many links lead to it
+  std::vector<UnusedFile> left_out;  // folders that cannot be listed, pictures in formats that are not read, pipes
 };
 
-/// `sources`: files, taken as they are, and folders, searched to any depth for files (not through links to folders)
-/// whose name matches the shell pattern `glob`; an empty pattern means the extensions of the formats we read. Pictures
-/// in other formats (GIF, PDF, EPS ...) that are found then are named as left out.
+/// `sources`: files, and folders, searched to any depth for files (not through links to folders) whose name matches the
+/// shell pattern `glob`; an empty pattern means the extensions of pictures. Those in formats that are not read (GIF, PDF,
+/// EPS ...) are left out by their extension, whether they were named or found.
 /// Throws InputError where a source does not exist.
 ArtworkFiles find_artwork(const std::vector<std::string>& sources, const std::string& glob);
 

@@ -31,7 +31,10 @@ std::string left_out_list(const LibraryBuildReport& report) {
   for (const LibraryBuildReport::Merged& file : report.merged) {
     text += line("merged", file.path, "the silhouette and colour of " + file.name);
   }
-  for (const std::string& path : report.with_specks) text += line("specks", path, "small parts beside the largest");
+  for (const std::string& path : report.trimmed) {
+    text += line("trimmed", path,
+                 "small parts that do not touch the largest are not in the silhouette; join them to have them");
+  }
   return text;
 }
 

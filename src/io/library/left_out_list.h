@@ -14,8 +14,8 @@ std::string left_out_path(const std::string& library);
 /// A line a file: what happened, the path, why, with tabs between them. Empty where nothing was left out.
 std::string left_out_list(const LibraryBuildReport& report);
 
-/// The list of `library`, which was just written; where it is empty, that of the library before it goes. Throws
-/// EnvironmentError.
+/// The list of the build of `library` that just ended, with a library or without; where it is empty, that of the build
+/// before goes. Throws EnvironmentError.
 void write_left_out_list(const std::string& library, const LibraryBuildReport& report);
 
 }  // namespace tessera::io

@@ -73,7 +73,7 @@ class Builder {
         settings_(settings),
         monitor_(monitor),
         writer_(output, settings.pad) {
-    report_.files = files.paths.size();
+    report_.files = files.paths.size() + files.left_out.size();
     report_.skipped = files.left_out;
   }
 
@@ -99,7 +99,7 @@ class Builder {
   void take_shape(const std::string& path, ArtworkShape artwork) {
     try {
       add(path, std::move(artwork.shape));
-      if (artwork.other_components > 0) report_.with_specks.push_back(path);
+      if (artwork.other_components > 0) report_.trimmed.push_back(path);
     } catch (const InputError& error) {
       skip(path, error.what());
     }

@@ -29,12 +29,12 @@ struct LibraryBuildReport {
     std::string name;  // of the shape with the same silhouette and mean colour that was kept
   };
 
-  bool written = false;  // false: no shape, or strict and not all files were used
-  std::size_t files = 0;
+  bool written = false;   // false: no shape, or strict and not all files were used
+  std::size_t files = 0;  // shapes, merged and skipped; a folder that cannot be listed counts as one
   std::size_t shapes = 0;
   std::vector<UnusedFile> skipped;
   std::vector<Merged> merged;
-  std::vector<std::string> with_specks;  // paths: small components beside the largest were left out
+  std::vector<std::string> trimmed;  // paths of shapes: small components beside the largest were left out
 };
 
 struct ShapeLoader {

@@ -10,7 +10,7 @@
 #include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/result/collage_sheet.h"
-#include "io/result/result_manifest.h"
+#include "io/result/finished_result.h"
 
 namespace tessera::io {
 namespace {
@@ -64,13 +64,9 @@ nlohmann::ordered_json result_json(const RankedResult& result) {
           {"stopped_by", result.card.stopped_by}};
 }
 
-bool is_result(const fs::path& folder) {
-  try {
-    read_manifest(folder.string());
-    return true;
-  } catch (const InputError&) {  // nothing of ours, or what a run that crashed has left
-    return false;
-  }
+bool has(const fs::path& folder, const char* name) {
+  std::error_code error;
+  return fs::is_regular_file(folder / name, error);
 }
 
 }  // namespace
@@ -163,22 +159,28 @@ void write_ranking(const std::string& dir, const std::vector<RankedResult>& resu
   write_collage_sheet(results, (fs::path(dir) / "ranking.png").string());
 }
 
-std::vector<std::string> result_folders(const std::string& argument) {
+FoundResults result_folders(const std::string& argument) {
+  FoundResults found;
+  if (has(argument, kManifestName) || has(argument, "card.json")) {
+    read_result(argument);
+    found.whole.push_back(argument);
+    return found;
+  }
   std::error_code error;
-  if (fs::is_regular_file(fs::path(argument) / "card.json", error)) {
-    read_manifest(argument);
-    return {argument};
-  }
-  std::vector<std::string> folders;
   for (const fs::directory_entry& entry : fs::directory_iterator(argument, error)) {
-    if (is_result(entry.path())) folders.push_back(entry.path().string());
+    if (!has(entry.path(), kManifestName)) continue;  // nothing of ours, or what a run that crashed has left
+    const std::string damage = damage_of_result(entry.path().string());
+    if (damage.empty()) {
+      found.whole.push_back(entry.path().string());
+    } else {
+      found.damages.push_back(damage);
+    }
   }
-  if (folders.empty()) {
-    throw InputError(argument + ": no card.json with a valid manifest.json beside it, in it or in its folders; allowed: " +
-                     "results of tessera collage");
-  }
-  std::sort(folders.begin(), folders.end());
-  return folders;
+  std::sort(found.whole.begin(), found.whole.end());
+  std::sort(found.damages.begin(), found.damages.end());
+  if (!found.whole.empty()) return found;
+  throw InputError(argument + ": no whole result of tessera collage, neither itself nor its folders" +
+                   (found.damages.empty() ? "" : "; " + found.damages.front()));
 }
 
 }  // namespace tessera::io

@@ -47,8 +47,13 @@ std::string ranking_json(const std::vector<RankedResult>& results, const Ranking
 /// EnvironmentError.
 void write_ranking(const std::string& dir, const std::vector<RankedResult>& results, const RankingWeights& weights);
 
-/// The results that an argument means: the folder itself where it holds a card.json, else those of its folders that have a
-/// valid manifest (result_manifest.h), by name. Throws InputError where there is none.
-std::vector<std::string> result_folders(const std::string& argument);
+struct FoundResults {
+  std::vector<std::string> whole;    // by name
+  std::vector<std::string> damages;  // why others that have a manifest are none (finished_result.h)
+};
+
+/// The results that an argument means: the folder itself where it holds one, else those of its folders. Throws InputError
+/// where there is none, and where the folder itself holds one that is not whole.
+FoundResults result_folders(const std::string& argument);
 
 }  // namespace tessera::io

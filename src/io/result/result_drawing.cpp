@@ -15,6 +15,7 @@
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
 #include "io/result/card_drawing.h"
+#include "io/result/finished_result.h"
 #include "io/result/placed_pieces.h"
 #include "io/result/png_output.h"
 #include "io/result/result_manifest.h"
@@ -23,7 +24,9 @@
 namespace tessera::io {
 namespace {
 
-std::string path_in(const std::string& dir, const std::string& name) { return (std::filesystem::path(dir) / name).string(); }
+std::string path_in(const std::string& dir, const std::string& name) {
+  return (std::filesystem::path(dir) / name).string();
+}
 
 Job job_of(const std::string& dir, const DrawingRequest& request) {
   Job job = load_job(path_in(dir, "job.toml"), {});
@@ -62,7 +65,9 @@ std::vector<Placement> placements_of(const std::string& dir, const ResultManifes
   }
   std::vector<Placement> placements(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (index_of(manifest.shapes[i]) >= shapes) throw InputError(path_in(dir, kManifestName) + ": a shape that the library lacks");
+    if (index_of(manifest.shapes[i]) >= shapes) {
+      throw InputError(path_in(dir, kManifestName) + ": a shape that the library lacks");
+    }
     placements[i].shape = manifest.shapes[i];
     placements[i].canvas_from_shape = pieces[i];
   }
@@ -164,7 +169,7 @@ class ResultPictures {
 }  // namespace
 
 DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, DrawingObserver& observer) {
-  const ResultManifest manifest = read_manifest(dir);
+  const ResultManifest manifest = read_result(dir);
   const Job job = job_of(dir, request);
   Drawers drawers({.processes = available_cores()});
   const StopWatcher stop(observer, drawers);

@@ -41,7 +41,7 @@ std::string digest_text(const std::string& bytes);
 void write_manifest(const std::string& dir, const ResultManifest& manifest);
 
 /// Throws InputError where there is none, where it is damaged, or where pieces.geojson or job.toml are not those it was
-/// written with.
+/// written with. Whether the result is whole says read_result (finished_result.h).
 ResultManifest read_manifest(const std::string& dir);
 
 }  // namespace tessera::io

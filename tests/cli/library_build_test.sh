@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# library_build_test.sh TESSERA NEW_FOLDER: what tessera library build says of the files that it could not use.
+set -uo pipefail
+tessera=$1
+folder=$2
+# shellcheck source=tests/support/drawings.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
+
+fail() {
+  echo "FAILED $*"
+  cat output errors own.left_out.txt 2>/dev/null
+  exit 1
+}
+
+# build CODE ARGUMENT...
+build() {
+  local expected=$1 code
+  shift
+  "$tessera" library build "$@" -o own.h5 >output 2>errors
+  code=$?
+  [[ $code == "$expected" ]] || fail "exit code $code, not $expected: $*"
+}
+
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
+make_drawings drawings
+cp drawings/bean.svg drawings/bean_again.svg
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'/>" >drawings/nothing.svg
+echo GIF89a >drawings/old.gif
+reason='a format that is not read; convert it to SVG or PNG: gif'
+
+build 2 drawings --strict
+[[ ! -e own.h5 ]] || fail "--strict wrote a library"
+grep -qF 'own.h5 was not written: --strict; 8 files: 5 shapes, 1 merged with these, 2 skipped; the first is' errors ||
+  fail "another message of --strict"
+[[ $(wc -l <own.left_out.txt) == 3 ]] || fail "another list of --strict"
+build 0 drawings
+grep -qE '^own.h5, .* s; of 8 files: 5 shapes, 1 merged with these, 2 skipped$' output || fail "numbers that do not add up"
+grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt || fail "another reason in a folder"
+echo "ok numbers"
+
+rm -f own.*
+build 2 drawings/old.gif drawings/nothing.svg
+[[ ! -e own.h5 ]] || fail "a library of nothing"
+grep -qF 'own.h5 was not written: no usable shape in 2 files: 0 shapes, 2 skipped; the first is' errors || fail "another message"
+grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt || fail "another reason when named"
+grep -q 'nothing.svg.*nothing to be seen; an image needs transparency' own.left_out.txt || fail "does not say what to do"
+echo "ok nothing usable"

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# templates_test.sh NEW_FOLDER: what the templates say of options and limits that do not go with them. No Slurm: its
+# commands, mpirun and the program are stand-ins.
+set -uo pipefail
+folder=$1
+slurm=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../slurm" && pwd)
+
+fail() {
+  echo "FAILED $*"
+  cat output errors 2>/dev/null
+  exit 1
+}
+
+rm -rf "$folder"
+mkdir -p "$folder/bin"
+cd "$folder" || exit 1
+for name in mpirun tessera squeue scontrol; do printf '#!/bin/sh\n[ %s != mpirun ] || echo "$@"\n' "$name" >"bin/$name"; done
+chmod +x bin/*
+touch job.toml own.h5
+
+# collage SECONDS_LEFT OPTION...
+collage() {
+  local left_s=$1
+  shift
+  env -i PATH="$folder/bin:/usr/bin:/bin" SLURM_JOB_ID=1 SLURM_NTASKS=3 TESSERA_ROOT="$slurm/.." \
+    SLURM_JOB_END_TIME=$(($(date +%s) + left_s)) bash "$slurm/collage.sbatch" job.toml own.h5 out "$@" >output 2>errors
+}
+
+collage 1800 --set seed=2 || fail "the template"
+grep -q 'collage job.toml --out out --resume=auto .*--set seed=2' output || fail "another command"
+[[ ! -s errors ]] || fail "a warning of half an hour"
+collage 120 || fail "a short limit"
+grep -qE 'warning: the job ends in 1[12][0-9] s, .* 180 s early: .*give it more time' errors || fail "no warning of two minutes"
+[[ -s output ]] || fail "does not run"
+collage -100 || fail "a limit that is over"
+[[ ! -s errors ]] || fail "a warning of a limit that is another job's"
+echo "ok limits"
+
+for option in --restart --resume --resume=previous; do
+  collage 1800 "$option"
+  [[ $? == 2 && ! -s output ]] || fail "$option: not refused"
+  grep -qe "^$option: not in a template, .* to start again give another folder, or remove checkpoint.h5" errors ||
+    fail "$option: does not say what to do"
+done
+echo "ok other starts"
