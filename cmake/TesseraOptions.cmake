@@ -21,7 +21,8 @@ target_compile_options(tessera_options INTERFACE -Wall -Wextra -Wpedantic -Werro
   -Wno-restrict)
 if(TESSERA_SANITIZE)
   target_compile_options(tessera_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-    -Wno-maybe-uninitialized)  # of boost::optional, falsely
+    # Instrumented code makes g++ 12 see overflows and uninitialised values that are none; the other builds stay strict.
+    -Wno-error -Wno-maybe-uninitialized -Wno-stringop-overflow)
   target_link_options(tessera_options INTERFACE -fsanitize=address,undefined)
 endif()
 

@@ -54,7 +54,7 @@ struct Scene {
         outlines(free, padded_by(padding_px)) {}
 
   void add(std::uint32_t shape, const Similarity& pose) {
-    outlines.add({shape, pose, 1, 1}, shapes()[shape].outline);
+    outlines.add({ShapeId{shape}, pose, 1, 1}, shapes()[shape].outline);
     free.stamp(shapes()[shape], pose);
     placed.push_back(placed_outline(shapes()[shape].outline, pose));
   }
@@ -194,7 +194,7 @@ TEST(PlacedOutlines, WithoutPaddingEachVertexThatLiesTooDeepIsAConflict) {
 /// Positions are written with three decimals.
 TEST(PlacedOutlines, PaddingIsKeptBetweenRoundedPositionsToo) {
   Scene scene(kPadding_px);
-  scene.outlines.add({0, pose(40, 0, {200, 200}), 1, 1}, square().outline);
+  scene.outlines.add({ShapeId{0}, pose(40, 0, {200, 200}), 1, 1}, square().outline);
   const auto conflicts = [&](float distance_px) {
     return scene.outlines.conflicts(square(), pose(40, 0, {240 + distance_px, 210}));
   };
@@ -243,22 +243,22 @@ TEST(PlacedOutlines, TheCanvasEdgeIsANeighbour) {
 TEST(PlacedOutlines, ReplacedOnesAreAsIfPlacedAfresh) {
   class Library : public ShapeSource {
    public:
-    const Shape& shape(std::uint32_t index) override {
+    const Shape& shape(ShapeId id) override {
       ++asked;
-      return shapes().at(index);
+      return shapes().at(index_of(id));
     }
-    const ShapeModel& model(std::uint32_t) override { throw std::logic_error("no model is needed"); }
+    const ShapeModel& model(ShapeId) override { throw std::logic_error("no model is needed"); }
     int asked = 0;
   } library;
   Scene scene(kPadding_px);
-  const Placement kept{1, pose(30, 0, {100, 100}), 1, 1};
-  const Placement gone{1, pose(30, 0, {200, 100}), 1, 1};
-  const Placement come{1, pose(30, 1, {100, 200}), 1, 1};
+  const Placement kept{ShapeId{1}, pose(30, 0, {100, 100}), 1, 1};
+  const Placement gone{ShapeId{1}, pose(30, 0, {200, 100}), 1, 1};
+  const Placement come{ShapeId{1}, pose(30, 1, {100, 200}), 1, 1};
   scene.outlines.replace({kept, gone}, library);
   scene.outlines.replace({come, kept}, library);
   EXPECT_EQ(library.asked, 3) << "what stays is not made again";
   const auto conflict_at = [&](const Placement& p) {
-    return !scene.outlines.conflicts(shapes()[p.shape], p.canvas_from_shape).empty();
+    return !scene.outlines.conflicts(shapes()[index_of(p.shape)], p.canvas_from_shape).empty();
   };
   EXPECT_TRUE(conflict_at(kept));
   EXPECT_TRUE(conflict_at(come));

@@ -154,7 +154,7 @@ TEST(Pool, IsInOrderAfterASweep) {
     Candidate c;
     c.window = {0, 0, 5, 5};
     c.score = float((state = state * 1664525u + 1013904223u) >> 8);
-    pool.put(i % 1500, {c}, false);
+    pool.put(SampleId{i % 1500}, {c}, false);
   }
   std::vector<float> scores;
   pool.best_first([](const Candidate& c) { return c.score; },

@@ -32,8 +32,8 @@ TEST(CandidateWindows, HoldTheNodesThatAreCountedExactly) {
     for (const PooledSample& sample : rounds.state().pool) {
       for (const Candidate& c : sample.candidates) {
         const Window exact =
-            exact_window(library()[c.shape], c.canvas_from_shape, rounds.collage().free(), settings().pieces);
-        EXPECT_TRUE(holds(c.window, exact.grown(-kRim))) << "shape " << c.shape;
+            exact_window(library()[index_of(c.shape)], c.canvas_from_shape, rounds.collage().free(), settings().pieces);
+        EXPECT_TRUE(holds(c.window, exact.grown(-kRim))) << "shape " << index_of(c.shape);
         ++windows;
       }
     }
