@@ -19,13 +19,10 @@ constexpr const char* kExamples =
     "--time-limit takes seconds (90; sbatch would mean minutes), 90s, 90m, 2h, and sbatch's MM:SS, HH:MM:SS, D-HH,\n"
     "D-HH:MM, D-HH:MM:SS, UNLIMITED and INFINITE. --resume=auto starts where there is no checkpoint, leaves a finished\n"
     "result of the same job as it is, and refuses one of another job.\n"
-    "The result (pieces.geojson, quality card, effective job; drawn from them collage.png and .svg) is the same on "
-    "any\n"
-    "number of ranks, and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and "
-    "what\n"
-    "is placed so far are written, but not drawn (tessera draw). A finished result in DIR is replaced, not before "
-    "there\n"
-    "is a piece to replace it; where it is of another job, a line on stderr says so.\n"
+    "The result (pieces.geojson, quality card, effective job; drawn from them collage.png and .svg) is the same on any\n"
+    "number of ranks, and however often it was interrupted. Ctrl-C, SIGTERM and SIGUSR2 end early: a checkpoint and\n"
+    "what is placed so far are written, but not drawn (tessera draw). A finished result in DIR is replaced as soon as\n"
+    "a piece is placed; where it is of another job, a line on stderr says so.\n"
     "Every key of a job: docs/job-format.md. Every file of a result: docs/result-format.md";
 
 std::string how_to_go_on(const CollageArguments& arguments) {

@@ -77,10 +77,17 @@ void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& s
   if (std::max(x, size.y) > std::numeric_limits<std::uint32_t>::max()) {
     throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": more work than 32-bit indices count");
   }
-  cl::Event launched;
-  session.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(x, size.y), cl::NDRange(size.group, 1),
-                                       nullptr, &launched);
-  session.add_launch(std::move(launched));
+  const std::size_t columns = std::min(x, kMostWorkItems / size.group * size.group);
+  const std::size_t rows = std::max<std::size_t>(1, kMostWorkItems / columns);
+  for (std::size_t first_row = 0; first_row < size.y; first_row += rows) {
+    for (std::size_t first_column = 0; first_column < x; first_column += columns) {
+      const cl::NDRange part(std::min(columns, x - first_column), std::min(rows, size.y - first_row));
+      cl::Event launched;
+      session.queue().enqueueNDRangeKernel(kernel, cl::NDRange(first_column, first_row), part,
+                                           cl::NDRange(size.group, 1), nullptr, &launched);
+      session.add_launch(std::move(launched));
+    }
+  }
 }
 
 }  // namespace tessera::worker

@@ -116,7 +116,11 @@ class DeviceBuffer {
   std::size_t capacity_ = 0;
 };
 
-/// Work items of a launch; the first dimension comes in groups of `group`, rounded up: kernels check it.
+/// More work than this goes to the device in several launches, so that a stop is seen between them, however large the
+/// library: a few hundred milliseconds on two CPU cores, and enough to fill a large GPU. Kernels see their global ids alone.
+inline constexpr std::size_t kMostWorkItems = std::size_t(1) << 20;
+
+/// Work items; the first dimension comes in groups of `group` (at most kMostWorkItems), rounded up: kernels check it.
 struct WorkSize {
   std::size_t x = 0;
   std::size_t y = 1;

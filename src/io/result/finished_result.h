@@ -19,7 +19,8 @@ ResultManifest read_result(const std::string& dir);
 /// Why `dir`, which has a manifest, holds no whole result. Empty where it does, and where there is no manifest.
 std::string damage_of_result(const std::string& dir);
 
-/// The job whose finished collage `dir` holds: a whole result whose manifest says that nothing is left to compute. Nothing where there is none, or none that this version of the program reads.
+/// The job whose finished collage `dir` holds: a whole result whose manifest says that nothing is left to compute. Nothing
+/// where there is none, or none that this version of the program reads.
 std::optional<Job> job_of_finished_result(const std::string& dir);
 
 /// Whether `dir` holds the finished result of `job`. Throws InputError with the keys that differ where it holds that of

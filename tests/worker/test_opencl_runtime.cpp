@@ -1,0 +1,49 @@
+// Work that is too much for one launch is divided, and every work item runs once.
+#include "worker/opencl_runtime.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "worker/opencl_devices.h"
+
+namespace tessera::worker {
+namespace {
+
+constexpr const char* kCountVisits =
+    "kernel void count_visits(uint width, global uint* visits) {\n"
+    "  const size_t x = get_global_id(0);\n"
+    "  if (x < width) atomic_inc(visits + get_global_id(1) * width + x);\n"
+    "}\n";
+
+/// How many launches there were; every work item must have run once.
+int launches_for(const WorkSize& size) {
+  int launches = 0;
+  const DeviceSession session(opencl_devices().front(), kCountVisits, "-cl-std=CL1.2", [&] { ++launches; });
+  cl::Kernel kernel = session.kernel("count_visits");
+  DeviceBuffer<std::uint32_t> visits(session);
+  visits.clear(size.x * size.y);
+  launch(session, kernel, size, std::uint32_t(size.x), visits);
+  const std::vector<std::uint32_t> found = visits.read(size.x * size.y);
+  EXPECT_TRUE(std::all_of(found.begin(), found.end(), [](std::uint32_t count) { return count == 1; }));
+  return launches;
+}
+
+TEST(Launch, OfLittleWorkIsOne) {
+  EXPECT_EQ(launches_for({1, 1, 1}), 1);
+  EXPECT_EQ(launches_for({64, 232, 16}), 1);
+  EXPECT_EQ(launches_for({kMostWorkItems, 1, 16}), 1);
+}
+
+TEST(Launch, OfMuchWorkIsDividedByRows) {
+  EXPECT_EQ(launches_for({60, 3 * kMostWorkItems / 64, 16}), 3);  // 64 columns in groups of 16
+  EXPECT_EQ(launches_for({60, 3 * kMostWorkItems / 64 + 1, 16}), 4);
+}
+
+TEST(Launch, OfLongRowsIsDividedWithinThem) {
+  EXPECT_EQ(launches_for({kMostWorkItems + 1, 2, 16}), 4);
+  EXPECT_EQ(launches_for({2 * kMostWorkItems + 5, 1, 24}), 3);  // the limit is no multiple of the group
+}
+
+}  // namespace
+}  // namespace tessera::worker
