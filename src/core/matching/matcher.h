@@ -69,7 +69,8 @@ class Matcher {
   virtual ~Matcher() = default;
 
   virtual ShapeRange shapes() const = 0;
-  /// The free field; the first patch covers it whole. `width`, `height`: nodes; `origin`: canvas px of node (0, 0).
+  /// Begins a new free field; its first patch covers it whole. `width`, `height`: nodes; `origin`: canvas px of node
+  /// (0, 0).
   virtual void start_field(int width, int height, Vec2 origin) = 0;
   virtual void update_field(const FieldPatch& patch) = 0;
 
