@@ -1,4 +1,4 @@
-// How drawing tells of itself, and how it is asked to stop.
+// How drawing reports its progress, and how it is asked to stop.
 #pragma once
 
 #include <atomic>
