@@ -1,4 +1,4 @@
-// MPI from start to end, and a job on it.
+// Runs MPI from start to end, and a job on it.
 #pragma once
 
 #include "comm/rank_program.h"

@@ -12,7 +12,7 @@ namespace tessera::io {
 /// be, Hdf5Error where HDF5 fails.
 Hdf5Handle create_library_file(const std::string& path);
 
-/// Writes format, version, PAD parameters, and the groups, of which each smoothing level's has its own parameters.
+/// Writes format, version and PAD parameters, and makes the groups; those of the smoothing levels get their parameters.
 /// Throws Hdf5Error.
 void write_library_header(hid_t file, const PadParameters& pad);
 

@@ -47,7 +47,7 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
 /// checkpoints hold or a result that is whole: the manifest of the run before goes first, and its pictures with it;
 /// then come pieces.geojson, card.json, card.txt and job.toml, each to a temporary name and renamed; and manifest.json
 /// last, when they are on the disk. Nothing is drawn (result_drawing.h). Before the call there must be a checkpoint
-/// where the work shall not be lost. Returns the text of the card. Throws EnvironmentError.
+/// where the work must not be lost. Returns the text of the card. Throws EnvironmentError.
 std::string publish_result(const std::string& dir, const CollageReport& report, const CheckpointOrigin& origin,
                            bool finished);
 

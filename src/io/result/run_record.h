@@ -1,4 +1,4 @@
-// What made a result: the program, the machines, the input. Stands in card.json and in the run log, nowhere else:
+// What made a result: the program, the machines, the input. It stands in card.json and in the run log, nowhere else:
 // command lines and paths may say more than their owner wants to hand on.
 #pragma once
 
