@@ -88,7 +88,7 @@ inline constexpr int kPushSteps = 5;
 inline constexpr float kPushShrink = 0.994f;  // a piece that is still stuck gives way a little
 inline constexpr float kArm = 0.6f;           // of the piece's radius: where growth and rotation are measured
 inline constexpr int kLeastDrawnPoints = 3;   // fewer do not tell where the piece belongs
-/// On the diagonal: parts of the trace, and weights. Growth is the least certain of the four unknowns.
+/// What is added on the diagonal: parts of the trace, and weights. Growth is the least certain of the four unknowns.
 inline constexpr float kDamping = 0.005f;
 inline constexpr float kLeastDamping = 0.05f;
 inline constexpr float kGrowthDamping = 0.0125f;

@@ -1,4 +1,4 @@
-// Where on the boundary of the free region shapes are docked.
+// The target samples: where on the boundary of the free region shapes are docked.
 #pragma once
 
 #include <array>

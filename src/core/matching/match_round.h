@@ -17,7 +17,7 @@ struct PairReach {
 };
 
 struct MatchPlan {
-  std::uint64_t pairs_per_sample = 0;  // the top K % of the library's PADs; 0 = no PAD dockings
+  std::uint64_t pairs_per_sample = 0;  // top K % of the library's PADs, capped by match.most_pairs; 0 = no PAD dockings
   std::uint32_t tangent_dockings = 0;
 };
 

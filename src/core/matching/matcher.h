@@ -80,11 +80,11 @@ class Matcher {
   virtual DockReply take_dock() = 0;
   /// Every docking's shape must be in shapes().
   virtual void post_refine(const std::vector<Docking>& dockings) = 0;
-  /// In the order posted.
+  /// The answers stand in the order of the dockings posted.
   virtual std::vector<RefinedDocking> take_refine() = 0;
   /// Every docking's shape must be in shapes().
   virtual void post_measure(const std::vector<Docking>& dockings) = 0;
-  /// In the order posted.
+  /// The answers stand in the order of the dockings posted.
   virtual std::vector<DockingTerms> take_measure() = 0;
 };
 

@@ -16,7 +16,7 @@ struct PadPair {
   std::uint32_t distance = 0;  // steps
 };
 
-/// At most kPairsPerShape pairs nearer than `reach_steps`, best first; ties go by source.
+/// Gives at most kPairsPerShape pairs nearer than `reach_steps`, best first; ties go by source.
 std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context,
                                   std::uint32_t reach_steps);
 

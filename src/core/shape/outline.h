@@ -13,7 +13,7 @@ namespace tessera {
 
 enum class SkipReason { empty, too_small, several_large_components, plain_rectangle, hairlines };
 
-/// For messages and tables: what it is, and what the user can do about it.
+/// Says for messages and tables what the reason is, and what the user can do about it.
 std::string to_string(SkipReason reason);
 
 /// Artwork frame (px).
