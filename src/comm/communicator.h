@@ -47,7 +47,7 @@ class Communicator {
   virtual const std::vector<int>& node_ranks() const = 0;
   int local_rank() const;  // position in node_ranks()
   int local_size() const { return int(node_ranks().size()); }
-  /// For messages to people: "rank 2 on node7".
+  /// The rank as messages to people name it: "rank 2 on node7".
   std::string place() const { return place_of(rank()); }
   virtual std::string place_of(int rank) const = 0;
   /// Ends all ranks at once, without regard to what they do.

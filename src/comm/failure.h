@@ -15,7 +15,7 @@ struct Failure {
   friend bool operator==(const Failure&, const Failure&) = default;
 };
 
-/// In a catch block: InputError has exit code 2; whatever is not of core/base/error.h is marked as a bug.
+/// To be called in a catch block. InputError has exit code 2; whatever is not of core/base/error.h is marked as a bug.
 Failure describe_current_exception();
 
 /// Throws the InputError or EnvironmentError that tells of it.
