@@ -1,4 +1,4 @@
-// From the library file to what matching needs of it.
+// Reads from the library file what matching needs of it.
 #pragma once
 
 #include <vector>

@@ -28,7 +28,7 @@ struct CollageReport {
   RankStatistics ranks;
   RunRecord record;
 
-  /// Where the shape is in `shapes`. Throws std::out_of_range where it is not.
+  /// The place of the shape in `shapes`. Throws std::out_of_range where it is not.
   std::size_t slot_of(ShapeId id) const;
   const Shape& shape(ShapeId id) const { return shapes[slot_of(id)]; }
 };

@@ -10,7 +10,8 @@
 
 namespace tessera::io {
 
-/// Of one run of the program; a collage that was interrupted is made by several, and the last one's record is kept.
+/// The record of one run of the program; a collage that was interrupted is made by several, and the last one's record
+/// is kept.
 struct RunRecord {
   std::string version;
   std::string commit;
