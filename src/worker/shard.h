@@ -18,7 +18,7 @@ struct Shard {
   /// By shape and source: the PAD's elements, steps, and zeros up to pad_row().
   std::vector<std::uint16_t> pads;
   std::vector<PadRecord> pad_records;
-  /// By shape and source: x of the key points, then y. Steps of the shape's keypoint_step.
+  /// By shape and source: x of the key points, then y, in steps of the shape's keypoint_step.
   std::vector<std::int16_t> keypoints;
   /// By shape: the sets of points of RecordSizes. Shape units.
   std::vector<float> contours;
