@@ -44,8 +44,8 @@ class Collage {
   /// finds, only how long that takes.
   void check_ahead();
 
-  /// The best candidate of the pool after the finalists were checked exactly, made clear of its neighbours and grown:
-  /// by what it is worth then. False where the pool is dry.
+  /// Finds the candidate of the pool that is worth most after the finalists were checked exactly, made clear of their
+  /// neighbours and grown. False where the pool is dry.
   bool choose(Candidate& best);
 
   /// Merge: takes the piece out of the free region and brings the target curve up to date. Returns the nodes within
