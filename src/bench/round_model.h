@@ -57,7 +57,7 @@ class RoundModel {
 
   /// The costs with as many samples as the measured loops matched.
   RoundCosts costs(int workers, std::uint64_t shapes) const;
-  /// On the model's clock.
+  /// The cases with times on the model's clock.
   const std::vector<ScalingCase>& cases() const { return cases_; }
 
  private:
