@@ -1,4 +1,4 @@
-// core/matching/pair_selection.cpp in OpenCL C (paper section 3.3; design, method 4): scale window, sign, PAD distance, local
+// core/matching/pair_selection.cpp in OpenCL C (paper section 3.3): scale window, sign, PAD distance, local
 // minima along the shape's curve, the best few of each (target sample, shape).
 //
 // First an exact filter of bytes (core/pad/pad_filter.h), then the distance itself where a pair may be near. The filter's

@@ -1,4 +1,4 @@
-// core/matching/refinement.cpp in OpenCL C (design, method 6): Gauss-Newton on the free field, then push until no point is too
+// core/matching/refinement.cpp in OpenCL C: Gauss-Newton on the free field, then push until no point is too
 // deep. The points of a piece are looked up 16 at once and added up one after the other, as the reference does.
 
 // A symmetric 4 x 4 system; unknowns: shift x, shift y, growth, rotation, the last two as movements at `arm_px`.

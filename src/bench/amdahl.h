@@ -19,8 +19,8 @@ struct AmdahlFit {
   double loop_s(int workers) const { return serial_s + parallel_s / workers; }
 };
 
-/// By least squares; all is parallel where there is only one number of workers. Times that scatter may give a negative
-/// serial part.
+/// Fits by least squares; all of the time counts as parallel where there is only one number of workers. Times that
+/// scatter may give a negative serial part.
 AmdahlFit fit_amdahl(const std::vector<TimedRun>& runs);
 
 }  // namespace tessera::bench

@@ -18,10 +18,10 @@ struct Setting {
   std::string out;              // the JSON file; what else a benchmark writes has its name with other endings
 };
 
-/// PAD pair tests a second and core: the devices, a plain loop, and what the machine can do at most.
+/// PAD pair tests per second and core: by the devices, by a plain loop, and what the machine can do at most.
 Report bench_pairs(const Setting& setting);
 
-/// From PADs to the best docking of two shapes with 25,000,000 docking positions (paper, section 5).
+/// Measures the way from PADs to the best docking of two shapes with 25,000,000 docking positions (paper, section 5).
 Report bench_headline(const Setting& setting);
 
 struct Table2Options {

@@ -1,4 +1,4 @@
-// A library file of any size from one of some size.
+// Makes a library file of any size from another one.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace tessera::bench {
 
-/// Writes the first `count` shapes, beyond the library's own its mirrored and stretched ones (varied_shapes.h), without
-/// their artwork. Throws EnvironmentError.
+/// Writes the first `count` shapes without their artwork; beyond the library's own they are mirrored and stretched ones
+/// (varied_shapes.h). Throws EnvironmentError.
 void write_library_of_size(const io::LibraryFile& library, std::uint32_t count, const std::string& path);
 
 }  // namespace tessera::bench

@@ -1,11 +1,12 @@
-// The collage without "cut and paste": in every round all target samples are matched again, not only those that changed.
+// The collage without "cut and paste": in every round all target samples are matched again, not only those that
+// changed.
 #pragma once
 
 #include "master/collage_loop.h"
 
 namespace tessera::bench {
 
-/// As master::make_collage, without its stops: until two rounds in succession find nothing.
+/// As master::make_collage, but without its stops: it ends when two rounds in succession find nothing.
 master::CollageResult make_collage_afresh(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
                                           ShapeSource& shapes);
 

@@ -15,7 +15,7 @@ class Matcher;
 
 namespace tessera::bench {
 
-/// The first `shapes` shapes, for a job with these settings.
+/// A matcher of the first `shapes` shapes, for a job with these settings.
 std::unique_ptr<Matcher> library_matcher(const io::LibraryFile& library, std::size_t shapes,
                                          const CollageSettings& settings, const std::string& devices_use);
 

@@ -1,8 +1,8 @@
 // The paper's rule to the letter (sections 3.3, 4 and 5), to compare with: of the pairs nearer than beta the best K %,
 // each docked by the ends of its first level and given to the objective Z. No refinement. Plain C++, one thread.
 //
-// Where the paper says nothing, it has what our engine has: smoothing levels, each docked only at scales that it
-// serves, and the terms of the objective along the contour.
+// Where the paper says nothing, this matcher does as our engine does: smoothing levels, each docked only at scales that
+// it serves, and the terms of the objective along the contour.
 #pragma once
 
 #include "core/matching/matcher.h"

@@ -10,8 +10,8 @@
 
 namespace tessera::bench {
 
-/// Over and over for `seconds`: one of the first `shapes` shapes at random, at a random place of the free region, turned
-/// at random, as large as it fits without overlap.
+/// Places pieces for `seconds`: each is one of the first `shape_count` shapes at random, at a random place of the free
+/// region, turned at random, as large as it fits without overlap.
 std::vector<Placement> fill_at_random(const Canvas& canvas, const CollageSettings& settings, ShapeSource& shapes,
                                       std::uint32_t shape_count, double seconds);
 

@@ -17,10 +17,10 @@ struct Report {
 /// Three significant digits: "2.16e+09", "0.0642".
 std::string short_number(double value);
 
-/// Three decimals, as the files of a collage have them.
+/// The value with three decimals, as the files of a collage have them.
 double rounded(double value);
 
-/// The folder must be there. Throws EnvironmentError.
+/// The folder of `path` must be there. Throws EnvironmentError.
 void write_report(const Report& report, const std::string& path);
 
 }  // namespace tessera::bench

@@ -2,7 +2,7 @@
 //
 // A stage's time is a sum of parts that are known to grow with something: the shapes of a worker (every pair is
 // tested), its share of the dockings (a fixed number over the whole library), the workers that are asked by the
-// master itself, or nothing. How much of each, the measured runs say: least squares with no part below zero.
+// master itself, or nothing. The measured runs say how much of each there is: by least squares with no part below zero.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct Load {
 /// Which time of a measured run counts: as it passed, or without what other programs took (ScalingCase::undisturbed_s).
 enum class Clock { wall, processor };
 
-/// A mean round. Seconds and bytes for each question and worker, unless another word is said.
+/// A mean round. Seconds and bytes are for each question and worker where nothing else is said.
 struct RoundCosts {
   int workers = 1;
   int counts = 1;       // questions of that kind; dock, refine and measure are asked once
@@ -52,12 +52,12 @@ struct RoundCosts {
 
 class RoundModel {
  public:
-  /// At least one case.
+  /// There is at least one case.
   RoundModel(std::vector<ScalingCase> cases, Clock clock);
 
-  /// For as many samples as the measured loops matched.
+  /// The costs with as many samples as the measured loops matched.
   RoundCosts costs(int workers, std::uint64_t shapes) const;
-  /// On the model's clock.
+  /// The cases with times on the model's clock.
   const std::vector<ScalingCase>& cases() const { return cases_; }
 
  private:

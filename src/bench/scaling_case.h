@@ -9,7 +9,7 @@
 
 namespace tessera::bench {
 
-/// Of the workers' times the average over the workers; all of the whole loop.
+/// Workers' times are the average over the workers; all times are of the whole loop.
 struct ScalingCase {
   int workers = 1;
   int asked = 1;  // of them by the master itself
@@ -51,7 +51,7 @@ struct ScalingCase {
   double undisturbed_s() const { return master_processor_s - ahead_s + greatest_processor_s; }
 };
 
-/// From section "ranks" of a card.json. Throws InputError that names the missing key.
+/// Reads section "ranks" of a card.json. Throws InputError that names the missing key.
 ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::string& name);
 
 /// The cases of a report of `tessera bench scaling`. Throws InputError.

@@ -1,4 +1,4 @@
-// New shapes from old ones: mirrored and stretched outlines, for libraries larger than anyone has drawn (src/bench).
+// New shapes from old ones: mirrored and stretched outlines, for libraries larger than anyone has drawn.
 #pragma once
 
 #include "core/shape/shape.h"

@@ -20,7 +20,7 @@ struct Table2Row {
   int merge_percent;
 };
 
-/// In the paper's order.
+/// The rows in the paper's order.
 std::span<const Table2Row> table2_rows();
 
 }  // namespace tessera::bench

@@ -16,11 +16,11 @@ class VariedShapes : public master::CachedShapes {
  public:
   explicit VariedShapes(const io::LibraryFile& library);
 
-  /// All cores make them.
+  /// Makes the shapes of the range on all cores.
   std::vector<Shape> shapes(const ShapeRange& range) const;
   std::vector<ShapeModel> models(const ShapeRange& range, const MatchingContext& context) const;
 
-  /// Spent on making whole shapes for those who asked one at a time.
+  /// The time spent on making whole shapes for those who asked for one at a time.
   double making_s() const { return making_s_; }
 
  protected:

@@ -1,4 +1,5 @@
-// The checkpoints of a run of tessera collage: where it starts from, when they are written, and what is left at the end.
+// The checkpoints of a run of tessera collage: where it starts from, when they are written, and what is left at the
+// end.
 #pragma once
 
 #include <optional>
@@ -18,16 +19,16 @@ enum class Start {
   restart,          // as if there were no checkpoint
 };
 
-/// What --resume=auto means for this folder: `resume` where there is a checkpoint or a finished result, `resume_previous`
-/// where only that checkpoint is left, or `fresh`.
+/// What --resume=auto means for this folder: `resume` where there is a checkpoint or a finished result,
+/// `resume_previous` where only that checkpoint is left, or `fresh`.
 Start automatic_start(const std::string& result_folder);
 
 /// The checkpoints in the result's folder. Before anything costs time: throws InputError where `start` does not go with
 /// what is there.
 io::CheckpointFolder checked_start(const std::string& result_folder, Start start);
 
-/// What the run starts from, if not from an empty canvas. Throws InputError that says what is wrong and what to do where
-/// the checkpoint is damaged or belongs to others.
+/// What the run starts from, if not from an empty canvas. Throws InputError that says what is wrong and what to do
+/// where the checkpoint is damaged or belongs to others.
 std::optional<CheckpointState> starting_state(const io::CheckpointFolder& folder, Start start,
                                               const io::CheckpointOrigin& origin);
 
@@ -36,15 +37,16 @@ class CollageCheckpoints : public master::CheckpointKeeper {
   CollageCheckpoints(const io::CheckpointFolder& folder, const io::CheckpointOrigin& origin);
 
   bool due() override;
-  /// Where it cannot be written says so on stderr, once.
+  /// Where the state cannot be written, says so on stderr, once.
   void keep(const CheckpointState& state) override;
 
-  /// What keep() said on stderr; empty: nothing.
+  /// What keep() said on stderr; empty where it said nothing.
   std::string warning() const;
 
-  /// After the files of a finished run were written: there is nothing to go on with.
+  /// To be called after the files of a finished run were written, when there is nothing to go on with.
   void remove() const { folder_.remove(); }
-  /// After those of an unfinished one: throws EnvironmentError where there is no checkpoint at all.
+  /// To be called after those of an unfinished run were written. Throws EnvironmentError where there is no checkpoint
+  /// at all.
   void require_one() const;
 
  private:

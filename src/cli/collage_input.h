@@ -1,4 +1,4 @@
-// What rank 0 of tessera collage reads before anything costs time; every mistake is told here.
+// What rank 0 of tessera collage reads before anything costs time; mistakes in these files and settings are told here.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What is kept about a run of tessera collage: a record for the card, and an event a line in run.log. Warnings go to stderr
-// as well.
+// What is kept about a run of tessera collage: a record for the card, and a line in run.log for each event. Warnings go
+// to stderr as well.
 #pragma once
 
 #include <exception>
@@ -18,10 +18,10 @@ class CollageJournal {
   /// `record`: what is known of the run when it starts.
   CollageJournal(const std::string& folder, io::RunRecord record);
 
-  /// Of all ranks, the master's first.
+  /// Notes where all ranks run, the master's first.
   void ranks_are(std::vector<RankSite> sites);
   void resumed(const CheckpointState& from);
-  /// An empty one is none.
+  /// Does nothing where the warning is empty.
   void warn(const std::string& warning);
   /// The same for what stands on stderr already.
   void keep_warning(const std::string& warning);

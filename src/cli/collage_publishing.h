@@ -11,11 +11,13 @@
 
 namespace tessera::cli {
 
-/// The run was ended before its first piece, and the folder holds a finished collage: nothing shall not replace it.
+/// Whether the run was ended before its first piece, and the folder holds a finished collage, which an empty result
+/// must not replace.
 bool leaves_older_result(const CollageInput& input, const master::CollageResult& result);
 
-/// Writes all but the pictures, then removes the checkpoints of a finished run: at every moment the folder holds what the
-/// run came to. Returns the text of the card. Throws EnvironmentError, also where an unfinished run has no checkpoint.
+/// Writes all but the pictures, then removes the checkpoints of a finished run: at every moment the folder holds what
+/// the run came to. Returns the text of the card. Throws EnvironmentError, also where an unfinished run has no
+/// checkpoint.
 std::string publish(const CollageInput& input, const master::CollageResult& result, const RankStatistics& ranks,
                     const io::RunRecord& record, const CollageCheckpoints& checkpoints);
 

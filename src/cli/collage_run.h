@@ -24,8 +24,8 @@ struct CollageArguments {
 /// Where the result goes.
 std::string output_folder(const CollageArguments& arguments);
 
-/// There is more to do, and a checkpoint to go on from unless the first round had not begun: sysexits.h calls it a temporary
-/// failure.
+/// There is more to do, and a checkpoint to go on from unless the first round had not begun: sysexits.h calls it a
+/// temporary failure.
 inline constexpr int kUnfinishedExitCode = 75;
 
 enum class CollageEnd {
@@ -36,9 +36,9 @@ enum class CollageEnd {
   not_begun,       // ended before the first round; what was in the folder is there still
 };
 
-/// On every rank. But for the first end the exit code is to be kUnfinishedExitCode, and the caller says how to go on. Throws
-/// InputError and EnvironmentError (rank_program.h turns those of the workers into the master's). A worker leaves by
-/// JobEnded.
+/// To be called on every rank. For every end but `finished` the exit code is to be kUnfinishedExitCode, and the caller
+/// says how to go on. Throws InputError and EnvironmentError (rank_program.h turns those of the workers into the
+/// master's). A worker leaves by JobEnded.
 CollageEnd run_collage(const CollageArguments& arguments, comm::Communicator& ranks);
 
 }  // namespace tessera::cli

@@ -14,7 +14,7 @@ std::string replaced_result_warning(const std::string& folder, const io::Job& jo
 /// Empty where there are pieces, or where the run may still go on to some.
 std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result);
 
-/// Nothing where it is empty.
+/// Prints nothing where the warning is empty.
 void print_warning(const std::string& warning);
 
 }  // namespace tessera::cli

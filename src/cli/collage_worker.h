@@ -18,7 +18,8 @@ namespace tessera::cli {
 /// The reason to stop within a round, or null.
 using StopReason = std::function<const char*()>;
 
-/// For a run without workers: the whole library on this rank's devices. What asks to stop ends a question by Interrupted.
+/// The matcher of a run without workers: the whole library on this rank's devices. What asks to stop ends a question by
+/// Interrupted.
 std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library, const StopReason& stop_reason);
 
 /// Where rank 0 runs: with devices where it is alone, without where workers do the matching.

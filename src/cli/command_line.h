@@ -6,10 +6,10 @@
 
 namespace tessera::cli {
 
-/// As a shell takes it: words that need it stand in quotes.
+/// The words as a shell takes them: those that need it stand in quotes.
 std::string quoted_command(const std::vector<std::string>& words);
 
-/// Of this process; empty where the system does not tell.
+/// The command line of this process; empty where the system does not tell.
 std::string own_command_line();
 
 }  // namespace tessera::cli

@@ -10,10 +10,10 @@ namespace tessera::cli {
 /// The estimates for people, with what they leave out.
 std::string plan_text(const PlanInput& input, const PlanEstimate& plan);
 
-/// Where more workers are planned than there are shapes; else empty.
+/// A warning where more workers are planned than there are shapes; else empty.
 std::string idle_workers_warning(const PlanInput& input, const PlanEstimate& plan);
 
-/// The #SBATCH lines: memory with a quarter more, three times the time.
+/// The #SBATCH lines: they ask for a quarter more memory and three times the time.
 std::string sbatch_header(const PlanInput& input, const PlanEstimate& plan);
 
 /// 5400 -> "01:30:00".

@@ -1,5 +1,5 @@
-// Before the first round: every worker compares what it runs, what it understood and what it read with the master's. Where
-// they differ the run would end well and give another collage, or none.
+// Before the first round: every worker compares what it runs, what it understood and what it read with the master's.
+// Where they differ the run would end well and give another collage, or none.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ std::string program_identity();
 void announce_run(comm::Communicator& ranks, const std::string& program, const io::Job& job,
                   std::uint64_t library_digest);
 
-/// A worker: the master's job. Throws EnvironmentError where this rank's program is another one or understands the job
-/// otherwise.
+/// A worker: receives the master's job. Throws EnvironmentError where this rank's program is another one or understands
+/// the job otherwise.
 io::Job receive_job(comm::Communicator& ranks, const std::string& program);
 
 /// A worker, after receive_job: throws InputError where `library` has another content than the master's.

@@ -9,8 +9,9 @@
 
 namespace tessera::cli {
 
-/// In seconds, more than 0: "90" and "90.5" are seconds, "90m" and "2h" say so; "MM:SS", "HH:MM:SS", "D-HH", "D-HH:MM"
-/// and "D-HH:MM:SS" are as in sbatch's --time; "UNLIMITED" and "INFINITE", in any case, are infinite. Throws InputError.
+/// The limit in seconds, more than 0: "90" and "90.5" are seconds, "90m" and "2h" say so; "MM:SS", "HH:MM:SS", "D-HH",
+/// "D-HH:MM" and "D-HH:MM:SS" are as in sbatch's --time; "UNLIMITED" and "INFINITE", in any case, are infinite. Throws
+/// InputError.
 double parse_time_limit(const std::string& text);
 
 /// `argument` as parse_time_limit takes it, which must leave something beside the reserve and `leaving_s` (InputError);
@@ -19,11 +20,11 @@ double parse_time_limit(const std::string& text);
 double time_limit_s(const std::optional<std::string>& argument, const char* slurm_end_time, double now_s,
                     double leaving_s);
 
-/// Of a limit that leaves nothing beside the reserve: a Slurm job's, since time_limit_s refuses another. Empty where it
-/// does leave something.
+/// The warning of a limit that leaves nothing beside the reserve, which can only be a Slurm job's, since time_limit_s
+/// refuses others. Empty where the limit does leave something.
 std::string short_limit_warning(double limit_s, double leaving_s);
 
-/// Counts from its making.
+/// A limit that counts from the making of this object.
 class TimeLimit {
  public:
   explicit TimeLimit(double limit_s = std::numeric_limits<double>::infinity()) : limit_s_(limit_s) {}

@@ -3,8 +3,8 @@
 //
 // Sending never waits for the receiver, and whoever waits takes in whatever arrives, so that no order of large messages
 // can lock two ranks up. A rank that cannot go on tells rank 0, whose next wait throws; rank 0 ends the job by telling
-// all, whose next wait throws JobEnded (rank_program.h does both). A wait of rank 0 also ends, by core's Interrupted, when
-// the job is to stop or a worker is lost.
+// all, whose next wait throws JobEnded (rank_program.h does both). A wait of rank 0 also ends, by core's Interrupted,
+// when the job is to stop or a worker is lost.
 #pragma once
 
 #include <atomic>
@@ -24,7 +24,8 @@
 
 namespace tessera::comm {
 
-/// Thrown by the waits of every rank but 0 when rank 0 ended the job. Not an error, hence no std::exception: let it pass.
+/// Thrown by the waits of every rank but 0 when rank 0 ended the job. Not an error, hence no std::exception: let it
+/// pass.
 struct JobEnded {};
 
 /// How the ranks leave.
@@ -46,7 +47,7 @@ class Communicator {
   virtual const std::vector<int>& node_ranks() const = 0;
   int local_rank() const;  // position in node_ranks()
   int local_size() const { return int(node_ranks().size()); }
-  /// For messages to people: "rank 2 on node7".
+  /// The rank as messages to people name it: "rank 2 on node7".
   std::string place() const { return place_of(rank()); }
   virtual std::string place_of(int rank) const = 0;
   /// Ends all ranks at once, without regard to what they do.
@@ -55,7 +56,7 @@ class Communicator {
   /// Returns without waiting for the receiver, unless kMostUnderWay bytes are already under way. Messages of one tag
   /// from one rank to another arrive in order. At most 2^31 - 1 bytes.
   void send(int to, Tag tag, Bytes bytes);
-  /// The same to several ranks.
+  /// Sends the same bytes to several ranks.
   void send(const std::vector<int>& to, Tag tag, Bytes bytes);
   /// The next message of that tag from rank `from`.
   Bytes receive(int from, Tag tag);
@@ -64,7 +65,7 @@ class Communicator {
   /// Waits until all that was sent has left.
   void flush();
 
-  /// Rank 0's bytes, on every rank.
+  /// Gives rank 0's bytes on every rank.
   Bytes broadcast(Bytes bytes);
   /// Returns when every rank has come here.
   void barrier();
@@ -72,43 +73,45 @@ class Communicator {
   /// Takes in what has arrived and throws as a wait does: for whoever computes for long.
   void look();
 
-  /// From now on a wait for which `stop_reason` gives a reason, not null, throws Interrupted with it. The replies that were
-  /// waited for may still come; the only thing left to do is to end the job.
+  /// From now on a wait for which `stop_reason` gives a reason, not null, throws Interrupted with it. The replies that
+  /// were waited for may still come; the only thing left to do is to end the job.
   void interrupt_waits_when(std::function<const char*()> stop_reason) { stop_reason_ = std::move(stop_reason); }
   /// Rank 0, whose workers all have a Heart with the same `silence_s`: from now on a wait that finds one of them lost
   /// (rank_watch.h) calls `report` with a line that names it and throws Interrupted.
   void watch_workers(double silence_s, std::function<void(const std::string& line)> report);
-  /// A wait of this rank was interrupted: somebody may still be at work on what it asked for. Or there is no time left.
+  /// A wait of this rank was interrupted: somebody may still be at work on what it asked for; or there is no time left
+  /// (hurry).
   bool gave_up_waiting() const { return gave_up_waiting_; }
   bool lost_a_worker() const { return lost_a_worker_; }
   /// Rank 0: the job is to end as soon as if a wait had been interrupted.
   void hurry() { gave_up_waiting_ = true; }
 
   const Traffic& traffic() const { return traffic_; }
-  /// Spent in receive since the start, until the messages came; and what looking for them took of the processor.
+  /// The time spent in receive since the start, until the messages came, and the processor time that looking for them
+  /// took.
   double waited_s() const { return waited_s_; }
   double waited_processor_s() const { return waited_processor_s_; }
 
   // For the thread of heartbeat.h.
 
-  /// To rank 0. Needs a transport that sends from two threads.
+  /// Sends a heartbeat to rank 0. It needs a transport that sends from two threads.
   void send_heartbeat(const Heartbeat& beat);
-  /// Another number whenever the rank begins to wait for a message, and when it goes on.
+  /// A number that changes whenever the rank begins to wait for a message, and when it goes on.
   std::uint64_t activity() const { return activity_.load(std::memory_order_relaxed); }
   static bool is_waiting(std::uint64_t activity) { return activity % 2 == 1; }
 
   // How a job ends; see rank_program.h, which alone calls these.
 
-  /// To rank 0: this rank cannot go on.
+  /// Tells rank 0 that this rank cannot go on.
   void report_failure(const Failure& failure);
   /// Rank 0: tells all others to leave.
   void tell_end(Ending ending);
-  /// Rank 0: waits until all others said goodbye, then lets them go; false: some did not within `patience_s`.
+  /// Rank 0: waits until all others said goodbye, then lets them go. False where some did not within `patience_s`.
   bool see_off(double patience_s);
-  /// Waits until all that was sent has left; false: not within `patience_s`.
+  /// Waits until all that was sent has left. False where it did not within `patience_s`.
   bool wait_until_sent(double patience_s);
-  /// Another rank: waits for tell_end and, unless that is `at_once`, says goodbye and waits to be let go: until all have
-  /// said it, a large message of theirs may need this rank's help to arrive.
+  /// Another rank: waits for tell_end and, unless that is `at_once`, says goodbye and waits to be let go: until all
+  /// have said it, a large message of theirs may need this rank's help to arrive.
   Ending wait_for_end();
 
   static constexpr std::size_t kMostUnderWay = std::size_t(128) << 20;
@@ -150,7 +153,7 @@ class Communicator {
   double waited_processor_s_ = 0;
 };
 
-/// Of this process since its start, without what waiting for messages took.
+/// The processor time of this process since its start, without what waiting for messages took.
 inline double busy_processor_s(const Communicator& ranks) { return processor_time_s() - ranks.waited_processor_s(); }
 
 }  // namespace tessera::comm

@@ -67,7 +67,7 @@ void write_archive(std::streambuf& buffer, const T& value) {
 
 }  // namespace detail
 
-/// Written twice, once to count: the one allocation is exact, which matters for a large canvas' field.
+/// Writes the value twice, once to count: the one allocation is exact, which matters for a large canvas' field.
 template <class T>
 Bytes encode(const T& value) {
   detail::CountingBuffer counter;

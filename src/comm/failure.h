@@ -15,10 +15,10 @@ struct Failure {
   friend bool operator==(const Failure&, const Failure&) = default;
 };
 
-/// In a catch block: InputError has exit code 2; whatever is not of core/base/error.h is marked as a bug.
+/// To be called in a catch block. InputError has exit code 2; whatever is not of core/base/error.h is marked as a bug.
 Failure describe_current_exception();
 
-/// The InputError or EnvironmentError that tells of it.
+/// Throws the InputError or EnvironmentError that tells of it.
 [[noreturn]] void throw_failure(const Failure& failure);
 
 }  // namespace tessera::comm

@@ -1,5 +1,5 @@
-// Signs of life that a worker sends to rank 0, whatever its main thread does: a rank that was stopped, whose node hangs or
-// whose connection is cut sends none any more. They also tell what the main thread does, for faults that leave the
+// Signs of life that a worker sends to rank 0, whatever its main thread does: a rank that was stopped, whose node hangs
+// or whose connection is cut sends none any more. They also tell what the main thread does, for faults that leave the
 // process alive.
 #pragma once
 
@@ -16,11 +16,11 @@ class Communicator;
 
 struct Heartbeat {
   bool waiting = false;  // for a message; else it computes
-  double for_s = 0;      // since it last changed from one to the other; a time in which the process was stopped counts little
+  double for_s = 0;      // since it last changed from one to the other; while the process is stopped, little is counted
 };
 
-/// Sends a heartbeat ten times as often as `silence_s` asks for, from a thread of its own, until it is destroyed. Made by
-/// workers. The communicator outlives it; its transport must allow this (communicator.h).
+/// Sends a heartbeat every tenth of `silence_s`, or more often, from a thread of its own, until it is destroyed.
+/// Workers make it. The communicator outlives it; its transport must allow this (communicator.h).
 class Heart {
  public:
   Heart(Communicator& ranks, double silence_s);

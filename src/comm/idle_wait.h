@@ -1,4 +1,4 @@
-// Waiting that leaves the core to others. Open MPI's blocking calls spin; here a master and its workers, with their
+// Waits without keeping the core from others. Open MPI's blocking calls spin; here a master and its workers, with their
 // device threads, often share a few cores. So: look often at first, then sleep ever longer between looks.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace tessera::comm {
 
-/// One for each wait; pause() between looks.
+/// Make one for each wait, and call pause() between looks.
 class IdleWait {
  public:
   void pause() {

@@ -13,7 +13,7 @@ class InProcessNetwork {
   explicit InProcessNetwork(int size);
   ~InProcessNetwork();
 
-  /// For the thread that plays `rank`; at most one each.
+  /// Makes the communicator of the thread that plays `rank`, at most one for each.
   std::unique_ptr<Communicator> connect(int rank);
 
  private:

@@ -1,4 +1,4 @@
-// The loop's time on rank 0, and then that of all ranks.
+// Measures the loop's time on rank 0, then gathers that of all ranks.
 #pragma once
 
 #include "comm/communicator.h"
@@ -12,7 +12,7 @@ class LoopClock {
   /// The loop is about to begin; the communicator outlives the clock.
   explicit LoopClock(Communicator& ranks);
 
-  /// The loop is over, and these are its own times. Asks the workers for theirs; empty without workers.
+  /// The loop is over, and these are its own times. Asks the workers for theirs; without workers the result is empty.
   RankStatistics stop(const RunStatistics& run);
 
  private:

@@ -9,8 +9,8 @@
 
 namespace tessera::comm {
 
-/// Tells who asks this rank (core/ranks/worker_tree.h) which shapes these are, then answers in the order of the questions, until
-/// the job ends: leaves by JobEnded, or by what the matcher throws.
+/// Tells the rank that asks this one (core/ranks/worker_tree.h) which shapes these are, then answers in the order of
+/// the questions until the job ends. It leaves by JobEnded, or by what the matcher throws.
 [[noreturn]] void serve(Communicator& ranks, std::unique_ptr<Matcher> matcher);
 
 }  // namespace tessera::comm

@@ -12,7 +12,7 @@ namespace tessera::comm {
 
 class MpiCommunicator : public Communicator {
  public:
-  /// All ranks of the job; made by all of them together. Its messages do not mix with those of another one.
+  /// Connects all ranks of the job; they make it together. Its messages do not mix with those of another one.
   MpiCommunicator();
 
   int rank() const override { return world_.rank(); }

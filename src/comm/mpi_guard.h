@@ -1,12 +1,12 @@
-// MPI from start to end, and a job on it.
+// Runs MPI from start to end, and a job on it.
 #pragma once
 
 #include "comm/rank_program.h"
 
 namespace tessera::comm {
 
-/// Initialises MPI for use by one thread at a time, and finalises it. Leaving by an exception ends all ranks instead: the
-/// others may be waiting for this one, and finalising would wait for them. Without mpirun the job has one rank.
+/// Initialises MPI for use by one thread at a time, and finalises it. Leaving by an exception ends all ranks instead:
+/// the others may be waiting for this one, and finalising would wait for them. Without mpirun the job has one rank.
 class MpiGuard {
  public:
   MpiGuard(int& argc, char**& argv);

@@ -8,10 +8,11 @@
 
 namespace tessera::comm {
 
-/// On every rank but 0, once. Waits for nobody.
+/// To be called once on every rank but 0. Waits for nobody.
 void tell_site(Communicator& ranks, const RankSite& site);
 
-/// On rank 0: `own`, then those of ranks 1, 2, ... Waits until all have told theirs; throws what a rank failed of.
+/// On rank 0: gives `own`, then the sites of ranks 1, 2, ... Waits until all have told theirs; throws the error that
+/// ended a rank.
 std::vector<RankSite> gather_sites(Communicator& ranks, RankSite own);
 
 }  // namespace tessera::comm

@@ -1,5 +1,5 @@
-// Which worker is lost, as rank 0 sees it from their heartbeats. Knows no clock: whoever waits tells how long, so that
-// tests need no time.
+// Which worker is lost, as rank 0 sees it from their heartbeats. It knows no clock: whoever waits tells it how long, so
+// that tests need no time.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ class RankWatch {
 
   /// Rank 0 begins to wait for a message.
   void begin_wait() { this_wait_s_ = 0; }
-  /// It has waited so much longer and has taken in all that arrived. A long pause between two looks counts as
+  /// Rank 0 has waited so much longer and has taken in all that arrived. A long pause between two looks counts as
   /// kMostAtOnce_s: the process was stopped then, and probably all the others with it.
   void waited(double seconds);
   void heard(int rank, const Heartbeat& beat);

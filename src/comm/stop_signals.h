@@ -1,5 +1,6 @@
-// The signals that end a run before its time: Ctrl-C, the SIGTERM that mpirun and Slurm send, and SIGUSR2, which Slurm sends
-// on demand some time before the end. They set a flag; who asks for it ends with a checkpoint and what is done so far.
+// The signals that end a run before its time: Ctrl-C, the SIGTERM that mpirun and Slurm send, and SIGUSR2, which Slurm
+// sends on demand some time before the end. They set a flag; who asks for it ends with a checkpoint and what is done so
+// far.
 //
 // What mpirun (Open MPI 4.1) does when it gets SIGINT (Ctrl-C), SIGTERM or SIGHUP, or when a
 // rank died, to every rank: SIGCONT at once, SIGTERM after 1 s, SIGKILL after 2 s; each pause (MCA parameter
@@ -13,19 +14,19 @@
 
 namespace tessera::comm {
 
-/// To be called once on each rank. Rank 0: mpirun's SIGCONT raises SIGTERM; that SIGTERM comes once more a second later. Other ranks: the first SIGINT, SIGTERM and SIGHUP do nothing,
-/// and SIGUSR2, which mpirun and srun pass on to all ranks, never does: rank 0 ends the job.
-/// All: writing to a closed pipe is an error of that write, not the end.
+/// To be called once on each rank. Rank 0: mpirun's SIGCONT raises SIGTERM, and mpirun's own SIGTERM follows a second
+/// later. Other ranks: the first SIGINT, SIGTERM and SIGHUP do nothing, and SIGUSR2, which mpirun and srun pass on to
+/// all ranks, never does: rank 0 ends the job. All: writing to a closed pipe is an error of that write, not the end.
 void prepare_stop_signals(int rank);
 
-/// mpirun has begun to kill the job.
+/// Whether mpirun has begun to kill the job.
 bool launcher_ends_job();
 
 /// From now on SIGINT, SIGTERM and SIGUSR2 only set a flag, however often they come (mpirun sends both). To be called
 /// where a run has something to lose; before, they end the process.
 void install_stop_handlers();
 
-/// A signal came since.
+/// Whether a signal has come since.
 bool stop_signalled();
 
 }  // namespace tessera::comm

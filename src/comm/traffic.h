@@ -24,7 +24,7 @@ struct Traffic {
 
   const TrafficCount& sent(Tag tag) const { return sent_by_tag[std::size_t(tag)]; }
   const TrafficCount& received(Tag tag) const { return received_by_tag[std::size_t(tag)]; }
-  /// Of the loop: questions to the workers and their answers.
+  /// What was sent in the loop: questions to the workers, or their answers.
   TrafficCount sent_in_matching() const {
     TrafficCount sum;
     for (std::size_t tag = std::size_t(Tag::start_field); tag <= std::size_t(Tag::measure_reply); ++tag) {

@@ -21,7 +21,8 @@ class WorkerClock {
     loop_ = Stopwatch();
   }
 
-  /// Runs work() on the account of `stage`. That of a rank with workers below it lasts until these have answered, too.
+  /// Runs work() and adds its time to `stage`. On a rank with workers below it, that lasts until these have answered,
+  /// too.
   template <class Work>
   auto measure(double WorkerTimes::*stage, Work&& work) {
     const Charge charge{times_.*stage, waited_in_stages_s_, ranks_, ranks_.waited_s(), Stopwatch()};
@@ -34,7 +35,7 @@ class WorkerClock {
     return measure(stage, work);
   }
 
-  /// Up to now.
+  /// The times up to now.
   WorkerTimes times() const {
     WorkerTimes times = times_;
     times.loop_s = loop_.seconds();

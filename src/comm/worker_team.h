@@ -10,15 +10,16 @@
 
 namespace tessera::comm {
 
-/// On rank 0, with at least one other rank: all workers of the job. Waits until every one has told its shapes (serve),
-/// which takes as long as the slowest one's start. Throws what a worker failed of. The communicator outlives the matcher.
+/// On rank 0, with at least one other rank: joins all workers of the job. Waits until every one has told its shapes
+/// (serve), which takes as long as the slowest one's start. Throws the error that ended a worker. The communicator
+/// outlives the matcher.
 std::unique_ptr<Matcher> gather_workers(Communicator& ranks);
 
-/// On a worker: its own part and those of the workers below it; `own` alone where there are none.
+/// On a worker: joins its own part and those of the workers below it; gives `own` alone where there are none.
 std::unique_ptr<Matcher> gather_workers(Communicator& ranks, std::unique_ptr<Matcher> own);
 
-/// How each worker below this rank spent its time since the field was started, in the order of the ranks. When they have
-/// answered everything.
+/// How each worker below this rank spent its time since the field was started, in the order of the ranks. To be called
+/// when they have answered everything.
 std::vector<WorkerTimes> gather_times(Communicator& ranks);
 
 }  // namespace tessera::comm

@@ -88,7 +88,7 @@ inline constexpr int kPushSteps = 5;
 inline constexpr float kPushShrink = 0.994f;  // a piece that is still stuck gives way a little
 inline constexpr float kArm = 0.6f;           // of the piece's radius: where growth and rotation are measured
 inline constexpr int kLeastDrawnPoints = 3;   // fewer do not tell where the piece belongs
-/// On the diagonal: parts of the trace, and weights. Growth is the least certain of the four unknowns.
+/// What is added on the diagonal: parts of the trace, and weights. Growth is the least certain of the four unknowns.
 inline constexpr float kDamping = 0.005f;
 inline constexpr float kLeastDamping = 0.05f;
 inline constexpr float kGrowthDamping = 0.0125f;
@@ -119,8 +119,7 @@ inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, estimated
 inline constexpr float kLeastMatched = 0.03f;  // of the piece's boundary: it must touch something
 inline constexpr float kWindowMargin_px = 3;   // round a candidate's boundary points: the outline bulges between them
 inline constexpr int kRefillBelow = 2;         // a target sample with fewer candidates left is matched again
-inline constexpr float kNearTwinReach =
-    0.5f;                             // two of a shape are near twins with no more than this between, times scale
+inline constexpr float kNearTwinReach = 0.5f;  // two of a shape are near twins with no more than this between, times scale
 inline constexpr int kFinalists = 8;  // candidates checked exactly in a round
 inline constexpr int kFinalistsLookedAt = 64;   // to find so many that differ
 inline constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists that would look the same

@@ -9,7 +9,7 @@
 
 namespace tessera::io {
 
-/// Where `path` is written before it is renamed. For writers that open files themselves (HDF5).
+/// The name under which `path` is written before it is renamed, for writers that open files themselves (HDF5).
 std::string temporary_path(const std::string& path);
 
 /// Flushes the finished file at temporary_path(path) to the disk, renames it to `path`, which is replaced, and flushes

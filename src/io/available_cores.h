@@ -3,8 +3,8 @@
 
 namespace tessera::io {
 
-/// The cores that the allocation leaves to this process (its affinity: taskset, Slurm, containers' CPU sets), 1 at least;
-/// fewer than the machine has where it shares it.
+/// The cores that the allocation leaves to this process (its affinity: taskset, Slurm, containers' CPU sets), 1 at
+/// least; fewer than the machine has where it shares it.
 int available_cores();
 
 }  // namespace tessera::io

@@ -1,4 +1,4 @@
-// Cairo's surfaces and contexts, freed by themselves.
+// Cairo's surfaces and contexts, which free themselves.
 #pragma once
 
 #include <cairo.h>

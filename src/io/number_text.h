@@ -5,10 +5,11 @@
 
 namespace tessera::io {
 
-/// With so many decimals, e.g. fixed(2, 3) == "2.000". Not-a-number and infinity, which no format here has, become 0.
+/// The number with so many decimals, e.g. fixed(2, 3) == "2.000". Not-a-number and infinity, which no format here has,
+/// become 0.
 std::string fixed(double value, int decimals);
 
-/// To so many decimals, for JSON.
+/// The number rounded to so many decimals, for JSON.
 double rounded(double value, int decimals);
 
 }  // namespace tessera::io

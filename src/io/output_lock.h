@@ -1,5 +1,6 @@
-// One run at a time writes an output: a lock that the system takes back from a process that is gone, with a small file that
-// says whose it is. It holds on one machine, and across machines where their file system has locks for all of them.
+// One run at a time writes an output: a lock that the system takes back from a process that is gone, with a small file
+// that says whose it is. It holds on one machine, and across machines where their file system has locks for all of
+// them.
 #pragma once
 
 #include <sys/types.h>
@@ -11,9 +12,9 @@ namespace tessera::io {
 class OutputLock {
  public:
   /// `path`: the file of the lock, removed at the end; `output`: what it protects, for messages. Throws InputError that
-  /// names the other run's process and machine where one is at work; where a run of another machine is gone without a
-  /// word, too, unless it is this Slurm job before it was queued again. Throws EnvironmentError where the file cannot be
-  /// written.
+  /// names the other run's process and machine where one is at work, and also where a run of another machine is gone
+  /// without a word, unless it is this Slurm job before it was queued again. Throws EnvironmentError where the file
+  /// cannot be written.
   OutputLock(const std::string& path, const std::string& output);
   ~OutputLock();
   OutputLock(const OutputLock&) = delete;
@@ -25,7 +26,7 @@ class OutputLock {
   pid_t owner_;  // a child process has a copy of this object, but not the lock
 };
 
-/// Of a result's folder, and of a campaign's.
+/// The file of the lock of a result's folder, or of a campaign's.
 std::string folder_lock_path(const std::string& folder);
 
 }  // namespace tessera::io

@@ -1,4 +1,4 @@
-// Files that a user or a foreign library names.
+// Opens and reads files that a user or a foreign library names.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace tessera::io {
 
-/// An open file, closed by itself.
+/// An open file that closes itself.
 class FileDescriptor {
  public:
   explicit FileDescriptor(int number) : number_(number) {}
@@ -28,7 +28,7 @@ class FileDescriptor {
 /// what it is.
 FileDescriptor open_regular_file(const std::string& path);
 
-/// The whole of it. Throws InputError where it cannot be read or has more than `most_bytes`.
+/// Reads the whole file. Throws InputError where it cannot be read or has more than `most_bytes`.
 std::vector<std::uint8_t> read_regular_file(const std::string& path, std::size_t most_bytes);
 
 }  // namespace tessera::io

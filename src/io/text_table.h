@@ -7,11 +7,11 @@
 
 namespace tessera::io {
 
-/// Columns as wide as their widest cell, the first to the left, the others to the right.
+/// Columns are as wide as their widest cell; the first is aligned to the left, the others to the right.
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
-  /// As many cells as the header has.
+  /// `row` has as many cells as the header.
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   std::string text() const;
 

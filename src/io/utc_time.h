@@ -9,7 +9,7 @@ namespace tessera::io {
 /// ISO 8601, to the second: "2026-11-21T22:53:07Z".
 std::string utc_text(std::time_t time);
 
-/// Of this moment.
+/// The same for this moment.
 inline std::string utc_now() { return utc_text(std::time(nullptr)); }
 
 }  // namespace tessera::io

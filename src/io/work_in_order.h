@@ -122,8 +122,8 @@ class OrderedWorkers {
   std::vector<std::jthread> threads_;  // joined first
 };
 
-/// Returns false where `interrupted` said so. What `work` or `consume` throws ends it and is thrown again here. No
-/// thread outlives the call.
+/// Does the work; returns false where `interrupted` ended it. What `work` or `consume` throws ends it and is thrown
+/// again here. No thread outlives the call.
 template <class Result>
 bool work_in_order(const OrderedWork<Result>& job) {
   return OrderedWorkers<Result>(job).run();

@@ -16,7 +16,7 @@ class XmlWriter {
   XmlWriter& start(const std::string& element);
   XmlWriter& attribute(const std::string& name, const std::string& value);
   XmlWriter& text(const std::string& text);
-  /// XML that is well-formed already.
+  /// Adds XML that is well-formed already.
   XmlWriter& raw(const std::string& xml);
   XmlWriter& end();
 

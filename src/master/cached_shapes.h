@@ -16,7 +16,7 @@ class CachedShapes : public ShapeSource {
   const ShapeModel& model(ShapeId id) override;
 
  protected:
-  /// With outline and field.
+  /// Gets the shape with outline and field.
   virtual Shape load(ShapeId id) = 0;
 
  private:

@@ -8,7 +8,7 @@ namespace tessera::master {
 class CheckpointKeeper {
  public:
   virtual ~CheckpointKeeper() = default;
-  /// Asked after every round and trial; true: the state is to be kept now.
+  /// Asked after every round and trial, whether the state is to be kept now.
   virtual bool due() = 0;
   /// Does not throw where the state cannot be kept: the loop goes on without.
   virtual void keep(const CheckpointState& state) = 0;

@@ -34,18 +34,18 @@ class Collage {
   std::vector<TargetSample> take_stale_samples();
   /// Undoes take_stale_samples(), which gave these, where they were not matched after all.
   void put_back_stale_samples(const std::vector<TargetSample>& samples);
-  /// Those in the window.
+  /// The target samples in the window are to be matched again.
   void mark_stale(const Window& window);
   /// The random dockings of a sample that has not been matched yet are those of this pass.
   void set_first_pass(std::uint32_t pass) { first_pass_ = pass; }
   void add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round);
 
-  /// Checks those candidates exactly that would be finalists now. Never changes what choose() finds, only how long that
-  /// takes: for while the workers match.
+  /// Checks those candidates exactly that would be finalists now, while the workers match. Never changes what choose()
+  /// finds, only how long that takes.
   void check_ahead();
 
-  /// The best candidate of the pool after the finalists were checked exactly, made clear of its neighbours and grown: by
-  /// what it is worth then. False where the pool is dry.
+  /// Finds the candidate of the pool that is worth most after the finalists were checked exactly, made clear of their
+  /// neighbours and grown. False where the pool is dry.
   bool choose(Candidate& best);
 
   /// Merge: takes the piece out of the free region and brings the target curve up to date. Returns the nodes within
@@ -53,10 +53,10 @@ class Collage {
   Window place(const Candidate& candidate);
   /// The candidates whose windows overlap `changed`.
   std::vector<Docking> touched_by(const Window& changed) const;
-  /// The terms of such candidates by the master's own computation, which agrees with the matcher's to the bit. For where
-  /// the matcher does not answer any more.
+  /// The terms of such candidates by the master's own computation, for where the matcher does not answer any more. It
+  /// agrees with the matcher's to the bit.
   std::vector<DockingTerms> measure(const std::vector<Docking>& dockings);
-  /// Takes the terms that they have now, in the order of touched_by(changed).
+  /// Gives those candidates the terms that they have now, in the order of touched_by(changed).
   void rescore(const Window& changed, const std::vector<DockingTerms>& terms);
 
   /// Makes the collage one of `placements`: of the present ones some may be missing, others be new. Pool and stale
@@ -66,11 +66,11 @@ class Collage {
 
   /// Adds all that the collage keeps beside settings, canvas and library.
   void save(CheckpointState& state) const;
-  /// Into a collage without placements. Throws InputError where the state does not belong to canvas and library, or
-  /// what is rebuilt from it is not what was saved.
+  /// Restores the state into a collage without placements. Throws InputError where the state does not belong to canvas
+  /// and library, or where what is rebuilt from it is not what was saved.
   void restore(const CheckpointState& state);
 
-  /// From the piece to the point, negative inside, px.
+  /// The distance from the piece to the point, px, negative inside.
   float distance_px(const Placement& placement, Vec2 point_px);
 
   const FreeField& free() const { return free_; }

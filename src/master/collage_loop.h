@@ -27,10 +27,10 @@ struct Checkpoints {
   CheckpointKeeper* keeper = nullptr;     // null: nowhere; the loop ends with a checkpoint, finished or not
 };
 
-/// `matcher` covers the whole library. Where it throws Interrupted the loop ends as where the observer asks it to stop, within
-/// a round: the state that is kept is that before the question. A loop that was interrupted and goes on `from` its checkpoint, with the same
-/// canvas, settings and library, places what it would have placed without the interruption. Throws InputError where
-/// `from` belongs to others.
+/// `matcher` covers the whole library. Where it throws Interrupted, the loop ends within a round as if the observer had
+/// asked it to stop, and the state that is kept is that before the question. A loop that was interrupted and goes on
+/// `from` its checkpoint, with the same canvas, settings and library, places what it would have placed without the
+/// interruption. Throws InputError where `from` belongs to another canvas or library.
 CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
                            ShapeSource& shapes, Observer& observer, const Checkpoints& checkpoints = {});
 

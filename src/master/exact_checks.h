@@ -12,7 +12,7 @@ namespace tessera::master {
 
 class ExactChecks {
  public:
-  /// All of them outlive the checks.
+  /// All arguments outlive the checks.
   ExactChecks(ShapeSource& shapes, const FreeField& free, const OpenedField& opened, const PieceSettings& pieces)
       : shapes_(shapes),
         free_(free),
@@ -22,7 +22,7 @@ class ExactChecks {
   ExactAreas areas(const Candidate& candidate);
   /// Never changes what areas() says, only how long that takes.
   void compute_ahead(const Candidate& candidate);
-  /// The fields have changed within this window.
+  /// Forgets what depends on the fields within this window, where they have changed.
   void forget(const Window& changed);
   void forget_all() { ahead_.clear(); }
 

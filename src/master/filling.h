@@ -12,21 +12,21 @@ class Filling {
   Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
           RunStatistics& statistics);
 
-  /// The nodes where pieces are wanted from now on; at first the whole canvas.
+  /// Pieces are wanted at these nodes from now on; at first that is the whole canvas.
   void start(const Window& region);
 
-  /// Places the best piece. Where the pool is dry, the region's samples are matched again with other random dockings
-  /// (design, method 9); false when that finds nothing either. Throws Interrupted where the matcher does: the question is
-  /// undone or its piece is placed to the end, so that the collage can be saved.
+  /// Places the best piece. Where the pool is dry, the region's samples are matched again with other random dockings;
+  /// false when that finds nothing either. Throws Interrupted where the matcher does: the question is undone or its
+  /// piece is placed to the end, so that the collage can be saved.
   bool place_one();
 
   /// How often the region's samples were matched again since the last piece. Saved and restored with the collage: an
   /// interruption may come in between.
   int empty_passes() const { return empty_passes_; }
-  /// False where there are never so many.
+  /// Returns false where there are never so many.
   bool restore_empty_passes(int passes);
 
-  /// From now on.
+  /// From now on adds to these statistics.
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
 
  private:

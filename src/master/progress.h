@@ -1,4 +1,4 @@
-// How a run tells of itself, and how it is asked to stop: injected, so that tests are silent.
+// How a run reports its progress, and how it is asked to stop: injected, so that tests are silent.
 #pragma once
 
 #include <cstddef>

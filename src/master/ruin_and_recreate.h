@@ -1,5 +1,5 @@
-// Beyond greedy, which the paper names as its limit (section 6): take a few small pieces beside a gap out, fill the hole
-// again, and keep the result where more of the canvas is covered.
+// Beyond greedy, which the paper names as its limit (section 6): take a few small pieces beside a gap out, fill the
+// hole again, and keep the result where more of the canvas is covered.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@ class RuinAndRecreate {
  public:
   RuinAndRecreate(Collage& collage, Filling& filling, const CollageSettings& settings);
 
-  /// Trial number `trial`: its outcome follows from this number and the placements alone. `stopped` is asked before every
-  /// piece; an interrupted trial, also where the matcher throws Interrupted, leaves the placements as they were.
+  /// Trial number `trial`: its outcome follows from this number and the placements alone. `stopped` is asked before
+  /// every piece; an interrupted trial, also where the matcher throws Interrupted, leaves the placements as they were.
   Trial try_once(std::uint32_t trial, const std::function<bool()>& stopped);
 
  private:

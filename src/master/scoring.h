@@ -1,5 +1,4 @@
-// What candidates are worth to the collage as it is: the objective, less the cost of repetition (paper section 4; design,
-// methods 7 and 8).
+// What candidates are worth to the collage as it is: the objective, less the cost of repetition (paper section 4).
 #pragma once
 
 #include <cstdint>
@@ -21,12 +20,12 @@ class Scoring {
 
   /// Whether `pieces.uses` leaves another one of the shape.
   bool may_use(ShapeId shape) const;
-  /// Of the candidate's terms alone: no overlap that shows, and it touches something.
+  /// Whether the candidate's terms alone allow it: no overlap shows, and it touches something.
   bool acceptable(const Candidate& candidate) const;
   /// The objective of the candidate's terms.
   float score(const Candidate& candidate) const;
-  /// Of its score, what is left to a candidate whose shape stands already, more so where it stands close by. Falls as
-  /// pieces are placed, and never rises but by forget_placements().
+  /// The part (0..1) of its score that is left to a candidate whose shape stands already: the smaller, the more of them
+  /// stand, above all close by. It falls as pieces are placed, and never rises but by forget_placements().
   float preference(const Candidate& candidate) const;
 
   std::size_t library_shapes() const { return poses_.size(); }

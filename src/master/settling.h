@@ -1,5 +1,5 @@
 // How a candidate becomes a piece: made clear of what was placed since it was refined, grown, and held against its
-// neighbours' outlines (design, methods 6 and 9).
+// neighbours' outlines.
 #pragma once
 
 #include "core/collage/placed_outlines.h"
@@ -12,14 +12,14 @@ namespace tessera::master {
 
 class Settling {
  public:
-  /// All of them outlive it.
+  /// All arguments outlive it.
   Settling(ShapeSource& shapes, const FreeField& free, const PlacedOutlines& outlines, const MatchingContext& context)
       : shapes_(shapes),
         free_(free),
         outlines_(outlines),
         context_(context) {}
 
-  /// Where the shape may stand, near the pose that is given; within the poses allowed. False where it may not.
+  /// Moves the pose to where the shape may stand, near by and within the poses allowed. False where it may not stand.
   bool settle(ShapeId shape, Similarity& canvas_from_shape);
 
  private:

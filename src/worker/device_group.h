@@ -13,14 +13,14 @@
 
 namespace tessera::worker {
 
-/// CPU devices use at most so many threads, for ranks that share a node's cores, unless the user chose a number
-/// (POCL_MAX_PTHREAD_COUNT). Only before the first call of OpenCL.
+/// Lets CPU devices use at most so many threads, for ranks that share a node's cores, unless the user chose a number
+/// (POCL_MAX_PTHREAD_COUNT). To be called before the first call of OpenCL.
 void limit_cpu_threads(int threads);
 
-/// Every shape has as many samples, so that the devices get as many shapes, give or take one; with fewer shapes than
-/// devices the first devices are used. `devices_use`: job key devices.use. Throws InputError or EnvironmentError
-/// where the devices are not there (opencl_devices.h) or fail. `between_launches` may throw to give a question up; the
-/// matcher must not be asked again then.
+/// Joins the devices that the job names. Every shape has the same number of samples, so that all devices get the same
+/// number of shapes, give or take one; with fewer shapes than devices the first devices are used. `devices_use`: job
+/// key devices.use. Throws InputError or EnvironmentError where the devices are not there (opencl_devices.h) or fail.
+/// `between_launches` may throw to give a question up; the matcher must not be asked again then.
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
                                              const ShapeRange& shapes, const ModelSource& models,
                                              const DeviceShare& share = {},

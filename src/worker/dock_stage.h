@@ -10,7 +10,7 @@ class DockStage {
  public:
   DockStage(const DeviceLibrary& library, PairStage& pairs);
 
-  /// Where all bin limits are zero no pairs are made.
+  /// Where all bin limits are zero, no pairs are made.
   void post(const DockRequest& request);
   DockReply take();
 

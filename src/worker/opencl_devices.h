@@ -9,11 +9,11 @@
 
 namespace tessera::worker {
 
-/// All devices, platform by platform as `clinfo -l` lists them. Throws EnvironmentError that says what may help where there
-/// are none.
+/// All devices, platform by platform as `clinfo -l` lists them. Throws EnvironmentError that says what may help where
+/// there are none.
 std::vector<cl::Device> opencl_devices();
 
-/// For records and lists.
+/// Describes a device for records and lists.
 DeviceDescription describe(const cl::Device& device);
 std::vector<DeviceDescription> describe(const std::vector<cl::Device>& devices);
 
@@ -27,8 +27,9 @@ struct DeviceShare {
 /// Which of the node's `devices` are this worker's. Throws InputError where there are too few.
 std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& share);
 
-/// `use`: "all", "cpu", "gpu" or indices into opencl_devices() like "0,2". Throws EnvironmentError where the machine
-/// has no device of that kind, InputError for anything else that does not fit; both say which devices there are. Of these, the worker's share.
+/// `use`: "all", "cpu", "gpu" or indices into opencl_devices() like "0,2"; of these devices the worker's share. Throws
+/// EnvironmentError where the machine has no device of that kind, InputError for anything else that does not fit; both
+/// say which devices there are.
 std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share = {});
 
 }  // namespace tessera::worker

@@ -13,7 +13,7 @@
 
 namespace tessera::worker {
 
-/// One line with the call's name, the code and the device.
+/// The error as one line with the call's name, the code and the device.
 EnvironmentError opencl_error(const cl::Error& error, const std::string& device);
 
 /// Runs `calls`; an OpenCL error becomes an EnvironmentError.
@@ -26,8 +26,8 @@ auto checked(const std::string& device, Calls&& calls) {
   }
 }
 
-/// Called between the launches of a question while its answer is waited for, many times a second as a rule. What it throws
-/// ends the wait; the session must not be used again then.
+/// Called between the launches of a question while its answer is waited for, many times a second as a rule. What it
+/// throws ends the wait; the session must not be used again then.
 using BetweenLaunches = std::function<void()>;
 
 /// A device with its queue (in order: every command sees what the one before it left) and a built program.
@@ -43,7 +43,7 @@ class DeviceSession {
   cl::Kernel kernel(const char* name) const;
   /// Hands what was posted to the device, without waiting.
   void flush() const;
-  /// For enqueue(): `launch` was posted.
+  /// For enqueue(): notes that `launch` was posted.
   void add_launch(cl::Event launch) const { launches_.push_back(std::move(launch)); }
   /// Waits until all launches that were posted are done, one after the other.
   void wait_for_launches() const;
@@ -65,7 +65,7 @@ class DeviceBuffer {
   explicit DeviceBuffer(const DeviceSession& session) : session_(&session) {}
   DeviceBuffer(const DeviceSession& session, const std::vector<T>& content) : session_(&session) { write(content); }
 
-  /// Room for `count` at least. What was in it may be lost.
+  /// Makes room for at least `count` elements. What was in it may be lost.
   void reserve(std::size_t count) {
     if (count <= capacity_ && capacity_ > 0) return;
     capacity_ = count > 0 ? count : 1;  // OpenCL knows no empty buffers
@@ -75,13 +75,13 @@ class DeviceBuffer {
     });
   }
 
-  /// The first content.size() elements. Returns when `content` may change again.
+  /// Writes the first content.size() elements. Returns when `content` may change again.
   void write(const std::vector<T>& content) {
     reserve(content.size());
     write_at(0, content);
   }
 
-  /// Elements from `first` on, which there must be room for. Returns when `content` may change again.
+  /// Writes the elements from `first` on, for which there must be room. Returns when `content` may change again.
   void write_at(std::size_t first, const std::vector<T>& content) {
     if (content.empty()) return;
     checked(session_->name(), [&] {
@@ -90,7 +90,7 @@ class DeviceBuffer {
     });
   }
 
-  /// All `count` elements zero, without waiting.
+  /// Sets the first `count` elements to zero, without waiting.
   void clear(std::size_t count) {
     reserve(count);
     if (count == 0) return;
@@ -98,7 +98,7 @@ class DeviceBuffer {
             [&] { session_->queue().enqueueFillBuffer(buffer_, std::uint32_t(0), 0, count * sizeof(T)); });
   }
 
-  /// The first `count` elements, once all that was posted before is done.
+  /// Reads the first `count` elements, once all that was posted before is done.
   std::vector<T> read(std::size_t count) const {
     session_->wait_for_launches();
     std::vector<T> content(count);

@@ -15,17 +15,17 @@ class PairStage {
   void post_count(std::vector<SampleRecord> samples);
   std::vector<DistanceHistogram> take_count();
 
-  /// The samples of the requests that follow, on the device.
+  /// Puts the samples of the requests that follow on the device.
   void set_samples(std::vector<SampleRecord> samples);
   const DeviceBuffer<SampleRecord>& samples() const { return sample_buffer_; }
 
-  /// Pairs of samples [first, end) of those set, within their reach, posted where they are not there already.
-  /// Gives the sample with which pairs() begins.
+  /// Posts the pairs of samples [first, end) of those set, within their reach, where they are not there already.
+  /// Returns the sample with which pairs() begins.
   std::uint32_t need(std::uint32_t first, std::uint32_t end);
   const DeviceBuffer<PairRecord>& pairs() const { return pairs_; }
   const DeviceBuffer<std::uint32_t>& pair_count() const { return pair_count_; }
 
-  /// However large the library, the buffers stay small.
+  /// So few that the buffers stay small, however large the library.
   std::uint32_t samples_at_a_time() const;
   std::size_t stage_bytes() const { return stage_bytes_; }
 

@@ -8,7 +8,7 @@
 
 namespace tessera::worker {
 
-/// `bin_reach`: per sample, pairs of the bins below this.
+/// `bin_reach`: per sample, only pairs in the bins below this count.
 std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& samples,
                                               const std::vector<std::uint32_t>& bin_reach, const MatchRecord& match,
                                               int pad_levels);

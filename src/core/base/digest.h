@@ -1,4 +1,4 @@
-// A number that stands for many bytes: tells whether they are the same as before. Not safe against forgery.
+// A number that stands for many bytes and tells whether they are the same as before. It is not safe against forgery.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class Digest {
  public:
   void add(std::uint64_t word) { value_ = mix_bits(value_ ^ word); }
 
-  /// With their number; the last word is filled up with zeros.
+  /// Adds the number of bytes, then the bytes; the last word is filled up with zeros.
   template <class T>
   void add_all(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -12,7 +12,7 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The surroundings failed: disk full, no permission, no device. Exit code 1.
+/// The machine failed: the disk is full, a permission or a device is missing. The program ends with exit code 1.
 class EnvironmentError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

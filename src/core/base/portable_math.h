@@ -1,5 +1,5 @@
-// Functions that must give the same bits on every host and device: made of +, -, *, / and sqrt only, which IEEE 754
-// fixes, in the order written. kernels/portable_math.cl is the same in OpenCL C.
+// Functions that must give the same bits on every host and device: they are made of +, -, *, / and sqrt only, which
+// IEEE 754 fixes, in the order written. kernels/portable_math.cl is the same in OpenCL C.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ inline std::uint64_t mix_bits(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
-/// In [0, 1), from 24 bits.
+/// Makes a number in [0, 1) from the upper 24 bits.
 inline float unit_float(std::uint32_t bits) { return float(bits >> 8) * (1.f / 16777216.f); }
 
 }  // namespace tessera

@@ -5,10 +5,10 @@
 
 namespace tessera {
 
-/// Of this process, all threads together.
+/// The processor time of this process, all threads together.
 inline double processor_time_s() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Of the calling thread.
+/// The processor time of the calling thread.
 inline double thread_processor_time_s() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

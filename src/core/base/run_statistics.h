@@ -1,4 +1,4 @@
-// What a run counted and how long its stages took. Never decides anything.
+// What a run counted and how long its stages took. It never decides anything.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct RunStatistics {
   std::uint64_t shapes = 0;            // "No. of candidates"
   double pads_per_shape = 0;
   std::uint64_t rounds = 0;            // "No. of iterations"
-  std::uint64_t docking_choices = 0;   // pairs (target sample, shape sample) plus tangent dockings drawn
+  std::uint64_t docking_choices = 0;   // all pairs (target sample, shape PAD), and tangent dockings drawn
   std::uint64_t dockings_evaluated = 0;// those that reached the field
   std::uint64_t refined = 0;
   std::uint64_t target_samples = 0;    // matched, repeats included
@@ -19,13 +19,14 @@ struct RunStatistics {
   std::uint64_t trials_kept = 0;
   double prune_s = 0;
   double dock_s = 0;                   // docking, refining, and measuring candidates whose surroundings changed
-  double ahead_s = 0;                  // processor time of prune_s and dock_s: checking candidates while the matcher worked
+  double ahead_s = 0;                  // of prune_s and dock_s, processor time: checking candidates meanwhile
   double objective_s = 0;
   double merge_s = 0;
   double improve_s = 0;                // of total_s; nothing else here counts what trials do
   double total_s = 0;                  // of the loop, without the set-up of canvas and collage
   double setup_processor_s = 0;        // of this process, before the loop
-  std::string stopped_by;              // "full", "pieces", "coverage", "seconds"; unfinished: "signal", "time_limit", "lost_rank"
+  /// "full", "pieces", "coverage" or "seconds"; of an unfinished run "signal", "time_limit" or "lost_rank".
+  std::string stopped_by;
 
   double pruned_fraction() const {
     return docking_choices ? 1.0 - double(dockings_evaluated) / double(docking_choices) : 0.0;

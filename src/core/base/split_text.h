@@ -1,4 +1,4 @@
-// Lists in texts: of the command line, of job files, of style sheets.
+// Splits lists in texts: in the command line, in job files, in style sheets.
 #pragma once
 
 #include <string_view>
@@ -6,14 +6,15 @@
 
 namespace tessera {
 
-/// Without the white space round it.
+/// The text without the white space around it.
 std::string_view trimmed(std::string_view text);
 
-/// Where one of the characters of `wanted` stands outside of quotes and brackets, from `from` on; else the text's size.
+/// The first place from `from` on where one of the characters of `wanted` stands outside of quotes and brackets; the
+/// text's size where there is none.
 std::size_t find_outside(std::string_view text, std::string_view wanted, std::size_t from = 0);
 
-/// What stands between the separators that are outside of quotes and brackets, trimmed. An empty text has one empty part.
-/// The parts point into `text`.
+/// What stands between the separators that are outside of quotes and brackets, trimmed. An empty text has one empty
+/// part. The parts point into `text`.
 std::vector<std::string_view> split_outside(std::string_view text, char separator);
 
 }  // namespace tessera

@@ -1,4 +1,4 @@
-// Wall-clock time of a stage; never decides anything about the picture.
+// Wall-clock time of a stage; it never decides anything about the picture.
 #pragma once
 
 #include <chrono>

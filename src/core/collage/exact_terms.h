@@ -23,7 +23,7 @@ DockingTerms with_exact_areas(DockingTerms terms, const ExactAreas& areas);
 ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
                        const OpenedField& opened, const PieceSettings& pieces);
 
-/// The nodes that they are counted from.
+/// The window of nodes from which exact_areas() counts.
 Window exact_window(const Shape& shape, const Similarity& canvas_from_shape, const FreeField& free,
                     const PieceSettings& pieces);
 

@@ -18,13 +18,14 @@ struct PieceSize {
   float max_scale_px;
 };
 
-/// The larger, the better; at least 0.
+/// The larger its value, the better the candidate; it is at least 0.
 using ObjectiveFunction = float (*)(const DockingTerms&, const PieceSize&, const ObjectiveSettings&);
 
-/// Z = L / sqrt(w2 sum O_i² + w3 sum G_i²) of the paper; w1 cancels in a ranking.
+/// Z = L / sqrt(w2 sum O_i² + w3 sum G_i²) of the paper; w1 cancels in a ranking. The divisor has kLeastDefect of the
+/// piece's area added, so that Z is finite for a perfect fit.
 float paper_objective(const DockingTerms& terms, const PieceSize& piece, const ObjectiveSettings& settings);
 
-/// (L / perimeter)^length_exponent / (1 + 5 (w2 O + w3 G) / area) (design, method 7).
+/// (L / perimeter)^length_exponent / (1 + kDefectCost (w2 O + w3 G) / area).
 float scale_aware_objective(const DockingTerms& terms, const PieceSize& piece, const ObjectiveSettings& settings);
 
 struct ObjectiveKind {
@@ -32,7 +33,7 @@ struct ObjectiveKind {
   ObjectiveFunction function;
 };
 
-/// In the order of enum class Objective.
+/// The kinds stand in the order of enum class Objective.
 const std::array<ObjectiveKind, 2>& objective_kinds();
 
 /// The function of the kind that the settings name, times (s / s_max)^scale_exponent.

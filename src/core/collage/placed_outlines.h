@@ -1,5 +1,5 @@
-// The outlines of the placed pieces as they are written to pieces.geojson, and the last word on whether another piece may
-// stand beside them: polygon against polygon, where fields and boundary points only estimate.
+// The outlines of the placed pieces as they are written to pieces.geojson, and the last word on whether another piece
+// may stand beside them: polygon against polygon, where fields and boundary points only estimate.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace tessera {
 
-/// In canvas px.
+/// The outline where the piece lies, in canvas px.
 Outline placed_outline(const Outline& outline, const Similarity& canvas_from_shape);
 
 class PlacedOutlines {
@@ -22,12 +22,12 @@ class PlacedOutlines {
   PlacedOutlines(const FreeField& free, const PieceSettings& pieces);
 
   void add(const Placement& placement, const Outline& outline);
-  /// Those of `placements`, in this order.
+  /// Makes the outlines those of `placements`, in this order.
   void replace(const std::vector<Placement>& placements, ShapeSource& shapes);
 
-  /// For each neighbour, and for the canvas' edge, that the piece comes too near: by how much it had to move away (px).
-  /// With padding_px, two polygons are at least so far apart, exactly; without, no vertex of one lies deeper than
-  /// kHardDepth_px in the other. Empty: the piece may stand.
+  /// For each neighbour that the piece comes too near to, and for the canvas' edge, the way (px) by which it would have
+  /// to move away. With padding_px, two polygons are at least so far apart, exactly; without, no vertex of one lies
+  /// deeper than kHardDepth_px in the other. Where the list is empty, the piece may stand.
   std::vector<Vec2> conflicts(const Shape& shape, const Similarity& canvas_from_shape) const;
 
  private:

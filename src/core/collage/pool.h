@@ -52,9 +52,9 @@ class Pool {
     }
   };
 
-  /// Takes the best kPoolPerSample; ties by shape, then source.
+  /// Keeps the best kPoolPerSample; ties go by shape, then source.
   void put(SampleId sample, std::vector<Candidate> candidates, bool truncated);
-  /// What entries() said of a target sample: the same candidates in the same order, not sorted again.
+  /// Puts back what entries() said of a target sample: the same candidates in the same order, not sorted again.
   void put_back(SampleId sample, std::vector<Candidate> candidates, bool truncated);
   void erase(SampleId sample);
   void erase(const Ranked& ranked);
@@ -69,7 +69,7 @@ class Pool {
   template <class Keep>
   bool review(SampleId sample, Keep keep);
 
-  /// After the candidate's score changed.
+  /// To be called after the candidate's score has changed.
   void rank_again(Ranked& ranked);
 
   /// Calls visit(ranked, candidate) from the largest worth(candidate) down while it returns true. A candidate's worth
@@ -130,7 +130,7 @@ void Pool::best_first(Worth worth, Visit visit) {
   for (const Ranked& ranked : visited) push(ranked);
 }
 
-/// The total order of candidates of equal target sample: score, shape, source.
+/// The total order among the candidates of one target sample: by score, shape, source.
 bool ranks_before(const Candidate& a, const Candidate& b);
 
 }  // namespace tessera

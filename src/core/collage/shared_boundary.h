@@ -8,8 +8,8 @@
 
 namespace tessera {
 
-/// Share (0..1) of the pieces' boundary length, holes included, within `reach_px` of the boundary of another piece or of
-/// the canvas' edge. `pieces_px` are outlines in the canvas frame. 0 without pieces.
+/// Share (0..1) of the pieces' boundary length, holes included, within `reach_px` of the boundary of another piece or
+/// of the canvas' edge. `pieces_px` are outlines in the canvas frame. It is 0 without pieces.
 double shared_boundary_fraction(const Canvas& canvas, const std::vector<Outline>& pieces_px, float reach_px);
 
 }  // namespace tessera

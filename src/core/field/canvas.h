@@ -12,8 +12,8 @@ struct CanvasField {
   Vec2 origin;
 };
 
-/// The region to fill, with holes. `distance` is the signed distance to its boundary in px, positive inside, on nodes at
-/// the pixel centres and on a rim of kCanvasMargin nodes around the canvas (negative there).
+/// The region to fill, with holes. `distance` is the signed distance to its boundary in px, positive inside, on nodes
+/// at the pixel centres and on a rim of kCanvasMargin nodes around the canvas (negative there).
 struct Canvas {
   int width_px = 0;
   int height_px = 0;
@@ -25,8 +25,8 @@ inline constexpr int kCanvasMargin = 6;
 
 Canvas make_rectangle_canvas(int width_px, int height_px);
 
-/// `coverage` is the fraction (0..1) of each cell that belongs to the region, at twice the canvas' resolution both ways:
-/// its size is (2 width_px) x (2 height_px).
+/// `coverage` is the fraction (0..1) of each cell that belongs to the region, at twice the canvas' resolution both
+/// ways: its size is (2 width_px) x (2 height_px).
 Canvas make_mask_canvas(const Grid<float>& coverage);
 
 }  // namespace tessera

@@ -8,7 +8,7 @@
 
 namespace tessera {
 
-/// Dense within tiles, and only tiles in use take memory.
+/// It is dense within tiles, and only tiles in use take memory.
 class EdgeTable {
  public:
   static constexpr int kNone = -1;

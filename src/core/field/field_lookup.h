@@ -25,7 +25,7 @@ struct FieldSample {
   Vec2 gradient;
 };
 
-/// `p` in canvas px.
+/// The field's value at `p`, canvas px.
 inline float field_value(const FieldView& f, Vec2 p) {
   const float u = p.x - f.origin.x;
   const float v = p.y - f.origin.y;
@@ -38,7 +38,8 @@ inline float field_value(const FieldView& f, Vec2 p) {
   return (q[0] * (1 - s) + q[1] * s) * (1 - t) + (q[f.width] * (1 - s) + q[f.width + 1] * s) * t;
 }
 
-/// With the gradient; off the grid it points back to the middle, for a pose that strayed to be pulled in.
+/// The value with its gradient; off the grid the gradient points back to the middle, so that a pose that strayed is
+/// pulled in.
 inline FieldSample field_sample(const FieldView& f, Vec2 p) {
   const float u = p.x - f.origin.x;
   const float v = p.y - f.origin.y;

@@ -1,4 +1,5 @@
-// The free region: what of the canvas is not yet covered (design, "One case instead of four").
+// The free region: what of the canvas is not yet covered. Every piece is docked to its boundary, from inside the
+// region.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +29,10 @@ class FreeField {
   /// Takes the piece out of the region: d = min(d, distance to the piece - padding). Returns the nodes that changed.
   Window stamp(const Shape& shape, const Similarity& canvas_from_shape);
 
-  /// Nodes that stamp() may change.
+  /// The nodes that stamp() may change.
   Window stamp_window(const Shape& shape, const Similarity& canvas_from_shape) const;
-  /// As stamp(), of the nodes in `window` alone. With clear(), for taking pieces back out: clear their windows, then
-  /// stamp what remains there.
+  /// As stamp(), but for the nodes in `window` alone. Together with clear() it takes pieces back out: clear their
+  /// windows, then stamp what remains there.
   Window stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window);
   void clear(const Window& window);
 
@@ -58,7 +59,7 @@ class OpenedField {
 
   /// The free field opened by discs of opening_radius_px: positive where such a disc fits over the node.
   const Grid<float>& contour() const { return contour_; }
-  /// A disc of reachable_radius_px fits over the node or touches it.
+  /// Whether a disc of reachable_radius_px fits over the node or touches it.
   bool reachable(int x, int y) const { return reachable_(x, y) != 0; }
 
  private:

@@ -1,4 +1,5 @@
-// The zero line of a field as linked vertices, traced anew only where the field has changed, and smoothed along its length.
+// The zero line of a field as linked vertices, traced anew only where the field has changed, and smoothed along its
+// length.
 //
 // A vertex is known by the grid edge that the line crosses; whatever a change did not touch keeps its vertices. What is
 // said of a vertex follows from its own neighbourhood alone, so tracing a window gives the bits of tracing everything.
@@ -20,7 +21,7 @@ class LinkedContour {
   /// Positions are smoothed by a Gaussian of this width along the line, cut off at three times of it.
   explicit LinkedContour(float sigma_px) : sigma_px_(sigma_px) {}
 
-  /// Canvas px; positive nodes lie on the left of the line.
+  /// Positions and lengths are canvas px; positive nodes lie on the left of the line.
   struct Vertex {
     GridEdge edge;
     bool smoothed = false;
@@ -43,9 +44,9 @@ class LinkedContour {
   void each(const Window& window, Visit visit) const {
     vertex_of_edge_.each(window, visit);
   }
-  /// Edge, links and `raw`.
+  /// The vertex, of which edge, links and `raw` are valid.
   const Vertex& vertex(int v) const { return vertices_[v]; }
-  /// All of the vertex. Its line must be closed.
+  /// The vertex with all its members valid. Its line must be closed.
   const Vertex& measured(int v) {
     if (!vertices_[v].measured) measure(v);
     return vertices_[v];

@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-/// Signed distance, px, from canvas positions (px) to a piece grown by `padding_px`; positive outside. Beyond the shape's
-/// own grid a lower bound: of that of the grid and that of the outline's hull the better one.
+/// Signed distance, px, from canvas positions (px) to a piece grown by `padding_px`; positive outside. Beyond the
+/// shape's own grid it is a lower bound: the better one of the grid's and the hull's.
 class PieceDistance {
  public:
   /// Keeps a reference to the shape.

@@ -1,8 +1,8 @@
 // The boundary of the free region and its target samples (paper section 4: "cut and paste").
 //
-// Whatever a placement did not touch keeps its samples and PADs; only what is new, or whose PAD reaches into the change, is
-// computed again. Everything about a sample follows from a walk along its own neighbourhood, so updating gives the bits
-// that starting afresh would give.
+// Whatever a placement did not touch keeps its samples and PADs; only what is new, or whose PAD reaches into the
+// change, is computed again. Everything about a sample follows from a walk along its own neighbourhood, so updating
+// gives the bits that starting afresh would give.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +35,8 @@ class TargetCurve {
   bool has_sample(SampleId id) const { return samples_.contains(id); }
   std::vector<SampleId> samples() const;
 
-  /// Of the samples whose PAD has changed a little since it was matched, ascending: the only part of a curve that does
-  /// not follow from the opened field.
+  /// The PADs that samples were matched with, where they have changed a little since, ascending by sample. They are the
+  /// only part of a curve that does not follow from the opened field.
   std::vector<MatchedPad> matched_pads() const;
   /// All other samples count as matched with the PAD that they have.
   void set_matched_pads(const std::vector<MatchedPad>& pads);

@@ -1,4 +1,4 @@
-// Where on the boundary of the free region shapes are docked.
+// The target samples: where on the boundary of the free region shapes are docked.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct TargetSample {
   ArclengthPyramid pyramid;  // of the curve smoothed by target_sigma_px
 };
 
-/// Of a sample's PAD when it was last to be matched: what decides whether it has changed much since.
+/// What a sample's PAD was when it was last to be matched: it decides whether the PAD has changed much since.
 struct MatchedPad {
   SampleId sample{};
   std::array<float, kMaxPadLevels> left{};

@@ -11,8 +11,8 @@ namespace tessera {
 
 /// Closed polygons on which the bilinear interpolation of `value` along the grid's edges equals `level`. Node (i, j)
 /// lies at (i, j); beyond the grid the value counts as 0, so that every contour closes (level > 0). Larger values lie
-/// on the left: positive shoelace area around them, negative around holes. Ordered by their first crossing, row by
-/// row. Where opposite corners of a cell are inside, the mean of the four decides whether they are connected.
+/// on the left: positive shoelace area around them, negative around holes. They are ordered by their first crossing,
+/// row by row. Where opposite corners of a cell are inside, the mean of the four decides whether they are connected.
 std::vector<std::vector<Vec2>> contours(const Grid<float>& value, float level);
 
 }  // namespace tessera

@@ -24,7 +24,7 @@ class HullDistance {
     }
   }
 
-  /// Negative inside.
+  /// The bound at `p`; it is negative inside.
   float at(Vec2 p) const {
     std::array<float, kDirections> beyond;
     for (int k = 0; k < kDirections; ++k) {

@@ -1,4 +1,4 @@
-// Elementary measures of closed polygons, the last point joined to the first.
+// Outlines, and elementary measures of closed polygons.
 #pragma once
 
 #include <algorithm>

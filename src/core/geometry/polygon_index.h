@@ -22,12 +22,12 @@ struct Approach {
   Vec2 there;
 };
 
-/// 0 where the segments cross.
+/// The distance is 0 where the segments cross.
 Approach approach_of(const Segment& here, const Segment& there);
 
 class PolygonIndex {
  public:
-  /// At least one curve of at least one point.
+  /// The outline has at least one curve of at least one point.
   explicit PolygonIndex(Outline outline);
 
   const Outline& outline() const { return outline_; }
@@ -36,11 +36,11 @@ class PolygonIndex {
   /// Even-odd rule over all curves; points on the boundary may count either way.
   bool contains(Vec2 p) const;
 
-  /// From a point or a segment (`here`) to the boundary (`there`). Where the boundary is farther than `reach`, the
-  /// distance is `reach` and the points say nothing.
+  /// The nearest points of a point or a segment (`here`) and of the boundary (`there`). Where the boundary is farther
+  /// than `reach`, the distance is `reach` and the points say nothing.
   Approach approach(Vec2 here, float reach) const { return approach(Segment{here, here}, reach); }
   Approach approach(const Segment& here, float reach) const;
-  /// Whether approach(p, reach) is nearer than `reach`: done with the first segment that is.
+  /// Whether approach(p, reach) is nearer than `reach`. It stops at the first segment that is.
   bool nearer_than(float reach, Vec2 p) const;
 
  private:

@@ -1,4 +1,4 @@
-// Periodic cubic smoothing B-splines: closed curves without the raster's stairs (design, method 1).
+// Periodic cubic smoothing B-splines: closed curves without the raster's stairs.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,7 +38,7 @@ class ClosedSpline {
 ///     sum over its knots of |S - polygon|²  +  lambda · integral of |S''|²,
 /// lambda being such that a ripple is damped as by a Gaussian of width `sigma` along the curve (equal at half
 /// height); coarser features stay, where a Gaussian would shrink them. Knots are min(sigma, 1) units of length apart,
-/// but at least 16. `polygon` is closed, with at least 3 points and a positive length.
+/// but there are at least 16. `polygon` is closed, with at least 3 points and a positive length.
 ClosedSpline smoothing_spline(const std::vector<Vec2>& polygon, double sigma);
 
 }  // namespace tessera

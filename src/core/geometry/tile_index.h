@@ -22,7 +22,7 @@ class TileIndex {
       last_ = tiles;
       add_tiles();
     }
-    /// Ascending, each once.
+    /// The tiles, ascending, each once.
     std::vector<Tile> tiles() &&;
 
    private:
@@ -34,12 +34,12 @@ class TileIndex {
 
   void insert(Tile tile, std::uint32_t thing) { things_[tile].push_back(thing); }
   void erase(Tile tile, std::uint32_t thing);
-  /// From the tiles `before` to the tiles `after`, both ascending.
+  /// Moves the thing from the tiles `before` to the tiles `after`, both ascending.
   void move(std::uint32_t thing, const std::vector<Tile>& before, const std::vector<Tile>& after);
 
   static Tile tile_at(int x, int y) { return tile(tile_coordinate(x), tile_coordinate(y)); }
 
-  /// Calls f(thing) for each thing of each tile that overlaps the window: once a tile.
+  /// Calls f(thing) for each thing of each tile that overlaps the window; a thing of several tiles comes once for each.
   template <class F>
   void each(const Window& window, F f) const {
     const Window tiles = in_tiles(window);

@@ -26,7 +26,7 @@ class CompositeMatcher : public Matcher {
   std::vector<DockingTerms> take_measure() override;
 
  protected:
-  /// For who posts to all parts in a way of its own: what take_dock will join.
+  /// For a sub-class that posts to all parts in its own way: how many samples take_dock will join answers for.
   void expect_docks(std::size_t samples) { samples_posted_ = std::uint32_t(samples); }
 
  private:

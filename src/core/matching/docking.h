@@ -1,5 +1,5 @@
-// Dockings: (target sample, shape sample) and the similarity that it implies (paper section 3.3), with the early reject.
-// kernels/docking.cl does the same for many at once, bit for bit.
+// Dockings: (target sample, shape sample) and the similarity that it implies (paper section 3.3), with the early
+// reject. kernels/docking.cl does the same for many at once, bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace tessera {
 
-/// Larger is better; ties by shape, then source: a total order that no partition of the library changes.
+/// A larger key is better; ties go by shape, then source: a total order that no partition of the library changes.
 struct Docking {
   std::uint32_t sample = 0;  // place among the request's target samples
   ShapeId shape{};
@@ -38,8 +38,9 @@ struct Alignment {
 };
 
 /// Aligns the key points of both pyramids in the least squares sense, at the longest level at which they agree within
-/// kAlignmentTolerance, by the pose of `poses` that fits them best; invalid where none does or the scale leaves `scales`.
-/// The paper aligns the ends of level 0 only; using all ends of the matched intervals averages the noise away.
+/// kAlignmentTolerance, by the pose of `poses` that fits them best; invalid where none does or the scale leaves
+/// `scales`. The paper aligns the ends of level 0 only; using all ends of the matched intervals averages the noise
+/// away.
 Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales,
                          const PoseRange& poses);
 
@@ -57,11 +58,13 @@ TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sam
 inline constexpr int kNoPoint = -1;
 int docked_point(const ShapeModel& shape, const TangentDraw& draw, const TargetSample& sample,
                  const DirectionRange& docked_rotations);
-/// The point lies on the sample, its tangent along the sample's but for the turn that brings the pose into `poses`.
+/// The pose that puts the point on the sample and its tangent along the sample's, but for the turn that brings it into
+/// `poses`.
 Similarity tangent_docking(const ShapeModel& shape, int boundary_point, float scale_px, const TargetSample& sample,
                            const PoseRange& poses);
 
-/// Early reject on a few boundary and interior points; the key ranks what is left. Below kLeastDockingKey: rejected.
+/// Early reject on a few boundary and interior points; the key ranks what is left. A key below kLeastDockingKey means
+/// that it is rejected.
 float docking_key(const ShapeModel& shape, const Similarity& canvas_from_shape, const FieldView& field,
                   float max_scale_px);
 

@@ -10,23 +10,23 @@
 
 namespace tessera {
 
-/// How far to look for pairs first, in bins: a little farther than most samples needed lately. It only saves time: where
-/// it is too short, matching looks again.
+/// How far to look for pairs first, in bins: a little farther than most samples needed lately. It only saves time:
+/// where it is too short, matching looks again.
 struct PairReach {
   std::uint32_t bins = kDistanceBins / 16;
 };
 
 struct MatchPlan {
-  std::uint64_t pairs_per_sample = 0;  // the top K % of the library's PADs; 0 = no PAD dockings
+  std::uint64_t pairs_per_sample = 0;  // top K % of the library's PADs, capped by match.most_pairs; 0 = no PAD dockings
   std::uint32_t tangent_dockings = 0;
 };
 
 MatchPlan match_plan(const MatchSettings& settings, std::uint64_t library_pads);
 
 struct MatchRound {
-  /// Feasible, at most kRefined for each sample, in the order of the samples.
+  /// The feasible ones, at most kRefined for each sample, in the order of the samples.
   std::vector<RefinedDocking> refined;
-  /// Per sample: something was left out for want of room, so matching it again may find more.
+  /// Per sample: whether something was left out for want of room, so that matching it again may find more.
   std::vector<bool> truncated;
 };
 
@@ -35,7 +35,8 @@ MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, con
                  std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics,
                  const std::function<void()>& meanwhile = [] {});
 
-/// Two poses of one shape that would look the same: closer than `tolerance` of their scale in place and in size.
+/// Whether two poses of one shape would look the same: they are closer than `tolerance` of b's scale in place, and in
+/// size and rotation.
 bool near_copy(const Similarity& a, const Similarity& b, float tolerance);
 
 }  // namespace tessera

@@ -69,7 +69,8 @@ class Matcher {
   virtual ~Matcher() = default;
 
   virtual ShapeRange shapes() const = 0;
-  /// The free field; the first patch covers it whole. `width`, `height`: nodes; `origin`: canvas px of node (0, 0).
+  /// Begins a new free field; its first patch covers it whole. `width`, `height`: nodes; `origin`: canvas px of node
+  /// (0, 0).
   virtual void start_field(int width, int height, Vec2 origin) = 0;
   virtual void update_field(const FieldPatch& patch) = 0;
 
@@ -79,11 +80,11 @@ class Matcher {
   virtual DockReply take_dock() = 0;
   /// Every docking's shape must be in shapes().
   virtual void post_refine(const std::vector<Docking>& dockings) = 0;
-  /// In the order posted.
+  /// The answers stand in the order of the dockings posted.
   virtual std::vector<RefinedDocking> take_refine() = 0;
   /// Every docking's shape must be in shapes().
   virtual void post_measure(const std::vector<Docking>& dockings) = 0;
-  /// In the order posted.
+  /// The answers stand in the order of the dockings posted.
   virtual std::vector<DockingTerms> take_measure() = 0;
 };
 

@@ -27,7 +27,7 @@ struct MatchingContext {
   std::vector<ScaleRange> level_range;  // scales that each of them serves, slack included, px
 };
 
-/// Over all levels in use; every shape has as many.
+/// The number of PADs of a shape over all levels in use, the same for every shape.
 std::uint64_t pads_per_shape(const MatchingContext& context);
 
 MatchingContext make_matching_context(const CollageSettings& settings, std::uint32_t library_shapes);

@@ -8,7 +8,7 @@
 
 namespace tessera {
 
-/// The models of the library's shapes [begin, end), in order; called with neighbouring ranges, each once.
+/// The models of the library's shapes [begin, end), in order. It is called with neighbouring ranges, each once.
 using ModelSource = std::function<std::vector<ShapeModel>(const ShapeRange&)>;
 
 /// `models[i]` is library shape first_shape + i. They outlive the source.

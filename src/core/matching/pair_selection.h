@@ -1,6 +1,6 @@
-// Which (target sample, shape PAD) pairs are worth docking (paper section 3.3; design, method 4): scale window first,
-// then sign, then local minima of the distance along the shape's curve, then the best few of the shape.
-// kernels/pairs.cl does the same for many at once, bit for bit.
+// Which (target sample, shape PAD) pairs are worth docking (paper section 3.3): scale window first, then sign, then
+// local minima of the distance along the shape's curve, then the best few of the shape. kernels/pairs.cl does the same
+// for many at once, bit for bit.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct PadPair {
   std::uint32_t distance = 0;  // steps
 };
 
-/// At most kPairsPerShape pairs nearer than `reach_steps`, best first; ties by source.
+/// Gives at most kPairsPerShape pairs nearer than `reach_steps`, best first; ties go by source.
 std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context,
                                   std::uint32_t reach_steps);
 

@@ -1,6 +1,6 @@
-// What a pose may be: an interval of scales and an interval of rotations, one value being an interval too. Candidates are
-// made within it and stay within it, so that nothing is searched only to be thrown away.
-// kernels/similarity.cl does the same, bit for bit.
+// What a pose may be: an interval of scales and an interval of rotations, one value being an interval too. Candidates
+// are made within it and stay within it, so that nothing is searched only to be thrown away. kernels/similarity.cl does
+// the same, bit for bit.
 #pragma once
 
 #include "core/geometry/similarity.h"
@@ -9,7 +9,7 @@ namespace tessera {
 
 /// A pose at a bound of its interval lies inside by this part of itself, so that rounding never puts it outside.
 inline constexpr float kInsideBound = 5e-7f;
-/// What rounding may take a pose out of its interval: part of the scale, and rad.
+/// By how much rounding may take a pose out of its interval: a part of the scale, and rad.
 inline constexpr float kScaleRounding = 1e-6f;
 inline constexpr float kRotationRounding_rad = 1e-5f;
 /// The Cayley angle of a turn without limit.
@@ -22,7 +22,7 @@ struct DirectionRange {
 
   bool all() const { return edge.x <= -1; }
 
-  /// `d` has any length; `slack` is the sine of what it may be outside.
+  /// Whether `d`, of this length, is one of them; `slack` is the sine of the angle by which it may be outside.
   bool contains(Vec2 d, float length, float slack) const {
     if (all()) return true;
     const float along = dot(d, middle);
@@ -38,7 +38,7 @@ struct DirectionRange {
   }
 };
 
-/// From `min_rad` to `max_rad`.
+/// The directions from `min_rad` to `max_rad`.
 DirectionRange direction_range(float min_rad, float max_rad);
 
 /// How far a pose may turn before it leaves its interval: Cayley angles, 2 tan(angle / 2).
@@ -58,7 +58,7 @@ struct PoseRange {
            rotations.contains({s.a, s.b}, scale, kRotationRounding_rad);
   }
 
-  /// Turned and scaled about its own centre by as little as brings it into the range.
+  /// Turns and scales the pose about its own centre by as little as brings it into the range.
   void pull_in(Similarity& s) const {
     const float scale = s.scale();
     float wanted = scale;
@@ -74,7 +74,7 @@ struct PoseRange {
     }
   }
 
-  /// Of a pose in the range.
+  /// How far a pose in the range may turn.
   TurnLimits turns(const Similarity& s) const {
     TurnLimits limits;
     if (rotations.all()) return limits;

@@ -1,5 +1,5 @@
-// Refinement of a docking on the free field: Gauss-Newton, then push until no boundary point is too deep (design,
-// method 6). kernels/refinement.cl does the same for many at once, bit for bit.
+// Refinement of a docking on the free field: Gauss-Newton, then push until no boundary point is too deep.
+// kernels/refinement.cl does the same for many at once, bit for bit.
 #pragma once
 
 #include "core/field/field_lookup.h"
@@ -10,7 +10,8 @@
 
 namespace tessera {
 
-/// The pose stays in `poses`.
+/// One descent as `descent` (tuning.h) says: its steps draw the boundary points onto the free region's boundary. The
+/// pose stays in `poses`.
 void descend(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const Descent& descent,
              const PoseRange& poses);
 
@@ -22,7 +23,8 @@ float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, con
 bool refine(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field,
             const MatchingContext& context);
 
-/// Larger by kGrowStep while feasible (design, method 9: grow, never shrink).
+/// Makes the piece larger by kGrowStep at a time, with a descent after each, while it stays feasible; it never becomes
+/// smaller.
 void grow(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field,
           const MatchingContext& context);
 

@@ -40,10 +40,11 @@ struct Pad {
 
 Pad make_pad(const ArclengthPyramid& pyramid, int levels);
 
-/// Equation 1, on the signed vectors s·m: opposite convexity makes the distance the sum of the magnitudes.
+/// Equation 1, on the signed vectors s·m: where the convexities are opposite, the magnitudes of each element add up. A
+/// flat point agrees with either.
 float pad_distance(const Pad& p, const Pad& q, int levels);
 
-/// For outward docking: the order reversed and the convexity flipped (paper, end of section 3.2).
+/// The PAD for outward docking: the order is reversed and the convexity flipped (paper, end of section 3.2).
 Pad flipped(const Pad& pad, int levels);
 
 }  // namespace tessera

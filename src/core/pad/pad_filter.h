@@ -1,6 +1,7 @@
 // An exact filter before the PAD distance: a byte for each element, one for the length that estimates the scale and
-// one for the sign. A pair that passes may be near; one that does not is not (tests/core/test_pad_filter.cpp).
-// kernels/pairs.cl tests 64 samples at a time with it; the reference does without.
+// one for the sign. A pair that passes may be near; one that does not pass is not near
+// (tests/core/test_pad_filter.cpp). kernels/pairs.cl tests 64 PADs of a shape at a time with it; the reference does
+// without.
 //
 // Element e of a sample passes where (byte - low[e]) mod 256 <= width: one subtraction and one maximum an element.
 #pragma once
@@ -17,7 +18,7 @@ inline std::uint8_t pad_byte(std::uint16_t element_steps) { return std::uint8_t(
 /// Convexities may meet where their bytes have a bit in common: a flat point agrees with either.
 inline std::uint8_t sign_byte(float convexity) { return convexity > 0 ? 1 : convexity < 0 ? 2 : 3; }
 
-/// A sixteenth of an octave of a positive length; shape units.
+/// A positive length (shape units) in sixteenths of an octave.
 std::uint8_t scale_byte(float length);
 
 /// The bytes that pairs nearer than a reach must have. Widths are inclusive.
@@ -31,7 +32,7 @@ struct ScaleWindow {
   std::uint8_t low = 0;
   std::uint8_t width = 0;
 };
-/// Of the lengths between `least` and `most`, shape units.
+/// The window of the lengths between `least` and `most`, shape units.
 ScaleWindow scale_window(float least, float most);
 
 }  // namespace tessera

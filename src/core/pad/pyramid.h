@@ -18,12 +18,11 @@ inline float turning_rad(Vec2 p, Vec2 q, Vec2 r) {
   return std::atan2(cross(in, out), dot(in, out));
 }
 
-/// |curvature| below this is noise of straight sides, not shape (design, method 1). sigma and the result's unit of
-/// length are the curve's.
+/// |curvature| below this is noise of straight sides, not shape. sigma and the result's unit of length are the curve's.
 inline float curvature_dead_zone(float sigma) { return 0.024f / sigma; }
 
-/// A point at convexity 0 has a triangle flatter than this (sine of its outer angle); level 0 of a smooth arc gives
-/// delta_tau.
+/// A point has convexity 0 where its triangle is flatter than this (sine of its outer angle); level 0 of a smooth arc
+/// gives delta_tau.
 inline constexpr float kFlatTriangle = 0.05f;
 
 namespace detail {
@@ -33,9 +32,9 @@ struct SideOfPyramid {
   std::array<Vec2, kMaxPadLevels> end{};
 };
 
-/// Walks one side. `step(walk)` goes to the next vertex on it, `ahead(walk)` is the length of that edge; `edge_before` is
-/// the edge on the centre's other side. Where the loop closes the walk ends, and the levels not reached get the loop's
-/// whole length.
+/// Walks one side. `step(walk)` goes to the next vertex on it, `ahead(walk)` is the length of that edge; `edge_before`
+/// is the edge on the centre's other side. Where the loop closes the walk ends, and the levels not reached get the
+/// loop's whole length.
 ///
 /// The turning at a vertex is spread over the halves of its two edges, so that levels end between vertices and move
 /// smoothly; the centre's is split between both sides.

@@ -11,7 +11,8 @@
 namespace tessera {
 
 /// Divides items 0 .. weights.size() - 1 into `parts` (at least 1) ranges that follow one another. No range weighs more
-/// than the average and the heaviest item; none is empty as long as there are items enough, otherwise the last ones are.
+/// than the average and the heaviest item together; none is empty as long as there are items enough, otherwise the last
+/// ones are.
 std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, int parts);
 
 /// Range `part` of `parts` where every shape weighs the same: their sizes differ by one at most.

@@ -1,4 +1,4 @@
-// Where a rank of a job runs, for the records of a run. Never decides anything about the picture.
+// Where a rank of a job runs, for the records of a run. It never decides anything about the picture.
 #pragma once
 
 #include <string>

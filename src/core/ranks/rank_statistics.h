@@ -1,5 +1,5 @@
-// Where the ranks of a job spent the time of the loop, and what they sent to each other. Never decides anything about
-// the picture.
+// Where the ranks of a job spent the time of the loop, and what they sent to each other. The figures never decide
+// anything about the picture.
 #pragma once
 
 #include <cstdint>

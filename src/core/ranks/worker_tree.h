@@ -6,7 +6,7 @@
 
 namespace tessera {
 
-/// Up to so many workers are asked by the master itself. Simulated for 512 workers (docs/scaling.md): 4 to 16 differ little.
+/// A rank asks at most so many others itself. Simulated for 512 workers (docs/scaling.md): 4 to 16 differ little.
 inline constexpr int kFanOut = 8;
 
 struct TreePlace {
@@ -14,8 +14,8 @@ struct TreePlace {
   std::vector<int> children;  // ascending
 };
 
-/// Of `rank` among ranks 0 to size - 1. A worker and all below it are neighbours, itself the last of them: their parts of
-/// the library are one range, and a node's ranks are mostly one branch.
+/// The place of `rank` among ranks 0 to size - 1. A worker and all below it are neighbours, itself the last of them:
+/// their parts of the library are one range, and a node's ranks are mostly one branch.
 TreePlace place_in_tree(int rank, int size, int fan_out = kFanOut);
 
 }  // namespace tessera

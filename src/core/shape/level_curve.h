@@ -1,4 +1,4 @@
-// The outer curve of a library shape at one smoothing level, with its PADs (design, methods 1 and 2).
+// The outer curve of a library shape at one smoothing level, with its PADs (paper section 3.2).
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace tessera {
 
-/// `outer_curve`: closed, even arclength, interior on the left, spacing well below level.sigma. Any frame in which
-/// level.sigma is a length; for the library the shape frame.
+/// `outer_curve`: closed, even arclength, interior on the left, spacing well below level.sigma. It may have any frame
+/// in which level.sigma is a length; for the library the shape frame.
 LevelCurve make_level_curve(const std::vector<Vec2>& outer_curve, const SmoothingLevel& level,
                             const PadParameters& pad);
 

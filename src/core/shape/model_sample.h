@@ -36,7 +36,7 @@ inline float keypoint_step(float shape_radius) { return shape_radius * (1.f / 32
 
 ModelSample make_model_sample(const ArclengthPyramid& pyramid, int levels, float keypoint_step);
 
-/// Shape frame.
+/// The key points in the shape frame.
 Keypoints keypoints(const ModelSample& sample, float keypoint_step);
 
 }  // namespace tessera

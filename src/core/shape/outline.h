@@ -1,4 +1,4 @@
-// From a silhouette's coverage to smooth closed curves, or the reason why it is of no use (design, method 1).
+// From a silhouette's coverage to smooth closed curves, or the reason why it is of no use.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace tessera {
 
 enum class SkipReason { empty, too_small, several_large_components, plain_rectangle, hairlines };
 
-/// For messages and tables: what it is, and what the user can do about it.
+/// Says for messages and tables what the reason is, and what the user can do about it.
 std::string to_string(SkipReason reason);
 
 /// Artwork frame (px).
@@ -33,7 +33,7 @@ inline constexpr float kLeastSize_px = 24;
 inline constexpr float kLeastHole = 0.003f;
 /// Above this part of the largest component's area the others belong to the picture.
 inline constexpr float kLargestSpecks = 0.02f;
-/// A rectangle that fills so much of its box says nothing.
+/// A silhouette that fills so much of its box is a plain rectangle, which says nothing.
 inline constexpr float kPlainRectangle = 0.97f;
 /// Hairlines: an opening by a disc of this radius (in square roots of the area) leaves less than that part of the area.
 inline constexpr float kHairlineRadius = 0.035f;

@@ -27,7 +27,7 @@ struct ShapeField {
   /// Bilinear within the grid, and a lower bound outside: the outline lies within the grid, which is convex, so from p
   /// it is seen at an obtuse angle behind the grid's nearest point.
   float at(Vec2 p) const;
-  /// At the point of the grid that is nearest to p; `beyond` is how far p is from that.
+  /// The value at the point of the grid that is nearest to p; `beyond` is how far p is from that.
   float at_nearest(Vec2 p, float& beyond) const;
 };
 
@@ -52,7 +52,7 @@ inline float ShapeField::at_nearest(Vec2 p, float& beyond) const {
   return upper * (1 - t) + lower * t;
 }
 
-/// Matching needs both curves smoothed by the same fraction of size (design, method 1), hence a few fixed levels.
+/// Matching needs both curves smoothed by the same fraction of size, hence a few fixed levels.
 struct SmoothingLevel {
   float sigma;       // width of the Gaussian along the curve, shape units
   int curve_points;  // even arclength points kept of the smoothed outer curve

@@ -1,4 +1,4 @@
-// The distance field that every library shape carries (design: "One case instead of four").
+// The distance field that every library shape carries, so that its pieces can be taken out of the free field.
 #pragma once
 
 #include "core/shape/shape.h"

@@ -1,4 +1,4 @@
-// How a library's shapes are named, and parts of a library.
+// How shapes and parts of a library are named.
 #pragma once
 
 #include <cstdint>

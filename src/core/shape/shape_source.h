@@ -10,9 +10,9 @@ namespace tessera {
 class ShapeSource {
  public:
   virtual ~ShapeSource() = default;
-  /// With outline and field. Valid until the next call.
+  /// The shape with outline and field. It is valid until the next call.
   virtual const Shape& shape(ShapeId id) = 0;
-  /// Without PADs. Valid as long as the source.
+  /// The shape's model without PADs. It is valid as long as the source.
   virtual const ShapeModel& model(ShapeId id) = 0;
 };
 

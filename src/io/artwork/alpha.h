@@ -6,7 +6,7 @@
 namespace tessera::io {
 
 cv::Mat premultiplied(const cv::Mat& straight);
-/// In place: a picture may be too large to be in memory twice.
+/// Works in place: a picture may be too large to be in memory twice.
 void straighten(cv::Mat& premultiplied);
 cv::Mat straightened(const cv::Mat& premultiplied);
 

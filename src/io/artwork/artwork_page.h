@@ -13,9 +13,9 @@ class ArtworkPage {
  public:
   virtual ~ArtworkPage() = default;
 
-  /// In units of its own; only the ratio matters.
+  /// The page's size in units of its own; only the ratio matters.
   virtual cv::Size2d natural_size() const = 0;
-  /// Drawing it larger than that costs memory or shows nothing more.
+  /// Drawing it with a longer side than this costs memory or shows nothing more.
   virtual int finest_side_px() const = 0;
   /// Size of a pixel of the source in px of a drawing of this size; 0 for vectors.
   virtual float source_px(int longest_side_px) const = 0;
@@ -24,7 +24,7 @@ class ArtworkPage {
   virtual cv::Mat draw(int longest_side_px, const cv::Rect& window) const = 0;
 };
 
-/// Told apart by content, not by extension; `path` stands in messages. Throws InputError.
+/// Opens an SVG or an image, told apart by content, not by extension; `path` stands in messages. Throws InputError.
 std::unique_ptr<ArtworkPage> open_artwork_page(std::span<const std::uint8_t> bytes, const std::string& path);
 
 /// Size of the page's drawing: the longest side exactly, the other one rounded up.

@@ -1,4 +1,4 @@
-// From an artwork file to a library shape.
+// Makes a library shape from an artwork file.
 #pragma once
 
 #include <cstdint>

@@ -9,8 +9,8 @@
 
 namespace tessera::io {
 
-/// PNG, BMP, JPEG, WebP, TIFF (first picture). Nothing where it is none of these or too damaged to tell. Never reads
-/// beyond `bytes`. Sides are as claimed: they may be 0 or huge, never negative.
+/// The size of a PNG, BMP, JPEG, WebP or TIFF (its first picture). Nothing where it is none of these or too damaged to
+/// tell. Never reads beyond `bytes`. Sides are as claimed: they may be 0 or huge, never negative.
 std::optional<cv::Size2d> image_size_from_header(std::span<const std::uint8_t> bytes);
 
 }  // namespace tessera::io

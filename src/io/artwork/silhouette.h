@@ -28,7 +28,7 @@ struct Silhouette {
   std::vector<std::uint8_t> thumbnail_png;  // the whole page, RGBA, longest side kThumbnailSide_px
 };
 
-/// Throws InputError, see artwork_page.h. `path` is kept and stands in messages.
+/// Throws InputError as open_artwork_page (artwork_page.h) does. `path` is kept and stands in messages.
 Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path);
 
 }  // namespace tessera::io

@@ -20,10 +20,10 @@ using GObjectPtr = std::unique_ptr<T, Unref>;
 
 class SvgDocument {
  public:
-  /// Parsed from memory without a base address (svg_page.h). Throws InputError where it is no SVG or has no area.
+  /// Parses it from memory without a base address (svg_page.h). Throws InputError where it is no SVG or has no area.
   SvgDocument(std::span<const std::uint8_t> svg, const std::string& path, RsvgHandleFlags flags);
 
-  /// In px of 1/96 inch.
+  /// The page's size in px of 1/96 inch.
   cv::Size2d size() const { return size_; }
   /// Draws the page at (0, 0), `scale` times as large. Throws InputError where librsvg cannot.
   void draw(cairo_t* cairo, double scale) const;

@@ -9,10 +9,11 @@
 namespace tessera::io {
 
 /// A <g id="SCOPE_ID"> that holds the drawing as a nested <svg> with its page at (0, 0) and of size `page_size` (what
-/// ArtworkPage::natural_size says). Serialised for a document whose default name space is SVG's, with the prefix "xlink".
+/// ArtworkPage::natural_size says). Serialised for a document whose default name space is SVG's, with the prefix
+/// "xlink".
 ///
-/// Kept are SVG's drawing elements. Dropped are scripts, event handlers, animations, foreign content, metadata, and every
-/// reference but those to the document's own ids and to embedded bitmaps; nothing is loaded while parsing either.
+/// Kept are SVG's drawing elements. Dropped are scripts, event handlers, animations, foreign content, metadata, and
+/// every reference but those to the document's own ids and to embedded bitmaps; nothing is loaded while parsing either.
 /// All ids and references to them get the prefix "SCOPE_ID-"; style sheets are scoped to the group (svg_style.h).
 /// Throws InputError where the bytes are no well-formed SVG or SVGZ, or break libxml2's limits (entity bombs).
 std::string import_svg(std::span<const std::uint8_t> bytes, const std::string& path, const std::string& scope_id,

@@ -16,7 +16,7 @@ namespace tessera::io {
 
 inline constexpr std::size_t kMaxSvgBytes = 64u << 20;
 
-/// An XML document or something gzipped.
+/// Whether the bytes are an XML document or something gzipped.
 bool looks_like_svg(std::span<const std::uint8_t> bytes);
 
 /// Throws InputError where it is no SVG, is damaged or breaks a limit.

@@ -16,7 +16,7 @@ struct ArrayLayout {
   std::string description;
 };
 
-/// Groups on the way are made. Number: std::uint8_t, std::int32_t, std::uint32_t, std::uint64_t, float or double.
+/// Makes the groups on the way. Number is std::uint8_t, std::int32_t, std::uint32_t, std::uint64_t, float or double.
 template <class Number>
 void write_array(hid_t file, const ArrayLayout& layout, const std::vector<Number>& numbers);
 

@@ -19,8 +19,8 @@ struct Checkpoint {
 /// The same checkpoint gives the same bytes. Throws EnvironmentError where it is too large for the format.
 std::vector<std::uint8_t> checkpoint_bytes(const Checkpoint& checkpoint);
 
-/// Throws InputError that names the file: missing, not a checkpoint, of another version, cut off, damaged. Every changed
-/// byte is noticed. `state.name` is the path.
+/// Throws InputError that names the file: it is missing, not a checkpoint, of another version, cut off or damaged.
+/// Every changed byte is noticed. `state.name` is the path.
 Checkpoint read_checkpoint(const std::string& path);
 
 }  // namespace tessera::io

@@ -16,11 +16,12 @@ class CheckpointFolder {
   bool has_latest() const;
   bool has_previous() const;
 
-  /// `bytes` become the latest checkpoint, that one the previous; both are on the disk when this returns. There is never
-  /// a moment without a whole checkpoint. Throws EnvironmentError with the reason; the latest one is untouched then.
+  /// `bytes` become the latest checkpoint, that one the previous; both are on the disk when this returns. There is
+  /// never a moment without a whole checkpoint. Throws EnvironmentError with the reason; the latest one is untouched
+  /// then.
   void keep(std::span<const std::uint8_t> bytes) const;
 
-  /// All of them. Throws EnvironmentError.
+  /// Removes all of them. Throws EnvironmentError.
   void remove() const;
 
  private:

@@ -11,26 +11,26 @@
 
 namespace tessera::io {
 
-/// The job lives elsewhere.
+/// It only points to the job, which must outlive it.
 struct CheckpointOrigin {
   const Job* job = nullptr;
   std::uint64_t library_digest = 0;
   std::uint64_t canvas_digest = 0;
 };
 
-/// Another one where what is to be filled is another.
+/// A digest of what is to be filled.
 std::uint64_t canvas_digest(const Canvas& canvas);
 
 CheckpointOrigin make_origin(const Job& job, const LibraryFile& library, const Canvas& canvas);
 
 Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state);
 
-/// "; KEY: then A, now B" for each difference that decides about the collage; empty where there is none. Keys that do not
-/// decide may differ, and files may have moved.
+/// "; KEY: then A, now B" for each difference that decides about the collage; empty where there is none. Keys that do
+/// not decide may differ, and files may have moved.
 std::string origin_differences(const CheckpointOrigin& then, const CheckpointOrigin& now);
 
-/// Throws InputError where `checkpoint` belongs to others: the file, then each difference with its key, what it was then
-/// and what it is now (origin_differences).
+/// Throws InputError where `checkpoint` belongs to others: the file, then each difference with its key, what it was
+/// then and what it is now (origin_differences).
 void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now);
 
 }  // namespace tessera::io

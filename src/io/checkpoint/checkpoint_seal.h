@@ -11,7 +11,8 @@ namespace tessera::io {
 
 /// HDF5 leaves so much room before its own part (its "user block").
 inline constexpr std::size_t kSealBytes = 512;
-/// The largest canvas, 100 million px, full of pieces of 20 px has about 40 MB. Reading takes three times the file in memory.
+/// The largest canvas, 100 million px, full of pieces of 20 px has about 40 MB. Reading takes three times the file in
+/// memory.
 inline constexpr std::uint64_t kMaxCheckpointBytes = std::uint64_t(256) << 20;
 
 /// Fills in the first kSealBytes of a finished file.

@@ -7,8 +7,8 @@
 namespace tessera::io {
 
 /// What librsvg, gdk-pixbuf and fontconfig read: the system's libraries and data, fonts and their configuration, and
-/// what the processors are like. Asks fontconfig, which reads its configuration: after limit_process (drawer_sandbox.h),
-/// so that the memory which that leaves free is not on top of the limit.
+/// what the processors are like. Asks fontconfig, which reads its configuration: after limit_process
+/// (drawer_sandbox.h), so that the memory which that leaves free is not on top of the limit.
 std::vector<std::string> files_of_decoders();
 
 /// From now on this process opens only what lies in `readable`, files and folders, and that for reading alone; what is

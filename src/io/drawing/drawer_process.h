@@ -27,7 +27,7 @@ class DrawerProcess {
   std::optional<DrawingAnswer> ask(const DrawingRequest& request, double seconds);
   const std::string& failure() const { return failure_; }
   bool took_too_long() const { return took_too_long_; }
-  /// Ends it, if it is started, and collects it.
+  /// Ends the process, if it is started, and collects it.
   void end();
   /// Makes an ask() in another thread fail soon.
   void kill();

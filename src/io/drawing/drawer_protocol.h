@@ -25,7 +25,7 @@ struct DrawerGreeting {
   friend bool operator==(const DrawerGreeting&, const DrawerGreeting&) = default;
 };
 
-/// Of this program's version and commit.
+/// The greeting with this program's version and commit.
 DrawerGreeting greeting_of_this_build();
 
 enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf };

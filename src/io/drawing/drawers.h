@@ -1,6 +1,6 @@
 // Everything foreign that is decoded or drawn: SVGs, images, thumbnails. It happens in child processes with limits on
-// memory, CPU time and time, without network and without new files (drawer_sandbox.h), so that a hostile file costs its
-// own drawing and nothing else. The children run the small program tessera-drawer (drawer_program.h).
+// memory, CPU time and wall-clock time, without network and without new files (drawer_sandbox.h), so that a hostile
+// file costs its own drawing and nothing else. The children run the small program tessera-drawer (drawer_program.h).
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace tessera::io {
 
 struct DrawerSettings {
   int processes = 1;                                       // how many drawings are made at a time
-  double seconds_per_drawing = 20;                         // of wall-clock time, and of CPU time
+  double seconds_per_drawing = 20;                         // of CPU time; of wall-clock time three times as much
   std::size_t bytes_per_process = std::size_t(512) << 20;  // of address space, beyond what a process starts with
 };
 

@@ -5,7 +5,7 @@
 
 namespace tessera::io {
 
-/// Throws InputError where the bytes are of no use, what OpenCV throws where it cannot.
+/// Does what the request asks. Throws InputError where the bytes are of no use, and what OpenCV throws where it fails.
 DrawingAnswer answer_of(const DrawingRequest& request);
 
 /// The same, with the reason as answer where that throws.

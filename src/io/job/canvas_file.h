@@ -16,11 +16,11 @@ namespace tessera::io {
 /// `seconds` is how long each of its two drawings at most may take.
 Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
 
-/// The same with a process of the caller's, who may stop it.
+/// The same, drawn by the caller's drawers, which the caller may stop.
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
 
-/// A picture of the canvas in that width must not become higher than wide ones may be: throws InputError.
+/// Throws InputError where a picture of that width would become higher than the widest one may be.
 void check_picture_height(const OutputSpec& output, const Canvas& canvas);
 
 /// The region in a page of straight BGRA, as coverage 0..1 of each pixel, the sizes rounded up to even ones: the alpha

@@ -24,7 +24,7 @@ void apply_entry(const JobEntry& entry, Job& job);
 
 bool is_job_section(const std::string& name);
 
-/// For messages: without control characters, cut to `max_bytes`.
+/// The text as messages show it: without control characters, cut to `max_bytes`.
 std::string printable(std::string text, std::size_t max_bytes = 60);
 
 }  // namespace tessera::io

@@ -1,6 +1,6 @@
-// The job description (docs/job-format.md): TOML in, a checked struct out, and back.
-// The keys with their units, defaults and ranges stand in one table, job_keys.h; reading, checking, writing and the
-// documentation's test all go by it.
+// The job description (docs/job-format.md): it is read from TOML into a checked struct, and written back. The keys with
+// their units, defaults and ranges stand in one table, job_keys.h; reading, checking, writing and the documentation's
+// test all go by it.
 #pragma once
 
 #include <string>
@@ -50,7 +50,7 @@ Job load_job(const std::string& path, const std::vector<std::string>& overrides)
 /// The effective job with every key, readable by load_job, which then gives the same values bit by bit.
 std::string to_toml(const Job& job);
 
-/// The way back from to_toml, for the other ranks of a run. `path` becomes Job::path and stands in messages.
+/// Reads what to_toml wrote, for the other ranks of a run. `path` becomes Job::path and stands in messages.
 Job job_from_toml(const std::string& text, const std::string& path);
 
 }  // namespace tessera::io

@@ -50,7 +50,7 @@ struct JobKey {
   std::string full_name() const { return section.empty() ? name : section + "." + name; }
 };
 
-/// In the order in which docs/job-format.md and to_toml have them.
+/// All keys in the order in which docs/job-format.md and to_toml have them.
 const std::vector<JobKey>& job_keys();
 
 /// Null where there is none.

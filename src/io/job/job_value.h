@@ -10,8 +10,8 @@
 
 namespace tessera::io {
 
-/// Nothing where the node has another type than the key or lies outside its range. Colours come in lower case, device
-/// indices as "0,2" whichever way they were written; paths are not touched.
+/// The key's value from TOML; nothing where the node has another type than the key or lies outside its range. Colours
+/// come in lower case, device indices as "0,2" whichever way they were written; paths are not touched.
 std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node);
 
 /// What the key takes, for messages and the documentation: "a number from 0 to 500 px".

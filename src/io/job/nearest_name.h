@@ -6,7 +6,7 @@
 
 namespace tessera::io {
 
-/// Levenshtein's distance: insertions, deletions and substitutions from `a` to `b`, in bytes.
+/// Levenshtein's distance: how many bytes have to be inserted, deleted or substituted to make `b` of `a`.
 std::size_t edit_distance(const std::string& a, const std::string& b);
 
 /// The nearest of `names`, the first of equals; empty where even that is too far off to help.

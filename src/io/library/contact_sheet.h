@@ -9,8 +9,8 @@ namespace tessera::io {
 
 inline constexpr std::size_t kMaxSheetShapes = 400;
 
-/// Writes a PNG. Of a larger library kMaxSheetShapes evenly chosen shapes. Returns how many are shown.
-/// Throws InputError where the library is damaged, EnvironmentError where `path` cannot be written.
+/// Writes a PNG. Of a larger library it shows kMaxSheetShapes evenly chosen shapes. Returns how many are shown. Throws
+/// InputError where the library is damaged, EnvironmentError where `path` cannot be written.
 std::size_t write_contact_sheet(const LibraryFile& library, const std::string& path);
 
 }  // namespace tessera::io

@@ -16,7 +16,7 @@ class Hdf5Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Has to come before the first use of HDF5 in the process. HDF5's clean-up at exit crashes where a file could not be
+/// To be called before the first use of HDF5 in the process. HDF5's clean-up at exit crashes where a file could not be
 /// flushed (disk full) or was damaged; we close all that we open, and need none.
 void prepare_hdf5();
 
@@ -40,7 +40,7 @@ class Hdf5Silence {
 /// What HDF5 says about the last failed call of this thread: its innermost message.
 std::string last_hdf5_message();
 
-/// Passes an id or status through. Negative: throws Hdf5Error "<what>: <HDF5's message>".
+/// Passes an id or status through. Throws Hdf5Error "<what>: <HDF5's message>" where it is negative.
 template <class Result>
 Result hdf5_checked(Result result, const std::string& what) {
   if (result < 0) throw Hdf5Error(what + ": " + last_hdf5_message());

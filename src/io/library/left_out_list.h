@@ -11,11 +11,11 @@ namespace tessera::io {
 /// "animals.h5" has "animals.left_out.txt".
 std::string left_out_path(const std::string& library);
 
-/// A line a file: what happened, the path, why, with tabs between them. Empty where nothing was left out.
+/// A line for each file: what happened, the path, why, with tabs between them. Empty where nothing was left out.
 std::string left_out_list(const LibraryBuildReport& report);
 
-/// The list of the build of `library` that just ended, with a library or without; where it is empty, that of the build
-/// before goes. Throws EnvironmentError.
+/// Writes the list of the build of `library` that just ended, with a library or without. Where it is empty, the list of
+/// the build before is removed. Throws EnvironmentError.
 void write_left_out_list(const std::string& library, const LibraryBuildReport& report);
 
 }  // namespace tessera::io

@@ -1,6 +1,6 @@
-// From artwork files to a library file. Every drawing is traced in a process with limits (drawers.h), so that none can
-// hang or crash the build; results are taken in the order of the files, so that the library's bytes do not depend on
-// timing.
+// Builds a library file from artwork files. Every drawing is traced in a process with limits (drawers.h), so that none
+// can hang or crash the build; results are taken in the order of the files, so that the library's bytes do not depend
+// on timing.
 #pragma once
 
 #include <cstddef>

@@ -8,7 +8,7 @@
 
 namespace tessera::io {
 
-/// All `count` numbers from `values` on are finite and within [least, most].
+/// Whether all `count` numbers from `values` on are finite and within [least, most].
 bool all_within(const float* values, std::size_t count, float least, float most);
 bool all_within(const Vec2* values, std::size_t count, float least, float most);
 

@@ -25,11 +25,12 @@ struct ChunkPacking {
 std::vector<std::uint8_t> read_chunk(hid_t data_set, std::span<const hsize_t> corner, const ChunkPacking& packing,
                                      const std::string& what);
 
-/// Its bytes in the file. Looked up chunk by chunk: HDF5's questions about all of them (H5Dget_num_chunks,
-/// H5Dget_chunk_info, H5Dget_storage_size) walk an index whose length a forged file may declare at will.
+/// How many bytes the chunk has in the file. It is looked up chunk by chunk: HDF5's questions about all of them
+/// (H5Dget_num_chunks, H5Dget_chunk_info, H5Dget_storage_size) walk an index whose length a forged file may declare at
+/// will.
 std::uint64_t stored_chunk_bytes(hid_t data_set, std::span<const hsize_t> corner, const std::string& what);
 
-/// As HDF5 computes it (H5Z_FILTER_FLETCHER32).
+/// The checksum as HDF5 computes it (H5Z_FILTER_FLETCHER32).
 std::uint32_t fletcher32(std::span<const std::uint8_t> bytes);
 
 }  // namespace tessera::io

@@ -13,7 +13,8 @@
 
 namespace tessera::io {
 
-/// Creates the data set: chunked, with checksums, units and description; shuffled and deflated where the column says so.
+/// Creates the data set: chunked, with checksums, units and description; shuffled and deflated where the column says
+/// so.
 class ColumnWriter {
  public:
   ColumnWriter(hid_t file, const layout::Column& column);

@@ -22,7 +22,7 @@ struct LibraryParts {
   bool original = false;       // the embedded files
 };
 
-/// What `tessera library info` shows; costs no reading of shapes.
+/// What `tessera library info` shows. No shapes are read for it.
 struct LibrarySummary {
   std::size_t shapes = 0;
   std::size_t curves = 0;  // outlines' outer curves and holes
@@ -47,11 +47,11 @@ class LibraryFile {
   PadParameters pad_parameters() const;
   /// Throws as read().
   LibrarySummary summary() const;
-  /// Of all that decides about a collage: PAD parameters, names, lengths, colours, outlines, fields, smoothing levels, in
-  /// their order; artwork does not count. Two libraries with the same digest give the same collage, wherever they lie.
-  /// It costs some hundred bytes of reading a shape: the digest of a shape's outline, field and levels is stored, and
-  /// read() compares with it all that it reads, so that a digest that lies is found before the part is used. Libraries
-  /// of older versions, which have none stored, are read whole.
+  /// A digest of all that decides about a collage: PAD parameters, names, lengths, colours, outlines, fields, smoothing
+  /// levels, in their order; artwork does not count. Two libraries with the same digest give the same collage, wherever
+  /// they lie. It costs some hundred bytes of reading a shape: the digest of a shape's outline, field and levels is
+  /// stored, and read() compares with it all that it reads, so that a digest that lies is found before the part is
+  /// used. Libraries of older versions, which have none stored, are read whole.
   std::uint64_t content_digest() const;
   /// Shapes [begin, end). Throws InputError that names the data set where what is read is damaged.
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const;

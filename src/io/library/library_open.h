@@ -11,10 +11,11 @@ namespace tessera::io {
 /// What to do about a library of another version; appended to messages.
 inline constexpr char kBuildAgain[] = "; build it again with tessera library build";
 
-/// For reading. Throws InputError where there is no such file or it is not HDF5, Hdf5Error where it is damaged.
+/// Opens the file for reading. Throws InputError where there is no such file or it is not HDF5, Hdf5Error where it is
+/// damaged.
 Hdf5Handle open_library(const std::string& path);
 
-/// Checks format and version; throws Hdf5Error.
+/// Checks format and version and gives the PAD parameters. Throws Hdf5Error.
 PadParameters read_library_header(hid_t file);
 
 }  // namespace tessera::io

@@ -1,5 +1,5 @@
-// Reads the parts of a library file: one class for each group of columns. All throw Hdf5Error where it is damaged. Those
-// that return numbers return the digest (part_digest.h) of what they read, one for each shape.
+// Reads the parts of a library file: one class for each group of columns. All throw Hdf5Error where it is damaged.
+// Those that return numbers return the digest (part_digest.h) of what they read, one for each shape.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@ namespace tessera::io {
 
 class PartDigest {
  public:
-  /// With their number.
+  /// Adds the number of bytes, then the bytes.
   template <class T>
   PartDigest& add(std::span<const T> values) {
     static_assert(std::is_trivially_copyable_v<T>);

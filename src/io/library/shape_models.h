@@ -1,4 +1,4 @@
-// From the library file to what matching needs of it.
+// Reads from the library file what matching needs of it.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,12 @@
 
 namespace tessera::io {
 
-/// The levels of the context. A few shapes at a time are read whole: the models need a twentieth of their memory.
+/// The models with the levels that the context uses. A few shapes at a time are read whole, as the models need a
+/// twentieth of their memory.
 std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange& range,
                                     const MatchingContext& context);
 
-/// Reads when asked; library and context outlive it.
+/// Reads when it is asked; library and context outlive it.
 ModelSource models_of(const LibraryFile& library, const MatchingContext& context);
 
 }  // namespace tessera::io

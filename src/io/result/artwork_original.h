@@ -26,7 +26,7 @@ inline constexpr char kOriginalUnknown[] = "library made by an older version: bu
 /// its maker never had. A collage never fails because someone tidied up the clip art.
 ArtworkOriginal artwork_original(const Artwork& artwork);
 
-/// Where shape coordinates lie in the artwork frame.
+/// Maps shape coordinates to the artwork frame.
 Similarity artwork_from_shape(const Artwork& artwork);
 
 }  // namespace tessera::io

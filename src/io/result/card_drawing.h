@@ -7,8 +7,8 @@
 
 namespace tessera::io {
 
-/// Section "drawing" of card.json, section Drawing of card.txt, in place of those of an earlier drawing. Throws InputError
-/// where there are no cards, EnvironmentError where they cannot be written.
+/// Writes section "drawing" of card.json and section Drawing of card.txt, in place of those of an earlier drawing.
+/// Throws InputError where there are no cards, EnvironmentError where they cannot be written.
 void add_drawing_to_cards(const std::string& dir, const DrawingNotes& notes);
 
 }  // namespace tessera::io

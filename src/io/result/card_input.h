@@ -14,7 +14,7 @@ struct ResultCard {
   std::string stopped_by;
 };
 
-/// A signal or a time limit ended it: its pieces are not all that there will be.
+/// Whether a signal, a time limit or a lost rank ended it: its pieces are not all that there will be.
 bool is_unfinished(const ResultCard& card);
 
 /// Reads `folder`/card.json. Throws InputError that names file, key, what was found and what is allowed.

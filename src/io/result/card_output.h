@@ -11,8 +11,8 @@
 
 namespace tessera::io {
 
-/// card.json (docs/result-format.md). Units stand in the keys; shares and percentages say so. Stage shares are of the four
-/// stages' sum. Section "ranks" (rank_table.h) is there where there were workers.
+/// card.json (docs/result-format.md). Units stand in the keys; shares and percentages say so. Stage shares are of the
+/// four stages' sum. Section "ranks" (rank_table.h) is there where there were workers.
 std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
                       const RankStatistics& ranks = {}, const RunRecord& record = {});
 

@@ -28,26 +28,26 @@ struct CollageReport {
   RankStatistics ranks;
   RunRecord record;
 
-  /// Where the shape is in `shapes`. Throws std::out_of_range where it is not.
+  /// The place of the shape in `shapes`. Throws std::out_of_range where it is not.
   std::size_t slot_of(ShapeId id) const;
   const Shape& shape(ShapeId id) const { return shapes[slot_of(id)]; }
 };
 
-/// With its parents; throws EnvironmentError.
+/// Creates the folder with its parents. Throws EnvironmentError.
 void create_output_directory(const std::string& dir);
 
 /// Creates `dir` and proves that it can be written; throws EnvironmentError. Called before the work.
 void prepare_output_directory(const std::string& dir);
 
-/// Throws InputError where `dir` holds files with the names of a result's that no run of this program left there, or the
-/// job file that is about to be run: a result would replace them.
+/// Throws InputError where `dir` holds files with the names of a result's that no run of this program left there, or
+/// the job file that is about to be run: a result would replace them.
 void check_nothing_foreign_is_replaced(const std::string& dir, const std::string& job_file);
 
 /// Makes the run's placements the result in `dir`, so that a crash at any moment leaves either what the folder's
-/// checkpoints hold or a result that is whole: the manifest of the run before goes first, and its pictures with it; then
-/// come pieces.geojson, card.json, card.txt and job.toml, each to a temporary name and renamed; and manifest.json last,
-/// when they are on the disk. Nothing is drawn (result_drawing.h). Before the call there must be a checkpoint where the
-/// work shall not be lost. Returns the text of the card. Throws EnvironmentError.
+/// checkpoints hold or a result that is whole: the manifest of the run before goes first, and its pictures with it;
+/// then come pieces.geojson, card.json, card.txt and job.toml, each to a temporary name and renamed; and manifest.json
+/// last, when they are on the disk. Nothing is drawn (result_drawing.h). Before the call there must be a checkpoint
+/// where the work must not be lost. Returns the text of the card. Throws EnvironmentError.
 std::string publish_result(const std::string& dir, const CollageReport& report, const CheckpointOrigin& origin,
                            bool finished);
 

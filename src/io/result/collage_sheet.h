@@ -8,7 +8,7 @@
 
 namespace tessera::io {
 
-/// More are not shown.
+/// No more than these are shown.
 inline constexpr std::size_t kMaxSheetCollages = 60;
 
 /// Writes a PNG at `path`. A result whose collage.png is missing or damaged leaves its place empty. `results` holds at

@@ -7,9 +7,9 @@
 
 namespace tessera::io {
 
-/// A FeatureCollection of one Polygon per placement, in order of placement. Coordinates are canvas px, y down. Rings are
-/// closed; the outer one has positive, holes have negative shoelace area (RFC 7946's right-hand rule in the numbers).
-/// All numbers have fixed decimals, so that equal collages give equal bytes.
+/// A FeatureCollection of one Polygon per placement, in order of placement. Coordinates are canvas px, y down. Rings
+/// are closed; the outer one has positive, holes have negative shoelace area (RFC 7946's right-hand rule in the
+/// numbers). All numbers have fixed decimals, so that equal collages give equal bytes.
 std::string geojson_text(const CollageReport& report);
 
 }  // namespace tessera::io

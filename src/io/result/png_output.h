@@ -13,7 +13,7 @@
 
 namespace tessera::io {
 
-/// What drawing may take. Its bytes do not depend on it.
+/// How much memory drawing may take. The picture's bytes do not depend on it.
 struct PictureLimits {
   int band_rows = 512;  // drawn at a time; a multiple of kStripRows (piece_drawing.h)
   std::size_t sprite_bytes = std::size_t(320) << 20;  // as SpriteCache counts them
@@ -30,7 +30,7 @@ void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const Pi
                   const std::function<void(const cv::Mat& rows)>& take);
 
 /// Writes the same as a PNG file; `progressed(rows)` tells how many are written. Throws EnvironmentError and
-/// DrawingStopped; there is no file then, or the one before.
+/// DrawingStopped; the file is then absent, or the one that was there before.
 void write_collage_png(const std::string& path, const CollageReport& report, ShapeArtworks& artworks,
                        const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed);
 

@@ -19,7 +19,7 @@ class PngStream {
 
   /// The next rows, BGR (CV_8UC3), as wide as the picture.
   void write(const cv::Mat& bgr);
-  /// After the last row.
+  /// To be called after the last row.
   void finish();
 
  private:

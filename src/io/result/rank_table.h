@@ -10,7 +10,7 @@
 
 namespace tessera::io {
 
-/// Of one figure over the workers.
+/// How one figure differs over the workers.
 struct Spread {
   double min = 0;
   double average = 0;
@@ -20,7 +20,7 @@ struct Spread {
   double imbalance_percent() const { return average > 0 ? 100 * (max / average - 1) : 0; }
 };
 
-/// At least one worker.
+/// There is at least one worker.
 template <class Figure>
 Spread spread_of(const std::vector<WorkerTimes>& workers, Figure figure) {
   Spread spread{figure(workers.front()), 0, figure(workers.front())};
@@ -33,7 +33,7 @@ Spread spread_of(const std::vector<WorkerTimes>& workers, Figure figure) {
   return spread;
 }
 
-/// A line a stage: least, average and greatest seconds over the workers, share of the loop, imbalance; then the
+/// A line for each stage: least, average and greatest seconds over the workers, share of the loop, imbalance; then the
 /// master's stages, then messages. Lines of less than 80 characters. Empty where there was no worker.
 std::string ranks_text(const RankStatistics& ranks);
 

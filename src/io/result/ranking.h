@@ -21,7 +21,7 @@ inline constexpr std::size_t kRankingTerms = 5;
 /// coverage, overlap, outside, shared_boundary, variety (different shapes by pieces).
 const std::array<RankingTerm, kRankingTerms>& ranking_terms();
 
-/// In the order of ranking_terms().
+/// The weights stand in the order of ranking_terms().
 using RankingWeights = std::array<double, kRankingTerms>;
 
 /// The defaults changed by texts "NAME=WEIGHT". Throws InputError that says what was found and what is allowed.
@@ -33,13 +33,14 @@ struct RankedResult {
   std::size_t rank = 0;  // from 1; equal scores have the same, and the one after two firsts is 3
 };
 
-/// Best first; equal ones share a rank and stand in the order of their folders' names. The score is the sum over the terms of weight · value in percent.
+/// Best first; equal ones share a rank and stand in the order of their folders' names. The score is the sum over the
+/// terms of weight · value in percent.
 std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWeights& weights);
 
 /// "score = coverage - 2 overlap ...": the weights that are not 0, in words.
 std::string score_formula(const RankingWeights& weights);
 
-/// A header and a line a result.
+/// A header, and a line for each result.
 std::string ranking_csv(const std::vector<RankedResult>& results);
 std::string ranking_json(const std::vector<RankedResult>& results, const RankingWeights& weights);
 
@@ -52,8 +53,8 @@ struct FoundResults {
   std::vector<std::string> damages;  // why others that have a manifest are none (finished_result.h)
 };
 
-/// The results that an argument means: the folder itself where it holds one, else those of its folders. Throws InputError
-/// where there is none, and where the folder itself holds one that is not whole.
+/// The results that an argument means: the folder itself where it holds one, else those of its folders. Throws
+/// InputError where there is none, and where the folder itself holds one that is not whole.
 FoundResults result_folders(const std::string& argument);
 
 }  // namespace tessera::io

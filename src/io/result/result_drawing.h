@@ -1,5 +1,5 @@
-// The pictures of a result, made from the files in its folder and from the library: tessera draw, and the end of tessera
-// collage.
+// The pictures of a result, made from the files in its folder and from the library: tessera draw, and the end of
+// tessera collage.
 #pragma once
 
 #include <string>
@@ -20,9 +20,10 @@ struct DrawingRequest {
 };
 
 /// Draws collage.svg, collage.png and collage.pdf, as many as are wanted, into `dir`, and writes into the cards and the
-/// manifest what was drawn. Each picture appears whole or not at all; the same result gives the same bytes. A finished and
-/// an unfinished result are drawn alike. Throws InputError where `dir` holds no result, or where library or canvas are
-/// not those that it was made with; EnvironmentError; DrawingStopped (drawers.h): then the pictures done so far are there.
+/// manifest what was drawn. Each picture appears whole or not at all; the same result gives the same bytes. A finished
+/// and an unfinished result are drawn alike. Throws InputError where `dir` holds no result, or where library or canvas
+/// are not those that it was made with; EnvironmentError; DrawingStopped (drawers.h): then the pictures done so far are
+/// there.
 DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, DrawingObserver& observer);
 
 }  // namespace tessera::io

@@ -1,5 +1,5 @@
-// manifest.json: what makes a folder a result (docs/result-format.md). It is written last and says what the files beside
-// it must be: without it, or with files that are others, there is no result.
+// manifest.json: what makes a folder a result (docs/result-format.md). It is written last and says what the files
+// beside it must be: without it, or with files that are others, there is no result.
 #pragma once
 
 #include <cstdint>
@@ -34,14 +34,14 @@ struct ResultManifest {
   friend bool operator==(const ResultManifest&, const ResultManifest&) = default;
 };
 
-/// Of a file's bytes.
+/// The digest of a file's bytes.
 std::string digest_text(const std::string& bytes);
 
-/// To dir/manifest.json, on the disk when this returns. Throws EnvironmentError.
+/// Writes dir/manifest.json, which is on the disk when this returns. Throws EnvironmentError.
 void write_manifest(const std::string& dir, const ResultManifest& manifest);
 
 /// Throws InputError where there is none, where it is damaged, or where pieces.geojson or job.toml are not those it was
-/// written with. Whether the result is whole says read_result (finished_result.h).
+/// written with. read_result (finished_result.h) says whether the result is whole.
 ResultManifest read_manifest(const std::string& dir);
 
 }  // namespace tessera::io

@@ -10,8 +10,8 @@ class logger;
 
 namespace tessera::io {
 
-/// A line an event: time (UTC), "info", "warning" or "error", text. Each is in the file when the call returns. What has
-/// control characters is written with "?" for them, so that no event can look like two.
+/// There is a line for each event: time (UTC), "info", "warning" or "error", text. Each is in the file when the call
+/// returns. What has control characters is written with "?" for them, so that no event can look like two.
 class RunLog {
  public:
   /// Appends to the file in `folder`, which is there. A log that cannot be written is no reason to lose a run:
@@ -22,7 +22,7 @@ class RunLog {
   void warning(const std::string& text);
   void error(const std::string& text);
 
-  /// The first that was met, with the file's name; empty: none.
+  /// The first problem that was met, with the file's name; empty where there was none.
   const std::string& problem() const;
 
  private:

@@ -1,5 +1,5 @@
-// What made a result: the program, the machines, the input. Stands in card.json and in the run log, nowhere else: command
-// lines and paths may say more than their owner wants to hand on.
+// What made a result: the program, the machines, the input. It stands in card.json and in the run log, nowhere else:
+// command lines and paths may say more than their owner wants to hand on.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace tessera::io {
 
-/// Of one run of the program; a collage that was interrupted is made by several, and the last one's record is kept.
+/// The record of one run of the program; a collage that was interrupted is made by several, and the last one's record
+/// is kept.
 struct RunRecord {
   std::string version;
   std::string commit;

@@ -26,21 +26,21 @@ struct SvgSymbol {
   double artwork_px_per_unit = 1;
 };
 
-/// For several threads.
+/// May be used by several threads at once.
 class ShapeArtworks {
  public:
-  /// What is passed must live as long.
+  /// The arguments must outlive it.
   ShapeArtworks(const CollageReport& report, Drawers& drawers, const StopWatcher& stop);
 
-  /// The original where it can be had; else the library's thumbnail; else, and where the drawing is bad, the silhouette in
-  /// its mean colour. `slot` is the shape's in the report. The page's longest side is `side_px` long or less.
-  /// Throws DrawingStopped.
+  /// The original where it can be had; else the library's thumbnail; else, and where the drawing is bad, the silhouette
+  /// in its mean colour. `slot` is the shape's in the report. The page's longest side is `side_px` long or less. Throws
+  /// DrawingStopped.
   Sprite sprite(std::size_t slot, int side_px);
-  /// The same as an element with this id, the silhouette as a path.
+  /// The same as an SVG element with this id; the silhouette is a path.
   SvgSymbol symbol(std::size_t slot, const std::string& id);
 
   const Outline& clip(std::size_t slot) const { return clips_[slot]; }
-  /// Of all that was asked for.
+  /// The notes on all that was asked for.
   DrawingNotes notes() const;
 
  private:

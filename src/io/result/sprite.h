@@ -15,13 +15,14 @@ struct Sprite {
   std::size_t bytes() const { return bgra.total() * bgra.elemSize(); }
 };
 
-/// Of the artwork's page drawn as straight BGRA, at any size. Nothing of it stands beyond `clip` (artwork_clip.h).
+/// The sprite of the artwork's page, which was drawn as straight BGRA at any size. Nothing of it stands beyond `clip`
+/// (artwork_clip.h).
 Sprite sprite_of_drawing(const cv::Mat& straight_bgra, const Shape& shape, const Outline& clip);
 
 /// The outline filled with the shape's mean colour, the page's longest side `longest_side_px` long.
 Sprite sprite_of_silhouette(const Shape& shape, int longest_side_px);
 
-/// Smaller by area averaging; never larger.
+/// The sprite made smaller by area averaging; it is never made larger.
 Sprite shrunk(const Sprite& sprite, double px_per_artwork_px);
 
 /// The shape's mean colour as 8-bit blue, green, red.

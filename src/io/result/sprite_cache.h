@@ -14,13 +14,13 @@
 
 namespace tessera::io {
 
-/// Each sprite is made once as long as there is room; the one that was not asked for longest goes first and is made again
-/// when it is wanted. What is in use stays.
+/// Each sprite is made once as long as there is room; the one whose last use is longest ago goes first, and is made
+/// again when it is wanted. What is in use stays.
 class SpriteCache {
  public:
-  /// While a sprite is made it counts three times: beside it there are its drawing, and that as it came from the process
-  /// that drew it. `make(slot, side_px)` is called from any of the threads, with other arguments at the same time; its sprite has
-  /// side_px x side_px pixels at most.
+  /// While a sprite is made it counts three times: beside it there are its drawing, and that as it came from the
+  /// process that drew it. `make(slot, side_px)` is called from any of the threads, with other arguments at the same
+  /// time; its sprite has side_px x side_px pixels at most.
   using Make = std::function<Sprite(std::size_t slot, int side_px)>;
 
   SpriteCache(std::size_t budget_bytes, Make make);

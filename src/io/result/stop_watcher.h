@@ -1,4 +1,4 @@
-// How drawing tells of itself, and how it is asked to stop.
+// How drawing reports its progress, and how it is asked to stop.
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@ namespace tessera::io {
 class DrawingObserver {
  public:
   virtual ~DrawingObserver() = default;
-  /// From the thread that draws; `total` is what `done` reaches at the end of this picture.
+  /// Called from the thread that draws; `total` is what `done` reaches at the end of this picture.
   virtual void progressed(const char* picture, std::size_t done, std::size_t total) = 0;
   /// Asked again and again, from any thread: true ends the drawing with DrawingStopped (drawers.h).
   virtual bool stop_requested() = 0;
