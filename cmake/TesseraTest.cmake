@@ -5,6 +5,12 @@ find_package(GTest REQUIRED)
 
 include_directories(${PROJECT_SOURCE_DIR}/tests)
 
+# Of a test without a longer one of its own. Instrumented programs take five times as long.
+set(TESSERA_TEST_TIMEOUT_S 300)
+if(TESSERA_SANITIZE)
+  set(TESSERA_TEST_TIMEOUT_S 1500)
+endif()
+
 function(tessera_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;RANKS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -16,13 +22,13 @@ function(tessera_test name)
       add_test(NAME ${name}.${ranks}_ranks
                COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe --allow-run-as-root --bind-to none
                        -n ${ranks} $<TARGET_FILE:${name}>)
-      set_tests_properties(${name}.${ranks}_ranks PROPERTIES LABELS "mpi;${ARG_LABELS}" TIMEOUT 300
+      set_tests_properties(${name}.${ranks}_ranks PROPERTIES LABELS "mpi;${ARG_LABELS}" TIMEOUT ${TESSERA_TEST_TIMEOUT_S}
                            PROCESSORS 2 ENVIRONMENT RC_PARAMS=seed=2016 ${drawer_place})
     endforeach()
   else()
     target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main rapidcheck)
     add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=2016
+    set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${TESSERA_TEST_TIMEOUT_S} ENVIRONMENT RC_PARAMS=seed=2016
                          ${drawer_place})
   endif()
 endfunction()

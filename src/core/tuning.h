@@ -1,10 +1,11 @@
-// Every fixed number that decides what the picture looks like, with its unit and why it has that value. What a job may
-// set is in settings.h; where and in what portions something is computed, which changes no picture, stands beside its
-// code. The kernels get theirs from here (worker/kernel_options.cpp).
+// The fixed numbers of the method: what counts as fitting, how far is looked, when something is given up, each with its
+// unit and why it has that value. What a job may set is in settings.h. Beside their code stand how finely shapes and fields
+// are sampled, what rounding needs, and how work is portioned. worker/kernel_options.cpp hands them to the kernels.
 #pragma once
 
 #include <algorithm>
 
+#include "core/matching/descent.h"
 #include "core/settings.h"
 
 namespace tessera {
@@ -69,15 +70,6 @@ inline constexpr int kRefined = 6;            // of these, distinct ones that ar
 inline constexpr float kSameDocking = 0.13f;  // of the scale: refinement would bring both to one pose
 
 // Refinement.
-/// One descent: `steps` Gauss-Newton steps that draw boundary points nearer than a radius (shrinking from
-/// `first_radius_px` to `last_radius_px`) onto the free region's boundary; a point outside weighs `overlap_weight`.
-struct Descent {
-  int steps;
-  float first_radius_px;
-  float last_radius_px;
-  float overlap_weight;
-  bool all_points;  // else every second boundary point
-};
 /// First from afar, then close by: points outside weigh more and more. `kApproach` begins at this part of the scale
 /// where that is more.
 inline constexpr Descent kApproach{6, 6, 3, 3, false};
@@ -115,7 +107,7 @@ inline constexpr float kLeastDefect = 0.0025f;  // paper: keeps Z finite for a p
 
 // The pool and the choice.
 inline constexpr int kPoolPerSample = 4;       // refined candidates kept
-inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, estimated along the contour
+inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, along the contour and, when settled, by nodes
 inline constexpr float kLeastMatched = 0.03f;  // of the piece's boundary: it must touch something
 inline constexpr float kWindowMargin_px = 3;   // round a candidate's boundary points: the outline bulges between them
 inline constexpr int kRefillBelow = 2;         // a target sample with fewer candidates left is matched again

@@ -26,6 +26,8 @@ namespace tessera::master {
 class Collage {
  public:
   Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context, ShapeSource& shapes);
+  Collage(const Collage&) = delete;  // its parts refer to each other
+  Collage& operator=(const Collage&) = delete;
 
   /// The nodes of the free field that changed since the last call; all of them at first.
   Window take_changed_nodes();
@@ -80,7 +82,8 @@ class Collage {
 
  private:
   std::vector<Pool::Ranked> finalists();
-  void check_exactly(Candidate& candidate);
+  ExactAreas check_exactly(Candidate& candidate);
+  bool little_overlaps(const Candidate& candidate, const ExactAreas& areas) const;
   bool settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);

@@ -64,8 +64,8 @@ void Collage::restore(const CheckpointState& state) {
 
 void Collage::check_pieces(const CheckpointState& state) const {
   const auto check = [&](ShapeId shape, const Similarity& pose) {
-    if (index_of(shape) >= scoring_.library_shapes()) {
-      fail(state, "shape " + std::to_string(index_of(shape)) + " of " + std::to_string(scoring_.library_shapes()));
+    if (index_of(shape) >= context_.library_shapes) {
+      fail(state, "shape " + std::to_string(index_of(shape)) + " of " + std::to_string(context_.library_shapes));
     }
     if (!sane(pose, settings_.pieces)) fail(state, "a piece out of all proportion");
   };

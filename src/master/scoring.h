@@ -28,8 +28,6 @@ class Scoring {
   /// stand, above all close by. It falls as pieces are placed, and never rises but by forget_placements().
   float preference(const Candidate& candidate) const;
 
-  std::size_t library_shapes() const { return poses_.size(); }
-
  private:
   PieceSettings pieces_;
   ObjectiveSettings objective_;

@@ -11,6 +11,14 @@
 
 namespace tessera::test {
 
+/// What is said of a drawing that makes librsvg panic. With the address sanitizer a panic aborts before the drawer's own
+/// end for it is reached.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr const char* kPanicReason = "crashed its process (Aborted)";
+#else
+inline constexpr const char* kPanicReason = "its process gave up";
+#endif
+
 using Bytes = std::vector<std::uint8_t>;
 
 inline Bytes svg(const std::string& body,

@@ -16,6 +16,7 @@
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
 #include "io/utf8_text.h"
+#include "artwork_samples.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 
@@ -259,7 +260,7 @@ TEST_F(LibraryBuilder, APanicCostsItsOwnFile) {
   EXPECT_TRUE(report.written);
   EXPECT_EQ(shapes().size(), 2u);
   ASSERT_EQ(report.skipped.size(), 3u);
-  for (const UnusedFile& file : report.skipped) EXPECT_EQ(file.reason, "its process gave up");
+  for (const UnusedFile& file : report.skipped) EXPECT_EQ(file.reason, test::kPanicReason);
 }
 
 TEST(ShapeCodec, GivesBackTheShape) {

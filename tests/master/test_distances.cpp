@@ -85,5 +85,23 @@ TEST(Distances, NoVertexLiesDeepInAnotherPiece) {
   EXPECT_LE(deepest, kHardDepth_px + 0.01f);
 }
 
+/// Lines that are thinner than the depth at which pieces may lie in each other: they must not lie on one another.
+TEST(Distances, LinesDoNotLieOnLines) {
+  const std::vector<Shape> rings{test::make_test_shape("ring", test::ring_outline(0.96f))};
+  CollageSettings s = settings();
+  s.pieces.min_scale_px = 15;
+  s.pieces.max_scale_px = 60;
+  s.stop.pieces = 60;
+  const MatchingContext context = make_matching_context(s, 1);
+  CompositeMatcher matcher = test::divided_matcher(rings, context, {});
+  test::VectorShapes shapes(rings);
+  SilentObserver silent;
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const CollageResult result = make_collage(canvas, s, matcher, shapes, silent);
+  EXPECT_GT(result.placements.size(), 5u);
+  const Quality q = measure_quality(canvas, result.placements, [&](ShapeId) -> const Shape& { return rings[0]; });
+  EXPECT_LT(q.overlap, 0.02);
+}
+
 }  // namespace
 }  // namespace tessera::master

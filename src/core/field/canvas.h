@@ -13,7 +13,8 @@ struct CanvasField {
 };
 
 /// The region to fill, with holes. `distance` is the signed distance to its boundary in px, positive inside, on nodes
-/// at the pixel centres and on a rim of kCanvasMargin nodes around the canvas (negative there).
+/// at the pixel centres and on a rim of kCanvasMargin nodes around the canvas (negative there). It is a true distance everywhere: who looks for
+/// pieces beyond the edge steps by it.
 struct Canvas {
   int width_px = 0;
   int height_px = 0;

@@ -128,9 +128,10 @@ void OpenedField::open(const Grid<float>& distance, const Window& window) {
       const int r = int(d) + 2;
       const Window disc = Window{x - r, y - r, x + r + 1, y + r + 1}.intersected(window);
       for (int b = disc.y0; b < disc.y1; ++b) {
-        const float* to_node = to_middle_.row(b - y + to_middle_.height() / 2) + (to_middle_.width() / 2 - x);
+        const float* to_middle = to_middle_.row(b - y + to_middle_.height() / 2);
+        const int middle = to_middle_.width() / 2;
         float* row = contour_.row(b);
-        for (int a = disc.x0; a < disc.x1; ++a) row[a] = std::max(row[a], d - to_node[a]);
+        for (int a = disc.x0; a < disc.x1; ++a) row[a] = std::max(row[a], d - to_middle[a - x + middle]);
       }
     }
   }
