@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/drawing/drawer_files.h"
+#include "io/drawing/drawer_landlock.h"
 #include "io/drawing/drawer_protocol.h"
 #include "io/drawing/drawer_sandbox.h"
 #include "io/drawing/drawing_service.h"
