@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/build_summary.h"
+#include "cli/collage_warnings.h"
 #include "cli/progress_bar.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
@@ -43,8 +44,10 @@ io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, cons
       [&](std::size_t done, std::size_t shapes) { bar.update(done, std::to_string(shapes) + " shapes"); },
       comm::stop_signalled};
   io::Drawers drawers({.processes = arguments.settings.files_at_a_time});
-  return io::build_library(files, arguments.output, arguments.settings,
-                           io::artwork_loader(drawers, arguments.settings.pad), monitor);
+  const io::LibraryBuildReport report = io::build_library(files, arguments.output, arguments.settings,
+                                                          io::artwork_loader(drawers, arguments.settings.pad), monitor);
+  if (io::any_failed(drawers.layers())) print_warning(io::layers_note(drawers.layers()));
+  return report;
 }
 
 void throw_if_not_written(const BuildArguments& arguments, const io::LibraryBuildReport& report) {

@@ -31,17 +31,28 @@ class DrawingProgress : public io::DrawingObserver {
   std::optional<ProgressBar> bar_;
 };
 
+/// What a user could mend goes to stderr, too.
+void warn(const std::string& folder, const std::string& warning, io::RunLog& log) {
+  if (warning.empty()) return;
+  print_warning(folder + ": " + warning);
+  log.warning(warning);
+}
+
 }  // namespace
+
+void tell_layers(const std::string& folder, const io::DrawerLayers& layers, io::RunLog& log) {
+  const std::string note = io::layers_note(layers);
+  if (io::any_failed(layers)) return warn(folder, note, log);
+  if (!note.empty()) log.info(note);
+}
 
 bool draw(const std::string& folder, const io::DrawingRequest& request, bool quiet, std::function<bool()> stop) {
   DrawingProgress progress(quiet, std::move(stop));
   io::RunLog log(folder);
   try {
-    const std::string warning = io::drawing_warning(io::draw_result(folder, request, progress));
-    if (!warning.empty()) {
-      print_warning(folder + ": " + warning);
-      log.warning(warning);
-    }
+    const io::DrawingNotes notes = io::draw_result(folder, request, progress);
+    warn(folder, io::drawing_warning(notes), log);
+    tell_layers(folder, notes.layers, log);
     log.info("drawn");
     return true;
   } catch (const io::DrawingStopped&) {

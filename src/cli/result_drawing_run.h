@@ -5,8 +5,12 @@
 #include <string>
 
 #include "io/result/result_drawing.h"
+#include "io/result/run_log.h"
 
 namespace tessera::cli {
+
+/// Writes into the log which layers around the drawers do not hold; where one failed it is a warning, on stderr, too.
+void tell_layers(const std::string& folder, const io::DrawerLayers& layers, io::RunLog& log);
 
 /// Draws what the result in `folder` is to have; a line on stderr counts the pieces that are not drawn from their
 /// originals. False where `stop` ended it (asked from any thread): drawing again goes on. Errors as io::draw_result.

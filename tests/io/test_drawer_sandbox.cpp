@@ -1,20 +1,27 @@
 // What a process may still do when it has limited itself. Each attempt runs in a forked child, since it cannot go back.
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <fontconfig/fontconfig.h>
 #include <gtest/gtest.h>
+#include <linux/landlock.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <thread>
 #include <vector>
 
 #include "io/drawing/drawer_files.h"
+#include "io/drawing/drawer_landlock.h"
 #include "io/drawing/drawer_sandbox.h"
 #include "scratch_folder.h"
 
@@ -23,14 +30,14 @@ namespace {
 
 constexpr std::size_t kBytes = std::size_t(128) << 20;
 
-enum class Layer { limits, system_calls };
+enum class Layer { none, limits, system_calls };
 
 /// What `attempt` says in a child that is limited.
 bool succeeds(Layer layer, const std::function<bool()>& attempt) {
   const pid_t child = ::fork();
   if (child == 0) {
     if (layer == Layer::limits) limit_process(kBytes);
-    if (layer == Layer::system_calls && !forbid_system_calls()) ::_exit(2);
+    if (layer == Layer::system_calls && forbid_system_calls() != LayerState::holds) ::_exit(2);
     ::_exit(attempt() ? 1 : 0);
   }
   int status = 0;
@@ -43,7 +50,7 @@ class SystemCalls : public testing::Test {
  protected:
   void SetUp() override {
     const pid_t child = ::fork();
-    if (child == 0) ::_exit(forbid_system_calls() ? 0 : 1);
+    if (child == 0) ::_exit(forbid_system_calls() == LayerState::holds ? 0 : 1);
     int status = 0;
     ::waitpid(child, &status, 0);
     if (status != 0) GTEST_SKIP() << "this kernel has no seccomp";
@@ -117,7 +124,7 @@ TEST_F(SystemCalls, ThreadsAndMemoryAreThere) {
 
 /// In a child that is confined to `readable`, as a drawer is.
 bool confined(const std::vector<std::string>& readable, const std::function<bool()>& attempt) {
-  return succeeds(Layer::limits, [&] { return confine_to_files(readable) && attempt(); });
+  return succeeds(Layer::limits, [&] { return confine_to_files(readable) == LayerState::holds && attempt(); });
 }
 
 class Files : public testing::Test {
@@ -135,8 +142,10 @@ TEST_F(Files, OnlyThoseThatDecodersNeedAreRead) {
   const std::string file = folder_.write("private", "abc");
   const std::vector<std::string> readable = files_of_decoders();
   const auto is_read = [&](const std::string& path) { return confined(readable, [&] { return opens(path); }); };
-  for (const std::string& path : {file, folder_.path(""), std::string("/etc/passwd"), std::string("/"),
-                                  "/proc/" + std::to_string(::getppid()) + "/environ"}) {
+  for (const std::string& path :
+       {file, folder_.path(""), std::string("/etc/passwd"), std::string("/"),
+        "/proc/" + std::to_string(::getppid()) + "/environ", std::string("/proc/self/environ"),
+        std::string("/proc/self/net/tcp"), std::string("/proc/self/mountinfo")}) {
     EXPECT_FALSE(is_read(path)) << path;
   }
   for (const char* path :
@@ -145,11 +154,90 @@ TEST_F(Files, OnlyThoseThatDecodersNeedAreRead) {
   }
 }
 
-TEST_F(Files, NeitherHomeNorARootIsReadable) {
-  const std::string home = std::getenv("HOME") ? std::getenv("HOME") : "/root";
-  for (const std::string& path : files_of_decoders()) {
-    EXPECT_TRUE(path.size() > 1 && path != home && path != home + "/") << path;
+/// A way by which a user's own settings lead to the home folder.
+struct HomeCase {
+  const char* name;
+  std::function<void(const std::string& home)> prepare;
+};
+
+void list_a_loader_in(const std::string& home) {
+  std::ofstream(home + "/loaders.cache") << "\"" << home << "/loader.so\"\n\"/* XPM */\" \"\" 100\n";
+  ::setenv("GDK_PIXBUF_MODULE_FILE", (home + "/loaders.cache").c_str(), 1);
+}
+
+void look_for_fonts_in(const std::string& home) {
+  std::ofstream(home + "/fonts.conf") << "<fontconfig><dir>~</dir></fontconfig>";
+  ::setenv("FONTCONFIG_FILE", (home + "/fonts.conf").c_str(), 1);
+}
+
+/// A copy of one that is loaded is another library.
+void load_a_library_from(const std::string& home) {
+  Dl_info library{};
+  ::dladdr(reinterpret_cast<void*>(&FcInitLoadConfig), &library);
+  std::filesystem::copy_file(library.dli_fname, home + "/library.so",
+                             std::filesystem::copy_options::overwrite_existing);
+  ::setenv("LD_LIBRARY_PATH", home.c_str(), 1);
+  if (!::dlopen((home + "/library.so").c_str(), RTLD_NOW)) ::_exit(0);
+}
+
+class HomeFolder : public Files, public testing::WithParamInterface<HomeCase> {};
+
+TEST_P(HomeFolder, StaysShut) {
+  const std::string home = folder_.path("users/me");
+  std::filesystem::create_directories(home);
+  const std::string secret = folder_.write("users/me/secret", "abc");
+  const std::string neighbour = folder_.write("users/secret", "abc");
+  for (const std::string& path : {secret, neighbour, home, std::string("/etc/passwd")}) {
+    EXPECT_TRUE(succeeds(Layer::none, [&] {
+      ::setenv("HOME", home.c_str(), 1);
+      GetParam().prepare(home);
+      limit_process(kBytes);
+      return confine_to_files(files_of_decoders()) == LayerState::holds && !opens(path);
+    })) << path;
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, HomeFolder,
+                         testing::Values(HomeCase{"Loaders", list_a_loader_in}, HomeCase{"Fonts", look_for_fonts_in},
+                                         HomeCase{"Libraries", load_a_library_from}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_F(Files, WhatDecodersLoadLaterIsReadable) {
+  for (const char* folder : {"libraries", "loaders"}) std::filesystem::create_directories(folder_.path(folder));
+  const std::string library = folder_.write("libraries/library.so", "abc");
+  const std::string loader = folder_.write("loaders/loader.so", "abc");
+  const std::string needed = folder_.write("loaders/needed.so", "abc");
+  const std::string list = folder_.write("loaders.cache", "# a list\n\"" + loader + "\"\n\"png\" 5 \"\" \"\"\n");
+  const std::string beside = folder_.write("secret", "abc");
+  const auto is_read = [&](const std::string& path) {
+    return succeeds(Layer::limits, [&] {
+      ::setenv("LD_LIBRARY_PATH", ("/nowhere::" + folder_.path("libraries")).c_str(), 1);
+      ::setenv("GDK_PIXBUF_MODULE_FILE", list.c_str(), 1);
+      return confine_to_files(files_of_decoders()) == LayerState::holds && opens(path);
+    });
+  };
+  for (const std::string& path : {library, loader, needed, list}) EXPECT_TRUE(is_read(path)) << path;
+  EXPECT_FALSE(is_read(beside));
+}
+
+TEST_F(Files, NothingIsCutShort) {
+  if (::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 3) {
+    GTEST_SKIP() << "this kernel's Landlock does not know it";
+  }
+  const std::string file = folder_.write("there", "abc");
+  EXPECT_FALSE(confined({folder_.path("")}, [&] { return ::truncate(file.c_str(), 0) == 0; }));
+  EXPECT_EQ(std::filesystem::file_size(file), 3u);
+}
+
+/// A pipe is no place that Landlock takes.
+TEST_F(Files, ARefusedRuleConfinesNothingAndIsSaid) {
+  int pipe[2];
+  ASSERT_EQ(::pipe(pipe), 0);
+  const std::string refused = "/proc/self/fd/" + std::to_string(pipe[0]);
+  EXPECT_TRUE(succeeds(Layer::limits, [&] {
+    return confine_to_files({refused, "/usr"}) == LayerState::failed && opens("/etc/passwd");
+  }));
+  for (const int end : pipe) ::close(end);
 }
 
 TEST_F(Files, ALinkCountsAsWhatItLeadsTo) {

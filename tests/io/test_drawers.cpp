@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <linux/landlock.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -20,6 +22,7 @@
 #include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
 #include "io/artwork/svg_import.h"
+#include "io/drawing/drawer_protocol.h"
 #include "io/drawing/drawers.h"
 #include "io/drawing/shape_codec.h"
 #include "scratch_folder.h"
@@ -304,27 +307,108 @@ TEST(Drawers, AMissingProgramIsSaid) {
   }
 }
 
-/// Says what a drawer of another build says.
-std::string greeting_program(const test::ScratchFolder& folder, const std::string& build) {
+/// Says so much as its greeting, and waits.
+std::string greeting_program(const test::ScratchFolder& folder, const std::string& greeting) {
   const std::string script =
-      folder.write("program", "#!/bin/sh\nprintf 'drawer02" + build + "' >&3\nhead -c " +
-                                  std::to_string(56 - build.size()) + " /dev/zero >&3\nsleep 10\n");
+      folder.write("program", "#!/bin/sh\ncat " + folder.write("greeting", greeting) + " >&3\nexec sleep 100\n");
   std::filesystem::permissions(script, std::filesystem::perms::owner_all);
   return script;
 }
 
-TEST(Drawers, ADrawerOfAnotherBuildIsSaid) {
+std::string text_of(const DrawerGreeting& greeting) {
+  return std::string(kDrawerMark.begin(), kDrawerMark.end()) +
+         std::string(reinterpret_cast<const char*>(&greeting), sizeof greeting);
+}
+
+/// What is said of a drawer that greets so.
+std::string refusal_of(const std::string& greeting) {
   const test::ScratchFolder folder;
-  const OtherProgram program(greeting_program(folder, "0.0.1, commit abc"));
+  const OtherProgram program(greeting_program(folder, greeting));
+  DrawerSettings settings = kTwo;
+  settings.seconds_to_start = 1;
   try {
-    Drawers(kTwo).render(svg(kDisc), "a", 100);
-    ADD_FAILURE() << "it was taken";
+    Drawers(settings).render(svg(kDisc), "a", 100);
   } catch (const EnvironmentError& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find("program: it is tessera 0.0.1, commit abc, and this program is tessera "), std::string::npos)
-        << message;
-    EXPECT_NE(message.find("both must be of one build"), std::string::npos) << message;
+    return error.what();
   }
+  return "it was taken";
+}
+
+TEST(Drawers, ADrawerOfAnotherBuildIsSaid) {
+  DrawerGreeting greeting{this_build(), {}};
+  greeting.build.name = {};
+  std::ranges::copy(std::string_view("0.0.1, commit abc"), greeting.build.name.begin());
+  const std::string message = refusal_of(text_of(greeting));
+  EXPECT_NE(message.find("program: it is tessera 0.0.1, commit abc, and this program is tessera "), std::string::npos)
+      << message;
+  EXPECT_NE(message.find("both must be of one build"), std::string::npos) << message;
+}
+
+/// Two builds of one commit, with changes that are not committed.
+TEST(Drawers, ADrawerWithOtherHeadersIsSaid) {
+  DrawerGreeting greeting{this_build(), {}};
+  greeting.build.header_bytes[1] += 8;
+  const std::string message = refusal_of(text_of(greeting));
+  EXPECT_NE(message.find("program: it was built from other sources"), std::string::npos) << message;
+}
+
+/// Older ones said no more than a mark.
+TEST(Drawers, ADrawerOfAnOlderVersionIsSaidAtOnce) {
+  const std::string message = refusal_of("drawer01");
+  EXPECT_NE(message.find("program: it is of another version of tessera"), std::string::npos) << message;
+}
+
+TEST(Drawers, ADrawerThatDoesNotAnswerIsSaid) {
+  for (const std::string& greeting : {std::string(), std::string(kDrawerMark.begin(), kDrawerMark.end())}) {
+    const std::string message = refusal_of(greeting);
+    EXPECT_NE(message.find("program: did not answer within 1 s"), std::string::npos) << message;
+  }
+}
+
+TEST(Drawers, TellWhichLayersHold) {
+  const test::ScratchFolder folder;
+  Drawers drawers({.processes = 1, .seconds_per_drawing = 0.1});
+  for (const LayerState files : {LayerState::missing, LayerState::failed, LayerState::holds}) {
+    const OtherProgram program(greeting_program(folder, text_of({this_build(), {files, LayerState::holds}})));
+    EXPECT_EQ(mistake(drawers, svg(kDisc)), "some/file.svg: took longer than 0.1 s");
+    EXPECT_GE(drawers.layers().files, files);
+    EXPECT_EQ(drawers.layers().system_calls, LayerState::holds);
+  }
+  EXPECT_EQ(drawers.layers().files, LayerState::failed) << "one process is enough";
+}
+
+/// A process can be confined 16 times, and passes that on to its children.
+TEST(Drawers, ALayerThatFailsIsTold) {
+  if (::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 1) {
+    GTEST_SKIP() << "this kernel has no Landlock";
+  }
+  const pid_t job = ::fork();
+  if (job == 0) {
+    landlock_ruleset_attr attributes{};
+    attributes.handled_access_fs = LANDLOCK_ACCESS_FS_MAKE_SYM;
+    const long rules = ::syscall(SYS_landlock_create_ruleset, &attributes, sizeof attributes.handled_access_fs, 0);
+    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    for (int i = 0; i < 16; ++i) ::syscall(SYS_landlock_restrict_self, rules, 0);
+    Drawers drawers(kTwo);
+    drawers.render(svg(kDisc), "a", 100);
+    ::_exit(drawers.layers().files == LayerState::failed ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(job, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+TEST(DrawerLayers, AreToldInALine) {
+  EXPECT_EQ(layers_note({}), "");
+  const DrawerLayers without{LayerState::missing, LayerState::holds};
+  EXPECT_FALSE(any_failed(without));
+  EXPECT_EQ(layers_note(without),
+            "Landlock, which this kernel lacks, does not limit which files foreign drawings can read");
+  const DrawerLayers bad{LayerState::failed, LayerState::failed};
+  EXPECT_TRUE(any_failed(bad));
+  EXPECT_EQ(layers_note(bad),
+            "Landlock, which failed here, does not limit which files foreign drawings can read; "
+            "seccomp, which failed here, does not limit what foreign drawings can do");
 }
 
 /// A font that is read through a link out of the fonts' folder, in place of the drawer's files.

@@ -1,16 +1,12 @@
 #include "io/drawing/drawer_files.h"
 
-#include <fcntl.h>
 #include <fontconfig/fontconfig.h>
 #include <link.h>
-#include <linux/landlock.h>
-#include <sys/stat.h>
-#include <sys/syscall.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string_view>
 
@@ -19,8 +15,8 @@ namespace {
 
 using Paths = std::vector<std::string>;
 
-/// Debian's, and what the C library, thread pools and sanitizers ask about the machine. The rest of /proc and /etc stays
-/// shut: other processes' environments, passwords.
+/// Debian's, and what the C library, thread pools and sanitizers ask about the machine and about their own process. The
+/// rest of /proc and /etc stays shut: environments, connections, passwords.
 constexpr const char* kOfSystem[] = {"/usr",
                                      "/lib",
                                      "/lib64",
@@ -28,7 +24,10 @@ constexpr const char* kOfSystem[] = {"/usr",
                                      "/etc/ld.so.cache",
                                      "/etc/localtime",
                                      "/var/cache/fontconfig",
-                                     "/proc/self",
+                                     "/proc/self/cgroup",
+                                     "/proc/self/maps",
+                                     "/proc/self/statm",
+                                     "/proc/self/status",
                                      "/proc/cpuinfo",
                                      "/proc/meminfo",
                                      "/proc/filesystems",
@@ -57,25 +56,38 @@ void add_below(const std::string& folder, std::initializer_list<const char*> nam
   }
 }
 
-/// Of a list with colons between the folders.
-void add_below_each(const std::string& folders, std::initializer_list<const char*> names, Paths& paths) {
-  for (std::size_t from = 0; from <= folders.size();) {
-    const std::size_t to = std::min(folders.find(':', from), folders.size());
-    add_below(folders.substr(from, to - from), names, paths);
+/// What stands between the separators.
+Paths parts_of(const std::string& list, const char* separators) {
+  Paths parts;
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t to = std::min(list.find_first_of(separators, from), list.size());
+    parts.push_back(list.substr(from, to - from));
     from = to + 1;
   }
+  return parts;
 }
 
-/// Never the home folder itself.
 void add_users_own(Paths& paths) {
   add_below(user_folder("XDG_DATA_HOME", ".local/share"), {"fonts", "mime"}, paths);
   add_below(user_folder("XDG_CONFIG_HOME", ".config"), {"fontconfig"}, paths);
   add_below(user_folder("XDG_CACHE_HOME", ".cache"), {"fontconfig"}, paths);
   add_below(environment("HOME"), {".fonts", ".fonts.conf", ".fonts.conf.d"}, paths);
-  add_below_each(environment("XDG_DATA_DIRS"), {"fonts", "mime"}, paths);
-  for (const char* variable : {"FONTCONFIG_FILE", "FONTCONFIG_PATH"}) paths.push_back(environment(variable));
-  if (const std::string list = environment("GDK_PIXBUF_MODULE_FILE"); !list.empty()) {
-    paths.push_back(std::filesystem::path(list).parent_path());  // the loaders lie below it
+  for (const std::string& folder : parts_of(environment("XDG_DATA_DIRS"), ":")) {
+    add_below(folder, {"fonts", "mime"}, paths);
+  }
+}
+
+/// The list of gdk-pixbuf's loaders, each loader, and its folder: what a loader needs lies beside it. A loader stands
+/// alone in its line, in quotes.
+void add_image_loaders(Paths& paths) {
+  const std::string list = environment("GDK_PIXBUF_MODULE_FILE");
+  paths.push_back(list);
+  std::ifstream lines(list);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("\"/") || line.find('"', 1) != line.size() - 1) continue;
+    const std::filesystem::path loader = line.substr(1, line.size() - 2);
+    paths.push_back(loader);
+    paths.push_back(loader.parent_path());
   }
 }
 
@@ -94,63 +106,47 @@ void add_fonts(Paths& paths) {
   add_all(FcConfigGetCacheDirs(config.get()), paths);
 }
 
-/// Where this process has its libraries from, plugins lie below: a cluster's modules are not in /usr.
+/// Plugins lie below the libraries: a cluster's modules are not in /usr.
 int add_library_folder(dl_phdr_info* library, std::size_t, void* paths) {
   const std::string_view file(library->dlpi_name);
   if (file.starts_with('/')) static_cast<Paths*>(paths)->push_back(std::filesystem::path(file).parent_path());
   return 0;
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(long number) : number_(int(number)) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
+/// Where this process has its libraries from, and where it looks for those that are loaded later.
+void add_libraries(Paths& paths) {
+  ::dl_iterate_phdr(add_library_folder, &paths);
+  for (const std::string& folder : parts_of(environment("LD_LIBRARY_PATH"), ":;")) paths.push_back(folder);
+}
+
+/// What is there of `paths`, without links on the way, less the root, the home folder and all that the home folder lies
+/// in: whatever a variable or a configuration says, a drawing has no business with the rest of them.
+Paths without_home(const Paths& paths) {
+  std::error_code error;
+  const std::filesystem::path home = std::filesystem::weakly_canonical(environment("HOME"), error) / "";
+  Paths kept;
+  for (const std::string& path : paths) {
+    const std::filesystem::path place = path.empty() ? "" : std::filesystem::canonical(path, error);
+    const bool holds_home = home.native().starts_with((place / "").native());
+    if (!place.empty() && !error && !holds_home && place != "/") kept.push_back(place);
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-/// All that the first version of Landlock knows: its bits up to the last.
-constexpr __u64 kAllAccess = 2 * LANDLOCK_ACCESS_FS_MAKE_SYM - 1;
-
-/// What is not there need not be allowed.
-void allow_reading(const Descriptor& rules, const std::string& path) {
-  const Descriptor place(::open(path.c_str(), O_PATH | O_CLOEXEC));
-  struct stat status {};
-  if (place.number() < 0 || ::fstat(place.number(), &status) != 0) return;
-  landlock_path_beneath_attr rule{};
-  rule.parent_fd = place.number();
-  rule.allowed_access = LANDLOCK_ACCESS_FS_READ_FILE;
-  if (S_ISDIR(status.st_mode)) rule.allowed_access |= LANDLOCK_ACCESS_FS_READ_DIR;
-  ::syscall(SYS_landlock_add_rule, rules.number(), LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
+  return kept;
 }
 
 }  // namespace
 
 std::vector<std::string> files_of_decoders() {
-  Paths paths(std::begin(kOfSystem), std::end(kOfSystem));
-  add_users_own(paths);
-  add_fonts(paths);
-  ::dl_iterate_phdr(add_library_folder, &paths);
+  Paths found;
+  add_users_own(found);
+  add_image_loaders(found);
+  add_fonts(found);
+  add_libraries(found);
+  Paths paths = without_home(found);
+  // The system's stay whatever they hold: some accounts of daemons have their home folder in /usr.
+  paths.insert(paths.end(), std::begin(kOfSystem), std::end(kOfSystem));
   std::sort(paths.begin(), paths.end());
   paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
-  std::erase(paths, "");
   return paths;
-}
-
-bool confine_to_files(const std::vector<std::string>& readable) {
-  landlock_ruleset_attr attributes{};
-  attributes.handled_access_fs = kAllAccess;
-  const Descriptor rules(::syscall(SYS_landlock_create_ruleset, &attributes, sizeof attributes, 0));
-  if (rules.number() < 0) return false;
-  for (const std::string& path : readable) allow_reading(rules, path);
-  return ::syscall(SYS_landlock_restrict_self, rules.number(), 0) == 0;
 }
 
 }  // namespace tessera::io

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/drawing/drawer_files.h"
+#include "io/drawing/drawer_landlock.h"
 #include "io/drawing/drawer_protocol.h"
 #include "io/drawing/drawer_sandbox.h"
 #include "io/drawing/drawing_service.h"
@@ -66,8 +67,9 @@ void answer_next_request() {
 }
 
 /// librsvg's panics unwind the stack; here they end.
-[[noreturn]] void serve() noexcept {
-  const DrawerGreeting greeting = greeting_of_this_build();
+[[noreturn]] void serve(const DrawerLayers& layers) noexcept {
+  const DrawerGreeting greeting{this_build(), layers};
+  write_all(kDrawerMark.data(), kDrawerMark.size());
   write_all(&greeting, sizeof greeting);
   while (true) answer_next_request();
 }
@@ -82,7 +84,8 @@ int main(int argc, char** argv) {
   cv::setNumThreads(1);  // the processes are the parallelism
   limit_process(std::strtoull(argv[1], nullptr, 10));
   if (::getppid() != std::atol(argv[2])) end_at_once();  // the parent died before it could be watched
-  confine_to_files(files_of_decoders());
-  forbid_system_calls();
-  serve();
+  DrawerLayers layers;
+  layers.files = confine_to_files(files_of_decoders());
+  layers.system_calls = forbid_system_calls();
+  serve(layers);
 }

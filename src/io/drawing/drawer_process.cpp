@@ -31,9 +31,6 @@ namespace {
 /// A drawing is given up by its CPU time; by the clock only where it took so many times that, and does not compute.
 constexpr double kPatience = 3;
 
-/// Linking its libraries can take long on a busy machine with a cold disk.
-constexpr double kMostStartTime_s = 60;
-
 /// What of the environment a drawer needs: where libraries, fonts and sanitizer options are. Nothing of MPI or Slurm: a
 /// child that takes itself for a rank would disturb the job.
 std::vector<std::string> drawer_environment() {
@@ -117,11 +114,16 @@ std::string how_it_ended(int status, std::size_t bytes_per_process) {
   return "crashed its process (" + std::string(::strsignal(WTERMSIG(status))) + ")";
 }
 
-/// Requests and answers go as they are in memory, so builds do not mix.
-std::string another_build(const DrawerGreeting& drawer, const DrawerGreeting& expected) {
-  if (drawer.mark != expected.mark || drawer.build.back() != 0) return "it is of another version of tessera";
-  return "it is tessera " + printable_utf8(drawer.build.data()) + ", and this program is tessera " +
-         expected.build.data() + "; both must be of one build";
+constexpr char kAnotherVersion[] = "it is of another version of tessera";
+
+/// Requests and answers go as they are in memory, so builds do not mix. Empty where they are the same.
+std::string another_build(const DrawerBuild& drawer) {
+  const DrawerBuild program = this_build();
+  if (drawer == program) return "";
+  if (drawer.name.back() != 0) return kAnotherVersion;
+  if (drawer.name == program.name) return "it was built from other sources; both must be of one build";
+  return "it is tessera " + printable_utf8(drawer.name.data()) + ", and this program is tessera " +
+         program.name.data() + "; both must be of one build";
 }
 
 std::string seconds_text(double seconds) {
@@ -132,7 +134,7 @@ std::string seconds_text(double seconds) {
 
 }  // namespace
 
-void DrawerProcess::start() {
+DrawerLayers DrawerProcess::start() {
   const std::string program = drawer_program();
   int sockets[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0) {
@@ -148,19 +150,30 @@ void DrawerProcess::start() {
   ::close(sockets[1]);  // the child's own: that it closes is how we learn of its death
   socket_ = sockets[0];
   ::fcntl(socket_, F_SETFL, O_NONBLOCK);
-  greet(program);
+  return greet(program);
 }
 
-void DrawerProcess::greet(const std::string& program) {
-  DrawerGreeting greeting{};
-  took_too_long_ = false;
-  double left_s = kMostStartTime_s;
-  const bool greeted = receive(&greeting, sizeof greeting, left_s);
-  const DrawerGreeting expected = greeting_of_this_build();
-  if (greeted && greeting == expected) return;
+DrawerLayers DrawerProcess::greet(const std::string& program) {
+  DrawerGreeting greeting;
+  const std::string reason = refusal(greeting);
+  if (reason.empty()) return greeting.layers;
   end();
-  throw_cannot_start(greeted ? program + ": " + another_build(greeting, expected)
-                             : how_it_ended(status_, bytes_per_process_));
+  throw_cannot_start(program + ": " + reason);
+}
+
+/// Why this drawer is not taken; empty where it is. The mark is judged first: another version may say less after it, and
+/// wait.
+std::string DrawerProcess::refusal(DrawerGreeting& greeting) {
+  DrawerMark mark{};
+  took_too_long_ = false;
+  double left_s = seconds_to_start_;
+  bool greeted = receive(mark.data(), mark.size(), left_s);
+  if (greeted && mark != kDrawerMark) return kAnotherVersion;
+  greeted = greeted && receive(&greeting, sizeof greeting, left_s);
+  if (greeted) return another_build(greeting.build);
+  if (took_too_long_) return "did not answer within " + seconds_text(seconds_to_start_);
+  end();
+  return how_it_ended(status_, bytes_per_process_);
 }
 
 std::optional<DrawingAnswer> DrawerProcess::ask(const DrawingRequest& request, double seconds) {

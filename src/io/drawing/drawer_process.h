@@ -15,14 +15,16 @@ namespace tessera::io {
 
 class DrawerProcess {
  public:
-  explicit DrawerProcess(std::size_t bytes_per_process) : bytes_per_process_(bytes_per_process) {}
+  DrawerProcess(std::size_t bytes_per_process, double seconds_to_start)
+      : bytes_per_process_(bytes_per_process),
+        seconds_to_start_(seconds_to_start) {}
   ~DrawerProcess() { end(); }
   DrawerProcess(const DrawerProcess&) = delete;
   DrawerProcess& operator=(const DrawerProcess&) = delete;
 
   bool started() const { return socket_ >= 0; }
-  /// Throws EnvironmentError. The process dies with the thread that calls this, at the latest.
-  void start();
+  /// Returns what of its confinement holds. Throws EnvironmentError. The process dies with the thread that calls this, at the latest.
+  DrawerLayers start();
   /// The answer of a started process; where there is none, it has ended it and failure() says why.
   std::optional<DrawingAnswer> ask(const DrawingRequest& request, double seconds);
   const std::string& failure() const { return failure_; }
@@ -33,7 +35,8 @@ class DrawerProcess {
   void kill();
 
  private:
-  void greet(const std::string& program);
+  DrawerLayers greet(const std::string& program);
+  std::string refusal(DrawerGreeting& greeting);
   void allow_cpu_time(double seconds);
   bool send(const void* data, std::size_t bytes, double& left_s);
   bool receive(void* data, std::size_t bytes, double& left_s);
@@ -41,6 +44,7 @@ class DrawerProcess {
   bool exchange(const DrawingRequest& request, DrawingAnswer& answer, double& left_s);
 
   std::size_t bytes_per_process_;
+  double seconds_to_start_;
   std::mutex mutex_;  // of pid_: a process that was collected may no longer be killed
   pid_t pid_ = -1;
   int socket_ = -1;

@@ -24,11 +24,11 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
 
 }  // namespace
 
-DrawerGreeting greeting_of_this_build() {
-  DrawerGreeting greeting;
-  const std::string build = std::string(program_version()) + ", commit " + program_commit();
-  std::copy_n(build.begin(), std::min(build.size(), greeting.build.size() - 1), greeting.build.begin());
-  return greeting;
+DrawerBuild this_build() {
+  DrawerBuild build{.header_bytes = {sizeof(RequestHeader), sizeof(AnswerHeader)}};
+  const std::string name = std::string(program_version()) + ", commit " + program_commit();
+  std::copy_n(name.begin(), std::min(name.size(), build.name.size() - 1), build.name.begin());
+  return build;
 }
 
 std::size_t most_answer_bytes(const DrawingRequest& request) {

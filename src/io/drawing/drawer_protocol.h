@@ -11,22 +11,32 @@
 #include <string>
 
 #include "core/pad/pad.h"
+#include "io/drawing/drawer_layers.h"
 
 namespace tessera::io {
 
 /// Where a drawer finds its socket.
 inline constexpr int kDrawerSocket = 3;
 
-/// The first thing that a drawer says, when it has limited itself: which build it is of. Filled up with zeros.
-struct DrawerGreeting {
-  std::array<char, 8> mark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '2'};
-  std::array<char, 56> build = {};
+/// The first thing that a drawer says, when it has limited itself. Another layout of the greeting has another mark.
+using DrawerMark = std::array<char, 8>;
+inline constexpr DrawerMark kDrawerMark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '3'};
 
-  friend bool operator==(const DrawerGreeting&, const DrawerGreeting&) = default;
+/// Two builds of one commit may differ in what was not committed yet, so the sizes of what travels belong to a build.
+struct DrawerBuild {
+  std::array<char, 56> name = {};                  // version and commit, filled up with zeros
+  std::array<std::uint32_t, 2> header_bytes = {};  // of RequestHeader and AnswerHeader
+
+  friend bool operator==(const DrawerBuild&, const DrawerBuild&) = default;
 };
 
-/// The greeting with this program's version and commit.
-DrawerGreeting greeting_of_this_build();
+/// Comes after the mark.
+struct DrawerGreeting {
+  DrawerBuild build;
+  DrawerLayers layers;
+};
+
+DrawerBuild this_build();
 
 enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf };
 

@@ -96,12 +96,13 @@ void limit_process(std::size_t bytes) {
   set_limit(RLIMIT_NOFILE, kMostDescriptors);
 }
 
-bool forbid_system_calls() {
+LayerState forbid_system_calls() {
+  if (::prctl(PR_GET_SECCOMP) < 0) return LayerState::missing;
   const std::unique_ptr<void, Release> filter(seccomp_init(SCMP_ACT_ERRNO(ENOSYS)));
-  if (!filter) return false;
+  if (!filter) return LayerState::failed;
   for (const int call : kAllowed) seccomp_rule_add(filter.get(), SCMP_ACT_ALLOW, call, 0);
   add_rules_with_arguments(filter.get());
-  return seccomp_load(filter.get()) == 0;
+  return seccomp_load(filter.get()) == 0 ? LayerState::holds : LayerState::failed;
 }
 
 }  // namespace tessera::io

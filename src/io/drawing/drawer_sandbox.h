@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "io/drawing/drawer_layers.h"
+
 namespace tessera::io {
 
 /// Limits this process: `bytes` of address space beyond what it has now, no core dumps, no bytes written to files, few
@@ -12,7 +14,7 @@ void limit_process(std::size_t bytes);
 
 /// From now on only system calls that decoding needs are answered (ENOSYS otherwise): reading files, fonts among them,
 /// memory, threads. No sockets, no new process or program, no signal to others, no file opened for writing, made,
-/// renamed or removed. False where the kernel has no seccomp, which loses this layer only.
-bool forbid_system_calls();
+/// renamed or removed. Missing where the kernel has no seccomp.
+LayerState forbid_system_calls();
 
 }  // namespace tessera::io

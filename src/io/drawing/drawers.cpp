@@ -67,7 +67,8 @@ class Drawers::Crew {
  public:
   explicit Crew(const DrawerSettings& settings) : settings_(settings) {
     const int count = std::max(1, settings.processes);
-    for (int i = 0; i < count; ++i) processes_.push_back(std::make_unique<DrawerProcess>(settings.bytes_per_process));
+    for (int i = 0; i < count; ++i)
+      processes_.push_back(std::make_unique<DrawerProcess>(settings.bytes_per_process, settings.seconds_to_start));
     const SignalsBlocked blocked;
     for (const auto& process : processes_) {
       try {
@@ -103,6 +104,11 @@ class Drawers::Crew {
   void stop() {
     stopped_ = true;
     for (const auto& process : processes_) process->kill();
+  }
+
+  DrawerLayers layers() {
+    const std::lock_guard lock(mutex_);
+    return layers_;
   }
 
  private:
@@ -149,7 +155,7 @@ class Drawers::Crew {
   std::optional<DrawingAnswer> attempt(DrawerProcess& process, const DrawingRequest& request) {
     std::optional<DrawingAnswer> answer;
     try {
-      if (!stopped_ && !process.started()) process.start();
+      if (!stopped_ && !process.started()) note(process.start());
       // stop() sets the flag first: it either ends what was just started, or is seen here.
       if (!stopped_) answer = process.ask(request, settings_.seconds_per_drawing);
     } catch (const EnvironmentError&) {  // also where stop() ended a process that was just starting
@@ -159,12 +165,18 @@ class Drawers::Crew {
     return answer;
   }
 
+  void note(const DrawerLayers& layers) {
+    const std::lock_guard lock(mutex_);
+    layers_ = worse_of(layers_, layers);
+  }
+
   DrawerSettings settings_;
   std::atomic<bool> stopped_ = false;
-  std::mutex mutex_;  // of tasks_ and closing_
+  std::mutex mutex_;  // of tasks_, closing_ and layers_
   std::condition_variable wake_;
   std::deque<Task*> tasks_;
   bool closing_ = false;
+  DrawerLayers layers_;
   std::vector<std::unique_ptr<DrawerProcess>> processes_;
   std::vector<std::jthread> threads_;  // joined before the processes go
 };
@@ -174,6 +186,8 @@ Drawers::Drawers(const DrawerSettings& settings) : crew_(std::make_unique<Crew>(
 Drawers::~Drawers() = default;
 
 void Drawers::stop() { crew_->stop(); }
+
+DrawerLayers Drawers::layers() const { return crew_->layers(); }
 
 cv::Mat Drawers::render(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
   check_side(longest_side_px, path);

@@ -15,6 +15,7 @@
 
 #include "core/pad/pad.h"
 #include "io/artwork/artwork_shape.h"
+#include "io/drawing/drawer_layers.h"
 
 namespace tessera::io {
 
@@ -22,6 +23,7 @@ struct DrawerSettings {
   int processes = 1;                                       // how many drawings are made at a time
   double seconds_per_drawing = 20;                         // of CPU time; of wall-clock time three times as much
   std::size_t bytes_per_process = std::size_t(512) << 20;  // of address space, beyond what a process starts with
+  double seconds_to_start = 60;  // linking its libraries can take long on a busy machine with a cold disk
 };
 
 /// What calls throw that were under way when Drawers::stop was called, or came later.
@@ -66,6 +68,9 @@ class Drawers {
 
   /// Ends all processes at once. Calls under way and later ones throw DrawingStopped.
   void stop();
+
+  /// Of all processes that were started so far, the worst.
+  DrawerLayers layers() const;
 
  private:
   class Crew;

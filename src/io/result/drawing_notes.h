@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/drawing/drawer_layers.h"
+
 namespace tessera::io {
 
 enum class DrawnFrom { thumbnail, silhouette };
@@ -20,6 +22,7 @@ struct DrawingNote {
 struct DrawingNotes {
   std::size_t pieces = 0;          // of the collage
   std::vector<DrawingNote> notes;  // in the order of the library
+  DrawerLayers layers;             // not for the card: it tells of the result, whatever the machine
 };
 
 /// The card's section "drawing" (docs/result-format.md), as JSON.

@@ -187,7 +187,8 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   if (request.svg) pictures.svg();
   if (request.png) pictures.png();
   if (request.pdf) pictures.pdf();
-  const DrawingNotes notes = pictures.notes();
+  DrawingNotes notes = pictures.notes();
+  notes.layers = drawers.layers();
   add_drawing_to_cards(dir, notes);
   return notes;
 }
