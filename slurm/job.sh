@@ -24,14 +24,15 @@ if [[ -z ${SLURM_JOB_END_TIME-} ]] && end=$(date -d "$(squeue -h -j "$SLURM_JOB_
 fi
 
 # The templates' --signal, and the minute that Slurm may be early; what is left before it is all that is computed.
+# Slurm does not tell a job whether sbatch was given another one.
 readonly signal_lead_s=180
 
 warn_of_short_limit() {
   [[ ${SLURM_JOB_END_TIME-} =~ ^[0-9]+$ ]] || return 0
   local left_s=$((SLURM_JOB_END_TIME - $(date +%s)))
   ((left_s > 0 && left_s <= signal_lead_s)) || return 0
-  echo "warning: the job ends in $left_s s, and Slurm's signal before the time limit may come $signal_lead_s s early:" \
-    "little or nothing will be computed each time it is queued; give it more time (sbatch --time=00:30:00)" >&2
+  echo "warning: the job ends in $left_s s, and Slurm's signal before the time limit may come $signal_lead_s s early" \
+    "as the template sets it: little or nothing will be computed each time it is queued; give it more time (sbatch --time=00:30:00)" >&2
 }
 
 # The program would refuse them beside --resume=auto, and does not know of the template.
@@ -39,7 +40,7 @@ refuse_other_starts() {  # options of tessera collage...
   local option
   for option in "$@"; do
     case $option in
-      --restart | --resume | --resume=*)
+      --restart | --restart=* | --resume | --resume=*)
         echo "$option: not in a template, which goes on from a checkpoint where there is one (--resume=auto) and comes back" \
           "by itself; to start again give another folder, or remove checkpoint.h5 and checkpoint.previous.h5 from it" >&2
         exit 2

@@ -32,7 +32,8 @@ std::string campaign_folder(const CampaignArguments& arguments) {
 /// Computed and drawn. Throws InputError where the folder holds the finished result of another job, which would be
 /// lost.
 bool is_finished(const std::string& folder, const io::Job& job) {
-  return io::is_finished_result_of(folder, job) && io::is_drawn(folder);
+  const io::EarlierResult earlier = io::find_earlier_result(folder);
+  return io::is_finished_result_of(earlier, job) && earlier.whole->drawn;
 }
 
 /// All jobs are read before the first is begun, so that a mistake in the last shows at once.
@@ -55,10 +56,18 @@ void print_list(const std::vector<Task>& tasks) {
   }
 }
 
+/// The collage is there without its card, too.
+std::string measures_in(const std::string& folder) {
+  try {
+    const io::ResultCard card = io::read_card(folder);
+    return io::fixed(100 * card.quality.coverage, 2) + " % covered, " + io::fixed(card.total_s, 1) + " s";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 void print_result(const Task& task, std::size_t number, std::size_t of) {
-  const io::ResultCard card = io::read_card(task.folder);
-  std::printf("%zu/%zu  %s: %s %% covered, %s s%s\n", number, of, task.variation.name.c_str(),
-              io::fixed(100 * card.quality.coverage, 2).c_str(), io::fixed(card.total_s, 1).c_str(),
+  std::printf("%zu/%zu  %s: %s%s\n", number, of, task.variation.name.c_str(), measures_in(task.folder).c_str(),
               task.finished ? ", finished before" : "");
   std::fflush(stdout);
 }

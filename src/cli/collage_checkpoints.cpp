@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "core/base/error.h"
-#include "io/result/finished_result.h"
 
 namespace tessera::cli {
 namespace {
@@ -57,19 +56,18 @@ void require(const Found& wanted, const Found& other, const std::string& damage)
 
 }  // namespace
 
-Start automatic_start(const std::string& result_folder) {
-  const io::CheckpointFolder folder(result_folder);
-  if (folder.has_latest() || io::job_of_finished_result(result_folder)) return Start::resume;
+Start automatic_start(const io::EarlierResult& earlier) {
+  const io::CheckpointFolder folder(earlier.folder);
+  if (folder.has_latest() || earlier.finished()) return Start::resume;
   return folder.has_previous() ? Start::resume_previous : Start::fresh;
 }
 
-io::CheckpointFolder checked_start(const std::string& result_folder, Start start) {
-  io::CheckpointFolder folder(result_folder);
+io::CheckpointFolder checked_start(const io::EarlierResult& earlier, Start start) {
+  io::CheckpointFolder folder(earlier.folder);
   const Found latest{folder.latest(), "--resume", folder.has_latest()};
   const Found previous{folder.previous(), "--resume=previous", folder.has_previous()};
-  const std::string damage = io::damage_of_result(result_folder);
-  if (start == Start::resume && !io::job_of_finished_result(result_folder)) require(latest, previous, damage);
-  if (start == Start::resume_previous) require(previous, latest, damage);
+  if (start == Start::resume && !earlier.finished()) require(latest, previous, earlier.damage);
+  if (start == Start::resume_previous) require(previous, latest, earlier.damage);
   if (start == Start::fresh && (latest.there || previous.there)) {
     const Found& best = latest.there ? latest : previous;
     throw InputError(best.path + ": unfinished work; " + best.option + " goes on with it, " + kStartAgain);

@@ -8,6 +8,7 @@
 #include "core/base/stopwatch.h"
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/checkpoint/checkpoint_origin.h"
+#include "io/result/finished_result.h"
 #include "master/checkpoint_keeper.h"
 
 namespace tessera::cli {
@@ -21,11 +22,11 @@ enum class Start {
 
 /// What --resume=auto means for this folder: `resume` where there is a checkpoint or a finished result,
 /// `resume_previous` where only that checkpoint is left, or `fresh`.
-Start automatic_start(const std::string& result_folder);
+Start automatic_start(const io::EarlierResult& earlier);
 
 /// The checkpoints in the result's folder. Before anything costs time: throws InputError where `start` does not go with
 /// what is there.
-io::CheckpointFolder checked_start(const std::string& result_folder, Start start);
+io::CheckpointFolder checked_start(const io::EarlierResult& earlier, Start start);
 
 /// What the run starts from, if not from an empty canvas. Throws InputError that says what is wrong and what to do
 /// where the checkpoint is damaged or belongs to others.

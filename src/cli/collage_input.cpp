@@ -5,15 +5,14 @@
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
 #include "io/result/collage_files.h"
-#include "io/result/finished_result.h"
 
 namespace tessera::cli {
 namespace {
 
-Start start_of(const CollageArguments& arguments) {
+Start start_of(const CollageArguments& arguments, const io::EarlierResult& earlier) {
   if (arguments.restart) return Start::restart;
   if (arguments.resume.empty()) return Start::fresh;
-  if (arguments.resume == "auto") return automatic_start(output_folder(arguments));
+  if (arguments.resume == "auto") return automatic_start(earlier);
   return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
 }
 
@@ -23,9 +22,9 @@ Canvas checked_canvas(const io::Job& job) {
   return canvas;
 }
 
-/// What is in a folder counts when it is locked; where there is none, there is nothing to wait for.
-io::CheckpointFolder checkpoints_in(const std::string& folder, Start start) {
-  return std::filesystem::exists(folder) ? io::CheckpointFolder(folder) : checked_start(folder, start);
+/// Where there is no folder, mistakes show before it is made.
+io::CheckpointFolder checkpoints_in(const io::EarlierResult& earlier, Start start) {
+  return std::filesystem::exists(earlier.folder) ? io::CheckpointFolder(earlier.folder) : checked_start(earlier, start);
 }
 
 /// The folder is there then. Returns the place of its lock.
@@ -42,21 +41,23 @@ std::string output_folder(const CollageArguments& arguments) {
 }
 
 CollageInput::CollageInput(const CollageArguments& arguments)
-    : start(start_of(arguments)),
-      job(io::load_job(arguments.job, arguments.overrides)),
+    : job(io::load_job(arguments.job, arguments.overrides)),
       folder(output_folder(arguments)),
-      checkpoints(checkpoints_in(folder, start)),
+      earlier{.folder = folder, .whole = {}, .damage = {}},  // what is in a folder counts when it is locked
+      start(start_of(arguments, earlier)),
+      checkpoints(checkpoints_in(earlier, start)),
       library(io::open_library_of(job)),
       canvas(checked_canvas(job)),
       lock(locked_folder(folder), folder) {
   io::check_nothing_foreign_is_replaced(folder, arguments.job);
   io::prepare_output_directory(folder);
-  start = start_of(arguments);  // another run may have changed the folder until it was locked
-  checkpoints = checked_start(folder, start);
+  earlier = io::find_earlier_result(folder);
+  start = start_of(arguments, earlier);
+  checkpoints = checked_start(earlier, start);
   origin = io::make_origin(job, library, canvas);
   finished = start == Start::resume && !checkpoints.has_latest();
   if (finished) {
-    io::check_finished_result(folder, origin);
+    io::check_finished_result(earlier, origin);
   } else {
     from = starting_state(checkpoints, start, origin);
   }

@@ -12,6 +12,7 @@
 #include "io/job/job_file.h"
 #include "io/library/library_file.h"
 #include "io/output_lock.h"
+#include "io/result/finished_result.h"
 
 namespace tessera::cli {
 
@@ -21,9 +22,10 @@ struct CollageInput {
   CollageInput(const CollageInput&) = delete;  // origin points into it
   CollageInput& operator=(const CollageInput&) = delete;
 
-  Start start;
   io::Job job;
   std::string folder;
+  io::EarlierResult earlier;
+  Start start;
   io::CheckpointFolder checkpoints;
   io::LibraryFile library;
   Canvas canvas;

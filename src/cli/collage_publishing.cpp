@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "io/result/collage_files.h"
-#include "io/result/finished_result.h"
 
 namespace tessera::cli {
 namespace {
@@ -25,7 +24,7 @@ void add_placed_shapes(const io::LibraryFile& library, io::CollageReport& report
 }  // namespace
 
 bool leaves_older_result(const CollageInput& input, const master::CollageResult& result) {
-  return result.unfinished && result.placements.empty() && io::job_of_finished_result(input.folder).has_value();
+  return result.unfinished && result.placements.empty() && input.earlier.finished();
 }
 
 std::string publish(const CollageInput& input, const master::CollageResult& result, const RankStatistics& ranks,

@@ -24,7 +24,6 @@
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/base/version.h"
-#include "io/result/finished_result.h"
 #include "io/result/rank_table.h"
 #include "io/utc_time.h"
 #include "master/collage_loop.h"
@@ -90,7 +89,7 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
 CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
-  journal->warn(replaced_result_warning(input.folder, input.job));
+  journal->warn(replaced_result_warning(input.earlier, input.job));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
@@ -140,7 +139,7 @@ CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
   const CollageInput input(arguments);
   if (input.finished) {
     say(arguments, input.folder + ": finished before, nothing is left to compute");
-    if (io::is_drawn(input.folder)) return CollageEnd::finished;
+    if (input.earlier.whole->drawn) return CollageEnd::finished;
   } else {
     const auto journal =
         std::make_shared<CollageJournal>(input.folder, record_of(input));  // the ranks' watch shares it

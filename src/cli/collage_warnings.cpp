@@ -1,11 +1,9 @@
 #include "cli/collage_warnings.h"
 
 #include <cstdio>
-#include <optional>
 
 #include "io/job/job_keys.h"
 #include "io/job/job_value.h"
-#include "io/result/finished_result.h"
 
 namespace tessera::cli {
 namespace {
@@ -34,14 +32,14 @@ std::string what_to_try(const io::Job& job) {
 
 }  // namespace
 
-std::string replaced_result_warning(const std::string& folder, const io::Job& job) {
-  if (const std::string damage = io::damage_of_result(folder); !damage.empty()) {
-    return folder + ": this run replaces a result that is not whole: " + damage;
+std::string replaced_result_warning(const io::EarlierResult& earlier, const io::Job& job) {
+  if (!earlier.damage.empty()) {
+    return earlier.folder + ": this run replaces a result that is not whole: " + earlier.damage;
   }
-  const std::optional<io::Job> then = io::job_of_finished_result(folder);
-  const std::string differences = then ? io::result_differences(*then, job) : "";
+  const std::string differences = earlier.finished() ? io::result_differences(earlier.whole->job, job) : "";
   if (differences.empty()) return "";
-  return folder + ": this run replaces the finished result of another job" + differences + "; another --out keeps it";
+  return earlier.folder + ": the finished result of another job is replaced as soon as a piece is placed" +
+         differences + "; another --out keeps it";
 }
 
 std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result) {

@@ -4,12 +4,13 @@
 #include <string>
 
 #include "io/job/job_file.h"
+#include "io/result/finished_result.h"
 #include "master/collage_loop.h"
 
 namespace tessera::cli {
 
-/// Empty where `folder` holds no result, an unfinished one, or the finished one of the same job.
-std::string replaced_result_warning(const std::string& folder, const io::Job& job);
+/// Empty where the folder holds no result, an unfinished one, or the finished one of the same job.
+std::string replaced_result_warning(const io::EarlierResult& earlier, const io::Job& job);
 
 /// Empty where there are pieces, or where the run may still go on to some.
 std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result);

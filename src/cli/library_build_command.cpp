@@ -50,12 +50,29 @@ io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, cons
   return report;
 }
 
-void throw_if_not_written(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
-  if (report.written) return;
+/// Of a build that wrote nothing. The list of a library that stays is not replaced. Returns why the list could not be
+/// written; mostly empty.
+std::string tell_what_was_left_out(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
+  std::error_code error;
+  if (std::filesystem::exists(arguments.output, error)) {
+    std::fputs(io::left_out_list(report).c_str(), stdout);
+    return "";
+  }
+  try {
+    io::write_left_out_list(arguments.output, report);
+    std::printf("all that was left out: %s\n", io::left_out_path(arguments.output).c_str());
+    return "";
+  } catch (const EnvironmentError& failure) {
+    return std::string("; ") + failure.what();
+  }
+}
+
+[[noreturn]] void throw_not_written(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
+  const std::string list_problem = tell_what_was_left_out(arguments, report);
   const io::UnusedFile& first = report.skipped.front();
   const std::string why = report.shapes == 0 ? "no usable shape in " : "--strict; ";
   throw InputError(arguments.output + " was not written: " + why + build_counts(report) + "; the first is " +
-                   first.path + ": " + first.reason);
+                   first.path + ": " + first.reason + list_problem);
 }
 
 void throw_if_nothing_found(const BuildArguments& arguments, const io::ArtworkFiles& files) {
@@ -84,11 +101,11 @@ int run(const BuildArguments& arguments) {
   const io::OutputLock lock(arguments.output + ".lock", arguments.output);
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   std::fputs(build_summary(report).c_str(), stdout);
+  if (!report.written) throw_not_written(arguments, report);
   io::write_left_out_list(arguments.output, report);
   if (!io::left_out_list(report).empty()) {
     std::printf("all that was left out: %s\n", io::left_out_path(arguments.output).c_str());
   }
-  throw_if_not_written(arguments, report);
   const std::chrono::duration<double> elapsed_s = std::chrono::steady_clock::now() - start;
   std::printf("%s, %.1f MB, %.1f s; of %s\n", arguments.output.c_str(),
               double(std::filesystem::file_size(arguments.output)) * 1e-6, elapsed_s.count(),

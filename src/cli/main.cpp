@@ -39,6 +39,17 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   throw InputError(parse_problem(app, error) + " (see " + understood_command(app) + " --help)");
 }
 
+/// For CLI11, last first. It would take what follows "--time-limit=" for the value, be it the job file.
+std::vector<std::string> reversed_arguments(int argc, char** argv) {
+  constexpr std::string_view kEmptyLimit = "--time-limit=";
+  std::vector<std::string> arguments;
+  for (int i = argc - 1; i > 0; --i) {
+    if (argv[i] == kEmptyLimit) arguments.push_back("");
+    arguments.push_back(argv[i] == kEmptyLimit ? "--time-limit" : argv[i]);
+  }
+  return arguments;
+}
+
 int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   CLI::App app("Collages of shapes, on one machine or a cluster.", "tessera");
   app.set_version_flag("--version", std::string("tessera ") + program_version() + ", commit " + program_commit());
@@ -62,12 +73,13 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   add_devices_command(app, selected);
   add_bench_command(app, selected);
   try {
-    app.parse(argc, argv);
+    app.parse(reversed_arguments(argc, argv));
   } catch (const CLI::ParseError& error) {  // the same on every rank
     return ranks.rank() == 0 ? end_of_parsing(app, error) : 0;
   }
   if (selected.run_on_all_ranks) {
-    const std::string problem = comm::launcher_problem([](const char* name) { return std::getenv(name); }, ranks.size());
+    const std::string problem =
+        comm::launcher_problem([](const char* name) { return std::getenv(name); }, ranks.size());
     if (!problem.empty()) throw InputError(problem);
     return selected.run_on_all_ranks(ranks);
   }

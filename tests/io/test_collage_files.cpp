@@ -91,7 +91,8 @@ TEST(CollageFiles, AManifestBelongsToItsFiles) {
     EXPECT_NE(test::message_of([&] { read_manifest(folder.path("")); }).find(name), std::string::npos);
   }
   folder.write("manifest.json", R"({"format": 1, "state": "finished"})");
-  EXPECT_NE(test::message_of([&] { read_manifest(folder.path("")); }).find("manifest.json: not a manifest"), std::string::npos);
+  EXPECT_NE(test::message_of([&] { read_manifest(folder.path("")); }).find("manifest.json: not a manifest"),
+            std::string::npos);
 }
 
 TEST(CollageFiles, PiecesAreReadBackAsTheyWereWritten) {
@@ -121,8 +122,22 @@ TEST(CollageFiles, TheCardsTellOfTheLatestDrawing) {
             card + "Drawing\n  drawn from thumbnail    1 piece: original missing\n");
   EXPECT_NE(content_of(folder.path("card.json")).find("original missing"), std::string::npos);
   read_manifest(folder.path(""));
-  add_drawing_to_cards(folder.path(""), {2, {}});
+  add_drawing_to_cards(folder.path(""), {2, {}, {}});
   EXPECT_EQ(content_of(folder.path("card.txt")), card);
+}
+
+TEST(CollageFiles, ADrawingIsNotLostWithACard) {
+  const test::ScratchFolder folder;
+  const test::SampleCollage sample;
+  publish_result(folder.path(""), sample.report, sample.origin(), true);
+  std::filesystem::remove(folder.path("card.json"));
+  DrawingNotes notes{2, {{"disc", DrawnFrom::thumbnail, "original missing", 1}}, {}};
+  notes.cards = add_drawing_to_cards(folder.path(""), notes);
+  ASSERT_EQ(notes.cards.size(), 1u);
+  EXPECT_NE(
+      drawing_warning(notes).find("drawn without a word in the card: " + folder.path("card.json") + ": not found"),
+      std::string::npos);
+  EXPECT_NE(content_of(folder.path("card.txt")).find("original missing"), std::string::npos);
 }
 
 TEST(CollageFiles, PreparesFoldersInFolders) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/base/error.h"
 #include "io/result/finished_result.h"
 #include "io/result/result_manifest.h"
 #include "sample_collage.h"
@@ -29,53 +30,72 @@ class FinishedResult : public testing::Test {
 
 TEST_F(FinishedResult, has_its_job) {
   sample_.job.settings.seed = 12;
-  const auto then = job_of_finished_result(write_result(true));
-  ASSERT_TRUE(then.has_value());
-  EXPECT_EQ(to_toml(*then), to_toml(sample_.job));
-  EXPECT_EQ(result_differences(*then, sample_.job), "");
+  const EarlierResult earlier = find_earlier_result(write_result(true));
+  ASSERT_TRUE(earlier.finished());
+  EXPECT_EQ(to_toml(earlier.whole->job), to_toml(sample_.job));
+  EXPECT_TRUE(is_finished_result_of(earlier, sample_.job));
 }
 
-TEST_F(FinishedResult, is_none_where_it_was_ended_early) { EXPECT_FALSE(job_of_finished_result(write_result(false))); }
+TEST_F(FinishedResult, is_none_where_it_was_ended_early) {
+  const EarlierResult earlier = find_earlier_result(write_result(false));
+  EXPECT_TRUE(earlier.whole);
+  EXPECT_FALSE(earlier.finished());
+}
 
-TEST_F(FinishedResult, is_none_where_a_file_is_missing_or_not_ours) {
-  EXPECT_FALSE(job_of_finished_result(scratch_.path("none")));
-  for (const char* name : {"manifest.json", "job.toml", "pieces.geojson", "card.json", "card.txt"}) {
-    const std::string dir = write_result(true);
-    fs::remove(dir + "/" + name);
-    EXPECT_FALSE(job_of_finished_result(dir)) << name;
-    EXPECT_NE(test::message_of([&] { read_result(dir); }).find(name), std::string::npos);
-  }
+TEST_F(FinishedResult, is_none_where_there_is_no_manifest) {
   const std::string dir = write_result(true);
-  scratch_.write("out/job.toml", "[shapes]\nof = 'another version'\n");
-  EXPECT_FALSE(job_of_finished_result(dir));
+  fs::remove(dir + "/manifest.json");
+  for (const std::string& folder : {scratch_.path("none"), dir}) {
+    const EarlierResult earlier = find_earlier_result(folder);
+    EXPECT_FALSE(earlier.whole);
+    EXPECT_EQ(earlier.damage, "");
+    EXPECT_NE(test::message_of([&] { read_result(folder); }).find("manifest.json: not found"), std::string::npos);
+  }
 }
 
 TEST_F(FinishedResult, says_which_file_is_missing_or_another_where_there_is_a_manifest) {
-  EXPECT_EQ(damage_of_result(scratch_.path("none")), "");
   const std::string dir = write_result(true);
-  EXPECT_EQ(damage_of_result(dir), "");
-  for (const char* name : {"job.toml", "pieces.geojson", "card.json", "card.txt"}) {
-    write_result(false);
+  for (const char* name : {"job.toml", "pieces.geojson"}) {
+    write_result(true);
     fs::remove(dir + "/" + name);
-    EXPECT_TRUE(damage_of_result(dir).starts_with(dir + "/" + name + ": not found")) << damage_of_result(dir);
+    const EarlierResult earlier = find_earlier_result(dir);
+    EXPECT_FALSE(earlier.whole);
+    EXPECT_TRUE(earlier.damage.starts_with(dir + "/" + name + ": not found")) << earlier.damage;
   }
   write_result(true);
+  scratch_.write("out/job.toml", "[shapes]\nof = 'another version'\n");
+  EXPECT_FALSE(find_earlier_result(dir).whole);
+}
+
+TEST_F(FinishedResult, is_whole_without_its_cards) {
+  const std::string dir = write_result(true);
   scratch_.write("out/card.json", "{");
-  EXPECT_TRUE(damage_of_result(dir).starts_with(dir + "/card.json: not JSON"));
-  fs::remove(dir + "/manifest.json");
-  EXPECT_EQ(damage_of_result(dir), "") << "no result at all";
+  EXPECT_TRUE(find_earlier_result(dir).finished());
+  for (const char* name : {"card.json", "card.txt"}) fs::remove(dir + "/" + name);
+  EXPECT_TRUE(find_earlier_result(dir).finished());
+}
+
+TEST_F(FinishedResult, that_cannot_be_read_is_no_reason_to_replace_it) {
+  const std::string dir = scratch_.path("out");
+  for (const char* name : {"manifest.json", "job.toml", "pieces.geojson"}) {
+    write_result(true);
+    fs::remove(dir + "/" + name);
+    fs::create_directory(dir + "/" + name);
+    EXPECT_THROW(find_earlier_result(dir), EnvironmentError) << name;
+    fs::remove(dir + "/" + name);
+  }
 }
 
 TEST_F(FinishedResult, is_checked_before_nothing_is_computed) {
   const std::string dir = write_result(true);
   CheckpointOrigin now = sample_.origin();
-  check_finished_result(dir, now);
+  check_finished_result(find_earlier_result(dir), now);
   Job other = sample_.job;
   other.output.width_px = 64;
   now.job = &other;
-  check_finished_result(dir, now);
+  check_finished_result(find_earlier_result(dir), now);
   other.settings.seed = 12;
-  const auto message = [&] { return test::message_of([&] { check_finished_result(dir, now); }); };
+  const auto message = [&] { return test::message_of([&] { check_finished_result(find_earlier_result(dir), now); }); };
   EXPECT_EQ(message(),
             dir +
                 ": holds the finished result of another job; seed: then 1, now 12; give what it was then, or "
@@ -87,14 +107,14 @@ TEST_F(FinishedResult, is_checked_before_nothing_is_computed) {
 
 TEST_F(FinishedResult, has_pictures_when_the_manifest_says_so_and_they_are_there) {
   const std::string dir = write_result(true);
-  EXPECT_FALSE(is_drawn(dir));
+  EXPECT_FALSE(read_result(dir).drawn);
   ResultManifest manifest = read_manifest(dir);
   manifest.pictures = {{"collage.svg", 400, "#ffffff"}, {"collage.png", 400, "#ffffff"}};
   write_manifest(dir, manifest);
-  EXPECT_FALSE(is_drawn(dir));
+  EXPECT_FALSE(read_result(dir).drawn);
   scratch_.write("out/collage.svg", "");
   scratch_.write("out/collage.png", "");
-  EXPECT_TRUE(is_drawn(dir));
+  EXPECT_TRUE(read_result(dir).drawn);
 }
 
 TEST(ResultDifferences, name_each_key_with_both_values) {

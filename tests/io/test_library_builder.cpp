@@ -9,12 +9,13 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "io/drawing/shape_codec.h"
 #include "io/library/contact_sheet.h"
 #include "io/library/left_out_list.h"
-#include "io/drawing/shape_codec.h"
 #include "io/library/library_builder.h"
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
+#include "io/library/skip_reason_text.h"
 #include "io/utf8_text.h"
 #include "artwork_samples.h"
 #include "random_shape.h"
@@ -103,13 +104,27 @@ TEST_F(LibraryBuilder, NamesPicturesInOtherFormats) {
   EXPECT_EQ(reasons[0], "a format that is not read; convert it to SVG or PNG: gif");
   EXPECT_EQ(reasons[4], "not a regular file");
   EXPECT_TRUE(found("*.svg").left_out.size() == 1);  // the pipe
-  for (const ArtworkFiles& files : {found("*.GIF"), find_artwork({folder_.path("in/b.GIF")}, "")}) {
-    EXPECT_TRUE(files.paths.empty());
-    ASSERT_EQ(files.left_out.size(), 1u);
-    EXPECT_EQ(files.left_out[0].reason, reasons[0]);
-  }
+  const ArtworkFiles matching = found("*.GIF");
+  EXPECT_TRUE(matching.paths.empty());
+  ASSERT_EQ(matching.left_out.size(), 1u);
+  EXPECT_EQ(matching.left_out[0].reason, reasons[0]);
   EXPECT_EQ(find_artwork({folder_.path("in/g.svg")}, "").left_out[0].reason, reasons[4]);
   EXPECT_EQ(report.files, 6u) << "all but the text";
+}
+
+TEST_F(LibraryBuilder, JudgesWhatIsNamedByItsContent) {
+  for (const char* name : {"pic.ai", "b.GIF"}) {
+    write(name, "1");
+    const ArtworkFiles named = find_artwork({folder_.path(std::string("in/") + name)}, "");
+    EXPECT_EQ(named.paths, std::vector<std::string>{folder_.path(std::string("in/") + name)});
+    EXPECT_TRUE(named.left_out.empty());
+  }
+}
+
+TEST(SkipReasonText, SaysWhatToDo) {
+  EXPECT_EQ(skip_reason_text(SkipReason::several_large_components),
+            "several large parts that do not touch; save each as a file of its own, or join them");
+  EXPECT_EQ(skip_reason_text(SkipReason::hairlines), "thin lines alone; fill what they enclose, or make them thicker");
 }
 
 TEST_F(LibraryBuilder, WritesShapesInTheOrderOfTheFiles) {
@@ -143,7 +158,7 @@ TEST_F(LibraryBuilder, SkipsWithReasons) {
   EXPECT_EQ(report.shapes, 2u);
   ASSERT_EQ(report.skipped.size(), 2u);
   EXPECT_EQ(report.skipped[0].path, folder_.path("in/b.svg"));
-  EXPECT_EQ(report.skipped[0].reason, to_string(SkipReason::hairlines));
+  EXPECT_EQ(report.skipped[0].reason, skip_reason_text(SkipReason::hairlines));
   EXPECT_EQ(report.skipped[1].reason, "not a drawing");
   EXPECT_EQ(report.trimmed, std::vector<std::string>{folder_.path("in/e.svg")});
 }
@@ -312,7 +327,8 @@ TEST(LeftOutList, has_a_line_a_file_whatever_its_name) {
             "skipped\t/a/x_y.svg\tnot a readable SVG file: line 3:_ no\n"
             "skipped\t/a/b.svg\thairlines\n"
             "merged\t/a/red.svg\tthe silhouette and colour of blue\n"
-            "trimmed\t/a/deer.svg\tsmall parts that do not touch the largest are not in the silhouette; join them to have them\n");
+            "trimmed\t/a/deer.svg\tsmall parts that do not touch the largest are not in the silhouette; join them to "
+            "have them\n");
 }
 
 }  // namespace

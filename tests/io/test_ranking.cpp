@@ -107,6 +107,12 @@ class ResultFolders : public testing::Test {
     write_manifest(scratch_.path(name), manifest);
   }
 
+  std::vector<std::string> folders_in(const char* argument) {
+    std::vector<std::string> folders;
+    for (const ResultCard& card : find_results(scratch_.path(argument)).cards) folders.push_back(card.folder);
+    return folders;
+  }
+
   static constexpr const char* kJob = "[library]\nfile = '/a.h5'\n";
 
   test::ScratchFolder scratch_;
@@ -142,27 +148,28 @@ TEST_F(ResultFolders, are_the_folder_or_its_folders) {
   fs::create_directories(scratch_.path("all/unfinished"));
   make_result("all/crashed", 0.95);
   fs::remove(scratch_.path("all/crashed/manifest.json"));
-  EXPECT_EQ(result_folders(scratch_.path("all/b")).whole, std::vector<std::string>{scratch_.path("all/b")});
-  EXPECT_EQ(result_folders(scratch_.path("all")).whole,
-            (std::vector<std::string>{scratch_.path("all/a"), scratch_.path("all/b")}));
-  EXPECT_NE(message_of([&] { result_folders(scratch_.path("all/crashed")); }).find("manifest.json: not found"),
-            std::string::npos);
-  EXPECT_NE(message_of([&] { result_folders(scratch_.path("all/unfinished")); }).find("no whole result"),
-            std::string::npos);
+  EXPECT_EQ(folders_in("all/b"), std::vector<std::string>{scratch_.path("all/b")});
+  EXPECT_EQ(folders_in("all"), (std::vector<std::string>{scratch_.path("all/a"), scratch_.path("all/b")}));
+  const auto message = [&](const char* folder) { return message_of([&] { find_results(scratch_.path(folder)); }); };
+  for (const char* folder : {"all/crashed", "all/unfinished"}) {
+    EXPECT_EQ(message(folder),
+              scratch_.path(folder) + ": no result of tessera collage, neither itself nor its folders");
+  }
+  EXPECT_EQ(message("none"), scratch_.path("none") + ": no such folder");
+  EXPECT_EQ(message("all/a/job.toml"), scratch_.path("all/a/job.toml") + ": not a folder");
 }
 
-TEST_F(ResultFolders, what_is_not_whole_is_left_out_and_said) {
-  make_result("all/a", 0.8);
-  make_result("all/lost", 0.9);
+TEST_F(ResultFolders, what_cannot_be_ranked_is_left_out_and_said) {
+  for (const char* name : {"all/a", "all/lost", "all/unreadable"}) make_result(name, 0.8);
   fs::remove(scratch_.path("all/lost/card.json"));
-  const FoundResults found = result_folders(scratch_.path("all"));
-  EXPECT_EQ(found.whole, std::vector<std::string>{scratch_.path("all/a")});
-  ASSERT_EQ(found.damages.size(), 1u);
-  EXPECT_TRUE(found.damages.front().starts_with(scratch_.path("all/lost/card.json") + ": not found"));
-  const auto message = [&](const char* folder) { return message_of([&] { result_folders(scratch_.path(folder)); }); };
-  EXPECT_NE(message("all/lost").find("card.json: not found"), std::string::npos);
-  fs::remove_all(scratch_.path("all/a"));
-  EXPECT_NE(message("all").find("lost/card.json: not found"), std::string::npos);
+  fs::remove(scratch_.path("all/unreadable/card.json"));
+  fs::create_directory(scratch_.path("all/unreadable/card.json"));
+  EXPECT_EQ(folders_in("all"), std::vector<std::string>{scratch_.path("all/a")});
+  const std::vector<std::string> damages = find_results(scratch_.path("all")).damages;
+  ASSERT_EQ(damages.size(), 2u);
+  EXPECT_TRUE(damages[0].starts_with(scratch_.path("all/lost/card.json") + ": not found"));
+  EXPECT_TRUE(damages[1].starts_with(scratch_.path("all/unreadable/card.json") + ": not a readable file"));
+  EXPECT_EQ(find_results(scratch_.path("all/lost")).damages.size(), 1u);
 }
 
 TEST_F(ResultFolders, the_files_of_a_ranking) {

@@ -35,7 +35,8 @@ cv::Mat disc_on_background(cv::Scalar background, cv::Scalar disc) {
 
 Shape shape_of(const Bytes& bytes) {
   const auto result = shape_from_artwork(bytes, "folder/blue bird.svg", {});
-  if (const auto* reason = std::get_if<SkipReason>(&result)) throw std::runtime_error(to_string(*reason));
+  if (const auto* reason = std::get_if<SkipReason>(&result))
+    throw std::runtime_error("skipped: reason " + std::to_string(int(*reason)));
   return std::get<ArtworkShape>(result).shape;
 }
 

@@ -30,13 +30,13 @@ collage 1800 --set seed=2 || fail "the template"
 grep -q 'collage job.toml --out out --resume=auto .*--set seed=2' output || fail "another command"
 [[ ! -s errors ]] || fail "a warning of half an hour"
 collage 120 || fail "a short limit"
-grep -qE 'warning: the job ends in 1[12][0-9] s, .* 180 s early: .*give it more time' errors || fail "no warning of two minutes"
+grep -qE 'warning: the job ends in 1[12][0-9] s, .* 180 s early as the template sets it: .*give it more time' errors || fail "no warning of two minutes"
 [[ -s output ]] || fail "does not run"
 collage -100 || fail "a limit that is over"
 [[ ! -s errors ]] || fail "a warning of a limit that is another job's"
 echo "ok limits"
 
-for option in --restart --resume --resume=previous; do
+for option in --restart --restart=true --resume --resume=previous; do
   collage 1800 "$option"
   [[ $? == 2 && ! -s output ]] || fail "$option: not refused"
   grep -qe "^$option: not in a template, .* to start again give another folder, or remove checkpoint.h5" errors ||

@@ -1,7 +1,6 @@
 // From a silhouette's coverage to smooth closed curves, or the reason why it is of no use.
 #pragma once
 
-#include <string>
 #include <variant>
 #include <vector>
 
@@ -12,9 +11,6 @@
 namespace tessera {
 
 enum class SkipReason { empty, too_small, several_large_components, plain_rectangle, hairlines };
-
-/// Says for messages and tables what the reason is, and what the user can do about it.
-std::string to_string(SkipReason reason);
 
 /// Artwork frame (px).
 struct TracedOutline {

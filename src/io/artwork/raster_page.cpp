@@ -8,6 +8,7 @@
 #include "io/artwork/alpha.h"
 #include "io/artwork/image_header.h"
 #include "io/artwork/mask.h"
+#include "io/artwork/unread_format.h"
 
 namespace tessera::io {
 namespace {
@@ -18,6 +19,8 @@ constexpr int kMostFinestSide_px = 2048;
 
 void check_header(std::span<const std::uint8_t> bytes, const std::string& path) {
   const std::optional<cv::Size2d> size = image_size_from_header(bytes);
+  const std::string unread = unread_format(bytes);
+  if (!unread.empty()) throw InputError(path + ": " + unread_format_reason(unread));
   if (!size) throw InputError(path + ": neither SVG nor a readable PNG, WebP, TIFF, BMP or JPEG image");
   if (size->area() > kMaxImagePixels) {
     throw InputError(cv::format("%s: %.0f x %.0f pixels, more than the %.0f million allowed", path.c_str(), size->width,

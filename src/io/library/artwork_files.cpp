@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "io/artwork/unread_format.h"
 
 namespace tessera::io {
 namespace {
@@ -36,21 +37,20 @@ bool contains(const std::array<std::string_view, N>& extensions, const std::stri
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-std::string format_reason(const std::string& extension) {
-  return "a format that is not read; convert it to SVG or PNG: " + extension.substr(1);
-}
-
-/// A file that the user wants, whether it was named or found.
-void take_wanted(const fs::path& file, ArtworkFiles& found) {
-  const std::string extension = extension_of(file);
+/// A file that was named is judged by its content, when it is read.
+void take_named(const fs::path& file, ArtworkFiles& found) {
   std::error_code error;
-  if (contains(kOtherExtensions, extension)) {
-    found.left_out.push_back({file, format_reason(extension)});
-  } else if (fs::is_regular_file(file, error)) {
+  if (fs::is_regular_file(file, error)) {
     found.paths.push_back(file);
   } else {
     found.left_out.push_back({file, "not a regular file"});
   }
+}
+
+void take_found(const fs::path& file, ArtworkFiles& found) {
+  const std::string extension = extension_of(file);
+  if (!contains(kOtherExtensions, extension)) return take_named(file, found);
+  found.left_out.push_back({file, unread_format_reason(extension.substr(1))});
 }
 
 bool is_wanted(const fs::path& file, const std::string& glob) {
@@ -66,7 +66,7 @@ void search_folder(const fs::path& folder, const std::string& glob, ArtworkFiles
     if (at->is_directory(ignored) && !at->is_symlink(ignored)) {
       search_folder(at->path(), glob, found);
     } else if (is_wanted(at->path(), glob) && !at->is_directory(ignored)) {
-      take_wanted(at->path(), found);
+      take_found(at->path(), found);
     }
   }
   if (error) found.left_out.push_back({folder, "a folder that cannot be read"});
@@ -105,7 +105,7 @@ ArtworkFiles find_artwork(const std::vector<std::string>& sources, const std::st
     if (fs::is_directory(path, error)) {
       search_folder(path, glob, found);
     } else if (fs::exists(path, error)) {
-      take_wanted(path, found);
+      take_named(path, found);
     } else {
       throw InputError(source + ": no such file or folder");
     }

@@ -11,6 +11,7 @@
 #include "io/artwork/sha256.h"
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
+#include "io/library/skip_reason_text.h"
 #include "io/work_in_order.h"
 
 namespace tessera::io {
@@ -52,7 +53,7 @@ using Loaded = std::variant<ArtworkShape, std::string>;
 Loaded loaded(const ShapeLoader& loader, const std::string& path) {
   try {
     std::variant<ArtworkShape, SkipReason> shape = loader.load(path);
-    if (const auto* reason = std::get_if<SkipReason>(&shape)) return to_string(*reason);
+    if (const auto* reason = std::get_if<SkipReason>(&shape)) return skip_reason_text(*reason);
     return std::move(std::get<ArtworkShape>(shape));
   } catch (const InputError& error) {
     return error.what();

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/result/drawing_notes.h"
 
 namespace tessera::io {
 
 /// Writes section "drawing" of card.json and section Drawing of card.txt, in place of those of an earlier drawing.
-/// Throws InputError where there are no cards, EnvironmentError where they cannot be written.
-void add_drawing_to_cards(const std::string& dir, const DrawingNotes& notes);
+/// Returns why a card that is missing or not ours stays as it is, a line each. Throws EnvironmentError where one is there
+/// and cannot be read or written.
+std::vector<std::string> add_drawing_to_cards(const std::string& dir, const DrawingNotes& notes);
 
 }  // namespace tessera::io

@@ -1,21 +1,18 @@
 #include "io/result/card_input.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "io/result/result_file.h"
 
 namespace tessera::io {
 namespace {
 
 using nlohmann::json;
 
-json parsed(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": not found; allowed: the folder of a finished collage");
-  json card = json::parse(file, nullptr, false);
+json parsed(const std::string& folder, const std::string& path) {
+  json card = json::parse(read_result_file(folder, "card.json"), nullptr, false);
   if (card.is_discarded()) throw InputError(path + ": not JSON; allowed: a card.json of tessera collage");
   return card;
 }
@@ -52,8 +49,8 @@ bool is_unfinished(const ResultCard& card) {
 }
 
 ResultCard read_card(const std::string& folder) {
-  const std::string path = (std::filesystem::path(folder) / "card.json").string();
-  const json card = parsed(path);
+  const std::string path = path_in_result(folder, "card.json");
+  const json card = parsed(folder, path);
   const auto measure = [&](const char* key) { return number(card, path, "quality", key); };
   ResultCard result;
   result.folder = folder;

@@ -17,7 +17,8 @@ struct ResultCard {
 /// Whether a signal, a time limit or a lost rank ended it: its pieces are not all that there will be.
 bool is_unfinished(const ResultCard& card);
 
-/// Reads `folder`/card.json. Throws InputError that names file, key, what was found and what is allowed.
+/// Reads `folder`/card.json. Throws InputError that names file, key, what was found and what is
+/// allowed, and EnvironmentError where it is there and cannot be read.
 ResultCard read_card(const std::string& folder);
 
 }  // namespace tessera::io

@@ -78,6 +78,9 @@ std::string drawing_warning(const DrawingNotes& notes) {
   for (const auto& [reason, pieces] : by_reason(notes, DrawnFrom::silhouette)) {
     text += (text.empty() ? "" : "; ") + counted(pieces) + " drawn as silhouettes: " + reason;
   }
+  for (const std::string& problem : notes.cards) {
+    text += (text.empty() ? "" : "; ") + std::string("drawn without a word in the card: ") + problem;
+  }
   return text;
 }
 

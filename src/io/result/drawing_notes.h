@@ -22,7 +22,8 @@ struct DrawingNote {
 struct DrawingNotes {
   std::size_t pieces = 0;          // of the collage
   std::vector<DrawingNote> notes;  // in the order of the library
-  DrawerLayers layers;             // not for the card: it tells of the result, whatever the machine
+  std::vector<std::string> cards = {};  // why a card does not tell of this drawing
+  DrawerLayers layers = {};             // not for the card: it tells of the result, whatever the machine
 };
 
 /// The card's section "drawing" (docs/result-format.md), as JSON.
@@ -34,7 +35,7 @@ inline constexpr const char* kDrawingHeading = "Drawing\n";
 /// A section of card.txt, lines of less than 80 characters; empty where all pieces are drawn from their originals.
 std::string drawing_text(const DrawingNotes& notes);
 
-/// One line that counts the pieces by reason; empty as above.
+/// One line that counts the pieces by reason and names the cards that do not tell of them; mostly empty.
 std::string drawing_warning(const DrawingNotes& notes);
 
 }  // namespace tessera::io

@@ -10,29 +10,38 @@
 
 namespace tessera::io {
 
-/// The manifest of the whole result in `dir`, finished or not: pieces.geojson and job.toml are those that it was
-/// written with, this version of the program reads the job, and the cards, which drawing rewrites, are there. All who
-/// ask for a result ask here, so that none takes for one what another refuses. Throws InputError that names the file
-/// that is missing or differs.
-ResultManifest read_result(const std::string& dir);
+/// A result, finished or not, whose pieces.geojson and job.toml are those that its manifest was written with. Its cards
+/// and pictures may be lost: they are not needed to go on with it.
+struct WholeResult {
+  ResultManifest manifest;
+  Job job;
+  bool drawn = false;  // collage.svg and collage.png are there, of any width, as every result gets them
+};
 
-/// Why `dir`, which has a manifest, holds no whole result. Empty where it does, and where there is no manifest.
-std::string damage_of_result(const std::string& dir);
+/// Throws InputError that names the file that is missing or differs, also where this version of the program cannot read
+/// the job. Throws EnvironmentError where a file is there and cannot be read. All who ask for a result ask here, so that
+/// none takes for one what another refuses.
+WholeResult read_result(const std::string& dir);
 
-/// The job whose finished collage `dir` holds: a whole result whose manifest says that nothing is left to compute.
-/// Nothing where there is none, or none that this version of the program reads.
-std::optional<Job> job_of_finished_result(const std::string& dir);
+/// What a run finds in its folder.
+struct EarlierResult {
+  std::string folder;
+  std::optional<WholeResult> whole;
+  std::string damage;  // why a folder that has a manifest holds no whole result
 
-/// Whether `dir` holds the finished result of `job`. Throws InputError with the keys that differ where it holds that of
-/// another job, which would be lost.
-bool is_finished_result_of(const std::string& dir, const Job& job);
+  /// Nothing is left to compute.
+  bool finished() const { return whole && whole->manifest.finished; }
+};
 
-/// Throws InputError where `dir` holds no finished collage, or one of another job, library or canvas than `now`.
-void check_finished_result(const std::string& dir, const CheckpointOrigin& now);
+/// Throws EnvironmentError where a file is there and cannot be read: nobody knows then what would be replaced.
+EarlierResult find_earlier_result(const std::string& dir);
 
-/// Whether the result in `dir` has the pictures that every result gets: collage.svg and collage.png, of any width.
-/// Throws InputError where there is no result.
-bool is_drawn(const std::string& dir);
+/// Whether this is the finished result of `job`. Throws InputError with the keys that differ where it is that of another
+/// job, which would be lost.
+bool is_finished_result_of(const EarlierResult& earlier, const Job& job);
+
+/// Throws InputError where the finished result is one of another job, library or canvas than `now`.
+void check_finished_result(const EarlierResult& earlier, const CheckpointOrigin& now);
 
 /// "; KEY: then A, now B" for each key that makes the result of `now` another one than that of `then`. Empty where they
 /// are the same.

@@ -1,12 +1,11 @@
 #include "io/result/placed_pieces.h"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "core/base/error.h"
+#include "io/result/result_file.h"
 
 namespace tessera::io {
 namespace {
@@ -31,12 +30,11 @@ Similarity transform_of(const json& feature) {
 }  // namespace
 
 std::vector<Similarity> read_placed_pieces(const std::string& dir) {
-  const std::string path = (std::filesystem::path(dir) / "pieces.geojson").string();
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": not found; allowed: the folder of a result of tessera collage");
+  const std::string bytes = read_result_file(dir, "pieces.geojson");
+  const std::string path = path_in_result(dir, "pieces.geojson");
   std::vector<Similarity> pieces;
   try {
-    const json collection = json::parse(file, keep);
+    const json collection = json::parse(bytes, keep);
     for (const json& feature : collection.at("features")) pieces.push_back(transform_of(feature));
   } catch (const json::exception& error) {
     throw InputError(path + ": not a pieces.geojson of tessera collage: " + error.what());

@@ -11,6 +11,7 @@
 #include "io/number_text.h"
 #include "io/result/collage_sheet.h"
 #include "io/result/finished_result.h"
+#include "io/result/result_file.h"
 
 namespace tessera::io {
 namespace {
@@ -64,9 +65,32 @@ nlohmann::ordered_json result_json(const RankedResult& result) {
           {"stopped_by", result.card.stopped_by}};
 }
 
-bool has(const fs::path& folder, const char* name) {
+/// What is in a folder, by name.
+std::vector<std::string> entries_of(const std::string& folder) {
   std::error_code error;
-  return fs::is_regular_file(folder / name, error);
+  if (fs::status(folder, error).type() == fs::file_type::not_found) throw InputError(folder + ": no such folder");
+  if (!error && !fs::is_directory(folder, error)) throw InputError(folder + ": not a folder");
+  std::vector<std::string> paths;
+  for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
+    paths.push_back(at->path().string());
+  }
+  if (error) throw EnvironmentError(folder + ": cannot be read: " + error.message());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// Without a manifest it is nothing of ours, or what a run that crashed has left. A folder that cannot be read takes
+/// nothing from the others.
+void take(const std::string& folder, FoundResults& found) {
+  try {
+    if (!is_in_result(folder, kManifestName)) return;
+    read_result(folder);
+    found.cards.push_back(read_card(folder));
+  } catch (const InputError& error) {
+    found.damages.push_back(error.what());
+  } catch (const EnvironmentError& error) {
+    found.damages.push_back(error.what());
+  }
 }
 
 }  // namespace
@@ -159,28 +183,13 @@ void write_ranking(const std::string& dir, const std::vector<RankedResult>& resu
   write_collage_sheet(results, (fs::path(dir) / "ranking.png").string());
 }
 
-FoundResults result_folders(const std::string& argument) {
+FoundResults find_results(const std::string& argument) {
   FoundResults found;
-  if (has(argument, kManifestName) || has(argument, "card.json")) {
-    read_result(argument);
-    found.whole.push_back(argument);
-    return found;
-  }
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(argument, error)) {
-    if (!has(entry.path(), kManifestName)) continue;  // nothing of ours, or what a run that crashed has left
-    const std::string damage = damage_of_result(entry.path().string());
-    if (damage.empty()) {
-      found.whole.push_back(entry.path().string());
-    } else {
-      found.damages.push_back(damage);
-    }
-  }
-  std::sort(found.whole.begin(), found.whole.end());
-  std::sort(found.damages.begin(), found.damages.end());
-  if (!found.whole.empty()) return found;
-  throw InputError(argument + ": no whole result of tessera collage, neither itself nor its folders" +
-                   (found.damages.empty() ? "" : "; " + found.damages.front()));
+  take(argument, found);
+  if (!found.cards.empty() || !found.damages.empty()) return found;
+  for (const std::string& path : entries_of(argument)) take(path, found);
+  if (!found.cards.empty() || !found.damages.empty()) return found;
+  throw InputError(argument + ": no result of tessera collage, neither itself nor its folders");
 }
 
 }  // namespace tessera::io

@@ -49,12 +49,12 @@ std::string ranking_json(const std::vector<RankedResult>& results, const Ranking
 void write_ranking(const std::string& dir, const std::vector<RankedResult>& results, const RankingWeights& weights);
 
 struct FoundResults {
-  std::vector<std::string> whole;    // by name
-  std::vector<std::string> damages;  // why others that have a manifest are none (finished_result.h)
+  std::vector<ResultCard> cards;     // by folder
+  std::vector<std::string> damages;  // why others are left out: not whole (finished_result.h), or without a card
 };
 
 /// The results that an argument means: the folder itself where it holds one, else those of its folders. Throws
-/// InputError where there is none, and where the folder itself holds one that is not whole.
-FoundResults result_folders(const std::string& argument);
+/// InputError where there is none at all, EnvironmentError where the folder cannot be read.
+FoundResults find_results(const std::string& argument);
 
 }  // namespace tessera::io

@@ -1,7 +1,6 @@
 #include "io/result/result_drawing.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <mutex>
 #include <set>
 #include <span>
@@ -18,18 +17,15 @@
 #include "io/result/finished_result.h"
 #include "io/result/placed_pieces.h"
 #include "io/result/png_output.h"
+#include "io/result/result_file.h"
 #include "io/result/result_manifest.h"
 #include "io/result/svg_output.h"
 
 namespace tessera::io {
 namespace {
 
-std::string path_in(const std::string& dir, const std::string& name) {
-  return (std::filesystem::path(dir) / name).string();
-}
-
-Job job_of(const std::string& dir, const DrawingRequest& request) {
-  Job job = load_job(path_in(dir, "job.toml"), {});
+Job job_of(const WholeResult& result, const DrawingRequest& request) {
+  Job job = result.job;
   if (request.width_px > 0) job.output.width_px = request.width_px;
   if (!request.background.empty()) job.output.background = request.background;
   if (!request.library.empty()) job.library = request.library;
@@ -61,12 +57,12 @@ Canvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver
 std::vector<Placement> placements_of(const std::string& dir, const ResultManifest& manifest, std::size_t shapes) {
   const std::vector<Similarity> pieces = read_placed_pieces(dir);
   if (pieces.size() != manifest.shapes.size()) {
-    throw InputError(path_in(dir, kManifestName) + ": not as many shapes as pieces.geojson has pieces");
+    throw InputError(path_in_result(dir, kManifestName) + ": not as many shapes as pieces.geojson has pieces");
   }
   std::vector<Placement> placements(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (index_of(manifest.shapes[i]) >= shapes) {
-      throw InputError(path_in(dir, kManifestName) + ": a shape that the library lacks");
+      throw InputError(path_in_result(dir, kManifestName) + ": a shape that the library lacks");
     }
     placements[i].shape = manifest.shapes[i];
     placements[i].canvas_from_shape = pieces[i];
@@ -105,14 +101,14 @@ class ResultPictures {
 
   void svg() {
     begin("collage.svg");
-    write_file_atomically(path_in(dir_, "collage.svg"), drawn_svg("collage.svg"));
+    write_file_atomically(path_in_result(dir_, "collage.svg"), drawn_svg("collage.svg"));
     end("collage.svg");
   }
 
   void png() {
     begin("collage.png");
     const std::size_t rows = std::size_t(picture_size(report_).height);
-    write_collage_png(path_in(dir_, "collage.png"), report_, artworks_, stop_,
+    write_collage_png(path_in_result(dir_, "collage.png"), report_, artworks_, stop_,
                       [&](std::size_t done) { observer_.progressed("collage.png", done, rows); });
     end("collage.png");
   }
@@ -126,7 +122,7 @@ class ResultPictures {
     const StopWatcher stop(observer_, drawer);
     const std::vector<std::uint8_t> pdf = drawer.pdf_of_svg(bytes, report_.job->output.width_px * kPointsOfPx);
     stop_.check();
-    write_file_atomically(path_in(dir_, "collage.pdf"), pdf);
+    write_file_atomically(path_in_result(dir_, "collage.pdf"), pdf);
     end("collage.pdf");
   }
 
@@ -169,8 +165,9 @@ class ResultPictures {
 }  // namespace
 
 DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, DrawingObserver& observer) {
-  const ResultManifest manifest = read_result(dir);
-  const Job job = job_of(dir, request);
+  const WholeResult result = read_result(dir);
+  const ResultManifest& manifest = result.manifest;
+  const Job job = job_of(result, request);
   Drawers drawers({.processes = available_cores()});
   const StopWatcher stop(observer, drawers);
   stop.check();
@@ -189,7 +186,7 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   if (request.pdf) pictures.pdf();
   DrawingNotes notes = pictures.notes();
   notes.layers = drawers.layers();
-  add_drawing_to_cards(dir, notes);
+  notes.cards = add_drawing_to_cards(dir, notes);
   return notes;
 }
 

@@ -2,15 +2,13 @@
 
 #include <charconv>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
+#include "io/result/result_file.h"
 
 namespace tessera::io {
 namespace {
@@ -18,8 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
-
-std::string path_in(const std::string& dir, const char* name) { return (std::filesystem::path(dir) / name).string(); }
 
 std::string hex(std::uint64_t value) {
   char text[17];
@@ -33,17 +29,6 @@ std::uint64_t number(const std::string& hex_digits) {
   const auto [at, error] = std::from_chars(hex_digits.data(), end, value, 16);
   if (error != std::errc() || at != end) throw InputError("\"" + hex_digits + "\" is no digest");
   return value;
-}
-
-std::string content(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    throw InputError(path + ": not found; allowed: the folder of a result of tessera collage");
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw InputError(path + ": cannot be read");
-  return bytes;
 }
 
 ResultManifest from_json(const Json& json) {
@@ -62,20 +47,21 @@ ResultManifest from_json(const Json& json) {
   return manifest;
 }
 
-ResultManifest parsed(const std::string& path) {
+ResultManifest parsed(const std::string& dir) {
+  const std::string bytes = read_result_file(dir, kManifestName);
+  const std::string path = path_in_result(dir, kManifestName);
   try {
-    return from_json(Json::parse(content(path)));
+    return from_json(Json::parse(bytes));
   } catch (const nlohmann::json::exception& error) {
     throw InputError(path + ": not a manifest of tessera collage: " + error.what());
   } catch (const InputError& error) {
-    const std::string what = error.what();
-    throw what.starts_with(path) ? error : InputError(path + ": " + what);
+    throw InputError(path + ": " + error.what());
   }
 }
 
 void check_digest(const std::string& dir, const char* name, const std::string& expected) {
-  if (digest_text(content(path_in(dir, name))) == expected) return;
-  throw InputError(path_in(dir, name) + ": not the file that " + kManifestName + " was written with");
+  if (digest_text(read_result_file(dir, name)) == expected) return;
+  throw InputError(path_in_result(dir, name) + ": not the file that " + kManifestName + " was written with");
 }
 
 }  // namespace
@@ -98,12 +84,12 @@ void write_manifest(const std::string& dir, const ResultManifest& manifest) {
                   {"library", {{"file", manifest.library}, {"digest", hex(manifest.library_digest)}}},
                   {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
                   {"pictures", pictures}};
-  write_file_atomically(path_in(dir, kManifestName),
+  write_file_atomically(path_in_result(dir, kManifestName),
                         json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 ResultManifest read_manifest(const std::string& dir) {
-  ResultManifest manifest = parsed(path_in(dir, kManifestName));
+  ResultManifest manifest = parsed(dir);
   check_digest(dir, "pieces.geojson", manifest.pieces_digest);
   check_digest(dir, "job.toml", manifest.job_digest);
   return manifest;

@@ -41,7 +41,8 @@ std::string digest_text(const std::string& bytes);
 void write_manifest(const std::string& dir, const ResultManifest& manifest);
 
 /// Throws InputError where there is none, where it is damaged, or where pieces.geojson or job.toml are not those it was
-/// written with. read_result (finished_result.h) says whether the result is whole.
+/// written with; EnvironmentError where one of them is there and cannot be read. read_result (finished_result.h) says
+/// whether the result is whole.
 ResultManifest read_manifest(const std::string& dir);
 
 }  // namespace tessera::io
