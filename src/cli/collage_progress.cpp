@@ -50,14 +50,14 @@ double expected_time_share(const master::Progress& progress, const StopSettings&
 
 std::string progress_note(const master::Progress& progress) {
   char text[100];
+  const std::string pieces = std::to_string(progress.pieces) + (progress.pieces == 1 ? " piece" : " pieces");
   if (progress.trials > 0) {
-    std::snprintf(text, sizeof text, "%zu pieces, %.1f %% covered, improving: trial %llu", progress.pieces,
-                  100 * progress.coverage, static_cast<unsigned long long>(progress.trials));
+    std::snprintf(text, sizeof text, "%s, %.1f %% covered, trial %llu", pieces.c_str(), 100 * progress.coverage,
+                  static_cast<unsigned long long>(progress.trials));
     return progress.most_trials > 0 ? text + (" of " + std::to_string(progress.most_trials)) : text;
   }
   const double rate = progress.seconds > 0 ? double(progress.pieces) / progress.seconds : 0;
-  std::snprintf(text, sizeof text, "%zu pieces, %.1f %% covered, %.1f pieces/s", progress.pieces,
-                100 * progress.coverage, rate);
+  std::snprintf(text, sizeof text, "%s, %.1f %% covered, %.1f pieces/s", pieces.c_str(), 100 * progress.coverage, rate);
   return text;
 }
 

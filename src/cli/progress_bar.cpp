@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kRedraw{100};
 constexpr std::chrono::seconds kPlainLine{10};
-constexpr int kBarCells = 30;
+constexpr int kMostCells = 30;
+constexpr int kLeastCells = 8;  // a shorter bar tells less than none
 
 int terminal_width() {
   winsize size{};
@@ -27,9 +28,12 @@ std::string minutes(double seconds) {
   return text;
 }
 
-std::string bar(double fraction) {
-  const int full = int(fraction * kBarCells + 0.5);
-  return "[" + std::string(full, '#') + std::string(kBarCells - full, '.') + "]";
+/// With what goes round it in at most `columns`; nothing where that is too little.
+std::string bar(double fraction, int columns) {
+  const int cells = std::min(columns - int(std::string("  []").size()), kMostCells);
+  if (cells < kLeastCells) return "";
+  const int full = int(fraction * cells + 0.5);
+  return "  [" + std::string(std::size_t(full), '#') + std::string(std::size_t(cells - full), '.') + "]";
 }
 
 }  // namespace
@@ -39,11 +43,12 @@ std::string progress_text(const std::string& label, std::size_t done, std::size_
   const double fraction = total == 0 ? 1.0 : std::min(1.0, double(done) / double(total));
   const std::string percent = std::to_string(int(100 * fraction)) + " %";
   const std::string separator = width == 0 ? ", " : "  ";
-  std::string text = label;
-  text += width == 0 ? ": " + percent : "  " + bar(fraction) + "  " + percent;
+  std::string text = (width == 0 ? ": " : "  ") + percent;
   if (!note.empty()) text += separator + note;
   if (done > 0 && fraction < 1) text += separator + minutes(elapsed_s * (1 / fraction - 1)) + " left";
-  return width == 0 ? text : text.substr(0, std::size_t(width));
+  if (width == 0) return label + text;
+  const int left = width - int(label.size() + text.size());
+  return (label + bar(fraction, left) + text).substr(0, std::size_t(width));
 }
 
 ProgressBar::ProgressBar(std::string label, std::size_t total)

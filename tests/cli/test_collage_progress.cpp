@@ -12,12 +12,13 @@ namespace {
 
 TEST(CollageProgress, note_has_pieces_coverage_and_rate) {
   EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.93, .seconds = 10, .open_samples = 0, .trials = 7}),
-            "120 pieces, 93.0 % covered, improving: trial 7");
+            "120 pieces, 93.0 % covered, trial 7");
   EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.93, .trials = 7, .most_trials = 150}),
-            "120 pieces, 93.0 % covered, improving: trial 7 of 150");
+            "120 pieces, 93.0 % covered, trial 7 of 150");
   EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.4567, .seconds = 10, .open_samples = 0}),
             "120 pieces, 45.7 % covered, 12.0 pieces/s");
   EXPECT_EQ(progress_note({}), "0 pieces, 0.0 % covered, 0.0 pieces/s");
+  EXPECT_EQ(progress_note({.pieces = 1, .coverage = 0.01}), "1 piece, 1.0 % covered, 0.0 pieces/s");
 }
 
 TEST(CollageProgress, the_nearest_stop_gives_the_share) {

@@ -19,7 +19,15 @@ TEST(ProgressText, SaysNothingAboutTheTimeThatItCannotKnow) {
   EXPECT_EQ(progress_text("library", 0, 0, "", 10, 0), "library: 100 %");
 }
 
-TEST(ProgressText, FitsTheTerminal) { EXPECT_EQ(progress_text("library", 1, 2, "a long note", 10, 20).size(), 20u); }
+/// The time left is what a user looks for: the bar gives way first.
+TEST(ProgressText, FitsTheTerminal) {
+  const std::string note = "231 pieces, 93.3 % covered, trial 50 of 150";
+  EXPECT_EQ(progress_text("collage", 500, 1000, note, 100, 90),
+            "collage  [#########........]  50 %  231 pieces, 93.3 % covered, trial 50 of 150  1:40 left");
+  EXPECT_EQ(progress_text("collage", 500, 1000, note, 100, 79),
+            "collage  50 %  231 pieces, 93.3 % covered, trial 50 of 150  1:40 left");
+  EXPECT_EQ(progress_text("library", 1, 2, "a long note", 10, 20).size(), 20u);
+}
 
 TEST(BuildSummary, IsEmptyWhereAllIsUsed) {
   io::LibraryBuildReport report;

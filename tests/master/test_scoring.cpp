@@ -1,0 +1,87 @@
+// What a candidate is worth beside the pieces that stand.
+#include "master/scoring.h"
+
+#include <gtest/gtest.h>
+
+#include "core/tuning.h"
+
+namespace tessera::master {
+namespace {
+
+constexpr ShapeId kShape{2};
+
+CollageSettings settings() {
+  CollageSettings s;
+  s.pieces.uses = 2;
+  s.objective.repetition_exponent = 1;
+  s.objective.near_twin_factor = 0.5f;
+  return s;
+}
+
+Placement placement_at(ShapeId shape, float scale_px, Vec2 centre) {
+  return {shape, {scale_px, 0, centre.x, centre.y}, 1, 1};
+}
+
+/// Of a shape of radius 1.
+Candidate candidate_at(float scale_px, Vec2 centre) {
+  Candidate c;
+  c.shape = kShape;
+  c.canvas_from_shape = {scale_px, 0, centre.x, centre.y};
+  c.radius = 1;
+  c.perimeter = 4;
+  return c;
+}
+
+TEST(Scoring, AShapeMayBeUsedSoOften) {
+  Scoring scoring(settings(), 5);
+  for (int uses = 0; uses < 2; ++uses) {
+    EXPECT_TRUE(scoring.may_use(kShape)) << uses;
+    scoring.count(placement_at(kShape, 20, {50, 50}));
+  }
+  EXPECT_FALSE(scoring.may_use(kShape));
+  EXPECT_TRUE(scoring.may_use(ShapeId{3}));
+  scoring.forget_placements();
+  EXPECT_TRUE(scoring.may_use(kShape));
+}
+
+TEST(Scoring, WithoutALimitAShapeMayAlwaysBeUsed) {
+  Scoring scoring(CollageSettings{}, 5);
+  for (int uses = 0; uses < 9; ++uses) scoring.count(placement_at(kShape, 20, {50, 50}));
+  EXPECT_TRUE(scoring.may_use(kShape));
+}
+
+TEST(Scoring, RepetitionCosts) {
+  Scoring scoring(settings(), 5);
+  const Candidate far = candidate_at(20, {500, 500});
+  EXPECT_FLOAT_EQ(scoring.preference(far), 1);
+  scoring.count(placement_at(ShapeId{1}, 20, {50, 50}));
+  EXPECT_FLOAT_EQ(scoring.preference(far), 1) << "another shape";
+  scoring.count(placement_at(kShape, 20, {50, 50}));
+  EXPECT_FLOAT_EQ(scoring.preference(far), 0.5f);
+  scoring.count(placement_at(kShape, 20, {90, 50}));
+  EXPECT_FLOAT_EQ(scoring.preference(far), 1.f / 3);
+}
+
+/// Two of radius 1 and 20 px: (1 + kNearTwinReach) 40 px apart.
+TEST(Scoring, NearTwinsCostMore) {
+  Scoring scoring(settings(), 5);
+  scoring.count(placement_at(kShape, 20, {100, 100}));
+  const float reach_px = (1 + kNearTwinReach) * 40;
+  EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {100 + reach_px + 1, 100})), 0.5f);
+  EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {100 + reach_px - 1, 100})), 0.25f);
+}
+
+TEST(Scoring, WhatOverlapsMuchOrTouchesNothingIsNotAcceptable) {
+  const Scoring scoring(settings(), 5);
+  Candidate c = candidate_at(20, {100, 100});
+  c.terms.matched_px = 1.01f * kLeastMatched * 80;
+  EXPECT_TRUE(scoring.acceptable(c));
+  c.terms.overlap_px2 = 1.01f * kMaxOverlap * 400;
+  EXPECT_FALSE(scoring.acceptable(c));
+  c.terms = {};
+  c.terms.matched_px = 0.99f * kLeastMatched * 80;
+  EXPECT_FALSE(scoring.acceptable(c));
+}
+
+}  // namespace
+}  // namespace tessera::master
