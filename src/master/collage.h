@@ -83,7 +83,6 @@ class Collage {
  private:
   std::vector<Pool::Ranked> finalists();
   ExactAreas check_exactly(Candidate& candidate);
-  bool little_overlaps(const Candidate& candidate, const ExactAreas& areas) const;
   bool settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);

@@ -40,19 +40,12 @@ void Collage::check_ahead() {
   }
 }
 
-/// Where lines lie on lines, less deep than pieces may lie, the contour alone sees nothing of it. With padding the outlines
-/// are apart, and the areas are those of grown pieces.
-bool Collage::little_overlaps(const Candidate& candidate, const ExactAreas& areas) const {
-  const float scale = candidate.canvas_from_shape.scale();
-  return settings_.pieces.padding_px > 0 || areas.overlap_px2 <= kMaxOverlap * scale * scale;
-}
-
 /// Makes a piece of the candidate, which may change what it is worth: that is measured again. False: it is given up.
 bool Collage::settle(Candidate& candidate) {
   if (!settling_.settle(candidate.shape, candidate.canvas_from_shape)) return false;
   candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context_);
   const ExactAreas areas = check_exactly(candidate);
-  return scoring_.acceptable(candidate) && little_overlaps(candidate, areas);
+  return scoring_.acceptable(candidate) && scoring_.overlaps_little(candidate, areas);
 }
 
 /// Settling may cost a candidate its place: it is the best only if no other is worth more before its own.

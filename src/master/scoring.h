@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/collage/exact_terms.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
 #include "core/settings.h"
@@ -22,6 +23,8 @@ class Scoring {
   bool may_use(ShapeId shape) const;
   /// Whether the candidate's terms alone allow it: no overlap shows, and it touches something.
   bool acceptable(const Candidate& candidate) const;
+  /// Whether the exact areas agree that no overlap shows: where lines lie on lines, the contour sees nothing of it.
+  bool overlaps_little(const Candidate& candidate, const ExactAreas& areas) const;
   /// The objective of the candidate's terms.
   float score(const Candidate& candidate) const;
   /// The part (0..1) of its score that is left to a candidate whose shape stands already: the smaller, the more of them

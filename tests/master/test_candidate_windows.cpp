@@ -3,22 +3,12 @@
 
 #include "core/collage/exact_terms.h"
 #include "rounds_by_hand.h"
+#include "whole_collage.h"
 
 namespace tessera::master {
 namespace {
 
-const std::vector<Shape>& library() {
-  static const std::vector<Shape> shapes = test::synthetic_library(12);
-  return shapes;
-}
-
-CollageSettings settings() {
-  CollageSettings s;
-  s.seed = 3;
-  s.pieces.min_scale_px = 20;
-  s.pieces.max_scale_px = 90;
-  return s;
-}
+using namespace whole_collage;
 
 bool holds(const Window& window, const Window& part) { return part.intersected(window) == part; }
 

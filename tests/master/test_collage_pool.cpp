@@ -9,24 +9,14 @@
 #include "core/tuning.h"
 #include "offering_matcher.h"
 #include "rounds_by_hand.h"
+#include "whole_collage.h"
 
 namespace tessera::master {
 namespace {
 
+using namespace whole_collage;
+
 using Samples = std::set<SampleId>;
-
-const std::vector<Shape>& library() {
-  static const std::vector<Shape> shapes = test::synthetic_library(12);
-  return shapes;
-}
-
-CollageSettings settings() {
-  CollageSettings s;
-  s.seed = 3;
-  s.pieces.min_scale_px = 20;
-  s.pieces.max_scale_px = 90;
-  return s;
-}
 
 class CollagePool : public testing::Test {
  protected:

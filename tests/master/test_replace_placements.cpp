@@ -2,22 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "rounds_by_hand.h"
+#include "whole_collage.h"
 
 namespace tessera::master {
 namespace {
 
-const std::vector<Shape>& library() {
-  static const std::vector<Shape> shapes = test::synthetic_library(12);
-  return shapes;
-}
-
-CollageSettings settings() {
-  CollageSettings s;
-  s.seed = 3;
-  s.pieces.min_scale_px = 20;
-  s.pieces.max_scale_px = 90;
-  return s;
-}
+using namespace whole_collage;
 
 /// A collage in which some samples have changed a little since they were matched, and the piece that comes next.
 class ReplacePlacements : public testing::Test {

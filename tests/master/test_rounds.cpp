@@ -5,6 +5,7 @@
 #include "core/collage/objective.h"
 #include "core/matching/docking_terms.h"
 #include "master/collage.h"
+#include "rounds_by_hand.h"
 #include "whole_collage.h"
 
 namespace tessera::master {
@@ -49,31 +50,22 @@ TEST(Rounds, ASettledPieceIsScoredWhereItEnds) {
   for (const Objective kind : {Objective::scale_aware, Objective::paper}) {
     CollageSettings s = settings();
     s.objective.kind = kind;
-    const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
-    CompositeMatcher matcher = test::divided_matcher(library(), context, {});
+    test::RoundsByHand rounds(make_rectangle_canvas(300, 220), s, library());
     test::VectorShapes shapes(library());
-    Collage collage(make_rectangle_canvas(300, 220), s, context, shapes);
-    const CanvasField& field = collage.free().field();
-    matcher.start_field(field.value.width(), field.value.height(), field.origin);
-    RunStatistics statistics;
-    PairReach reach;
+    Collage& collage = rounds.collage();
     for (int round = 0; round < 8; ++round) {
-      matcher.update_field(read_patch(field.value, field.value.bounds()));
-      const std::vector<TargetSample> samples = collage.take_stale_samples();
-      collage.add_candidates(samples, match(matcher, samples, {20, 150}, 1000, reach, statistics));
       Candidate best;
-      ASSERT_TRUE(collage.choose(best));
+      ASSERT_TRUE(rounds.choose(best));
       const Shape& shape = library()[index_of(best.shape)];
       const float scale = best.canvas_from_shape.scale();
       const OpenedField opened(collage.free(), s.pieces);
       const ExactAreas areas = exact_areas(shape, best.canvas_from_shape, collage.free(), opened, s.pieces);
       const PieceSize size{scale, best.perimeter * scale, s.pieces.max_scale_px};
       EXPECT_FLOAT_EQ(best.score, objective(with_exact_areas(best.terms, areas), size, s.objective));
-      EXPECT_EQ(best.terms, docking_terms(best.canvas_from_shape, shapes.model(best.shape), collage.free().view(), context));
+      EXPECT_EQ(best.terms, docking_terms(best.canvas_from_shape, shapes.model(best.shape), collage.free().view(),
+                                          rounds.context()));
       const Window changed = collage.place(best);
-      matcher.update_field(read_patch(field.value, field.value.bounds()));
-      matcher.post_measure(collage.touched_by(changed));
-      collage.rescore(changed, matcher.take_measure());
+      collage.rescore(changed, rounds.measure(changed));
     }
   }
 }

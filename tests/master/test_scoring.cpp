@@ -83,5 +83,14 @@ TEST(Scoring, WhatOverlapsMuchOrTouchesNothingIsNotAcceptable) {
   EXPECT_FALSE(scoring.acceptable(c));
 }
 
+TEST(Scoring, ExactAreasMayNotShowMuchOverlapWithoutPadding) {
+  const Candidate c = candidate_at(20, {100, 100});
+  EXPECT_TRUE(Scoring(settings(), 5).overlaps_little(c, {0.99f * kMaxOverlap * 400, 0}));
+  EXPECT_FALSE(Scoring(settings(), 5).overlaps_little(c, {1.01f * kMaxOverlap * 400, 0}));
+  CollageSettings padded = settings();
+  padded.pieces.padding_px = 2;
+  EXPECT_TRUE(Scoring(padded, 5).overlaps_little(c, {400, 0}));
+}
+
 }  // namespace
 }  // namespace tessera::master
