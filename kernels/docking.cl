@@ -6,6 +6,7 @@
 
 typedef struct Alignment {
   PoseRecord canvas_from_shape;
+  uint stance;  // place in the list
   bool valid;
 } Alignment;
 
@@ -15,48 +16,80 @@ float4 keypoint_pair(global const short* shape_x, global const short* shape_y, f
   return (float4)((float)shape_x[i] * step, (float)shape_y[i] * step, target->keypoint_x[i], target->keypoint_y[i]);
 }
 
-// `shape_x`, `shape_y`: key points of the shape's sample, steps. Least squares at the longest level at which both agree.
-Alignment align_pyramids(constant MatchRecord* match, global const short* shape_x, global const short* shape_y, float step,
+// Key points of both, less their means: what least squares needs of them.
+typedef struct Moments {
+  float4 mean;     // of the shape, of the target
+  float4 product;  // real and imaginary part of the product, spread of the shape, spread of the target
+  float count;
+} Moments;
+
+Moments moments(global const short* shape_x, global const short* shape_y, float step, global const SampleRecord* target,
+                int begin, int end) {
+  Moments m;
+  m.count = (float)(end - begin);
+  float4 sum = 0;
+  for (int i = begin; i < end; ++i) {
+    sum += keypoint_pair(shape_x, shape_y, step, target, i);
+  }
+  m.mean = sum * (1 / m.count);
+  m.product = (float4)(0, 0, 1e-12f, 0);
+  for (int i = begin; i < end; ++i) {
+    const float4 d = keypoint_pair(shape_x, shape_y, step, target, i) - m.mean;
+    m.product += d.xxxz * d.zwxz + (float4)(d.y, -d.y, d.y, d.w) * d.wzyw;
+  }
+  return m;
+}
+
+typedef struct Fit {
+  PoseRecord pose;
+  float residual;  // mean square, px^2
+} Fit;
+
+// The best pose of the stance. False where it would have to be turned by more than a right angle.
+bool fit_within(const StanceRecord* stance, const Moments* m, Fit* fit) {
+  float2 product = m->product.xy;
+  const DirectionRange rotations = allowed_rotations(stance);
+  if (!direction_allowed(rotations, product.x, product.y, 0, 0)) {
+    const float2 direction = nearest_edge(rotations, product.x, product.y);
+    const float along = product.x * direction.x + product.y * direction.y;
+    if (along <= 0) return false;
+    product = direction * along;
+  }
+  const PoseRecord best = {product.x / m->product.z, product.y / m->product.z, 0, 0};
+  const float best_scale = scale_of(best);
+  fit->pose = pulled_in(stance, best);
+  const float off = scale_of(fit->pose) - best_scale;
+  fit->residual = (m->product.w - (best_scale * best_scale - off * off) * m->product.z) / m->count;
+  return true;
+}
+
+// `shape_x`, `shape_y`: key points of the shape's sample, steps. Least squares at the longest level at which both agree,
+// by the stance that fits best.
+Alignment align_pyramids(const Stances* stances, global const short* shape_x, global const short* shape_y, float step,
                          global const SampleRecord* target, float scale_low_px, float scale_high_px) {
   Alignment result;
   result.valid = false;
   const int least_level = max(0, kPadLevels - kAlignmentLevels);
-  for (int level = kPadLevels - 1; level >= least_level; --level) {
-    const int begin = kPadLevels - 1 - level;
-    const int end = kPadLevels + 2 + level;
-    const float count = (float)(end - begin);
-    float4 sum = 0;
-    for (int i = begin; i < end; ++i) {
-      sum += keypoint_pair(shape_x, shape_y, step, target, i);
+  for (int level = kPadLevels - 1; level >= least_level && !result.valid; --level) {
+    const Moments m =
+        moments(shape_x, shape_y, step, target, kPadLevels - 1 - level, kPadLevels + 2 + level);
+    float least = kAlignmentTolerance * kAlignmentUnit_px * sqrt(m.product.w / m.count);
+    for (uint k = 0; k < stances->list.count; ++k) {
+      const StanceRecord stance = stances->stance[k];
+      Fit fit;
+      if (!fit_within(&stance, &m, &fit) || fit.residual > least) continue;
+      const float scale = scale_of(fit.pose);
+      if (scale < scale_low_px || scale > scale_high_px) continue;
+      if (result.valid && fit.residual == least) continue;
+      least = fit.residual;
+      result.canvas_from_shape = fit.pose;
+      result.stance = k;
+      result.valid = true;
     }
-    const float4 mean = sum * (1 / count);
-    // real and imaginary part of the product, spread of the shape, spread of the target
-    float4 product = (float4)(0, 0, 1e-12f, 0);
-    for (int i = begin; i < end; ++i) {
-      const float4 d = keypoint_pair(shape_x, shape_y, step, target, i) - mean;
-      product += d.xxxz * d.zwxz + (float4)(d.y, -d.y, d.y, d.w) * d.wzyw;
-    }
-    const DirectionRange rotations = allowed_rotations(match);
-    if (!direction_allowed(rotations, product.x, product.y, 0, 0)) {
-      const float2 direction = nearest_edge(rotations, product.x, product.y);
-      const float along = product.x * direction.x + product.y * direction.y;
-      if (along <= 0) continue;
-      product.x = direction.x * along;
-      product.y = direction.y * along;
-    }
-    PoseRecord s = {product.x / product.z, product.y / product.z, 0, 0};
-    const float best_scale = scale_of(s);
-    s = pulled_in(match, s);
-    const float scale = scale_of(s);
-    const float off = scale - best_scale;
-    const float residual = (product.w - (best_scale * best_scale - off * off) * product.z) / count;
-    if (residual > kAlignmentTolerance * kAlignmentUnit_px * sqrt(product.w / count)) continue;
-    if (scale < scale_low_px || scale > scale_high_px) continue;
-    s.tx = mean.z - (s.a * mean.x - s.b * mean.y);
-    s.ty = mean.w - (s.b * mean.x + s.a * mean.y);
-    result.canvas_from_shape = s;
-    result.valid = true;
-    return result;
+    if (!result.valid) continue;
+    const PoseRecord s = result.canvas_from_shape;
+    result.canvas_from_shape.tx = m.mean.z - (s.a * m.mean.x - s.b * m.mean.y);
+    result.canvas_from_shape.ty = m.mean.w - (s.b * m.mean.x + s.a * m.mean.y);
   }
   return result;
 }
@@ -125,7 +158,9 @@ int level_of_source(constant MatchRecord* match, uint source) {
 // Work item: (target sample - first_sample, shape). Of its pairs within the sample's reach the best
 // kDockingsPerShape dockings, at (work item) * kDockingsPerShape; NO_DOCKING as key where there are fewer. The pairs
 // are those of select_pairs from sample `first_paired` on.
-kernel void dock_pairs(constant MatchRecord* match, global const float* field_value, global const short* keypoints,
+kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
+                       global const StanceListRecord* stance_lists, global const uint* shape_class,
+                       global const float* field_value, global const short* keypoints,
                        global const float* contours, global const ShapeRecord* shapes, uint first_sample,
                        uint end_sample, global const SampleRecord* samples, uint first_paired,
                        global const PairRecord* pairs, global const uint* pair_count, global DockingRecord* dockings,
@@ -137,6 +172,7 @@ kernel void dock_pairs(constant MatchRecord* match, global const float* field_va
   global const SampleRecord* target = samples + t;
   global const float* contour = contours + (size_t)shape * kContourFloats;
   const size_t pair_place = (size_t)(t - first_paired) * match->shapes + shape;
+  const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
   BestDockings best;
   best.count = 0;
   uint looked_at = 0;
@@ -146,14 +182,15 @@ kernel void dock_pairs(constant MatchRecord* match, global const float* field_va
     constant LevelRecord* level = match->level + level_of_source(match, pair.source);
     global const short* keypoint = keypoints + ((size_t)shape * match->sources + pair.source) * 2 * kPadKeypoints;
     const Alignment aligned =
-        align_pyramids(match, keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target,
+        align_pyramids(&standing, keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target,
                        level->scale_low_px, level->scale_high_px);
     if (!aligned.valid) continue;
     ++looked_at;
     const float key = docking_key(contour, shapes + shape, aligned.canvas_from_shape, &field,
                                   match->max_scale_px);
     if (key < kLeastDockingKey) continue;
-    const DockingRecord docking = {t, match->first_shape + shape, pair.source, key, aligned.canvas_from_shape};
+    const DockingRecord docking = {t, match->first_shape + shape, pair.source, standing.list.first + aligned.stance,
+                                   key * standing.stance[aligned.stance].weight, aligned.canvas_from_shape};
     keep_docking(&best, &docking);
   }
   if (looked_at > 0) atomic_add(evaluated + t, looked_at);
@@ -178,9 +215,9 @@ int16 docking_points(DirectionRange range, global const float* contour, int bloc
 
 // The boundary point that a draw docks, or NO_POINT.
 #define NO_POINT (-1)
-INLINE int docked_point(constant MatchRecord* match, global const float* contour, uint point_bits,
-                 global const SampleRecord* target) {
-  const DirectionRange range = docked_rotations(match);
+INLINE int docked_point(const StanceRecord* stance, global const float* contour, uint point_bits,
+                        global const SampleRecord* target) {
+  const DirectionRange range = docked_rotations(stance);
   if (range.edge_x <= -1) return (int)(((ulong)point_bits * kBoundaryPoints) >> 32);
   int count = 0;
   for (int block = 0; block < kBoundaryPoints / kLanes; ++block) {
@@ -204,8 +241,8 @@ INLINE int docked_point(constant MatchRecord* match, global const float* contour
 }
 
 // Frames aligned at a boundary point, at a given scale.
-INLINE PoseRecord tangent_docking(constant MatchRecord* match, global const float* contour, uint point, float scale_px,
-                           global const SampleRecord* target) {
+INLINE PoseRecord tangent_docking(const StanceRecord* stance, global const float* contour, uint point, float scale_px,
+                                  global const SampleRecord* target) {
   const float ux = contour[kTangentAt + point];
   const float uy = contour[kTangentAt + kBoundaryPoints + point];
   const float px = contour[kFineAt + point];
@@ -215,16 +252,20 @@ INLINE PoseRecord tangent_docking(constant MatchRecord* match, global const floa
   s.b = (ux * target->tangent_y - uy * target->tangent_x) * scale_px;
   s.tx = 0;
   s.ty = 0;
-  if (match->rotation_edge_x > -1) s = pulled_in(match, s);  // the scale was drawn within its range
+  if (stance->rotation_edge_x > -1) s = pulled_in(stance, s);  // the scale was drawn within its range
   s.tx = target->position_x - (s.a * px - s.b * py);
   s.ty = target->position_y - (s.b * px + s.a * py);
   return s;
 }
 
-// Work item: (draw, target sample - first_sample). Its docking, at place
+// `open_shapes`: the shapes of the whole library that may stand, unless all may. Work item: (draw, target sample -
+// first_sample). Its docking, at place
 // (target sample - first_sample) * draws + draw, if its shape is of this shard and the early reject leaves it; else
 // NO_DOCKING or NOT_EVALUATED as key.
-kernel void dock_tangents(constant MatchRecord* match, global const float* field_value, global const float* contours,
+kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord* stances,
+                          global const StanceListRecord* stance_lists, global const uint* shape_class,
+                          uint open_count, uint all_open, global const uint* open_shapes,
+                          global const float* field_value, global const float* contours,
                           global const ShapeRecord* shapes, uint first_sample, global const SampleRecord* samples,
                           uint draws, global DockingRecord* dockings, global float* keys) {
   const uint draw = get_global_id(0);
@@ -234,18 +275,24 @@ kernel void dock_tangents(constant MatchRecord* match, global const float* field
   const size_t place = get_global_id(1) * draws + draw;
   keys[place] = NOT_EVALUATED;
   const ulong bits = mix_bits(match->seed ^ mix_bits(mix_bits(((ulong)target->edge << 32) | target->pass) ^ draw));
-  const uint library_shape = (uint)(((bits >> 32) * match->library_shapes) >> 32);
+  if (open_count == 0) return;
+  const uint drawn = (uint)(((bits >> 32) * open_count) >> 32);
+  const uint library_shape = all_open ? drawn : open_shapes[drawn];
   const uint shape = library_shape - match->first_shape;  // wraps round below the shard
   if (shape >= match->shapes) return;
-  const float growth = portable_exp2(unit_float((uint)(mix_bits(bits) >> 32)) * match->log2_scale_ratio);
+  const ulong more = mix_bits(bits);
+  const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
+  const uint k = (uint)(((more & 0xffffffffu) * standing.list.count) >> 32);
+  const StanceRecord stance = standing.stance[k];
+  const float growth = portable_exp2(unit_float((uint)(more >> 32)) * stance.log2_scale_ratio);
   global const float* contour = contours + (size_t)shape * kContourFloats;
-  const int point = docked_point(match, contour, (uint)(bits & 0xffffffffu), target);
+  const int point = docked_point(&stance, contour, (uint)(bits & 0xffffffffu), target);
   if (point == NO_POINT) return;
-  const PoseRecord pose = tangent_docking(match, contour, (uint)point, match->min_scale_px * growth, target);
+  const PoseRecord pose = tangent_docking(&stance, contour, (uint)point, stance.min_scale_px * growth, target);
   const Field field = free_field(match, field_value);
   const float key = docking_key(contour, shapes + shape, pose, &field, match->max_scale_px);
-  keys[place] = key < kLeastDockingKey ? NO_DOCKING : key;
+  keys[place] = key < kLeastDockingKey ? NO_DOCKING : key * stance.weight;
   if (key < kLeastDockingKey) return;
-  const DockingRecord docking = {t, library_shape, kTangentSource + draw, key, pose};
+  const DockingRecord docking = {t, library_shape, kTangentSource + draw, standing.list.first + k, key * stance.weight, pose};
   dockings[place] = docking;
 }

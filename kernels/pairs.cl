@@ -38,7 +38,7 @@ typedef struct Target {
   uint reach;
   float chord_x;
   float chord_y;
-  DirectionRange rotations;
+  Stances stances;
 } Target;
 
 // Key points between which the chord tells the rotation before any alignment.
@@ -48,12 +48,12 @@ enum ChordEnds {
   kChordLast = kPadLevels + 1 + kChordReach
 };
 
-Target load_target(constant MatchRecord* match, global const SampleRecord* sample) {
+Target load_target(global const SampleRecord* sample, Stances stances) {
   ushort element[kPadRow];
   for (int e = 0; e < kPadRow; ++e) element[e] = e < kPadElements ? (ushort)sample->element[e] : (ushort)0;
   const Target target = {load_row(0, element), sample->scale_length, sample->convexity, sample->reach,
                          sample->keypoint_x[kChordLast] - sample->keypoint_x[kChordFirst],
-                         sample->keypoint_y[kChordLast] - sample->keypoint_y[kChordFirst], docked_rotations(match)};
+                         sample->keypoint_y[kChordLast] - sample->keypoint_y[kChordFirst], stances};
   return target;
 }
 
@@ -103,20 +103,27 @@ typedef struct Pads {
 } Pads;
 
 bool may_turn(const Pads* pads, uint source, const Target* target) {
-  if (target->rotations.edge_x <= -1) return true;
+  if (target->stances.stance->docked_edge_x <= -1) return true;
   global const short* x = pads->keypoint + (size_t)source * 2 * kPadKeypoints;
   global const short* y = x + kPadKeypoints;
   const float chord_x = (float)x[kChordLast] - (float)x[kChordFirst];
   const float chord_y = (float)y[kChordLast] - (float)y[kChordFirst];
-  return direction_allowed(target->rotations, chord_x * target->chord_x + chord_y * target->chord_y,
-                           chord_x * target->chord_y - chord_y * target->chord_x, 1, 0);
+  const float turn_x = chord_x * target->chord_x + chord_y * target->chord_y;
+  const float turn_y = chord_x * target->chord_y - chord_y * target->chord_x;
+  for (uint i = 0; i < target->stances.list.count; ++i) {
+    const StanceRecord stance = target->stances.stance[i];
+    if (direction_allowed(docked_rotations(&stance), turn_x, turn_y, 1, 0)) return true;
+  }
+  return false;
 }
 
 // Equation 1, steps; NO_PAIR where the scale, the sign or the rotation cannot fit.
 INLINE uint pair_distance(const Pads* pads, uint source, constant LevelRecord* level, const Target* target) {
   const PadRecord record = pads->record[source];
-  if (target->scale_length < record.scale_length * (level->scale_low_px * kScaleWindowLow) ||
-      target->scale_length > record.scale_length * (level->scale_high_px * kScaleWindowHigh) ||
+  const float low_px = max(level->scale_low_px, target->stances.list.min_scale_px);
+  const float high_px = min(level->scale_high_px, target->stances.list.max_scale_px);
+  if (target->scale_length < record.scale_length * (low_px * kScaleWindowLow) ||
+      target->scale_length > record.scale_length * (high_px * kScaleWindowHigh) ||
       target->convexity * record.convexity < 0 || !may_turn(pads, source, target)) {
     return NO_PAIR;
   }
@@ -161,8 +168,10 @@ void keep_if_minimum(BestPairs* best, const Pads* pads, uint source, constant Le
 // Work item: (target sample - first_sample, shape). The pairs of (sample, shape) start at place
 // ((sample - first_sample) * shapes + shape) * kPairsPerShape. `only_longer_reach`: the places hold what was found
 // within each sample's held_reach.
-kernel void select_pairs(constant MatchRecord* match, global const uchar* pad_bytes, global const ushort* rows,
-                         global const PadRecord* records, global const short* keypoints, uint first_sample, uint end_sample, uint only_longer_reach,
+kernel void select_pairs(constant MatchRecord* match, global const StanceRecord* stances,
+                         global const StanceListRecord* stance_lists, global const uint* shape_class,
+                         global const uchar* pad_bytes, global const ushort* rows, global const PadRecord* records,
+                         global const short* keypoints, uint first_sample, uint end_sample, uint only_longer_reach,
                          global const SampleRecord* samples, global PairRecord* pairs, global uint* pair_count) {
   const uint t = first_sample + get_global_id(0);
   const uint shape = get_global_id(1);
@@ -171,12 +180,13 @@ kernel void select_pairs(constant MatchRecord* match, global const uchar* pad_by
   if (only_longer_reach && sample->reach <= sample->held_reach) return;
   BestPairs best;
   best.count = 0;
-  if (sample->reach > 0) {
+  const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
+  if (sample->reach > 0 && standing.list.count > 0) {
     const size_t first_source = (size_t)shape * match->sources;
     global const uchar* bytes = pad_bytes + first_source * kFilterRows;
     const Pads pads = {rows + first_source * kPadRow, records + first_source,
                        keypoints + first_source * 2 * kPadKeypoints};
-    const Target target = load_target(match, sample);
+    const Target target = load_target(sample, standing);
     FilterWindow window;
     set_pad_window(&window, sample);
     for (uint k = 0; k < match->level_count; ++k) {

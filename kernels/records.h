@@ -53,17 +53,8 @@ typedef struct MatchRecord {
   u32 beta_steps;
   float delta_px;
   float hard_depth_px;
-  float min_scale_px;
   float max_scale_px;
   float gap_px;
-  float log2_scale_ratio;
-  float rotation_middle_x;  // DirectionRange of the poses
-  float rotation_middle_y;
-  float rotation_edge_x;
-  float rotation_edge_y;
-  float docked_edge_x;  // of docked_rotations, which have the same middle
-  float docked_edge_y;
-  u32 library_shapes;
   u32 first_shape;  // library index of the shard's first shape
   u32 shapes;       // in the shard
   u32 level_count;
@@ -74,6 +65,28 @@ typedef struct MatchRecord {
   float field_origin_y;
   LevelRecord level[kSmoothingLevelCount];
 } MatchRecord;
+
+// Stance
+typedef struct StanceRecord {
+  float min_scale_px;
+  float max_scale_px;
+  float log2_scale_ratio;
+  float weight;
+  float rotation_middle_x;  // DirectionRange of the poses
+  float rotation_middle_y;
+  float rotation_edge_x;
+  float rotation_edge_y;
+  float docked_edge_x;  // of docked_rotations, which have the same middle
+  float docked_edge_y;
+} StanceRecord;
+
+// StanceList, of a class of shapes.
+typedef struct StanceListRecord {
+  u32 first;
+  u32 count;
+  float min_scale_px;
+  float max_scale_px;
+} StanceListRecord;
 
 typedef struct ShapeRecord {
   float perimeter;
@@ -133,6 +146,7 @@ typedef struct DockingRecord {
   u32 sample;
   u32 shape;
   u32 source;
+  u32 stance;
   float key;
   PoseRecord canvas_from_shape;
 } DockingRecord;

@@ -103,7 +103,7 @@ typedef struct Piece {
   global const float* contour;
   global const ShapeRecord* shape;
   const Field* field;
-  constant MatchRecord* match;
+  StanceRecord stance;
 } Piece;
 
 typedef struct Descent {
@@ -131,15 +131,15 @@ PoseRecord descended(PoseRecord s, const Piece* piece, Descent descent) {
       add_points(&equations, s, set, count, block, piece->field, arm, radius, descent.overlap_weight);
     }
     if (equations.points < kLeastDrawnPoints) return s;
-    const float2 turns = turn_limits(piece->match, s);
+    const float2 turns = turn_limits(&piece->stance, s);
     const Limits turn = {turns.x * arm, turns.y * arm};
-    const Limits growth = {(piece->match->min_scale_px / scale - 1) * arm,
-                           (piece->match->max_scale_px / scale - 1) * arm};
+    const Limits growth = {(piece->stance.min_scale_px / scale - 1) * arm,
+                           (piece->stance.max_scale_px / scale - 1) * arm};
     float4 x = solve(&equations, growth, turn);
     const float4 size = fabs(x);
     const float largest = max(max(size.x, size.y), max(size.z, size.w));
     if (largest > radius) x = x * (radius / largest);
-    s = pulled_in(piece->match, moved(s, x.x, x.y, x.z / arm, x.w / arm));
+    s = pulled_in(&piece->stance, moved(s, x.x, x.y, x.z / arm, x.w / arm));
   }
   return s;
 }
@@ -164,7 +164,7 @@ float depth_px(PoseRecord s, const Piece* piece) {
 }
 
 // Gives whether the refined pose is feasible.
-bool refine(PoseRecord* pose, const Piece* piece) {
+bool refine(PoseRecord* pose, const Piece* piece, float hard_depth_px) {
   PoseRecord s = *pose;
   const Descent nestle = DESCENT(kNestle);
   const Descent push = DESCENT(kPush);
@@ -172,19 +172,18 @@ bool refine(PoseRecord* pose, const Piece* piece) {
   approach.first_radius_px = max(approach.first_radius_px, kApproachRadius * scale_of(s));
   s = descended(s, piece, approach);
   s = descended(s, piece, nestle);
-  const float hard_depth_px = piece->match->hard_depth_px;
   float depth = depth_px(s, piece);
   for (int pushed = 0; pushed < kPushSteps && depth > hard_depth_px && depth <= kHopelessDepth_px; ++pushed) {
     if (pushed > 0) {
       s.a *= kPushShrink;
       s.b *= kPushShrink;
-      s = pulled_in(piece->match, s);
+      s = pulled_in(&piece->stance, s);
     }
     s = descended(s, piece, push);
     depth = depth_px(s, piece);
   }
   *pose = s;
-  return depth <= hard_depth_px && pose_allowed(piece->match, s);
+  return depth <= hard_depth_px && pose_allowed(&piece->stance, s);
 }
 
 // core/geometry/extent.h, of the boundary points.
@@ -203,16 +202,17 @@ ExtentRecord extent_of(PoseRecord s, global const float* contour) {
 }
 
 // Work item: a docking, whose shape is of this shard.
-kernel void refine_dockings(constant MatchRecord* match, global const float* field_value, global const float* contours,
+kernel void refine_dockings(constant MatchRecord* match, global const StanceRecord* stances,
+                            global const float* field_value, global const float* contours,
                             global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
                             global RefinedRecord* refined) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const uint shape = dockings[i].shape - match->first_shape;
   const Field field = free_field(match, field_value);
-  const Piece piece = {contours + (size_t)shape * kContourFloats, shapes + shape, &field, match};
+  const Piece piece = {contours + (size_t)shape * kContourFloats, shapes + shape, &field, stances[dockings[i].stance]};
   RefinedRecord result = {dockings[i].canvas_from_shape, {0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0};
-  if (refine(&result.canvas_from_shape, &piece)) {
+  if (refine(&result.canvas_from_shape, &piece, match->hard_depth_px)) {
     result.feasible = 1;
     result.terms = docking_terms(match, piece.contour, piece.shape, result.canvas_from_shape, &field);
     result.extent = extent_of(result.canvas_from_shape, piece.contour);

@@ -31,7 +31,7 @@ void shorten(Shortlist* list, global const DockingRecord* docking, float key) {
 uint shorten_all(Shortlist* list, global const DockingRecord* dockings, global const float* keys, uint count) {
   uint evaluated = 0;
   for (uint i = 0; i < count; ++i) {
-    if (keys[i] >= kLeastDockingKey) shorten(list, dockings + i, keys[i]);
+    if (keys[i] > 0) shorten(list, dockings + i, keys[i]);
     evaluated += keys[i] > NOT_EVALUATED;
   }
   return evaluated;

@@ -10,15 +10,15 @@ typedef struct DirectionRange {
   float edge_y;
 } DirectionRange;
 
-DirectionRange allowed_rotations(constant MatchRecord* match) {
-  const DirectionRange range = {match->rotation_middle_x, match->rotation_middle_y, match->rotation_edge_x,
-                                match->rotation_edge_y};
+DirectionRange allowed_rotations(const StanceRecord* stance) {
+  const DirectionRange range = {stance->rotation_middle_x, stance->rotation_middle_y, stance->rotation_edge_x,
+                                stance->rotation_edge_y};
   return range;
 }
 
-DirectionRange docked_rotations(constant MatchRecord* match) {
-  const DirectionRange range = {match->rotation_middle_x, match->rotation_middle_y, match->docked_edge_x,
-                                match->docked_edge_y};
+DirectionRange docked_rotations(const StanceRecord* stance) {
+  const DirectionRange range = {stance->rotation_middle_x, stance->rotation_middle_y, stance->docked_edge_x,
+                                stance->docked_edge_y};
   return range;
 }
 
@@ -36,18 +36,18 @@ float2 nearest_edge(DirectionRange range, float x, float y) {
                   range.middle_y * range.edge_x + range.middle_x * side);
 }
 
-bool pose_allowed(constant MatchRecord* match, PoseRecord s) {
+bool pose_allowed(const StanceRecord* stance, PoseRecord s) {
   const float scale = scale_of(s);
-  return scale >= match->min_scale_px * (1 - kScaleRounding) && scale <= match->max_scale_px * (1 + kScaleRounding) &&
-         direction_allowed(allowed_rotations(match), s.a, s.b, scale, kRotationRounding_rad);
+  return scale >= stance->min_scale_px * (1 - kScaleRounding) && scale <= stance->max_scale_px * (1 + kScaleRounding) &&
+         direction_allowed(allowed_rotations(stance), s.a, s.b, scale, kRotationRounding_rad);
 }
 
-PoseRecord pulled_in(constant MatchRecord* match, PoseRecord s) {
+PoseRecord pulled_in(const StanceRecord* stance, PoseRecord s) {
   const float scale = scale_of(s);
   float wanted = scale;
-  if (scale < match->min_scale_px) wanted = match->min_scale_px * (1 + kInsideBound);
-  if (scale > match->max_scale_px) wanted = match->max_scale_px * (1 - kInsideBound);
-  const DirectionRange range = allowed_rotations(match);
+  if (scale < stance->min_scale_px) wanted = stance->min_scale_px * (1 + kInsideBound);
+  if (scale > stance->max_scale_px) wanted = stance->max_scale_px * (1 - kInsideBound);
+  const DirectionRange range = allowed_rotations(stance);
   if (!direction_allowed(range, s.a, s.b, scale, 0)) {
     const float2 direction = nearest_edge(range, s.a, s.b);
     s.a = direction.x * wanted;
@@ -60,9 +60,9 @@ PoseRecord pulled_in(constant MatchRecord* match, PoseRecord s) {
 }
 
 // Low and high Cayley angle.
-float2 turn_limits(constant MatchRecord* match, PoseRecord s) {
+float2 turn_limits(const StanceRecord* stance, PoseRecord s) {
   float2 limits = (float2)(-kNoTurnLimit, kNoTurnLimit);
-  const DirectionRange range = allowed_rotations(match);
+  const DirectionRange range = allowed_rotations(stance);
   if (range.edge_x <= -1) return limits;
   const float scale = scale_of(s);
   const float along = s.a * range.middle_x + s.b * range.middle_y;

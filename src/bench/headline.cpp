@@ -113,7 +113,7 @@ Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector
   const MatchRound round = match(matcher, samples, plan, scene.pads, reach, docked.statistics);
   for (const RefinedDocking& found : round.refined) {
     const float scale = found.docking.canvas_from_shape.scale();
-    const PieceSize size{scale, perimeter * scale, scene.context.poses.max_scale_px};
+    const PieceSize size{scale, perimeter * scale, scene.context.max_scale_px};
     const float score = objective(found.terms, size, scene.settings.objective);
     if (score <= docked.best_score) continue;
     docked.best_score = score;

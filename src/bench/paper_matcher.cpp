@@ -66,6 +66,8 @@ void PaperMatcher::start_field(int width, int height, Vec2 origin) {
 
 void PaperMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
 
+void PaperMatcher::limit(const StandingLimits& limits) { context_.stances = all_stances_.limited(limits); }
+
 void PaperMatcher::post_count(const CountRequest& request) {
   histograms_.assign(request.samples.size(), {});
   for (std::size_t t = 0; t < request.samples.size(); ++t) {
@@ -80,7 +82,7 @@ void PaperMatcher::post_count(const CountRequest& request) {
 float PaperMatcher::score(const ShapeModel& model, const Similarity& canvas_from_shape) const {
   const float scale = canvas_from_shape.scale();
   const DockingTerms terms = docking_terms(canvas_from_shape, model, FieldView(field_), context_);
-  return objective(terms, {scale, model.perimeter * scale, context_.poses.max_scale_px}, objective_);
+  return objective(terms, {scale, model.perimeter * scale, context_.max_scale_px}, objective_);
 }
 
 void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
@@ -95,9 +97,13 @@ void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
                                   context_.pad.levels);
                    const ScaleRange& range = context_.level_range[slot];
                    const float scale = pose.scale();
-                   if (scale < range.low || scale > range.high || !context_.poses.contains(pose)) return;
+                   const std::span<const Stance> stances =
+                       context_.stances.of(context_.stances.list(ShapeId{m}));
+                   const bool stands = std::any_of(stances.begin(), stances.end(),
+                                                   [&](const Stance& s) { return s.poses.contains(pose); });
+                   if (scale < range.low || scale > range.high || !stands) return;
                    ++docked_.evaluated;
-                   dockings.push_back({t, ShapeId{m}, source, score(model, pose), pose});
+                   dockings.push_back({t, ShapeId{m}, source, 0, score(model, pose), pose});
                  });
   keep_shortlist(dockings);
   docked_.dockings.insert(docked_.dockings.end(), dockings.begin(), dockings.end());

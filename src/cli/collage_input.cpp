@@ -16,6 +16,13 @@ Start start_of(const CollageArguments& arguments, const io::EarlierResult& earli
   return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
 }
 
+/// Whose names the job's wishes are about.
+io::LibraryFile library_for(io::Job& job) {
+  io::LibraryFile library = io::open_library_of(job);
+  io::resolve_wishes(library, job);
+  return library;
+}
+
 Canvas checked_canvas(const io::Job& job) {
   Canvas canvas = io::load_canvas(job.canvas);
   io::check_picture_height(job.output, canvas);
@@ -46,7 +53,7 @@ CollageInput::CollageInput(const CollageArguments& arguments)
       earlier{.folder = folder, .whole = {}, .damage = {}},  // what is in a folder counts when it is locked
       start(start_of(arguments, earlier)),
       checkpoints(checkpoints_in(earlier, start)),
-      library(io::open_library_of(job)),
+      library(library_for(job)),
       canvas(checked_canvas(job)),
       lock(locked_folder(folder), folder) {
   io::check_nothing_foreign_is_replaced(folder, arguments.job);

@@ -45,10 +45,11 @@ RankSite site_with(const io::Job& job, const worker::DeviceShare& share) {
 }  // namespace
 
 void run_collage_worker(comm::Communicator& ranks) {
-  const io::Job job = receive_job(ranks, program_identity());
+  io::Job job = receive_job(ranks, program_identity());
   const comm::Heart heart(ranks, job.comm.silence_s);
   const io::LibraryFile library = io::open_library_of(job);
   check_library(ranks, library);
+  io::resolve_wishes(library, job);
   const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
   const worker::DeviceShare share = share_node(ranks, job);

@@ -64,6 +64,7 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Worke
       clock.measure(&Times::field_s, [&] { matcher.update_field(patch); });
       break;
     }
+    case Tag::limit: matcher.limit(decode<StandingLimits>(request.bytes)); break;
     case Tag::count_request:
       ranks.send(asker, Tag::count_reply,
                  measured_answer(request, matcher, clock, &Times::count_s, &Times::counts, count));
@@ -94,7 +95,7 @@ void serve(Communicator& ranks, std::unique_ptr<Matcher> own) {
   WorkerClock clock(ranks);
   for (;;) {
     const Message request =
-        ranks.receive_any(asker, {Tag::start_field, Tag::update_field, Tag::count_request, Tag::dock_request,
+        ranks.receive_any(asker, {Tag::start_field, Tag::update_field, Tag::limit, Tag::count_request, Tag::dock_request,
                                   Tag::refine_request, Tag::measure_request, Tag::times_request});
     // While this rank computes it cannot help a large reply along, which others may be waiting for.
     ranks.flush();

@@ -17,6 +17,7 @@ enum class Tag : int {
   hello,          // worker -> who asks it: its part of the library, with those below it
   start_field,    // down the tree of ranks (worker_tree.h), as are the requests below; replies carry the request's name
   update_field,
+  limit,
   count_request,
   count_reply,
   dock_request,
@@ -41,7 +42,7 @@ enum class Tag : int {
 inline constexpr std::size_t kTags = std::size_t(Tag::heartbeat) + 1;
 
 inline constexpr std::array<std::string_view, kTags> kTagNames = {
-    "hello",          "start field",  "update field", "count request", "count reply",
+    "hello",          "start field",  "update field", "limit", "count request", "count reply",
     "dock request",   "dock reply",   "refine request", "refine reply", "measure request",
     "measure reply",  "times request", "times reply", "broadcast",     "barrier",        "site",
     "turn",           "failure",       "end",         "bye",           "leave",          "heartbeat"};

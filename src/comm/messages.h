@@ -32,6 +32,7 @@ struct FieldStart {
   BOOST_CLASS_IMPLEMENTATION(Type, boost::serialization::primitive_type)
 
 TESSERA_SENT_AS_IT_LIES(tessera::comm::FieldStart)
+TESSERA_SENT_AS_IT_LIES(tessera::ShapeId)
 TESSERA_SENT_AS_IT_LIES(tessera::ShapeRange)
 TESSERA_SENT_AS_IT_LIES(tessera::Window)
 TESSERA_SENT_AS_IT_LIES(tessera::TargetSample)
@@ -49,6 +50,7 @@ TESSERA_SENT_AS_IT_LIES(tessera::WorkerTimes)
 
 TESSERA_SENT_BY_MEMBERS(tessera::comm::Failure)
 TESSERA_SENT_BY_MEMBERS(tessera::FieldPatch)
+TESSERA_SENT_BY_MEMBERS(tessera::StandingLimits)
 TESSERA_SENT_BY_MEMBERS(tessera::CountRequest)
 TESSERA_SENT_BY_MEMBERS(tessera::DockRequest)
 TESSERA_SENT_BY_MEMBERS(tessera::DockReply)
@@ -67,6 +69,11 @@ void serialize(Archive& archive, tessera::comm::Failure& failure, unsigned) {
 template <class Archive>
 void serialize(Archive& archive, tessera::FieldPatch& patch, unsigned) {
   archive& patch.window& patch.value;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::StandingLimits& limits, unsigned) {
+  archive& limits.region& limits.most_scale_px& limits.used_up;
 }
 
 template <class Archive>

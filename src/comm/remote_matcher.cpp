@@ -16,6 +16,8 @@ void RemoteMatcher::start_field(int width, int height, Vec2 origin) {
 
 void RemoteMatcher::update_field(const FieldPatch& patch) { ranks_.send(worker_, Tag::update_field, encode(patch)); }
 
+void RemoteMatcher::limit(const StandingLimits& limits) { ranks_.send(worker_, Tag::limit, encode(limits)); }
+
 void RemoteMatcher::post_count(const CountRequest& request) {
   ranks_.send(worker_, Tag::count_request, encode(request));
 }

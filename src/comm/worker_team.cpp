@@ -28,6 +28,10 @@ class WorkerTeam : public CompositeMatcher {
     ranks_.send(workers_, Tag::update_field, encode(patch));
     if (own_) own_->update_field(patch);
   }
+  void limit(const StandingLimits& limits) override {
+    ranks_.send(workers_, Tag::limit, encode(limits));
+    if (own_) own_->limit(limits);
+  }
   void post_count(const CountRequest& request) override {
     ranks_.send(workers_, Tag::count_request, encode(request));
     if (own_) own_->post_count(request);

@@ -3,18 +3,29 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/pad/pad.h"
+#include "core/wishes.h"
 
 namespace tessera {
 
 struct PieceSettings {
-  float min_scale_px = 20;  // square root of the piece's area
+  float min_scale_px = 20;  // square root of the piece's area: of the smallest that any wish allows
   float max_scale_px = 160;
   float min_rotation_rad = -3.14159265f;
   float max_rotation_rad = 3.14159265f;
+  PoseWish several = {};  // where there are several intervals; empty: those from min to max
   int uses = 0;          // how often one shape may be placed; 0 = unlimited
   float padding_px = 0;  // distance kept between pieces, and between pieces and the canvas' edge
+
+  /// What a pose may be where no shape or region wishes otherwise.
+  PoseWish poses() const {
+    PoseWish wish = several;
+    if (wish.scale_px.empty()) wish.scale_px = {{min_scale_px, max_scale_px}};
+    if (wish.rotation_rad.empty()) wish.rotation_rad = {{min_rotation_rad, max_rotation_rad}};
+    return wish;
+  }
 };
 
 struct MatchSettings {
@@ -53,6 +64,7 @@ struct ImproveSettings {
 struct CollageSettings {
   std::uint64_t seed = 1;
   PieceSettings pieces;
+  Wishes wishes;
   MatchSettings match;
   ObjectiveSettings objective;
   ImproveSettings improve;

@@ -46,7 +46,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       curve_(settings.pieces, settings.match.pad),
       checks_(shapes, free_, opened_, settings_.pieces),
       outlines_(free_, settings.pieces),
-      scoring_(settings, context.library_shapes),
+      scoring_(settings, context.stances),
       settling_(shapes, free_, outlines_, context_),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
@@ -90,6 +90,7 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     Candidate candidate;
     candidate.shape = docking.shape;
     candidate.source = docking.source;
+    candidate.stance = docking.stance;
     candidate.canvas_from_shape = docking.canvas_from_shape;
     candidate.terms = refined.terms;
     candidate.perimeter = refined.perimeter;
@@ -187,7 +188,7 @@ std::vector<Docking> Collage::touched_by(const Window& changed) const {
   std::vector<Docking> touched;
   for (const SampleId id : pool_.reached_by(changed)) {
     for (const Candidate& c : pool_.entries().at(id).candidates) {
-      if (c.window.overlaps(changed)) touched.push_back({0, c.shape, c.source, 0, c.canvas_from_shape});
+      if (c.window.overlaps(changed)) touched.push_back({0, c.shape, c.source, c.stance, 0, c.canvas_from_shape});
     }
   }
   return touched;

@@ -73,6 +73,7 @@ void Collage::check_pieces(const CheckpointState& state) const {
   for (const PooledSample& sample : state.pool) {
     for (const Candidate& c : sample.candidates) {
       check(c.shape, c.canvas_from_shape);
+      if (c.stance >= context_.stances.stances().size()) fail(state, "a way of standing that the job does not know");
       if (!sane(c.window, free_.field().value.bounds()) || !sane(c.perimeter, c.radius)) {
         fail(state, "a candidate out of all proportion");
       }

@@ -42,7 +42,7 @@ void Collage::check_ahead() {
 
 /// Makes a piece of the candidate, which may change what it is worth: that is measured again. False: it is given up.
 bool Collage::settle(Candidate& candidate) {
-  if (!settling_.settle(candidate.shape, candidate.canvas_from_shape)) return false;
+  if (!settling_.settle(candidate.shape, context_.stances[candidate.stance].poses, candidate.canvas_from_shape)) return false;
   candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context_);
   const ExactAreas areas = check_exactly(candidate);
   return scoring_.acceptable(candidate) && scoring_.overlaps_little(candidate, areas);

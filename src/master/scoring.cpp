@@ -7,10 +7,13 @@
 
 namespace tessera::master {
 
-Scoring::Scoring(const CollageSettings& settings, std::uint32_t library_shapes)
+Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances)
     : pieces_(settings.pieces),
+      wishes_(settings.wishes),
       objective_(settings.objective),
-      poses_(library_shapes) {}
+      poses_(stances.library_shapes()) {
+  for (const Stance& stance : stances.stances()) weight_.push_back(stance.weight);
+}
 
 void Scoring::count(const Placement& placement) { poses_[index_of(placement.shape)].push_back(placement.canvas_from_shape); }
 
@@ -18,8 +21,15 @@ void Scoring::forget_placements() {
   for (std::vector<Similarity>& poses : poses_) poses.clear();
 }
 
+int Scoring::most_uses(ShapeId shape) const {
+  if (wishes_.classes.empty()) return pieces_.uses;
+  const std::size_t wished = wishes_.class_of_shape.empty() ? 0 : wishes_.class_of_shape[index_of(shape)];
+  return wishes_.classes[wished].uses.value_or(pieces_.uses);
+}
+
 bool Scoring::may_use(ShapeId shape) const {
-  return pieces_.uses == 0 || poses_[index_of(shape)].size() < std::size_t(pieces_.uses);
+  const int most = most_uses(shape);
+  return most == 0 || poses_[index_of(shape)].size() < std::size_t(most);
 }
 
 bool Scoring::acceptable(const Candidate& candidate) const {
@@ -37,7 +47,7 @@ bool Scoring::overlaps_little(const Candidate& candidate, const ExactAreas& area
 float Scoring::score(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
   const PieceSize size{scale, candidate.perimeter * scale, pieces_.max_scale_px};
-  return objective(candidate.terms, size, objective_);
+  return objective(candidate.terms, size, objective_) * weight_[candidate.stance];
 }
 
 /// Repetition costs something, or one shape that fits everywhere fills the canvas.

@@ -7,32 +7,38 @@
 #include "core/collage/exact_terms.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
+#include "core/matching/stances.h"
 #include "core/settings.h"
 
 namespace tessera::master {
 
 class Scoring {
  public:
-  Scoring(const CollageSettings& settings, std::uint32_t library_shapes);
+  Scoring(const CollageSettings& settings, const StanceTable& stances);
 
   /// A piece of this placement stands from now on.
   void count(const Placement& placement);
   void forget_placements();
 
-  /// Whether `pieces.uses` leaves another one of the shape.
+  /// Whether another one of the shape may stand.
   bool may_use(ShapeId shape) const;
   /// Whether the candidate's terms alone allow it: no overlap shows, and it touches something.
   bool acceptable(const Candidate& candidate) const;
   /// Whether the exact areas agree that no overlap shows: where lines lie on lines, the contour sees nothing of it.
   bool overlaps_little(const Candidate& candidate, const ExactAreas& areas) const;
-  /// The objective of the candidate's terms.
+  /// The objective of the candidate's terms, times the weight that is wished for.
   float score(const Candidate& candidate) const;
   /// The part (0..1) of its score that is left to a candidate whose shape stands already: the smaller, the more of them
   /// stand, above all close by. It falls as pieces are placed, and never rises but by forget_placements().
   float preference(const Candidate& candidate) const;
 
  private:
+  /// 0 = no limit.
+  int most_uses(ShapeId shape) const;
+
   PieceSettings pieces_;
+  Wishes wishes_;
+  std::vector<float> weight_;  // by stance
   ObjectiveSettings objective_;
   std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
 };

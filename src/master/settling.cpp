@@ -13,28 +13,28 @@ void shrink(Similarity& pose) {
 
 }  // namespace
 
-bool Settling::settle(ShapeId shape, Similarity& canvas_from_shape) {
+bool Settling::settle(ShapeId shape, const PoseRange& poses, Similarity& canvas_from_shape) {
   const ShapeModel& model = shapes_.model(shape);
-  if (!push_clear(model, canvas_from_shape)) return false;
-  grow(canvas_from_shape, model, free_.view(), context_);
-  return fit_exactly(shapes_.shape(shape), canvas_from_shape);
+  if (!push_clear(model, poses, canvas_from_shape)) return false;
+  grow(canvas_from_shape, model, free_.view(), poses, context_.hard_depth_px);
+  return fit_exactly(shapes_.shape(shape), poses, canvas_from_shape);
 }
 
 /// By the free field, as in the refinement.
-bool Settling::push_clear(const ShapeModel& model, Similarity& pose) const {
+bool Settling::push_clear(const ShapeModel& model, const PoseRange& poses, Similarity& pose) const {
   const FieldView field = free_.view();
   for (int step = 0; depth_px(pose, model, field) > context_.hard_depth_px; ++step) {
     if (step == kSettleSteps) return false;
-    descend(pose, model, field, kSettle, context_.poses);
+    descend(pose, model, field, kSettle, poses);
     if (depth_px(pose, model, field) <= context_.hard_depth_px) break;
     shrink(pose);
-    if (pose.scale() < context_.poses.min_scale_px) return false;
+    if (pose.scale() < poses.min_scale_px) return false;
   }
   return true;
 }
 
 /// By the outlines themselves: corrects what fields and boundary points did not see.
-bool Settling::fit_exactly(const Shape& shape, Similarity& pose) const {
+bool Settling::fit_exactly(const Shape& shape, const PoseRange& poses, Similarity& pose) const {
   for (int step = 0; step < kExactSteps; ++step) {
     const std::vector<Vec2> ways = outlines_.conflicts(shape, pose);
     if (ways.empty()) return true;
@@ -44,7 +44,7 @@ bool Settling::fit_exactly(const Shape& shape, Similarity& pose) const {
     }
     if (step == 0) continue;
     shrink(pose);
-    context_.poses.pull_in(pose);
+    poses.pull_in(pose);
   }
   return false;
 }

@@ -19,12 +19,12 @@ class Settling {
         outlines_(outlines),
         context_(context) {}
 
-  /// Moves the pose to where the shape may stand, near by and within the poses allowed. False where it may not stand.
-  bool settle(ShapeId shape, Similarity& canvas_from_shape);
+  /// Moves the pose to where the shape may stand, near by and within `poses`. False where it may not stand.
+  bool settle(ShapeId shape, const PoseRange& poses, Similarity& canvas_from_shape);
 
  private:
-  bool push_clear(const ShapeModel& model, Similarity& pose) const;
-  bool fit_exactly(const Shape& shape, Similarity& pose) const;
+  bool push_clear(const ShapeModel& model, const PoseRange& poses, Similarity& pose) const;
+  bool fit_exactly(const Shape& shape, const PoseRange& poses, Similarity& pose) const;
 
   ShapeSource& shapes_;
   const FreeField& free_;

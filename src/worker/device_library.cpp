@@ -34,7 +34,10 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
       keypoints_(session_),
       contours_(session_),
       shapes_(session_),
-      field_(session_) {
+      field_(session_),
+      all_stances_(context.stances),
+      stances_(session_) {
+  stances_.write(all_stances_, shapes);
   if (match_.shapes == 0) reserve_nothing();
   for (std::uint32_t first = shapes.begin; first < shapes.end; first += kShapesAtATime) {
     const ShapeRange part{first, std::min(shapes.end, first + kShapesAtATime)};
@@ -63,6 +66,10 @@ void DeviceLibrary::upload(const Shard& part, std::uint32_t first) {
   all_of(keypoints_, part.keypoints);
   all_of(contours_, part.contours);
   all_of(shapes_, part.shapes);
+}
+
+void DeviceLibrary::limit(const StandingLimits& limits) {
+  stances_.write(all_stances_.limited(limits), {match_.first_shape, match_.first_shape + match_.shapes});
 }
 
 void DeviceLibrary::start_field(int width, int height, Vec2 origin) {

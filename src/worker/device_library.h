@@ -3,6 +3,7 @@
 
 #include "core/matching/matching_context.h"
 #include "core/matching/model_source.h"
+#include "worker/device_stances.h"
 #include "worker/opencl_runtime.h"
 #include "worker/shard.h"
 
@@ -15,6 +16,7 @@ class DeviceLibrary {
 
   void start_field(int width, int height, Vec2 origin);
   void update_field(const FieldPatch& patch);
+  void limit(const StandingLimits& limits);
 
   const DeviceSession& session() const { return session_; }
   int pad_levels() const { return pad_levels_; }
@@ -27,6 +29,7 @@ class DeviceLibrary {
   const DeviceBuffer<float>& contours() const { return contours_; }
   const DeviceBuffer<ShapeRecord>& shapes() const { return shapes_; }
   const DeviceBuffer<float>& field() const { return field_; }
+  const DeviceStances& stances() const { return stances_; }
 
  private:
   void reserve_nothing();
@@ -43,6 +46,8 @@ class DeviceLibrary {
   DeviceBuffer<float> contours_;
   DeviceBuffer<ShapeRecord> shapes_;
   DeviceBuffer<float> field_;
+  StanceTable all_stances_;
+  DeviceStances stances_;
 };
 
 }  // namespace tessera::worker

@@ -70,7 +70,8 @@ void DockStage::dock_pairs(const Part& part) {
   paired_.reserve(places);
   paired_keys_.reserve(places);
   launch(library_->session(), dock_pairs_, {part.count(), library_->match().shapes, kSamplesPerGroup},
-         library_->match_buffer(), library_->field(), library_->keypoints(), library_->contours(), library_->shapes(),
+         library_->match_buffer(), library_->stances().stances(), library_->stances().lists(),
+         library_->stances().shape_class(), library_->field(), library_->keypoints(), library_->contours(), library_->shapes(),
          part.first, part.end, pairs_->samples(), first_paired, pairs_->pairs(), pairs_->pair_count(), paired_,
          paired_keys_, evaluated_);
 }
@@ -79,7 +80,10 @@ void DockStage::dock_tangents(const Part& part) {
   const std::size_t places = std::size_t(part.count()) * draws_;
   tangent_.reserve(places);
   tangent_keys_.reserve(places);
+  const DeviceStances& stances = library_->stances();
   launch(library_->session(), dock_tangents_, {draws_, part.count(), kDrawsPerGroup}, library_->match_buffer(),
+         stances.stances(), stances.lists(), stances.shape_class(), stances.open_count(),
+         std::uint32_t(stances.all_open()), stances.open_shapes(),
          library_->field(), library_->contours(), library_->shapes(), part.first, pairs_->samples(), draws_, tangent_,
          tangent_keys_);
 }

@@ -15,6 +15,11 @@ ShapeRange OpenCLMatcher::shapes() const {
   return {match.first_shape, match.first_shape + match.shapes};
 }
 
+void OpenCLMatcher::limit(const StandingLimits& limits) {
+  library_.limit(limits);
+  pairs_.forget();
+}
+
 void OpenCLMatcher::post_count(const CountRequest& request) {
   pairs_.post_count(make_sample_records(request.samples, request.bin_reach, library_.match(), library_.pad_levels()));
 }

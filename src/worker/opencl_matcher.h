@@ -23,6 +23,7 @@ class OpenCLMatcher : public Matcher {
   ShapeRange shapes() const override;
   void start_field(int width, int height, Vec2 origin) override { library_.start_field(width, height, origin); }
   void update_field(const FieldPatch& patch) override { library_.update_field(patch); }
+  void limit(const StandingLimits& limits) override;
   void post_count(const CountRequest& request) override;
   std::vector<DistanceHistogram> take_count() override { return pairs_.take_count(); }
   void post_dock(const DockRequest& request) override { docking_.post(request); }

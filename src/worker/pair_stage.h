@@ -25,6 +25,9 @@ class PairStage {
   const DeviceBuffer<PairRecord>& pairs() const { return pairs_; }
   const DeviceBuffer<std::uint32_t>& pair_count() const { return pair_count_; }
 
+  /// The pairs that are there do not count any more.
+  void forget() { held_ = {}; }
+
   /// So few that the buffers stay small, however large the library.
   std::uint32_t samples_at_a_time() const;
   std::size_t stage_bytes() const { return stage_bytes_; }

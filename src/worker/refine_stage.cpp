@@ -44,8 +44,8 @@ void RefineStage::post(const std::vector<Docking>& dockings) {
   const std::uint32_t count = upload(dockings);
   posted_ = dockings;
   refined_.reserve(count);
-  launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(), library_->field(),
-         library_->contours(), library_->shapes(), count, dockings_, refined_);
+  launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(),
+         library_->stances().stances(), library_->field(), library_->contours(), library_->shapes(), count, dockings_, refined_);
   library_->session().flush();
 }
 

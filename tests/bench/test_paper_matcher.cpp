@@ -23,8 +23,8 @@ TEST(PaperMatcher, DocksPairsBelowTheLimitAndLeavesThemAsTheyAre) {
     EXPECT_EQ(round.refined[i].docking, round.docked.dockings[i]);
     EXPECT_TRUE(round.refined[i].feasible);
     const float scale = round.refined[i].docking.canvas_from_shape.scale();
-    EXPECT_GE(scale, scene.context.poses.min_scale_px);
-    EXPECT_LE(scale, scene.context.poses.max_scale_px);
+    EXPECT_GE(scale, scene.settings.pieces.min_scale_px);
+    EXPECT_LE(scale, scene.context.max_scale_px);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(PaperMatcher, RanksByTheObjective) {
     const float scale = found.docking.canvas_from_shape.scale();
     const float perimeter_px = scene.models[index_of(found.docking.shape)].perimeter * scale;
     EXPECT_EQ(found.docking.key,
-              objective(found.terms, {scale, perimeter_px, scene.context.poses.max_scale_px}, scene.settings.objective));
+              objective(found.terms, {scale, perimeter_px, scene.context.max_scale_px}, scene.settings.objective));
   }
 }
 

@@ -30,6 +30,7 @@ class SlowCounter : public Matcher {
   ShapeRange shapes() const override { return shapes_; }
   void start_field(int, int, Vec2) override {}
   void update_field(const FieldPatch&) override {}
+  void limit(const StandingLimits&) override {}
   void post_count(const CountRequest& request) override { samples_ = request.samples.size(); }
   std::vector<DistanceHistogram> take_count() override {
     std::this_thread::sleep_for(kNap);

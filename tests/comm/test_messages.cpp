@@ -40,7 +40,8 @@ TargetSample any_sample() {
 }
 
 Docking any_docking() {
-  return {any_index(), ShapeId{any_index()}, any_index(), any_float(), {any_float(), any_float(), any_float(), any_float()}};
+  return {any_index(), ShapeId{any_index()}, any_index(), any_index(), any_float(),
+          {any_float(), any_float(), any_float(), any_float()}};
 }
 
 RefinedDocking any_refined() {
@@ -124,6 +125,9 @@ TEST(Messages, TheSmallOnes) {
   const ShapeRange range = there_and_back(ShapeRange{7, 4000000000u});
   EXPECT_EQ(range.begin, 7u);
   EXPECT_EQ(range.end, 4000000000u);
+  const StandingLimits limits{3, 45.5f, {ShapeId{1}, ShapeId{4000000000u}}};
+  EXPECT_EQ(there_and_back(limits), limits);
+  EXPECT_EQ(there_and_back(StandingLimits{}), StandingLimits{}) << "infinity";
   const FieldStart start{1012, 1013, {-5.5f, -0.f}};
   EXPECT_EQ(there_and_back(start), start);
   const Failure failure{2, "library.h5: not ours"};

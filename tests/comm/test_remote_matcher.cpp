@@ -32,6 +32,7 @@ class EchoMatcher : public Matcher {
     origin_ = origin;
   }
   void update_field(const FieldPatch& patch) override { write_patch(patch, field_); }
+  void limit(const StandingLimits& limits) override { limits_ = limits; }
 
   void post_count(const CountRequest& request) override { samples_ = request.samples; }
   std::vector<DistanceHistogram> take_count() override {
@@ -41,13 +42,14 @@ class EchoMatcher : public Matcher {
   }
 
   void post_dock(const DockRequest& request) override { request_ = request; }
-  /// One docking for each sample and shape, best first; its pose shows the field.
+  /// One docking for each sample and shape, best first; its pose shows the field and how many shapes are used up.
   DockReply take_dock() override {
     DockReply reply;
     for (std::uint32_t t = 0; t < request_.samples.size(); ++t) {
       for (std::uint32_t shape = shapes_.end; shape-- > shapes_.begin;) {
         const float field_sum = field_(0, 0) + field_(field_.width() - 1, field_.height() - 1);
-        reply.dockings.push_back({t, ShapeId{shape}, request_.bin_limit[t], float(shape), {origin_.x, origin_.y, field_sum, 0}});
+        const Similarity shown{origin_.x, origin_.y, field_sum, float(limits_.used_up.size())};
+        reply.dockings.push_back({t, ShapeId{shape}, request_.bin_limit[t], 0, float(shape), shown});
       }
     }
     reply.evaluated = request_.tangent_dockings;
@@ -74,6 +76,7 @@ class EchoMatcher : public Matcher {
   Vec2 origin_;
   std::vector<TargetSample> samples_;
   DockRequest request_;
+  StandingLimits limits_;
   std::vector<Docking> dockings_;
 };
 
@@ -147,11 +150,20 @@ TEST(RemoteMatcher, DockingsSeeTheFieldAsItWasWhenPosted) {
     team.update_field({{29, 19, 30, 20}, {41.f}});
     const DockReply before = team.take_dock();
     ASSERT_EQ(before.dockings.size(), 2 * kEchoShapes);
-    EXPECT_EQ(before.dockings[0], (Docking{0, ShapeId{1}, 5, 1.f, {-5.5f, 2.f, 2.f, 0}}));
-    EXPECT_EQ(before.dockings[3], (Docking{1, ShapeId{0}, 9, 0.f, {-5.5f, 2.f, 2.f, 0}}));
+    EXPECT_EQ(before.dockings[0], (Docking{0, ShapeId{1}, 5, 0, 1.f, {-5.5f, 2.f, 2.f, 0}}));
+    EXPECT_EQ(before.dockings[3], (Docking{1, ShapeId{0}, 9, 0, 0.f, {-5.5f, 2.f, 2.f, 0}}));
     EXPECT_EQ(before.evaluated % 300, 0u);
     team.post_dock({samples_of_edges({1}), {5}, 300});
     EXPECT_EQ(team.take_dock().dockings.at(0).canvas_from_shape.tx, 42.f);
+  });
+}
+
+TEST(RemoteMatcher, LimitsReachAllWorkers) {
+  with_echo_team([](Matcher& team) {
+    team.start_field(30, 20, {});
+    team.limit({0, 50.f, {ShapeId{0}, ShapeId{3}}});
+    team.post_dock({samples_of_edges({1}), {5}, 300});
+    for (const Docking& docking : team.take_dock().dockings) EXPECT_EQ(docking.canvas_from_shape.ty, 2.f);
   });
 }
 

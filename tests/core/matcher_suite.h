@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "core/matching/composite_matcher.h"
@@ -44,12 +45,18 @@ class MatcherSuite : public testing::TestWithParam<MatcherKind> {
     return matcher;
   }
 
-  void expect_the_references_round(const MatchingScene& scene) const {
+  /// Returns it.
+  Round expect_the_references_round(const MatchingScene& scene, const StandingLimits& limits = {}) const {
     const std::unique_ptr<Matcher> matcher = matcher_of(scene);
     ReferenceMatcher reference = reference_of(scene);
+    if (limits != StandingLimits{}) {
+      matcher->limit(limits);
+      reference.limit(limits);
+    }
     const Round expected = run_round(reference, scene);
-    ASSERT_FALSE(expected.refined.empty());
+    EXPECT_FALSE(expected.refined.empty());
     expect_same_round(run_round(*matcher, scene), expected);
+    return expected;
   }
 };
 
@@ -83,6 +90,73 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithinNarrowRanges) {
       expect_the_references_round(make_scene(settings, {6, 200, 2, 8}));
     }
   }
+}
+
+/// Three classes of shapes: quarter turns in two sizes, one that is weighted and nearly upright, one that may not stand in
+/// the second region; and what the limits of a round take away.
+inline MatchingScene scene_with_wishes() {
+  CollageSettings settings = scene_settings();
+  settings.pieces.several.rotation_rad = {{0, 0}, {1.5707964f, 1.5707964f}, {3.1415927f, 3.1415927f}, {-1.6f, -1.5f}};
+  settings.pieces.several.scale_px = {{16, 20}, {40, 90}};
+  settings.wishes.classes.resize(3);
+  settings.wishes.classes[1].poses = {{{30, 60}}, {{-0.5f, 0.5f}}};
+  settings.wishes.classes[1].weight = 0.05f;
+  settings.wishes.classes[2].in_region = {1, 0};
+  settings.wishes.class_of_shape = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0};
+  settings.wishes.regions.resize(2);
+  settings.wishes.regions[1].poses.scale_px = {{16, 50}};
+  return make_scene(settings);
+}
+
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithWishes) {
+  const MatchingScene scene = scene_with_wishes();
+  const Round round = expect_the_references_round(scene);
+  const StanceTable& stances = scene.context.stances;
+  std::set<std::uint32_t> stood;
+  for (const RefinedDocking& refined : round.refined) {
+    const StanceList& list = stances.list(refined.docking.shape);
+    EXPECT_GE(refined.docking.stance, list.first);
+    EXPECT_LT(refined.docking.stance, list.first + list.count);
+    const PoseRange& poses = stances[refined.docking.stance].poses;
+    EXPECT_TRUE(!refined.feasible || poses.contains(refined.docking.canvas_from_shape));
+    stood.insert(refined.docking.stance);
+  }
+  EXPECT_GT(stood.size(), 7u) << "stances of all classes";
+}
+
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithinLimits) {
+  const MatchingScene scene = scene_with_wishes();
+  const StandingLimits limits{1, 45, {ShapeId{0}, ShapeId{4}, ShapeId{6}}};
+  const Round round = expect_the_references_round(scene, limits);
+  const StanceTable stances = scene.context.stances.limited(limits);
+  for (const Docking& docking : round.docked.dockings) {
+    EXPECT_GT(stances.list(docking.shape).count, 0u) << index_of(docking.shape);
+    EXPECT_LE(docking.canvas_from_shape.scale(), 45.01f);
+  }
+}
+
+/// Pairs that were found before must not come back.
+TEST_P(MatcherSuite, LimitsHoldFromThenOnAndMayBeTakenBack) {
+  const auto matcher = matcher_of(scene());
+  const Round before = run_round(*matcher, scene());
+  const ShapeId often = before.docked.dockings.front().shape;
+  matcher->limit({0, 30, {often}});
+  const Round limited = run_round(*matcher, scene());
+  EXPECT_FALSE(limited.docked.dockings.empty());
+  for (const Docking& docking : limited.docked.dockings) {
+    EXPECT_NE(docking.shape, often);
+    EXPECT_LE(docking.canvas_from_shape.scale(), 30.01f);
+  }
+  matcher->limit({});
+  expect_same_round(run_round(*matcher, scene()), before);
+}
+
+TEST_P(MatcherSuite, WhereNothingMayStandNothingDocks) {
+  const auto matcher = matcher_of(scene());
+  matcher->limit({0, 1, {}});
+  const Round round = run_round(*matcher, scene());
+  EXPECT_TRUE(round.docked.dockings.empty());
+  EXPECT_EQ(round.docked.evaluated, 0u);
 }
 
 TEST_P(MatcherSuite, FindsDockingsOfBothKinds) {
@@ -140,7 +214,7 @@ TEST_P(MatcherSuite, ADrawPutsItsBoundaryPointOnTheSample) {
     EXPECT_EQ(draw.shape, docking.shape);
     const Vec2 point = docking.canvas_from_shape.apply(
         scene().models[index_of(draw.shape)].boundary[docked_point(scene().models[index_of(draw.shape)], draw, sample,
-                                                         scene().context.docked_rotations)]);
+                                                         scene().context.stances[draw.stance].docked_rotations)]);
     EXPECT_LT(norm(point - sample.position), 0.01f);
   }
 }

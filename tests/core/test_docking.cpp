@@ -44,6 +44,15 @@ CanvasField hole_of(const Shape& shape, const Similarity& pose, int size) {
   return field;
 }
 
+/// The only stance there is.
+const Stance& stance_of(const MatchingContext& context) { return context.stances[0]; }
+
+Stance stance_of(const PoseRange& poses) {
+  Stance stance;
+  stance.poses = poses;
+  return stance;
+}
+
 TEST(AlignPyramids, RecoversTheSimilarity) {
   EXPECT_TRUE(rc::check([] {
     const std::vector<Vec2> curve =
@@ -52,7 +61,7 @@ TEST(AlignPyramids, RecoversTheSimilarity) {
     const Similarity truth = random_similarity(20, 120);
     ArclengthPyramid target = shape;
     for (Vec2& p : target.keypoint) p = truth.apply(p);
-    const PoseRange any{19, 121, {}};
+    const Stance any[] = {stance_of(PoseRange{19, 121, {}})};
     const Alignment found = align_pyramids(shape.keypoint, target, 5, {19, 121}, any);
     RC_ASSERT(found.valid);
     RC_ASSERT(std::abs(found.canvas_from_shape.a - truth.a) < 0.01f);
@@ -74,7 +83,7 @@ TEST(AlignPyramids, IsTheBestOfTheAllowedPoses) {
     const float angle = truth.rotation_rad() + 0.01f * float(*rc::gen::inRange(2, 10));
     const float least_scale = truth.scale() * (1 + 0.01f * float(*rc::gen::inRange(-5, 6)));
     const PoseRange poses{least_scale, 200, direction_range(angle, angle + 0.3f)};
-    const Alignment found = align_pyramids(shape.keypoint, target, 5, {1, 300}, poses);
+    const Alignment found = align_pyramids(shape.keypoint, target, 5, {1, 300}, std::vector{stance_of(poses)});
     RC_ASSERT(found.valid);
     RC_ASSERT(poses.contains(found.canvas_from_shape));
     RC_ASSERT(std::abs(std::remainder(found.canvas_from_shape.rotation_rad() - angle, 6.2831853f)) < 1e-3f);
@@ -111,11 +120,11 @@ TEST(TangentDocking, TakesOnlyPointsThatAgreeWhereRotationsAreFew) {
   for (std::uint32_t i = 0; i < 400; ++i) {
     const TangentDraw draw = draw_tangent(context, sample, i);
     const ShapeModel& model = models[index_of(draw.shape)];
-    const int point = docked_point(model, draw, sample, context.docked_rotations);
+    const int point = docked_point(model, draw, sample, stance_of(context).docked_rotations);
     if (point == kNoPoint) continue;
     ++docked;
     points.insert(point);
-    const Similarity pose = tangent_docking(model, point, draw.scale_px, sample, context.poses);
+    const Similarity pose = tangent_docking(model, point, draw.scale_px, sample, stance_of(context).poses);
     EXPECT_NEAR(pose.rotation_rad(), 0.4f, 1e-5f);
     EXPECT_LT(norm(pose.apply(model.boundary[point]) - sample.position), 0.01f);
     const Vec2 direction = pose.apply_direction(model.tangent[point]) * (1 / draw.scale_px);
@@ -141,8 +150,8 @@ TEST(TangentDocking, AlignsTheFrames) {
     ASSERT_LE(draw.scale_px, 120.001f);
     ++drawn[index_of(draw.shape)];
     const ShapeModel& model = models[index_of(draw.shape)];
-    const int point = docked_point(model, draw, sample, context.docked_rotations);
-    const Similarity pose = tangent_docking(model, point, draw.scale_px, sample, context.poses);
+    const int point = docked_point(model, draw, sample, stance_of(context).docked_rotations);
+    const Similarity pose = tangent_docking(model, point, draw.scale_px, sample, stance_of(context).poses);
     EXPECT_LT(norm(pose.apply(model.boundary[point]) - sample.position), 0.01f);
     const Vec2 direction = pose.apply_direction(model.tangent[point]) * (1 / draw.scale_px);
     EXPECT_LT(norm(direction - sample.tangent), 1e-3f);
@@ -190,7 +199,7 @@ TEST(Refine, FindsBackIntoTheHole) {
     pose.tx += float(*rc::gen::inRange(-3, 4));
     pose.ty += float(*rc::gen::inRange(-3, 4));
     pose.a *= 1.02f;
-    RC_ASSERT(refine(pose, model, FieldView(hole), context));
+    RC_ASSERT(refine(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px));
     RC_ASSERT(depth_px(pose, model, FieldView(hole)) <= 0.8f);
     RC_ASSERT(norm(pose.translation() - truth.translation()) < 1.5f);
     RC_ASSERT(std::abs(pose.scale() / truth.scale() - 1) < 0.03f);
@@ -206,7 +215,7 @@ TEST(Refine, RejectsWhatCannotFit) {
   const ShapeModel model = test::models_of({shape}, context, 0, 1).front();
   const CanvasField hole = hole_of(shape, {10, 0, 64, 64}, 128);  // smaller than the smallest piece
   Similarity pose{20, 0, 64, 64};
-  EXPECT_FALSE(refine(pose, model, FieldView(hole), context));
+  EXPECT_FALSE(refine(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px));
 }
 
 TEST(Grow, StopsAtTheNeighbours) {
@@ -215,7 +224,7 @@ TEST(Grow, StopsAtTheNeighbours) {
   const ShapeModel model = test::models_of({shape}, context, 0, 1).front();
   const CanvasField hole = hole_of(shape, {70, 0, 128, 128}, 256);
   Similarity pose{62, 0, 128, 128};
-  grow(pose, model, FieldView(hole), context);
+  grow(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px);
   EXPECT_GT(pose.scale(), 67.f);
   EXPECT_LE(depth_px(pose, model, FieldView(hole)), 0.8f);
 }
@@ -226,11 +235,11 @@ TEST(Rotation, IsLimitedToItsRange) {
   s.pieces.max_rotation_rad = 0.2f;
   const MatchingContext context = make_matching_context(s, 1);
   const auto turned = [](float rad) { return Similarity{30 * std::cos(rad), 30 * std::sin(rad), 0, 0}; };
-  EXPECT_TRUE(context.poses.contains(turned(-0.49f)));
-  EXPECT_TRUE(context.poses.contains(turned(0.19f)));
-  EXPECT_FALSE(context.poses.contains(turned(-0.51f)));
-  EXPECT_FALSE(context.poses.contains(turned(0.21f)));
-  EXPECT_FALSE(context.poses.contains(turned(3.f)));
+  EXPECT_TRUE(stance_of(context).poses.contains(turned(-0.49f)));
+  EXPECT_TRUE(stance_of(context).poses.contains(turned(0.19f)));
+  EXPECT_FALSE(stance_of(context).poses.contains(turned(-0.51f)));
+  EXPECT_FALSE(stance_of(context).poses.contains(turned(0.21f)));
+  EXPECT_FALSE(stance_of(context).poses.contains(turned(3.f)));
 }
 
 /// Any interval, one angle included: what lies outside comes back to its nearest bound, and what lies inside stays.
@@ -296,10 +305,10 @@ TEST(Refine, KeepsTheOneAllowedAngle) {
   const CanvasField hole = hole_of(shape, {70, 0, 128, 128}, 256);
   EXPECT_TRUE(rc::check([&] {
     Similarity pose{71, 0, 128 + float(*rc::gen::inRange(-3, 4)), 128 + float(*rc::gen::inRange(-3, 4))};
-    RC_ASSERT(refine(pose, model, FieldView(hole), context));
+    RC_ASSERT(refine(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px));
     RC_ASSERT(pose.b == 0.f);
     RC_ASSERT(norm(pose.translation() - Vec2{128, 128}) < 1.5f);
-    grow(pose, model, FieldView(hole), context);
+    grow(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px);
     RC_ASSERT(pose.b == 0.f);
   }));
 }
@@ -318,7 +327,7 @@ TEST(Refine, RoundingRejectsNothingAtTheBoundsOfScale) {
       const CanvasField hole = hole_of(shape, {bound_px * (lower ? 0.995f : 1.02f), 0, 128, 128}, 256);
       for (float angle = 0; angle < 0.05f; angle += 0.003f) {
         Similarity pose{bound_px * std::cos(angle), bound_px * std::sin(angle), 128, 128};
-        ASSERT_TRUE(refine(pose, model, FieldView(hole), context)) << bound_px << " turned by " << angle;
+        ASSERT_TRUE(refine(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px)) << bound_px << " turned by " << angle;
         EXPECT_GE(pose.scale(), s.pieces.min_scale_px);
         EXPECT_LE(pose.scale(), s.pieces.max_scale_px);
       }
@@ -350,7 +359,7 @@ TEST(SelectPairs, FindsThePlaceWhereTheShapeCameFrom) {
     sample.pyramid.left[i] *= scale;
     sample.pyramid.right[i] *= scale;
   }
-  const auto pairs = select_pairs(model, sample, context, context.beta_steps);
+  const auto pairs = select_pairs(model, sample, context.stances.list(ShapeId{4}), context, context.beta_steps);
   ASSERT_FALSE(pairs.empty());
   EXPECT_LE(pairs.front().distance, 1u);
   EXPECT_EQ(pairs.front().source, model.levels[0].samples.size() + 20);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/job/job_keys.h"
+#include "io/job/job_tables.h"
 
 namespace tessera::test {
 
@@ -61,6 +61,7 @@ class HostileJob {
       case 2: return text + any(structures()) + "\n";
       default: break;
     }
+    if (below(4) == 0) return text + row();
     const io::JobKey& key = any_key();
     const std::string line = (below(12) == 0 ? any(strange_names()) : key.name) + " = " + value_for(key) + "\n";
     return key.section.empty() ? line + text : text + "[" + key.section + "]\n" + line;
@@ -80,6 +81,16 @@ class HostileJob {
       default: break;
     }
     for (std::uint32_t i = 1 + below(8); i > 0; --i) text[below(std::uint32_t(text.size()))] = char(below(256));
+    return text;
+  }
+
+  /// Of a table that may come any number of times.
+  std::string row() {
+    const io::JobTable& table = any(io::job_tables());
+    std::string text = "[[" + table.name + "]]\n";
+    for (const io::JobKey& column : table.columns) {
+      if (below(3) > 0) text += (below(12) == 0 ? any(strange_names()) : column.name) + " = " + value_for(column) + "\n";
+    }
     return text;
   }
 
@@ -106,8 +117,14 @@ class HostileJob {
     switch (key.kind) {
       case io::JobKind::number:
       case io::JobKind::integer: return end;
-      case io::JobKind::interval:
-      case io::JobKind::proper_interval: return "[" + number_text(key.min) + ", " + number_text(key.max) + "]";
+      case io::JobKind::intervals:
+        return any(std::vector<std::string>{"[" + number_text(key.min) + ", " + number_text(key.max) + "]", end,
+                                            "[[" + end + "], [" + end + ", " + end + "]]",
+                                            "[" + repeated(end + ", ", 15) + end + "]"});
+      case io::JobKind::point: return "[" + end + ", " + end + "]";
+      case io::JobKind::uses: return "[" + number_text(key.min) + ", " + end + "]";
+      case io::JobKind::name:
+      case io::JobKind::names: return "\"" + std::string(400, '*') + "\"";
       case io::JobKind::size: return "[16, " + end + "]";
       case io::JobKind::devices:
       case io::JobKind::word: return "\"" + any(key.words) + "\"";

@@ -45,6 +45,7 @@ class RandomState {
     for (Candidate& c : list) {
       c = {ShapeId{below(100)},
            below(5000),
+           below(50),
            pose(),
            {number(), number(), number(), number(), number()},
            number(),

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/job/job_file.h"
-#include "io/job/job_keys.h"
+#include "io/job/job_tables.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {
@@ -119,7 +119,8 @@ TEST_F(JobFile, reads_every_key) {
 
 TEST_F(JobFile, names_line_key_found_and_allowed) {
   EXPECT_EQ(mistake(minimal_ + "[pieces]\nscale_px = [180, 14]\n"),
-            "job.toml:4: pieces.scale_px: found [ 180, 14 ], allowed: [min, max] with 2 <= min < max <= 5000 px");
+            "job.toml:4: pieces.scale_px: found [ 180, 14 ], allowed: one value, [min, max], a list of three "
+            "values or more, or a list of [min, max], from 2 to 5000 px");
   EXPECT_EQ(mistake("seed = -1"), "job.toml:1: seed: found -1, allowed: a whole number from 0 to 9007199254740991");
   EXPECT_EQ(mistake("[objective]\nkind = \"papre\""),
             "job.toml:2: objective.kind: found \"papre\", allowed: \"scale_aware\" or \"paper\"");
@@ -136,7 +137,7 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, match, "
-            "objective, improve, stop, checkpoint, comm, devices, output");
+            "objective, improve, stop, checkpoint, comm, devices, output, [[shapes]], [[regions]]");
   EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
             "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
 }
@@ -201,9 +202,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("canvas.size_px = 1000", "canvas.size_px = [1000]", "canvas.size_px = [10.5, 1000]",
                     "canvas.size_px = [15, 1000]", "canvas.size_px = [20001, 1000]", "canvas.size_px = [20000, 20000]",
                     "canvas.size_px = [\"a\", 1000]", "canvas.file = 3", "canvas.file = \"a\\u0000b\"",
-                    "library.file = true", "library.file = [\"a\", \"b\"]", "pieces.scale_px = [20, 20]",
+                    "library.file = true", "library.file = [\"a\", \"b\"]", "pieces.scale_px = []",
+                    "pieces.scale_px = [30, 20]", "pieces.scale_px = [[20, 30, 40]]", "pieces.scale_px = [[]]",
                     "pieces.scale_px = [1, 20]", "pieces.scale_px = [20, 1e9]", "pieces.scale_px = [nan, 20]",
-                    "pieces.scale_px = [1, 2, 3]", "pieces.rotation_deg = [90, -90]", "pieces.rotation_deg = [-400, 0]",
+                    "pieces.scale_px = [1, 2, 3]", "pieces.rotation_deg = [[0, 90], [90, -90]]", "pieces.rotation_deg = [0, \"x\"]",
+                    "pieces.rotation_deg = [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]", "pieces.rotation_deg = [90, -90]", "pieces.rotation_deg = [-400, 0]",
                     "pieces.uses = -1", "pieces.uses = 1.5", "pieces.padding_px = -0.1", "match.levels = 1",
                     "match.levels = 7", "match.levels = \"5\"", "match.delta_tau = 0", "match.top_percent = 0",
                     "match.top_percent = 101", "match.beta = nan", "match.beta = inf", "match.tangent_dockings = 1e5",
@@ -215,6 +218,49 @@ INSTANTIATE_TEST_SUITE_P(
                     "output.width_px = 1e4", "output.background = \"red\"", "output.background = \"#ffff\"",
                     "output.background = \"#gggggg\"", "output.background = 1979-05-27",
                     "output.background = {r = 1}"));
+
+TEST_F(JobFile, intervals_may_be_several_or_one_value) {
+  using Pairs = std::vector<double>;
+  const auto read = [&](const std::string& value) {
+    const Job job = load(minimal_ + "[pieces]\nscale_px = " + value);
+    return find_job_key("pieces", "scale_px")->get(job).numbers;
+  };
+  EXPECT_EQ(read("50"), (Pairs{50, 50}));
+  EXPECT_EQ(read("[50]"), (Pairs{50, 50}));
+  EXPECT_EQ(read("[20, 160]"), (Pairs{20, 160}));
+  EXPECT_EQ(read("[20, 160, 40]"), (Pairs{20, 20, 160, 160, 40, 40}));
+  EXPECT_EQ(read("[[20, 30], [80, 90]]"), (Pairs{20, 30, 80, 90}));
+  EXPECT_EQ(read("[[20, 30], 80]"), (Pairs{20, 30, 80, 80}));
+  const Job job = load(minimal_ + "[pieces]\nscale_px = [[20, 30], [60, 90]]");
+  EXPECT_EQ(job.settings.pieces.min_scale_px, 20);
+  EXPECT_EQ(job.settings.pieces.max_scale_px, 90);
+}
+
+TEST_F(JobFile, tables_come_any_number_of_times) {
+  const Job job = load(minimal_ + "[[shapes]]\nnames = 'owl'\nweight = 2\n[[shapes]]\nnames = ['a*', 'b']\nuses = [1, 3]\n");
+  ASSERT_EQ(job.tables.at("shapes").size(), 2u);
+  EXPECT_EQ(job.tables.at("shapes")[0].at("names").texts, std::vector<std::string>{"owl"});
+  EXPECT_EQ(job.tables.at("shapes")[0].at("weight").numbers, std::vector<double>{2});
+  EXPECT_EQ(job.tables.at("shapes")[1].at("uses").numbers, (std::vector<double>{1, 3}));
+}
+
+TEST_F(JobFile, mistakes_in_tables_name_line_key_found_and_allowed) {
+  EXPECT_EQ(mistake(minimal_ + "[[shapes]]\nname = 'owl'"),
+            "job.toml:4: unknown key name (did you mean names?); allowed in [[shapes]]: names, weight, uses, scale_px, "
+            "rotation_deg, regions");
+  EXPECT_EQ(mistake(minimal_ + "[[shapes]]\nweight = 2"),
+            "job.toml:3: names is missing in [[shapes]]; needed: names of shapes; `*` and `?` stand for any text and "
+            "character");
+  EXPECT_EQ(mistake(minimal_ + "[[shapes]]\nnames = 'a'\nweight = -1"),
+            "job.toml:5: [[shapes]] weight: found -1, allowed: a number from 0 to 100");
+  EXPECT_EQ(mistake(minimal_ + "[[shapes]]\nnames = []").substr(0, 55),
+            "job.toml:4: [[shapes]] names: found [], allowed: a text");
+  EXPECT_EQ(mistake(minimal_ + "[shapes]\nnames = 'a'"),
+            "job.toml:4: [shapes] may come several times; allowed: [[shapes]]");
+  EXPECT_EQ(mistake("shapes = 3\n" + minimal_), "job.toml:1: shapes: found 3, allowed: tables that begin with [[shapes]]");
+  EXPECT_NE(mistake(minimal_ + "[[shape]]\nnames = 'a'").find("unknown tables [[shape]] (did you mean [[shapes]]?)"),
+            std::string::npos);
+}
 
 TEST_F(JobFile, overrides_win_and_the_last_one_most) {
   const Job job = load(minimal_ + "[pieces]\nscale_px = [20, 160]\n",
@@ -255,13 +301,24 @@ JobValue random_value(const JobKey& key) {
   const auto number = [&] {
     const double share = double(*rc::gen::inRange(0, 1000001)) / 1e6;
     const double value = key.min + share * (key.max - key.min);
-    return key.kind == JobKind::number || key.kind == JobKind::interval ? value : std::floor(value);
+    return key.kind == JobKind::integer || key.kind == JobKind::uses ? std::floor(value) : value;
   };
   switch (key.kind) {
     case JobKind::number:
     case JobKind::integer: return {{number()}, {}};
-    case JobKind::interval: return {{key.min + (number() - key.min) / 2, key.max}, {}};
-    case JobKind::proper_interval: return {{key.min + 0.1, key.min + 0.3 + (number() - key.min) / 2}, {}};
+    case JobKind::intervals: {
+      JobValue value;
+      for (int left = *rc::gen::inRange(1, 5); left > 0; --left) {
+        const double a = number();
+        const double b = *rc::gen::inRange(0, 3) == 0 ? a : number();
+        value.numbers.insert(value.numbers.end(), {std::min(a, b), std::max(a, b)});
+      }
+      return value;
+    }
+    case JobKind::point: return {{number(), number()}, {}};
+    case JobKind::uses: return {{0, number()}, {}};
+    case JobKind::name: return {{}, "a \"name\""};
+    case JobKind::names: return {{}, {}, {"owl*", "it's 'a' \\ cat"}};
     case JobKind::size: return {{double(*rc::gen::inRange(16, 5000)), double(*rc::gen::inRange(16, 20001))}, {}};
     case JobKind::word: return {{}, *rc::gen::elementOf(key.words)};
     case JobKind::file: return {{}, "/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')) + "x"};
@@ -271,6 +328,14 @@ JobValue random_value(const JobKey& key) {
   return {};
 }
 
+JobRow random_row(const JobTable& table) {
+  JobRow row;
+  for (const JobKey& column : table.columns) {
+    if (column.required || *rc::gen::inRange(0, 2) == 0) row[column.name] = random_value(column);
+  }
+  return row;
+}
+
 RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
   Job job;
   for (const JobKey& key : job_keys()) {
@@ -278,10 +343,12 @@ RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
     if (key.kind == JobKind::file) value.text = std::filesystem::path(value.text).lexically_normal();
     key.set(job, value);
   }
+  for (const JobTable& table : job_tables()) job.tables[table.name] = {random_row(table), random_row(table)};
   const Job back = load(to_toml(job));
   for (const JobKey& key : job_keys()) {
     if (key.get(back) != key.get(job)) RC_FAIL(key.full_name() + " changed:\n" + to_toml(job));
   }
+  RC_ASSERT(back.tables == job.tables);
   RC_ASSERT(to_toml(back) == to_toml(job));
   RC_ASSERT(to_toml(job_from_toml(to_toml(job), "elsewhere/job.toml")) == to_toml(job));
 }

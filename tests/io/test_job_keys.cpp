@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "io/job/job_file.h"
-#include "io/job/job_keys.h"
+#include "io/job/job_tables.h"
 #include "io/job/job_value.h"
 #include "io/job/nearest_name.h"
 
@@ -42,6 +42,19 @@ TEST(JobKeys, documentation_has_every_key_with_unit_default_and_range) {
     row.append(key.required ? "required" : "`" + job_value_to_toml(key, Job()) + "`");
     row.append(" | ").append(allowed_values(key)).append(" | ").append(key.meaning).append(" |\n");
     EXPECT_NE(documented_section(key.section).find(row), std::string::npos) << "docs/job-format.md lacks: " << row;
+  }
+}
+
+TEST(JobKeys, documentation_has_every_table_with_its_columns) {
+  for (const JobTable& table : job_tables()) {
+    const std::string section = documented_section("[" + table.name + "]");
+    EXPECT_NE(section.find(table.meaning), std::string::npos) << "[[" << table.name << "]]";
+    for (const JobKey& column : table.columns) {
+      std::string row = "| `";
+      row.append(column.name).append("` | ").append(column.unit).append(" | ").append(column.required ? "yes" : "");
+      row.append(" | ").append(allowed_values(column)).append(" | ").append(column.meaning).append(" |\n");
+      EXPECT_NE(section.find(row), std::string::npos) << "docs/job-format.md lacks: " << row;
+    }
   }
 }
 

@@ -142,7 +142,7 @@ TEST_F(CollagePool, WhatIsMeasuredAgainIsScoredAgainAndCheckedAgain) {
       EXPECT_FALSE(c.exact);
       EXPECT_EQ(c.terms, measured[name]);
       const float scale = c.canvas_from_shape.scale();
-      const PieceSize size{scale, c.perimeter * scale, rounds_.context().poses.max_scale_px};
+      const PieceSize size{scale, c.perimeter * scale, rounds_.context().max_scale_px};
       EXPECT_EQ(c.score, objective(c.terms, size, settings().objective));
     }
   }
@@ -160,7 +160,7 @@ TEST_F(CollagePool, WhatIsNotTouchedIsStillTrue) {
     std::vector<DockingTerms> expected;
     for (const PooledSample& sample : rounds_.state().pool) {
       for (const Candidate& c : sample.candidates) {
-        all.push_back({0, c.shape, c.source, 0, c.canvas_from_shape});
+        all.push_back({0, c.shape, c.source, c.stance, 0, c.canvas_from_shape});
         expected.push_back(c.terms);
         untouched += !c.window.overlaps(changed);
       }

@@ -19,6 +19,7 @@ class InterruptedMatcher : public Matcher {
   ShapeRange shapes() const override { return matcher_.shapes(); }
   void start_field(int width, int height, Vec2 origin) override { matcher_.start_field(width, height, origin); }
   void update_field(const FieldPatch& patch) override { call().update_field(patch); }
+  void limit(const StandingLimits& limits) override { call().limit(limits); }
   void post_count(const CountRequest& request) override { call().post_count(request); }
   std::vector<DistanceHistogram> take_count() override { return call().take_count(); }
   void post_dock(const DockRequest& request) override { call().post_dock(request); }

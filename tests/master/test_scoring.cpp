@@ -18,6 +18,9 @@ CollageSettings settings() {
   return s;
 }
 
+/// For a library of five shapes.
+Scoring scoring_of(const CollageSettings& settings) { return Scoring(settings, StanceTable(settings, 5)); }
+
 Placement placement_at(ShapeId shape, float scale_px, Vec2 centre) {
   return {shape, {scale_px, 0, centre.x, centre.y}, 1, 1};
 }
@@ -33,7 +36,7 @@ Candidate candidate_at(float scale_px, Vec2 centre) {
 }
 
 TEST(Scoring, AShapeMayBeUsedSoOften) {
-  Scoring scoring(settings(), 5);
+  Scoring scoring = scoring_of(settings());
   for (int uses = 0; uses < 2; ++uses) {
     EXPECT_TRUE(scoring.may_use(kShape)) << uses;
     scoring.count(placement_at(kShape, 20, {50, 50}));
@@ -45,13 +48,42 @@ TEST(Scoring, AShapeMayBeUsedSoOften) {
 }
 
 TEST(Scoring, WithoutALimitAShapeMayAlwaysBeUsed) {
-  Scoring scoring(CollageSettings{}, 5);
+  Scoring scoring = scoring_of(CollageSettings{});
   for (int uses = 0; uses < 9; ++uses) scoring.count(placement_at(kShape, 20, {50, 50}));
   EXPECT_TRUE(scoring.may_use(kShape));
 }
 
+TEST(Scoring, AShapesOwnNumberOfUsesCounts) {
+  CollageSettings s = settings();
+  s.wishes.classes.resize(3);
+  s.wishes.classes[1].uses = 1;
+  s.wishes.classes[2].uses = 0;
+  s.wishes.class_of_shape = {0, 0, 1, 2, 0};
+  Scoring scoring = scoring_of(s);
+  for (const std::uint32_t shape : {1u, 2u, 3u}) {
+    for (int uses = 0; uses < 9 && scoring.may_use(ShapeId{shape}); ++uses) scoring.count(placement_at(ShapeId{shape}, 20, {}));
+  }
+  EXPECT_FALSE(scoring.may_use(ShapeId{1})) << "after two, as the job says";
+  EXPECT_FALSE(scoring.may_use(kShape)) << "after one";
+  EXPECT_TRUE(scoring.may_use(ShapeId{3})) << "0 = no limit";
+}
+
+TEST(Scoring, TheWeightOfTheStanceMultiplies) {
+  CollageSettings s = settings();
+  s.wishes.classes.resize(2);
+  s.wishes.classes[1].weight = 2.5f;
+  s.wishes.class_of_shape = {0, 0, 1, 0, 0};
+  const Scoring scoring = scoring_of(s);
+  Candidate candidate = candidate_at(40, {100, 100});
+  candidate.terms.matched_px = 50;
+  const float plain = scoring.score(candidate);
+  EXPECT_GT(plain, 0);
+  candidate.stance = 1;
+  EXPECT_FLOAT_EQ(scoring.score(candidate), 2.5f * plain);
+}
+
 TEST(Scoring, RepetitionCosts) {
-  Scoring scoring(settings(), 5);
+  Scoring scoring = scoring_of(settings());
   const Candidate far = candidate_at(20, {500, 500});
   EXPECT_FLOAT_EQ(scoring.preference(far), 1);
   scoring.count(placement_at(ShapeId{1}, 20, {50, 50}));
@@ -64,7 +96,7 @@ TEST(Scoring, RepetitionCosts) {
 
 /// Two of radius 1 and 20 px: (1 + kNearTwinReach) 40 px apart.
 TEST(Scoring, NearTwinsCostMore) {
-  Scoring scoring(settings(), 5);
+  Scoring scoring = scoring_of(settings());
   scoring.count(placement_at(kShape, 20, {100, 100}));
   const float reach_px = (1 + kNearTwinReach) * 40;
   EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {100 + reach_px + 1, 100})), 0.5f);
@@ -72,7 +104,7 @@ TEST(Scoring, NearTwinsCostMore) {
 }
 
 TEST(Scoring, WhatOverlapsMuchOrTouchesNothingIsNotAcceptable) {
-  const Scoring scoring(settings(), 5);
+  const Scoring scoring = scoring_of(settings());
   Candidate c = candidate_at(20, {100, 100});
   c.terms.matched_px = 1.01f * kLeastMatched * 80;
   EXPECT_TRUE(scoring.acceptable(c));
@@ -85,11 +117,11 @@ TEST(Scoring, WhatOverlapsMuchOrTouchesNothingIsNotAcceptable) {
 
 TEST(Scoring, ExactAreasMayNotShowMuchOverlapWithoutPadding) {
   const Candidate c = candidate_at(20, {100, 100});
-  EXPECT_TRUE(Scoring(settings(), 5).overlaps_little(c, {0.99f * kMaxOverlap * 400, 0}));
-  EXPECT_FALSE(Scoring(settings(), 5).overlaps_little(c, {1.01f * kMaxOverlap * 400, 0}));
+  EXPECT_TRUE(scoring_of(settings()).overlaps_little(c, {0.99f * kMaxOverlap * 400, 0}));
+  EXPECT_FALSE(scoring_of(settings()).overlaps_little(c, {1.01f * kMaxOverlap * 400, 0}));
   CollageSettings padded = settings();
   padded.pieces.padding_px = 2;
-  EXPECT_TRUE(Scoring(padded, 5).overlaps_little(c, {400, 0}));
+  EXPECT_TRUE(scoring_of(padded).overlaps_little(c, {400, 0}));
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ namespace tessera {
 struct Candidate {
   ShapeId shape{};
   std::uint32_t source = 0;
+  std::uint32_t stance = 0;  // of the matching context's
   Similarity canvas_from_shape;
   DockingTerms terms;
   float score = 0;        // objective along the contour; exact once `exact` is set

@@ -37,6 +37,10 @@ void CompositeMatcher::update_field(const FieldPatch& patch) {
   for (const auto& part : parts_) part->update_field(patch);
 }
 
+void CompositeMatcher::limit(const StandingLimits& limits) {
+  for (const auto& part : parts_) part->limit(limits);
+}
+
 void CompositeMatcher::post_count(const CountRequest& request) {
   for (const auto& part : parts_) part->post_count(request);
 }

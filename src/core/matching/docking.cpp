@@ -11,57 +11,87 @@ namespace {
 
 constexpr float kRejected = -1.f;
 
+/// Key points of both, less their means: what least squares needs of them.
+struct Moments {
+  Vec2 product;  // real and imaginary part
+  float shape_spread = 1e-12f;
+  float target_spread = 0;
+  Vec2 shape_mean;
+  Vec2 target_mean;
+  float count = 0;
+};
+
+Moments moments(const Keypoints& shape, const ArclengthPyramid& target, int begin, int end) {
+  Moments m;
+  m.count = float(end - begin);
+  Vec2 shape_sum;
+  Vec2 target_sum;
+  for (int i = begin; i < end; ++i) {
+    shape_sum = shape_sum + shape[i];
+    target_sum = target_sum + target.keypoint[i];
+  }
+  m.shape_mean = shape_sum * (1 / m.count);
+  m.target_mean = target_sum * (1 / m.count);
+  for (int i = begin; i < end; ++i) {
+    const Vec2 q = shape[i] - m.shape_mean;
+    const Vec2 t = target.keypoint[i] - m.target_mean;
+    m.product.x += dot(q, t);
+    m.product.y += cross(q, t);
+    m.shape_spread += dot(q, q);
+    m.target_spread += dot(t, t);
+  }
+  return m;
+}
+
+struct Fit {
+  Similarity pose;
+  float residual;  // mean square, px²
+};
+
+/// The best pose within the range. False where it would have to be turned by more than a right angle.
+bool fit_within(const PoseRange& poses, const Moments& m, Fit& fit) {
+  Vec2 product = m.product;
+  if (!poses.rotations.contains(product, norm(product), 0)) {
+    const Vec2 direction = poses.rotations.nearest_edge(product);
+    const float along = dot(product, direction);
+    if (along <= 0) return false;
+    product = {direction.x * along, direction.y * along};
+  }
+  Similarity& s = fit.pose;
+  s.a = product.x / m.shape_spread;
+  s.b = product.y / m.shape_spread;
+  const float best_scale = s.scale();
+  poses.pull_in(s);
+  // The spread that is explained: at the best scale its square, less by the square of what the scale is off.
+  const float off = s.scale() - best_scale;
+  fit.residual = (m.target_spread - (best_scale * best_scale - off * off) * m.shape_spread) / m.count;
+  return true;
+}
+
 }  // namespace
 
 Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales,
-                         const PoseRange& poses) {
+                         std::span<const Stance> stances) {
   const int least_level = std::max(0, levels - kAlignmentLevels);
   for (int level = levels - 1; level >= least_level; --level) {
-    const int begin = levels - 1 - level;
-    const int end = levels + 2 + level;
-    const float count = float(end - begin);
-    Vec2 shape_sum;
-    Vec2 target_sum;
-    for (int i = begin; i < end; ++i) {
-      shape_sum = shape_sum + shape[i];
-      target_sum = target_sum + target.keypoint[i];
+    const Moments m = moments(shape, target, levels - 1 - level, levels + 2 + level);
+    Fit best;
+    best.residual = kAlignmentTolerance * kAlignmentUnit_px * std::sqrt(m.target_spread / m.count);
+    Alignment aligned;
+    for (std::uint32_t k = 0; k < stances.size(); ++k) {
+      Fit fit;
+      if (!fit_within(stances[k].poses, m, fit) || fit.residual > best.residual) continue;
+      const float scale = fit.pose.scale();
+      if (scale < scales.low || scale > scales.high) continue;
+      if (aligned.valid && fit.residual == best.residual) continue;
+      best = fit;
+      aligned = {fit.pose, k, true};
     }
-    const Vec2 shape_mean = shape_sum * (1 / count);
-    const Vec2 target_mean = target_sum * (1 / count);
-    float real = 0;
-    float imaginary = 0;
-    float shape_spread = 1e-12f;
-    float target_spread = 0;
-    for (int i = begin; i < end; ++i) {
-      const Vec2 q = shape[i] - shape_mean;
-      const Vec2 t = target.keypoint[i] - target_mean;
-      real += dot(q, t);
-      imaginary += cross(q, t);
-      shape_spread += dot(q, q);
-      target_spread += dot(t, t);
-    }
-    const Vec2 free{real, imaginary};
-    if (!poses.rotations.contains(free, norm(free), 0)) {
-      const Vec2 direction = poses.rotations.nearest_edge(free);
-      const float along = dot(free, direction);
-      if (along <= 0) continue;
-      real = direction.x * along;
-      imaginary = direction.y * along;
-    }
-    Similarity s;
-    s.a = real / shape_spread;
-    s.b = imaginary / shape_spread;
-    const float best_scale = s.scale();
-    poses.pull_in(s);
-    const float scale = s.scale();
-    // The spread that is explained: at the best scale its square, less by the square of what the scale is off.
-    const float off = scale - best_scale;
-    const float residual = (target_spread - (best_scale * best_scale - off * off) * shape_spread) / count;
-    if (residual > kAlignmentTolerance * kAlignmentUnit_px * std::sqrt(target_spread / count)) continue;
-    if (scale < scales.low || scale > scales.high) continue;
-    s.tx = target_mean.x - (s.a * shape_mean.x - s.b * shape_mean.y);
-    s.ty = target_mean.y - (s.b * shape_mean.x + s.a * shape_mean.y);
-    return {s, true};
+    if (!aligned.valid) continue;
+    Similarity& s = aligned.canvas_from_shape;
+    s.tx = m.target_mean.x - (s.a * m.shape_mean.x - s.b * m.shape_mean.y);
+    s.ty = m.target_mean.y - (s.b * m.shape_mean.x + s.a * m.shape_mean.y);
+    return aligned;
   }
   return {};
 }
@@ -71,10 +101,17 @@ TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sam
       mix_bits(context.seed ^ mix_bits(mix_bits((std::uint64_t(edge_number(sample.id)) << 32) | sample.pass) ^ draw));
   const std::uint64_t more = mix_bits(key);
   TangentDraw result;
-  result.shape = ShapeId(((key >> 32) * context.library_shapes) >> 32);
+  const StanceTable& stances = context.stances;
+  const std::uint32_t open = stances.open_shapes();
+  if (open == 0) return result;
+  result.drawn = true;
+  result.shape = stances.open_shape(std::uint32_t(((key >> 32) * open) >> 32));
+  const StanceList& list = stances.list(result.shape);
+  result.stance = list.first + std::uint32_t(((more & 0xffffffffull) * list.count) >> 32);
   result.point_bits = std::uint32_t(key & 0xffffffffull);
+  const Stance& stance = stances[result.stance];
   result.scale_px =
-      context.poses.min_scale_px * portable_exp2(unit_float(std::uint32_t(more >> 32)) * context.log2_scale_ratio);
+      stance.poses.min_scale_px * portable_exp2(unit_float(std::uint32_t(more >> 32)) * stance.log2_scale_ratio);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "core/field/field_lookup.h"
 #include "core/field/target_sample.h"
@@ -18,6 +19,7 @@ struct Docking {
   ShapeId shape{};
   /// PAD docking: index of the shape's PAD, counted over the levels in use. Tangent docking: kTangentSource + draw.
   std::uint32_t source = 0;
+  std::uint32_t stance = 0;  // of the context's: the pose is one of it
   float key = 0;
   Similarity canvas_from_shape;
 
@@ -34,22 +36,25 @@ inline bool docks_better(const Docking& a, const Docking& b) {
 
 struct Alignment {
   Similarity canvas_from_shape;
+  std::uint32_t stance = 0;  // place among those given
   bool valid = false;
 };
 
 /// Aligns the key points of both pyramids in the least squares sense, at the longest level at which they agree within
-/// kAlignmentTolerance, by the pose of `poses` that fits them best; invalid where none does or the scale leaves
-/// `scales`. The paper aligns the ends of level 0 only; using all ends of the matched intervals averages the noise
-/// away.
+/// kAlignmentTolerance, by the pose of `stances` that fits them best (of equals that of the first); invalid where none
+/// does or the scale leaves `scales`. The paper aligns the ends of level 0 only; using all ends of the matched
+/// intervals averages the noise away.
 Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target, int levels, ScaleRange scales,
-                         const PoseRange& poses);
+                         std::span<const Stance> stances);
 
-/// The tangent docking number `draw` of a target sample: shape, boundary point and log-uniform scale from counter-based
-/// random bits keyed by (seed, sample, pass, draw).
+/// The tangent docking number `draw` of a target sample: shape, stance, boundary point and log-uniform scale from
+/// counter-based random bits keyed by (seed, sample, pass, draw). Any shape that may stand is as likely.
 struct TangentDraw {
-  ShapeId shape;
-  std::uint32_t point_bits;  // choose among the boundary points that come into question
-  float scale_px;
+  bool drawn = false;        // false: no shape may stand
+  ShapeId shape{};
+  std::uint32_t stance = 0;  // of the context's
+  std::uint32_t point_bits = 0;  // choose among the boundary points that come into question
+  float scale_px = 0;
 };
 TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw);
 

@@ -73,12 +73,14 @@ class Matcher {
   /// (0, 0).
   virtual void start_field(int width, int height, Vec2 origin) = 0;
   virtual void update_field(const FieldPatch& patch) = 0;
+  /// What may stand in the requests that follow; without it all that the context allows.
+  virtual void limit(const StandingLimits& limits) = 0;
 
   virtual void post_count(const CountRequest& request) = 0;
   virtual std::vector<DistanceHistogram> take_count() = 0;
   virtual void post_dock(const DockRequest& request) = 0;
   virtual DockReply take_dock() = 0;
-  /// Every docking's shape must be in shapes().
+  /// Every docking's shape must be in shapes(), its stance one of the context's.
   virtual void post_refine(const std::vector<Docking>& dockings) = 0;
   /// The answers stand in the order of the dockings posted.
   virtual std::vector<RefinedDocking> take_refine() = 0;

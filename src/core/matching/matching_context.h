@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/matching/pose_range.h"
+#include "core/matching/stances.h"
 #include "core/settings.h"
 #include "core/shape/shape_model.h"
 
@@ -15,12 +15,10 @@ struct MatchingContext {
   PadParameters pad;
   std::uint32_t beta_steps = 0;  // pad_steps(beta)
   float delta_px = 0;
-  PoseRange poses;
-  /// Rotations that a docking may imply before it is turned into `poses`: a little more than are allowed.
-  DirectionRange docked_rotations;
+  StanceTable stances;
+  float max_scale_px = 0;        // of all stances
   float hard_depth_px = 0;       // no boundary point of a piece lies deeper in another
   float gap_px = 0;                // boundary points up to this far from others count as gap
-  float log2_scale_ratio = 0;      // of max to min
   int tangent_dockings = 0;
   std::uint32_t library_shapes = 0;
   std::vector<int> levels;              // smoothing levels in use

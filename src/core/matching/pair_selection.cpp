@@ -26,16 +26,18 @@ ChordEnds chord_ends(int levels) {
   return {levels - 1 - level, levels + 1 + level};
 }
 
-bool may_turn(const ModelSample& sample, const Target& target, const ChordEnds& ends, const DirectionRange& rotations) {
+bool may_turn(const ModelSample& sample, const Target& target, const ChordEnds& ends, std::span<const Stance> stances) {
   const ModelSample::Step first = sample.keypoint[ends.first];
   const ModelSample::Step last = sample.keypoint[ends.last];
   const Vec2 chord{float(last.x) - float(first.x), float(last.y) - float(first.y)};
-  return rotations.contains({dot(chord, target.chord), cross(chord, target.chord)}, 1, 0);
+  const Vec2 turn{dot(chord, target.chord), cross(chord, target.chord)};
+  return std::any_of(stances.begin(), stances.end(),
+                     [&](const Stance& s) { return s.docked_rotations.contains(turn, 1, 0); });
 }
 
 /// Distances of one level's PADs; kNoPair where the scale or the sign cannot fit.
 std::vector<std::uint32_t> level_distances(const ModelLevel& level, const Target& target, const ScaleRange& scales,
-                                           const MatchingContext& context) {
+                                           std::span<const Stance> stances, const MatchingContext& context) {
   const int levels = context.pad.levels;
   const ChordEnds ends = chord_ends(levels);
   std::vector<std::uint32_t> result(level.samples.size(), kNoPair);
@@ -44,7 +46,7 @@ std::vector<std::uint32_t> level_distances(const ModelLevel& level, const Target
     if (target.length < sample.scale_length * (scales.low * kScaleWindowLow)) continue;
     if (target.length > sample.scale_length * (scales.high * kScaleWindowHigh)) continue;
     if (target.convexity * sample.convexity < 0) continue;
-    if (!may_turn(sample, target, ends, context.docked_rotations)) continue;
+    if (!may_turn(sample, target, ends, stances)) continue;
     result[j] = pad_distance(target.pad, sample.pad, levels);
   }
   return result;
@@ -61,8 +63,9 @@ void keep_best(std::vector<PadPair>& pairs, const PadPair& pair) {
 
 }  // namespace
 
-std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context,
-                                  std::uint32_t reach_steps) {
+std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const StanceList& list,
+                                  const MatchingContext& context, std::uint32_t reach_steps) {
+  if (list.count == 0) return {};
   const int levels = context.pad.levels;
   const Target target{quantised(make_pad(sample.pyramid, levels)), scale_length(sample.pyramid, levels),
                       sample.pyramid.convexity,
@@ -70,8 +73,10 @@ std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& s
   std::vector<PadPair> pairs;
   std::uint32_t first = 0;
   for (std::size_t slot = 0; slot < shape.levels.size(); ++slot) {
+    const ScaleRange served = context.level_range[slot];
+    const ScaleRange scales{std::max(served.low, list.min_scale_px), std::min(served.high, list.max_scale_px)};
     const std::vector<std::uint32_t> distance =
-        level_distances(shape.levels[slot], target, context.level_range[slot], context);
+        level_distances(shape.levels[slot], target, scales, context.stances.of(list), context);
     const std::size_t n = distance.size();
     for (std::size_t j = 0; j < n; ++j) {
       const std::uint32_t d = distance[j];

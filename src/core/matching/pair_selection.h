@@ -16,9 +16,10 @@ struct PadPair {
   std::uint32_t distance = 0;  // steps
 };
 
-/// Gives at most kPairsPerShape pairs nearer than `reach_steps`, best first; ties go by source.
-std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const MatchingContext& context,
-                                  std::uint32_t reach_steps);
+/// Gives at most kPairsPerShape pairs nearer than `reach_steps`, best first; ties go by source. `list`: the shape's
+/// stances, of the context's.
+std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& sample, const StanceList& list,
+                                  const MatchingContext& context, std::uint32_t reach_steps);
 
 /// The level in use and the index within it of a source.
 struct SourceLocation {

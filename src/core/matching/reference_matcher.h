@@ -15,6 +15,7 @@ class ReferenceMatcher : public Matcher {
   ShapeRange shapes() const override;
   void start_field(int width, int height, Vec2 origin) override;
   void update_field(const FieldPatch& patch) override;
+  void limit(const StandingLimits& limits) override;
   void post_count(const CountRequest& request) override;
   std::vector<DistanceHistogram> take_count() override;
   void post_dock(const DockRequest& request) override;
@@ -30,7 +31,8 @@ class ReferenceMatcher : public Matcher {
   const ShapeModel& model_of(ShapeId shape) const;
   DockingTerms terms_of(const Docking& docking) const;
 
-  MatchingContext context_;
+  MatchingContext context_;  // with the stances within the limits
+  StanceTable all_stances_;
   std::uint32_t first_shape_;
   std::vector<ShapeModel> models_;
   CanvasField field_;

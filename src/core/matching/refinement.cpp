@@ -126,34 +126,35 @@ float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, con
   return deepest;
 }
 
-bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, const MatchingContext& context) {
+bool refine(Similarity& s, const ShapeModel& shape, const FieldView& field, const PoseRange& poses,
+            float hard_depth_px) {
   Descent approach = kApproach;
   approach.first_radius_px = std::max(kApproach.first_radius_px, kApproachRadius * s.scale());
-  descend(s, shape, field, approach, context.poses);
-  descend(s, shape, field, kNestle, context.poses);
+  descend(s, shape, field, approach, poses);
+  descend(s, shape, field, kNestle, poses);
   float depth = depth_px(s, shape, field);
-  for (int push = 0; push < kPushSteps && depth > context.hard_depth_px; ++push) {
+  for (int push = 0; push < kPushSteps && depth > hard_depth_px; ++push) {
     if (depth > kHopelessDepth_px) return false;
     if (push > 0) {
       s.a *= kPushShrink;
       s.b *= kPushShrink;
-      context.poses.pull_in(s);
+      poses.pull_in(s);
     }
-    descend(s, shape, field, kPush, context.poses);
+    descend(s, shape, field, kPush, poses);
     depth = depth_px(s, shape, field);
   }
-  return depth <= context.hard_depth_px && context.poses.contains(s);
+  return depth <= hard_depth_px && poses.contains(s);
 }
 
-void grow(Similarity& s, const ShapeModel& shape, const FieldView& field, const MatchingContext& context) {
+void grow(Similarity& s, const ShapeModel& shape, const FieldView& field, const PoseRange& poses, float hard_depth_px) {
   for (int step = 0; step < kGrowSteps; ++step) {
     Similarity larger = s;
     larger.a *= kGrowStep;
     larger.b *= kGrowStep;
-    context.poses.pull_in(larger);
-    descend(larger, shape, field, kGrow, context.poses);
+    poses.pull_in(larger);
+    descend(larger, shape, field, kGrow, poses);
     const bool grown = larger.scale() > s.scale() * kLeastGrowth;
-    if (!grown || depth_px(larger, shape, field) > context.hard_depth_px) return;
+    if (!grown || depth_px(larger, shape, field) > hard_depth_px) return;
     s = larger;
   }
 }

@@ -4,7 +4,7 @@
 
 #include "core/field/field_lookup.h"
 #include "core/geometry/similarity.h"
-#include "core/matching/matching_context.h"
+#include "core/matching/pose_range.h"
 #include "core/shape/shape_model.h"
 #include "core/tuning.h"
 
@@ -19,13 +19,13 @@ void descend(Similarity& canvas_from_shape, const ShapeModel& shape, const Field
 /// the interior points.
 float depth_px(const Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field);
 
-/// The whole refinement. False where the piece is still too deep, too small or turned too far.
-bool refine(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field,
-            const MatchingContext& context);
+/// The whole refinement within `poses`. False where the piece is still deeper than `hard_depth_px`.
+bool refine(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const PoseRange& poses,
+            float hard_depth_px);
 
 /// Makes the piece larger by kGrowStep at a time, with a descent after each, while it stays feasible; it never becomes
 /// smaller.
-void grow(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field,
-          const MatchingContext& context);
+void grow(Similarity& canvas_from_shape, const ShapeModel& shape, const FieldView& field, const PoseRange& poses,
+          float hard_depth_px);
 
 }  // namespace tessera

@@ -33,6 +33,7 @@ Similarity pose_at(const std::vector<float>& column, std::size_t row) {
 void append_candidate(CheckpointColumns& to, const Candidate& c) {
   to.shape.push_back(index_of(c.shape));
   to.source.push_back(c.source);
+  to.stance.push_back(c.stance);
   append(to.pose, c.canvas_from_shape);
   const DockingTerms& t = c.terms;
   to.terms.insert(to.terms.end(), {t.matched_px, t.overlap_px2, t.gap_px2, t.overlap_px4, t.gap_px4});
@@ -46,6 +47,7 @@ Candidate candidate_at(const CheckpointColumns& from, std::size_t row) {
   Candidate c;
   c.shape = ShapeId{from.shape[row]};
   c.source = from.source[row];
+  c.stance = from.stance[row];
   c.canvas_from_shape = pose_at(from.pose, row);
   const float* t = from.terms.data() + 5 * row;
   c.terms = {t[0], t[1], t[2], t[3], t[4]};
@@ -138,7 +140,7 @@ void check_rows(const CheckpointColumns& c) {
   require(c.pool_truncated.size() == c.pool_edge.size() && c.pool_candidates.size() == c.pool_edge.size(),
           "/pool: columns of different length");
   const std::size_t rows = c.shape.size();
-  require(c.source.size() == rows && c.pose.size() == 4 * rows && c.terms.size() == 5 * rows &&
+  require(c.source.size() == rows && c.stance.size() == rows && c.pose.size() == 4 * rows && c.terms.size() == 5 * rows &&
               c.score.size() == rows && c.exact.size() == rows && c.window.size() == 4 * rows &&
               c.shape_size.size() == 2 * rows,
           "/candidates: columns of different length");

@@ -20,7 +20,7 @@ struct CheckpointColumns {
   std::vector<std::uint32_t> pool_edge;
   std::vector<std::uint8_t> pool_truncated;
   std::vector<std::uint32_t> pool_candidates;
-  std::vector<std::uint32_t> shape, source;
+  std::vector<std::uint32_t> shape, source, stance;
   std::vector<float> pose, terms, score;
   std::vector<std::uint8_t> exact;
   std::vector<std::int32_t> window;
@@ -50,6 +50,7 @@ void each_column(Columns& c, Visit visit) {
   visit("/pool/candidates", c.pool_candidates, 1, "", "how many of the rows of /candidates are this sample's");
   visit("/candidates/shape", c.shape, 1, "", "index in the library");
   visit("/candidates/source", c.source, 1, "", "PAD or draw that it came from");
+  visit("/candidates/stance", c.stance, 1, "", "way of standing that the job's wishes allow");
   visit("/candidates/canvas_from_shape", c.pose, 4, "px", "as in /placements");
   visit("/candidates/terms", c.terms, 5, "px, px2, px4", "matched; overlap, gap; overlap, gap of squared areas");
   visit("/candidates/score", c.score, 1, "", "");

@@ -1,5 +1,6 @@
 #include "io/job/job_difference.h"
 
+#include "io/job/job_tables.h"
 #include "io/job/job_value.h"
 
 namespace tessera::io {
@@ -9,6 +10,9 @@ std::string job_differences(const Job& then, const Job& now, const std::function
   for (const JobKey& key : job_keys()) {
     if (!counts(key) || key.get(then) == key.get(now)) continue;
     text += "; " + key.full_name() + ": then " + job_value_to_toml(key, then) + ", now " + job_value_to_toml(key, now);
+  }
+  for (const JobTable& table : job_tables()) {
+    if (table_to_toml(table, then) != table_to_toml(table, now)) text += "; [[" + table.name + "]]: others than then";
   }
   return text;
 }

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "io/job/job_keys.h"
 #include "io/job/job_value.h"
 #include "io/job/nearest_name.h"
 #include "io/utf8_text.h"
@@ -57,20 +56,49 @@ std::string suggestion(const JobEntry& entry) {
   return nearest_name(full_name(entry), full_names);
 }
 
+/// ", [[shapes]], [[regions]]"
+std::string table_names() {
+  std::string text;
+  for (const JobTable& table : job_tables()) text += ", [[" + table.name + "]]";
+  return text;
+}
+
+std::vector<std::string> column_names(const JobTable& table) {
+  std::vector<std::string> names;
+  for (const JobKey& column : table.columns) names.push_back(column.name);
+  return names;
+}
+
 std::string did_you_mean(const std::string& nearest) {
   return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
 }
 
 [[noreturn]] void fail_unknown_section(const JobEntry& entry) {
+  if (find_job_table(entry.section)) {
+    throw InputError(entry.where + ": [" + entry.section + "] may come several times; allowed: [[" + entry.section + "]]");
+  }
   const std::string nearest = nearest_name(entry.section, section_names());
   throw InputError(entry.where + ": unknown section [" + printable(entry.section) + "]" +
-                   did_you_mean(nearest.empty() ? "" : "[" + nearest + "]") + "; allowed: " + joined(section_names()));
+                   did_you_mean(nearest.empty() ? "" : "[" + nearest + "]") + "; allowed: " + joined(section_names()) +
+                   table_names());
 }
 
 [[noreturn]] void fail_unknown_key(const JobEntry& entry) {
+  if (entry.section.empty() && find_job_table(entry.name)) {
+    throw InputError(entry.where + ": " + entry.name + ": found " + found_text(*entry.value) +
+                     ", allowed: tables that begin with [[" + entry.name + "]]");
+  }
   if (entry.section.empty() && is_job_section(entry.name)) {
     throw InputError(entry.where + ": " + entry.name + " is a section with the keys " + joined(key_names(entry.name)) +
                      ", found " + found_text(*entry.value));
+  }
+  if (entry.section.empty() && entry.value->is_array_of_tables()) {
+    std::vector<std::string> names;
+    for (const JobTable& table : job_tables()) names.push_back(table.name);
+    const std::string nearest = nearest_name(entry.name, names);
+    throw InputError(entry.where + ": unknown tables [[" + printable(entry.name) + "]]" +
+                     did_you_mean(nearest.empty() ? "" : "[[" + nearest + "]]") + "; allowed: " +
+                     table_names().substr(2));
   }
   const std::string place = entry.section.empty() ? "at top level" : "in [" + entry.section + "]";
   throw InputError(entry.where + ": unknown key " + printable(full_name(entry)) + did_you_mean(suggestion(entry)) +
@@ -102,6 +130,31 @@ void apply_entry(const JobEntry& entry, Job& job) {
     value->text = (entry.base / value->text).lexically_normal().string();
   }
   key->set(job, *value);
+}
+
+void add_row(const JobTable& table, const toml::table& row, const std::function<std::string(const toml::node&)>& where,
+             Job& job) {
+  JobRow cells;
+  for (const auto& [name, node] : row) {
+    const std::string text(name.str());
+    const JobKey* column = find_column(table, text);
+    if (!column) {
+      throw InputError(where(node) + ": unknown key " + printable(text) +
+                       did_you_mean(nearest_name(text, column_names(table))) + "; allowed in [[" + table.name +
+                       "]]: " + joined(column_names(table)));
+    }
+    const auto value = read_job_value(*column, node);
+    if (!value) {
+      throw InputError(where(node) + ": [[" + table.name + "]] " + text + ": found " + found_text(node) +
+                       ", allowed: " + allowed_values(*column));
+    }
+    cells[text] = *value;
+  }
+  for (const JobKey& column : table.columns) {
+    if (!column.required || cells.contains(column.name)) continue;
+    throw InputError(where(row) + ": " + column.name + " is missing in [[" + table.name + "]]; needed: " + column.meaning);
+  }
+  job.tables[table.name].push_back(std::move(cells));
 }
 
 }  // namespace tessera::io

@@ -4,9 +4,10 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
-#include "io/job/job_file.h"
+#include "io/job/job_tables.h"
 
 namespace tessera::io {
 
@@ -21,6 +22,11 @@ struct JobEntry {
 /// Sets the key in `job`. Throws InputError: an unknown section or key with the nearest one, or the value found and
 /// what is allowed.
 void apply_entry(const JobEntry& entry, Job& job);
+
+/// Adds a row to the job's table. `where`: of a line of the file. Throws InputError as apply_entry does, also where a
+/// value is missing.
+void add_row(const JobTable& table, const toml::table& row, const std::function<std::string(const toml::node&)>& where,
+             Job& job);
 
 bool is_job_section(const std::string& name);
 

@@ -3,6 +3,7 @@
 // test all go by it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,18 @@ struct CommSpec {
   double silence_s = 60;  // of a worker, then it is lost
 };
 
+/// A value as the job file has it: numbers (intervals as pairs), a text, or texts.
+struct JobValue {
+  std::vector<double> numbers;
+  std::string text;
+  std::vector<std::string> texts = {};
+
+  friend bool operator==(const JobValue&, const JobValue&) = default;
+};
+
+/// One of the tables that may come any number of times: its values by the names of their columns (job_tables.h).
+using JobRow = std::map<std::string, JobValue>;
+
 struct Job {
   std::string path;      // the file it came from
   std::string library;   // absolute path
@@ -40,6 +53,7 @@ struct Job {
   CheckpointSpec checkpoint;
   CommSpec comm;
   CollageSettings settings;
+  std::map<std::string, std::vector<JobRow>> tables;  // by name
 };
 
 /// `overrides` are "section.key=value" with the value in TOML; what is not TOML is taken as a string. Relative paths in

@@ -23,16 +23,37 @@ JobKey with_number(JobKey key, Field field) {
   return key;
 }
 
-/// Two members, `unit_per_member` times as large in the file as in the program (degrees for radians).
 template <class First, class Second>
-JobKey with_pair(JobKey key, First first, Second second, double unit_per_member = 1) {
-  key.get = [=](const Job& job) {
-    return JobValue{{first(job) * unit_per_member, second(job) * unit_per_member}, {}};
-  };
+JobKey with_pair(JobKey key, First first, Second second) {
+  key.get = [=](const Job& job) { return JobValue{{double(first(job)), double(second(job))}, {}}; };
   key.set = [=](Job& job, const JobValue& value) {
     using Member = std::remove_cvref_t<decltype(first(job))>;
-    first(job) = static_cast<Member>(value.numbers[0] / unit_per_member);
-    second(job) = static_cast<Member>(value.numbers[1] / unit_per_member);
+    first(job) = static_cast<Member>(value.numbers[0]);
+    second(job) = static_cast<Member>(value.numbers[1]);
+  };
+  return key;
+}
+
+/// Intervals of the pieces: in `several`, and from the smallest to the largest in `first` and `second`.
+/// `unit_per_member` times as large in the file as in the program (degrees for radians).
+template <class First, class Second>
+JobKey with_intervals(JobKey key, std::vector<Interval> PoseWish::*list, First first, Second second,
+                      double unit_per_member) {
+  key.get = [=](const Job& job) {
+    JobValue value;
+    const PoseWish poses = job.settings.pieces.poses();
+    for (const Interval& i : poses.*list) {
+      value.numbers.insert(value.numbers.end(), {i.min * unit_per_member, i.max * unit_per_member});
+    }
+    return value;
+  };
+  key.set = [=](Job& job, const JobValue& value) {
+    const std::vector<Interval> intervals = intervals_of(value, unit_per_member);
+    const auto by_max = [](const Interval& a, const Interval& b) { return a.max < b.max; };
+    const auto by_min = [](const Interval& a, const Interval& b) { return a.min < b.min; };
+    first(job) = std::min_element(intervals.begin(), intervals.end(), by_min)->min;
+    second(job) = std::max_element(intervals.begin(), intervals.end(), by_max)->max;
+    job.settings.pieces.several.*list = intervals.size() > 1 ? intervals : std::vector<Interval>{};
   };
   return key;
 }
@@ -82,13 +103,14 @@ void add_input_keys(std::vector<JobKey>& keys) {
 /// Scales: the range 8:1 of the trial. The paper allows any rotation and any number of uses.
 void add_piece_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
-  keys.push_back(with_pair({"pieces", "scale_px", proper_interval, "px", 2, 5000, {},
-                            "size of the smallest and the largest piece: the square root of its area"},
-                           FIELD(settings.pieces.min_scale_px), FIELD(settings.pieces.max_scale_px)));
-  keys.push_back(with_pair({"pieces", "rotation_deg", interval, "degrees", -360, 360, {},
-                            "allowed rotations of the artwork, clockwise; -180 to 180 = any"},
-                           FIELD(settings.pieces.min_rotation_rad), FIELD(settings.pieces.max_rotation_rad),
-                           kDegreesPerRad));
+  keys.push_back(with_intervals({"pieces", "scale_px", intervals, "px", 2, 5000, {},
+                                 "size of the smallest and the largest piece: the square root of its area"},
+                                &PoseWish::scale_px, FIELD(settings.pieces.min_scale_px),
+                                FIELD(settings.pieces.max_scale_px), 1));
+  keys.push_back(with_intervals({"pieces", "rotation_deg", intervals, "degrees", -360, 360, {},
+                                 "allowed rotations of the artwork, clockwise; -180 to 180 = any"},
+                                &PoseWish::rotation_rad, FIELD(settings.pieces.min_rotation_rad),
+                                FIELD(settings.pieces.max_rotation_rad), kDegreesPerRad));
   keys.push_back(with_number({"pieces", "uses", integer, "", 0, 1e6, {},
                               "how often one shape may be placed; 0 = unlimited"},
                              FIELD(settings.pieces.uses)));
@@ -216,6 +238,14 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
 #undef FIELD
 
 }  // namespace
+
+std::vector<Interval> intervals_of(const JobValue& value, double unit_per_member) {
+  std::vector<Interval> intervals;
+  for (std::size_t i = 0; i + 1 < value.numbers.size(); i += 2) {
+    intervals.push_back({float(value.numbers[i] / unit_per_member), float(value.numbers[i + 1] / unit_per_member)});
+  }
+  return intervals;
+}
 
 const std::vector<JobKey>& job_keys() {
   static const std::vector<JobKey> keys = [] {

@@ -14,22 +14,19 @@ namespace tessera::io {
 enum class JobKind {
   number,
   integer,
-  interval,         // [min, max] of numbers, min <= max
-  proper_interval,  // [min, max] of numbers, min < max
+  intervals,        // one or more [min, max] of numbers, min <= max
+  point,            // [x, y]
+  uses,             // at most so many, or [at least, at most]
   size,             // [width, height] of whole numbers
   word,             // one of JobKey::words
+  name,             // a text
+  names,            // one or more texts
   file,             // a path
   colour,           // "#rrggbb"
   devices,          // "all", "cpu", "gpu", indices
 };
 
-/// A value as the job file has it: one or two numbers, or a text.
-struct JobValue {
-  std::vector<double> numbers;
-  std::string text;
-
-  friend bool operator==(const JobValue&, const JobValue&) = default;
-};
+inline constexpr std::size_t kMostIntervals = 16;
 
 struct JobKey {
   std::string section;  // empty = top level
@@ -49,6 +46,9 @@ struct JobKey {
   /// "section.name", or the name alone at top level.
   std::string full_name() const { return section.empty() ? name : section + "." + name; }
 };
+
+/// Of pairs of numbers that are `unit_per_member` times as large as in the program.
+std::vector<Interval> intervals_of(const JobValue& value, double unit_per_member);
 
 /// All keys in the order in which docs/job-format.md and to_toml have them.
 const std::vector<JobKey>& job_keys();

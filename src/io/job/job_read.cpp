@@ -49,6 +49,7 @@ std::vector<JobEntry> entries_of(const toml::table& table, const std::string& pa
   for (const auto& [name, node] : table) {
     const toml::table* section = node.as_table();
     const std::string text(name.str());
+    if (find_job_table(text) && node.is_array_of_tables()) continue;
     if (!section || find_job_key("", text)) {
       add("", text, node);
     } else if (section->empty() && !is_job_section(text)) {
@@ -61,6 +62,15 @@ std::vector<JobEntry> entries_of(const toml::table& table, const std::string& pa
   std::vector<JobEntry> entries;
   for (auto& [line, entry] : by_line) entries.push_back(std::move(entry));
   return entries;
+}
+
+void add_rows(const toml::table& table, const std::string& path, Job& job) {
+  const auto where = [&](const toml::node& node) { return path + ":" + std::to_string(node.source().begin.line); };
+  for (const JobTable& known : job_tables()) {
+    const toml::node* node = table.get(known.name);
+    if (!node || !node->is_array_of_tables()) continue;
+    for (const toml::node& row : *node->as_array()) add_row(known, *row.as_table(), where, job);
+  }
 }
 
 /// "[1, 2]" as TOML; what is not one TOML value is a string: a path, a colour, "0,2".
@@ -111,6 +121,7 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
   job.path = path;
   const toml::table table = parse(text, path);
   for (const JobEntry& entry : entries_of(table, path)) apply_entry(entry, job);
+  add_rows(table, path, job);
   for (const std::string& override : overrides) apply_override(override, job);
   check_required(job);
   return job;

@@ -15,11 +15,26 @@ namespace {
 
 using Result = std::optional<JobValue>;
 
+constexpr std::size_t kLongestName = 400;  // bytes
+
 std::optional<double> number_in_range(const JobKey& key, const toml::node& node, bool whole) {
   if (!node.is_integer() && (whole || !node.is_floating_point())) return {};
   const double value = node.is_integer() ? double(node.as_integer()->get()) : node.as_floating_point()->get();
   if (!(value >= key.min && value <= key.max)) return {};  // NaN fails too
   return value;
+}
+
+using Numbers = std::optional<std::vector<double>>;
+
+/// All of an array.
+Numbers numbers_in_range(const JobKey& key, const toml::array& array, bool whole) {
+  std::vector<double> numbers;
+  for (const toml::node& item : array) {
+    const auto number = number_in_range(key, item, whole);
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
 }
 
 Result read_one(const JobKey& key, const toml::node& node) {
@@ -30,14 +45,63 @@ Result read_one(const JobKey& key, const toml::node& node) {
 Result read_two(const JobKey& key, const toml::node& node) {
   const toml::array* array = node.as_array();
   if (!array || array->size() != 2) return {};
-  const bool whole = key.kind == JobKind::size;
-  const auto first = number_in_range(key, *array->get(0), whole);
-  const auto second = number_in_range(key, *array->get(1), whole);
-  if (!first || !second) return {};
-  if (key.kind == JobKind::size && *first * *second > kMaxCanvas_px2) return {};
-  if (key.kind == JobKind::interval && *first > *second) return {};
-  if (key.kind == JobKind::proper_interval && *first >= *second) return {};
-  return JobValue{{*first, *second}, {}};
+  const Numbers both = numbers_in_range(key, *array, key.kind == JobKind::size);
+  if (!both) return {};
+  if (key.kind == JobKind::size && (*both)[0] * (*both)[1] > kMaxCanvas_px2) return {};
+  return JobValue{*both, {}};
+}
+
+/// [min, max], or [value] or a value, which are the interval from it to itself; appended to `pairs`.
+bool read_interval(const JobKey& key, const toml::node& node, std::vector<double>& pairs) {
+  Numbers numbers;
+  if (const toml::array* array = node.as_array()) {
+    numbers = numbers_in_range(key, *array, false);
+  } else if (const auto number = number_in_range(key, node, false)) {
+    numbers = std::vector{*number};
+  }
+  if (!numbers || numbers->empty() || numbers->size() > 2 || numbers->front() > numbers->back()) return false;
+  pairs.insert(pairs.end(), {numbers->front(), numbers->back()});
+  return true;
+}
+
+/// Two plain numbers are one interval, any other count of them that many values.
+Result read_intervals(const JobKey& key, const toml::node& node) {
+  std::vector<double> pairs;
+  const toml::array* array = node.as_array();
+  const bool one = !array || (array->size() == 2 && !array->get(0)->is_array() && !array->get(1)->is_array());
+  if (one) return read_interval(key, node, pairs) ? Result(JobValue{pairs, {}}) : Result();
+  if (array->empty() || array->size() > kMostIntervals) return {};
+  for (const toml::node& item : *array) {
+    if (!read_interval(key, item, pairs)) return {};
+  }
+  return JobValue{pairs, {}};
+}
+
+/// As [at least, at most]; at most 0 = no limit.
+Result read_uses(const JobKey& key, const toml::node& node) {
+  if (const auto most = number_in_range(key, node, true)) return JobValue{{0, *most}, {}};
+  const toml::array* array = node.as_array();
+  if (!array || array->size() != 2) return {};
+  const Numbers both = numbers_in_range(key, *array, true);
+  if (!both || ((*both)[1] != 0 && (*both)[0] > (*both)[1])) return {};
+  return JobValue{*both, {}};
+}
+
+bool is_name(const std::string& text) {
+  return !text.empty() && text.size() <= kLongestName && text.find('\0') == std::string::npos;
+}
+
+Result read_names(const toml::node& node) {
+  if (const auto* text = node.as_string()) return is_name(text->get()) ? Result(JobValue{{}, {}, {text->get()}}) : Result();
+  const toml::array* array = node.as_array();
+  if (!array || array->empty()) return {};
+  JobValue value;
+  for (const toml::node& item : *array) {
+    const auto* text = item.as_string();
+    if (!text || !is_name(text->get())) return {};
+    value.texts.push_back(text->get());
+  }
+  return value;
 }
 
 Result read_word(const JobKey& key, const std::string& text) {
@@ -108,6 +172,7 @@ Result read_text(const JobKey& key, const toml::node& node) {
   if (!text) return {};
   if (key.kind == JobKind::word) return read_word(key, text->get());
   if (key.kind == JobKind::colour) return read_colour(text->get());
+  if (key.kind == JobKind::name) return is_name(text->get()) ? Result(JobValue{{}, text->get()}) : Result();
   return read_file_name(text->get());
 }
 
@@ -150,15 +215,45 @@ std::string quoted(const std::string& text) {
   return out.str();
 }
 
+/// The fewest digits that give the same number.
+std::string exact_number(double value) {
+  int digits = 1;
+  while (digits < 17 && std::stod(number_text(value, digits)) != value) ++digits;
+  return number_text(value, digits);
+}
+
+std::string listed(const std::vector<std::string>& items) {
+  std::string text = "[";
+  for (const std::string& item : items) text += (text.size() > 1 ? ", " : "") + item;
+  return text + "]";
+}
+
+/// `number(i)` writes value.numbers[i].
+template <class Number>
+std::string value_text(const JobKey& key, const JobValue& value, Number number) {
+  std::vector<std::string> items;
+  if (key.kind == JobKind::names) {
+    for (const std::string& text : value.texts) items.push_back(quoted(text));
+    return listed(items);
+  }
+  if (value.numbers.empty()) return quoted(value.text);
+  if (value.numbers.size() == 1) return number(0);
+  if (key.kind == JobKind::uses && value.numbers[0] == 0) return number(1);
+  for (std::size_t i = 0; i + 1 < value.numbers.size(); i += 2) items.push_back(listed({number(i), number(i + 1)}));
+  return items.size() == 1 ? items.front() : listed(items);
+}
+
 }  // namespace
 
 std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node) {
   switch (key.kind) {
     case JobKind::number:
     case JobKind::integer: return read_one(key, node);
-    case JobKind::interval:
-    case JobKind::proper_interval:
+    case JobKind::intervals: return read_intervals(key, node);
+    case JobKind::point:
     case JobKind::size: return read_two(key, node);
+    case JobKind::uses: return read_uses(key, node);
+    case JobKind::names: return read_names(node);
     case JobKind::devices: return read_devices(key, node);
     default: return read_text(key, node);
   }
@@ -170,8 +265,14 @@ std::string allowed_values(const JobKey& key) {
   switch (key.kind) {
     case JobKind::number: return with_unit(key, "a number from " + min + " to " + max);
     case JobKind::integer: return with_unit(key, "a whole number from " + min + " to " + max);
-    case JobKind::interval: return with_unit(key, "[min, max] with " + min + " <= min <= max <= " + max);
-    case JobKind::proper_interval: return with_unit(key, "[min, max] with " + min + " <= min < max <= " + max);
+    case JobKind::intervals:
+      return "one value, [min, max], a list of three values or more, or a list of [min, max], from " + min + " to " +
+             with_unit(key, max);
+    case JobKind::point: return with_unit(key, "[x, y], numbers from " + min + " to " + max);
+    case JobKind::uses:
+      return "a whole number from " + min + " to " + max + ", or [at least, at most] of such; at most 0 = unlimited";
+    case JobKind::name: return "a text";
+    case JobKind::names: return "a text, or a list of texts";
     case JobKind::size:
       return with_unit(key, "[width, height], whole numbers from " + min + " to " + max) + ", " +
              number_text(kMaxCanvas_px2 / 1e6) + " million px or less in all";
@@ -185,11 +286,11 @@ std::string allowed_values(const JobKey& key) {
 }
 
 std::string job_value_to_toml(const JobKey& key, const Job& job) {
-  const JobValue value = key.get(job);
-  if (value.numbers.empty()) return quoted(value.text);
-  if (value.numbers.size() == 1) return shortest_number(key, job, 0);
-  std::string text = "[";
-  return text.append(shortest_number(key, job, 0)).append(", ").append(shortest_number(key, job, 1)).append("]");
+  return value_text(key, key.get(job), [&](std::size_t i) { return shortest_number(key, job, i); });
+}
+
+std::string cell_to_toml(const JobKey& column, const JobValue& value) {
+  return value_text(column, value, [&](std::size_t i) { return exact_number(value.numbers[i]); });
 }
 
 }  // namespace tessera::io

@@ -19,5 +19,7 @@ std::string allowed_values(const JobKey& key);
 
 /// The key's value in `job` as TOML, with as few digits as give the same value when read.
 std::string job_value_to_toml(const JobKey& key, const Job& job);
+/// A value of a table's column (job_tables.h) as TOML.
+std::string cell_to_toml(const JobKey& column, const JobValue& value);
 
 }  // namespace tessera::io

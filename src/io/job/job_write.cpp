@@ -1,4 +1,5 @@
 #include "io/job/job_keys.h"
+#include "io/job/job_tables.h"
 #include "io/job/job_value.h"
 
 namespace tessera::io {
@@ -10,6 +11,7 @@ std::string to_toml(const Job& job) {
     if (key.section != section) text += "\n[" + (section = key.section) + "]\n";
     text += key.name + " = " + job_value_to_toml(key, job) + "\n";
   }
+  for (const JobTable& table : job_tables()) text += table_to_toml(table, job);
   return text;
 }
 

@@ -1,0 +1,51 @@
+// Wishes: which shape may stand where, how large and how turned, and how often. A job's tables and lists are resolved to
+// this once, by the names of the library's shapes and of the canvas' regions (io/job/wish_resolution.h).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace tessera {
+
+/// Both ends belong to it; one value is an interval.
+struct Interval {
+  float min = 0;
+  float max = 0;
+
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+/// What a pose may be. An empty list: as the wish above it says.
+struct PoseWish {
+  std::vector<Interval> scale_px;
+  std::vector<Interval> rotation_rad;  // clockwise
+
+  friend bool operator==(const PoseWish&, const PoseWish&) = default;
+};
+
+/// Of all shapes of a class.
+struct ShapeWish {
+  PoseWish poses;
+  float weight = 1;                    // of the score; 0: never
+  std::optional<int> uses;             // at most so many of each shape; 0 = no limit; empty: as the job says
+  std::vector<std::uint8_t> in_region;  // per region: whether they may stand there; empty = everywhere
+
+  friend bool operator==(const ShapeWish&, const ShapeWish&) = default;
+};
+
+struct RegionWish {
+  PoseWish poses;
+
+  friend bool operator==(const RegionWish&, const RegionWish&) = default;
+};
+
+struct Wishes {
+  std::vector<ShapeWish> classes;              // empty: one class, without wishes
+  std::vector<std::uint32_t> class_of_shape;   // per shape of the library; empty: all of class 0
+  std::vector<RegionWish> regions;             // of the canvas, in the order in which they are filled; empty: one
+
+  friend bool operator==(const Wishes&, const Wishes&) = default;
+};
+
+}  // namespace tessera

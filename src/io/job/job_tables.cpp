@@ -1,0 +1,78 @@
+#include "io/job/job_tables.h"
+
+#include <algorithm>
+
+#include "io/job/job_value.h"
+
+namespace tessera::io {
+namespace {
+
+JobKey column(const std::string& table, const std::string& name, JobKind kind, const std::string& unit, double min,
+              double max, const std::string& meaning) {
+  JobKey key{table, name, kind, unit, min, max, {}, meaning};
+  return key;
+}
+
+JobKey required(JobKey key) {
+  key.required = true;
+  return key;
+}
+
+JobTable shapes_table() {
+  using enum JobKind;
+  const std::string t = "shapes";
+  return {t,
+          "wishes of some shapes; where several tables are about a shape, the later one wins, key by key",
+          {required(column(t, "names", names, "", 0, 0, "names of shapes; `*` and `?` stand for any text and character")),
+           column(t, "weight", number, "", 0, 100, "how much they are preferred; 1 = as others, 0 = never placed"),
+           column(t, "uses", uses, "", 0, 1e6, "how often each may be placed, as in [pieces]"),
+           column(t, "scale_px", intervals, "px", 2, 5000, "sizes, instead of those of [pieces]"),
+           column(t, "rotation_deg", intervals, "degrees", -360, 360, "rotations, instead of those of [pieces]"),
+           column(t, "regions", names, "", 0, 0, "names of the regions in which they may stand; default: all")}};
+}
+
+JobTable regions_table() {
+  using enum JobKind;
+  const std::string t = "regions";
+  return {t,
+          "parts of the canvas, by the colours of `canvas.file`; pieces stay within their region",
+          {required(column(t, "name", name, "", 0, 0, "what [[shapes]] call it")),
+           required(column(t, "colour", colour, "", 0, 0, "of this part of `canvas.file`: each place belongs to the nearest")),
+           column(t, "scale_px", intervals, "px", 2, 5000, "sizes there, instead of those of [pieces]"),
+           column(t, "rotation_deg", intervals, "degrees", -360, 360, "rotations there, instead of those of [pieces]")}};
+}
+
+}  // namespace
+
+const std::vector<JobTable>& job_tables() {
+  static const std::vector<JobTable> tables = {shapes_table(), regions_table()};
+  return tables;
+}
+
+const JobTable* find_job_table(const std::string& name) {
+  const auto& tables = job_tables();
+  const auto at = std::find_if(tables.begin(), tables.end(), [&](const JobTable& t) { return t.name == name; });
+  return at == tables.end() ? nullptr : &*at;
+}
+
+const JobKey* find_column(const JobTable& table, const std::string& name) {
+  const auto at =
+      std::find_if(table.columns.begin(), table.columns.end(), [&](const JobKey& key) { return key.name == name; });
+  return at == table.columns.end() ? nullptr : &*at;
+}
+
+std::string table_to_toml(const JobTable& table, const Job& job) {
+  const auto rows = job.tables.find(table.name);
+  if (rows == job.tables.end()) return {};
+  std::string text;
+  for (const JobRow& row : rows->second) {
+    text += "\n[[" + table.name + "]]\n";
+    for (const JobKey& column : table.columns) {
+      const auto cell = row.find(column.name);
+      if (cell != row.end()) text += column.name + " = " + cell_to_toml(column, cell->second) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,168 @@
+#include "io/job/wish_resolution.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "io/job/job_keys.h"
+#include "io/job/nearest_name.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr double kDegreesPerRad = 180 / std::numbers::pi;
+
+const std::vector<JobRow>& rows_of(const Job& job, const std::string& table) {
+  static const std::vector<JobRow> none;
+  const auto rows = job.tables.find(table);
+  return rows == job.tables.end() ? none : rows->second;
+}
+
+/// Null where the row says nothing of it.
+const JobValue* cell(const JobRow& row, const std::string& column) {
+  const auto at = row.find(column);
+  return at == row.end() ? nullptr : &at->second;
+}
+
+void read_poses(const JobRow& row, PoseWish& poses) {
+  if (const JobValue* value = cell(row, "scale_px")) poses.scale_px = intervals_of(*value, 1);
+  if (const JobValue* value = cell(row, "rotation_deg")) poses.rotation_rad = intervals_of(*value, kDegreesPerRad);
+}
+
+class Resolution {
+ public:
+  Resolution(const std::vector<std::string>& shape_names, const Job& job)
+      : names_(shape_names),
+        job_(job),
+        shape_rows_(rows_of(job, "shapes")),
+        region_rows_(rows_of(job, "regions")) {}
+
+  Wishes wishes() {
+    for (std::size_t row = 0; row < shape_rows_.size(); ++row) check_names(row);
+    for (const JobRow& row : region_rows_) add_region(row);
+    if (!shape_rows_.empty()) add_classes();
+    return std::move(wishes_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(job_.path + ": " + what); }
+
+  bool is_about(const JobRow& row, const std::string& name) const {
+    const std::vector<std::string>& patterns = row.at("names").texts;
+    return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return matches_glob(p, name); });
+  }
+
+  void check_names(std::size_t row) const {
+    for (const std::string& pattern : shape_rows_[row].at("names").texts) {
+      if (std::any_of(names_.begin(), names_.end(), [&](const std::string& n) { return matches_glob(pattern, n); })) continue;
+      const std::string nearest = nearest_name(pattern, names_);
+      fail("[[shapes]] names: the library has no shape \"" + pattern + "\"" +
+           (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
+           "; tessera library info FILE --names lists them");
+    }
+  }
+
+  void add_region(const JobRow& row) {
+    RegionWish region;
+    read_poses(row, region.poses);
+    wishes_.regions.push_back(region);
+    const std::string& name = row.at("name").text;
+    const auto alike = std::count_if(region_rows_.begin(), region_rows_.end(), [&](const JobRow& other) {
+      return other.at("name").text == name || other.at("colour").text == row.at("colour").text;
+    });
+    if (alike > 1) fail("[[regions]]: two with the name \"" + name + "\" or the colour " + row.at("colour").text);
+  }
+
+  /// Shapes that the same tables are about are one class.
+  void add_classes() {
+    std::map<std::vector<std::size_t>, std::uint32_t> class_of_rows;
+    for (const std::string& name : names_) {
+      std::vector<std::size_t> rows;
+      for (std::size_t row = 0; row < shape_rows_.size(); ++row) {
+        if (is_about(shape_rows_[row], name)) rows.push_back(row);
+      }
+      const auto [at, is_new] = class_of_rows.try_emplace(rows, std::uint32_t(wishes_.classes.size()));
+      if (is_new) wishes_.classes.push_back(class_of(rows));
+      wishes_.class_of_shape.push_back(at->second);
+    }
+  }
+
+  ShapeWish class_of(const std::vector<std::size_t>& rows) const {
+    ShapeWish wish;
+    for (const std::size_t i : rows) {
+      const JobRow& row = shape_rows_[i];
+      read_poses(row, wish.poses);
+      if (const JobValue* value = cell(row, "weight")) wish.weight = float(value->numbers[0]);
+      if (const JobValue* value = cell(row, "uses")) wish.uses = int(value->numbers[1]);
+      if (const JobValue* value = cell(row, "regions")) wish.in_region = regions_named(value->texts);
+    }
+    return wish;
+  }
+
+  std::vector<std::uint8_t> regions_named(const std::vector<std::string>& names) const {
+    std::vector<std::uint8_t> in_region(std::max<std::size_t>(1, region_rows_.size()), 0);
+    for (const std::string& name : names) {
+      const auto at = std::find_if(region_rows_.begin(), region_rows_.end(),
+                                   [&](const JobRow& row) { return row.at("name").text == name; });
+      if (at == region_rows_.end()) fail("[[shapes]] regions: there are no [[regions]] with the name \"" + name + "\"");
+      in_region[std::size_t(at - region_rows_.begin())] = 1;
+    }
+    return in_region;
+  }
+
+  const std::vector<std::string>& names_;
+  const Job& job_;
+  const std::vector<JobRow>& shape_rows_;
+  const std::vector<JobRow>& region_rows_;
+  Wishes wishes_;
+};
+
+/// Sizes that shapes and regions wish for may lie outside those of [pieces].
+void widen_scales(PieceSettings& pieces, const Wishes& wishes) {
+  const auto widen = [&](const PoseWish& poses) {
+    for (const Interval& scale_px : poses.scale_px) {
+      pieces.min_scale_px = std::min(pieces.min_scale_px, scale_px.min);
+      pieces.max_scale_px = std::max(pieces.max_scale_px, scale_px.max);
+    }
+  };
+  pieces.several.scale_px = pieces.poses().scale_px;
+  for (const ShapeWish& shape : wishes.classes) widen(shape.poses);
+  for (const RegionWish& region : wishes.regions) widen(region.poses);
+}
+
+}  // namespace
+
+bool has_shape_wishes(const Job& job) { return !rows_of(job, "shapes").empty(); }
+
+void resolve_wishes(const std::vector<std::string>& shape_names, Job& job) {
+  job.settings.wishes = Resolution(shape_names, job).wishes();
+  widen_scales(job.settings.pieces, job.settings.wishes);
+}
+
+/// Without recursion: where a star fails to match, it takes one byte more.
+bool matches_glob(std::string_view pattern, std::string_view text) {
+  std::size_t p = 0;
+  std::size_t t = 0;
+  std::size_t star = std::string_view::npos;
+  std::size_t taken = 0;
+  while (t < text.size()) {
+    if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t]) && pattern[p] != '*') {
+      ++p;
+      ++t;
+    } else if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      taken = t;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      t = ++taken;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+}  // namespace tessera::io

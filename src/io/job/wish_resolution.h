@@ -1,0 +1,21 @@
+// What a job's tables say about shapes and regions, by name, becomes what the algorithm knows, by index.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/job/job_file.h"
+
+namespace tessera::io {
+
+/// Whether resolve_wishes needs the names of the shapes.
+bool has_shape_wishes(const Job& job);
+
+/// Sets wishes and the whole range of sizes in the job's settings. `shape_names`: of the library, in its order. Throws
+/// InputError where a table names a shape or a region that there is not, or two regions are alike.
+void resolve_wishes(const std::vector<std::string>& shape_names, Job& job);
+
+/// `*` stands for any text, `?` for any byte; capital letters count.
+bool matches_glob(std::string_view pattern, std::string_view text);
+
+}  // namespace tessera::io

@@ -1,0 +1,106 @@
+// From names in a job's tables to classes of shapes and regions.
+#include "io/job/wish_resolution.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <regex>
+
+#include "core/base/error.h"
+#include "io/scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+const std::vector<std::string> kNames = {"cat", "cow", "owl", "owl_2"};
+
+class WishResolution : public testing::Test {
+ protected:
+  Job resolved(const std::string& tables) {
+    Job job = load_job(folder_.write("job.toml", "[library]\nfile = 'x.h5'\n[pieces]\nscale_px = [30, 50]\n" + tables), {});
+    resolve_wishes(kNames, job);
+    return job;
+  }
+
+  std::string mistake(const std::string& tables) {
+    try {
+      resolved(tables);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no mistake";
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(WishResolution, WithoutTablesThereAreNoWishes) {
+  const Job job = resolved("");
+  EXPECT_EQ(job.settings.wishes, Wishes{});
+  EXPECT_FALSE(has_shape_wishes(job));
+}
+
+TEST_F(WishResolution, LaterTablesWinKeyByKey) {
+  const Wishes wishes = resolved(
+                            "[[shapes]]\nnames = 'o*'\nweight = 2\nuses = 5\n"
+                            "[[shapes]]\nnames = ['owl', 'cat']\nuses = [0, 1]\nrotation_deg = 90\n")
+                            .settings.wishes;
+  ASSERT_EQ(wishes.class_of_shape.size(), 4u);
+  const auto of = [&](std::size_t shape) { return wishes.classes[wishes.class_of_shape[shape]]; };
+  EXPECT_EQ(of(0).weight, 1);
+  EXPECT_EQ(of(0).uses, 1);
+  EXPECT_EQ(of(1), ShapeWish{}) << "no table is about the cow";
+  EXPECT_EQ(of(2).weight, 2);
+  EXPECT_EQ(of(2).uses, 1);
+  ASSERT_EQ(of(2).poses.rotation_rad.size(), 1u);
+  EXPECT_FLOAT_EQ(of(2).poses.rotation_rad[0].max, 1.5707963f);
+  EXPECT_EQ(of(3).uses, 5);
+  EXPECT_TRUE(of(3).poses.rotation_rad.empty());
+}
+
+TEST_F(WishResolution, SizesOfShapesAndRegionsWidenTheRange) {
+  const Job job = resolved(
+      "[[shapes]]\nnames = 'cat'\nscale_px = [60, 200]\n[[regions]]\nname = 'sea'\ncolour = '#0000ff'\nscale_px = 10\n");
+  EXPECT_EQ(job.settings.pieces.min_scale_px, 10);
+  EXPECT_EQ(job.settings.pieces.max_scale_px, 200);
+  EXPECT_EQ(job.settings.pieces.poses().scale_px, (std::vector<Interval>{{30, 50}})) << "of all others";
+  EXPECT_NE(to_toml(job).find("scale_px = [30, 50]"), std::string::npos) << to_toml(job);
+}
+
+TEST_F(WishResolution, ShapesNameRegions) {
+  const Wishes wishes = resolved(
+                            "[[regions]]\nname = 'sea'\ncolour = '#0000ff'\n[[regions]]\nname = 'land'\ncolour = "
+                            "'#00ff00'\nrotation_deg = 0\n[[shapes]]\nnames = 'owl*'\nregions = 'land'\n")
+                            .settings.wishes;
+  EXPECT_EQ(wishes.classes[wishes.class_of_shape[3]].in_region, (std::vector<std::uint8_t>{0, 1}));
+  EXPECT_TRUE(wishes.classes[wishes.class_of_shape[0]].in_region.empty());
+  ASSERT_EQ(wishes.regions.size(), 2u);
+  EXPECT_EQ(wishes.regions[1].poses.rotation_rad.size(), 1u);
+}
+
+TEST_F(WishResolution, NamesThatThereAreNotAreTold) {
+  EXPECT_NE(mistake("[[shapes]]\nnames = 'owls'").find("the library has no shape \"owls\" (did you mean \"owl\"?)"),
+            std::string::npos)
+      << mistake("[[shapes]]\nnames = 'owls'");
+  EXPECT_NE(mistake("[[shapes]]\nnames = 'cat'\nregions = 'sea'").find("no [[regions]] with the name \"sea\""),
+            std::string::npos);
+  const std::string region = "[[regions]]\nname = 'sea'\ncolour = '#0000ff'\n";
+  EXPECT_NE(mistake(region + region).find("two with the name \"sea\""), std::string::npos);
+}
+
+RC_GTEST_PROP(Glob, matches_as_a_regular_expression_does, ()) {
+  const auto pattern = *rc::gen::container<std::string>(rc::gen::element('a', 'b', '*', '?'));
+  const auto text = *rc::gen::container<std::string>(rc::gen::element('a', 'b'));
+  std::string expression;
+  for (const char c : pattern) expression += c == '*' ? ".*" : c == '?' ? "." : std::string(1, c);
+  RC_ASSERT(matches_glob(pattern, text) == std::regex_match(text, std::regex(expression)));
+}
+
+TEST(Glob, takes_no_time_for_many_stars) {
+  std::string pattern;
+  for (int i = 0; i < 100; ++i) pattern += "*a";
+  EXPECT_FALSE(matches_glob(pattern + "b", std::string(5000, 'a')));
+}
+
+}  // namespace
+}  // namespace tessera::io
