@@ -19,6 +19,7 @@ Start start_of(const CollageArguments& arguments, const io::EarlierResult& earli
 Canvas checked_canvas(const io::Job& job) {
   Canvas canvas = io::load_canvas(job.canvas);
   io::check_picture_height(job.output, canvas);
+  io::check_images(canvas, job.settings.pieces);
   return canvas;
 }
 

@@ -7,9 +7,10 @@
 
 namespace tessera::master {
 
-Scoring::Scoring(const CollageSettings& settings, std::uint32_t library_shapes)
+Scoring::Scoring(const CollageSettings& settings, std::uint32_t library_shapes, const Period& period)
     : pieces_(settings.pieces),
       objective_(settings.objective),
+      period_(period),
       poses_(library_shapes) {}
 
 void Scoring::count(const Placement& placement) { poses_[index_of(placement.shape)].push_back(placement.canvas_from_shape); }
@@ -48,7 +49,8 @@ float Scoring::preference(const Candidate& candidate) const {
   const float radius = candidate.radius + kNearTwinReach;
   for (const Similarity& pose : placed) {
     const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
-    const Vec2 apart = pose.translation() - candidate.canvas_from_shape.translation();
+    const Vec2 centre = candidate.canvas_from_shape.translation();
+    const Vec2 apart = period_.nearest(pose.translation(), centre) - centre;
     if (dot(apart, apart) < near * near) factor *= objective_.near_twin_factor;
   }
   return factor;

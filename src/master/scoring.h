@@ -7,13 +7,15 @@
 #include "core/collage/exact_terms.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
+#include "core/geometry/period.h"
 #include "core/settings.h"
 
 namespace tessera::master {
 
 class Scoring {
  public:
-  Scoring(const CollageSettings& settings, std::uint32_t library_shapes);
+  /// `period` is that of the canvas: copies across a seam are near, too.
+  Scoring(const CollageSettings& settings, std::uint32_t library_shapes, const Period& period = {});
 
   /// A piece of this placement stands from now on.
   void count(const Placement& placement);
@@ -34,6 +36,7 @@ class Scoring {
  private:
   PieceSettings pieces_;
   ObjectiveSettings objective_;
+  Period period_;
   std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
 };
 
