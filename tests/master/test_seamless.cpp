@@ -1,0 +1,166 @@
+// Whole collages that go on across their edges.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/collage/placed_outlines.h"
+#include "core/tuning.h"
+#include "support/synthetic_shapes.h"
+#include "stopped_collage.h"
+#include "support/polygon_distance.h"
+#include "whole_collage.h"
+
+namespace tessera::master {
+namespace {
+
+using namespace whole_collage;
+
+const Canvas& both_ways() {
+  static const Canvas canvas = make_seamless_canvas(240, 180, true, true);
+  return canvas;
+}
+
+Outline outline_at(const Placement& placement, Vec2 offset) {
+  return placed_outline(library()[index_of(placement.shape)].outline, moved(placement.canvas_from_shape, offset));
+}
+
+float radius_px(const Placement& placement) {
+  return library()[index_of(placement.shape)].radius * placement.canvas_from_shape.scale();
+}
+
+/// Calls f(piece, image) for each two that may touch: pieces where they stand, beside all images of all of them.
+template <class F>
+void each_neighbours(const Canvas& canvas, const std::vector<Placement>& placements, F f) {
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    for (std::size_t k = 0; k < placements.size(); ++k) {
+      for (const Vec2 offset : canvas.period.offsets()) {
+        if (i == k && offset == Vec2{}) continue;
+        const Vec2 apart = placements[i].canvas_from_shape.translation() -
+                           placements[k].canvas_from_shape.translation() - offset;
+        if (norm(apart) > radius_px(placements[i]) + radius_px(placements[k]) + 8) continue;
+        f(outline_at(placements[i], {}), outline_at(placements[k], offset));
+      }
+    }
+  }
+}
+
+std::size_t crossing_seams(const Canvas& canvas, const std::vector<Placement>& placements) {
+  return std::size_t(std::count_if(placements.begin(), placements.end(), [&](const Placement& p) {
+    const Box box = bounding_box(outline_at(p, {}).curves.front());
+    return (canvas.period.x_px > 0 && (box.low.x < 0 || box.high.x > float(canvas.width_px))) ||
+           (canvas.period.y_px > 0 && (box.low.y < 0 || box.high.y > float(canvas.height_px)));
+  }));
+}
+
+TEST(Seamless, FillsThePeriodAcrossItsEdges) {
+  for (const auto& [in_x, in_y] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
+    const Canvas canvas = make_seamless_canvas(240, 180, in_x, in_y);
+    const CollageResult result = run(canvas, settings());
+    const Quality q = quality(canvas, result);
+    EXPECT_GT(q.coverage, 0.78);
+    EXPECT_LT(q.overlap, 0.006);
+    EXPECT_LT(q.outside, 0.001);
+    EXPECT_GT(q.shared_boundary, 0.4);
+    EXPECT_EQ(result.statistics.stopped_by, "full");
+    EXPECT_GE(crossing_seams(canvas, result.placements), in_x && in_y ? 4u : 2u);
+    for (const Placement& p : result.placements) {
+      EXPECT_EQ(canvas.period.wrapped(p.canvas_from_shape), p.canvas_from_shape);
+    }
+  }
+}
+
+TEST(Seamless, KeepsThePaddingAcrossTheSeams) {
+  for (const float padding_px : {1.f, 4.f}) {
+    CollageSettings s = settings();
+    s.pieces.padding_px = padding_px;
+    const std::vector<Placement> placements = run(both_ways(), s).placements;
+    EXPECT_GT(crossing_seams(both_ways(), placements), 2u);
+    double least = 1e9;
+    each_neighbours(both_ways(), placements, [&](const Outline& a, const Outline& b) {
+      least = std::min(least, test::polygon_distance(a, b));
+    });
+    EXPECT_GE(least, padding_px);
+  }
+}
+
+TEST(Seamless, NoVertexLiesDeepInAnImageOfAPiece) {
+  float deepest = 0;
+  each_neighbours(both_ways(), run(both_ways(), settings()).placements, [&](const Outline& a, const Outline& b) {
+    for (const Vec2 p : a.curves[0]) deepest = std::max(deepest, -test::signed_distance(b, p));
+  });
+  EXPECT_LE(deepest, kHardDepth_px + 0.01f);
+}
+
+/// Most pieces that would fit into the endless plane would reach their own images.
+TEST(Seamless, NoPieceIsAsLongAsThePeriod) {
+  const Canvas canvas = make_seamless_canvas(70, 60, true, true);
+  CollageSettings s = settings();
+  s.pieces.min_scale_px = 12;
+  const CollageResult result = run(canvas, s);
+  EXPECT_GT(result.placements.size(), 2u);
+  for (const Placement& p : result.placements) {
+    const Box box = bounding_box(outline_at(p, {}).curves.front());
+    EXPECT_LE(box.width(), 70 + kHardDepth_px);
+    EXPECT_LE(box.height(), 60 + kHardDepth_px);
+  }
+  const Quality q = quality(canvas, result);
+  EXPECT_LT(q.overlap, 0.02);
+  EXPECT_GT(q.coverage, 0.6);
+}
+
+TEST(Seamless, WithoutEdgesTheFirstPieceFollowsFromTheSeed) {
+  CollageSettings s = settings();
+  s.stop.pieces = 1;
+  s.pieces.min_rotation_rad = s.pieces.max_rotation_rad = 1;
+  std::set<ShapeId> shapes;
+  for (s.seed = 1; s.seed <= 6; ++s.seed) {
+    const std::vector<Placement> first = run(both_ways(), s).placements;
+    ASSERT_EQ(first.size(), 1u);
+    EXPECT_EQ(run(both_ways(), s).placements, first);
+    EXPECT_NEAR(first[0].canvas_from_shape.rotation_rad(), 1, 1e-5);
+    shapes.insert(first[0].shape);
+  }
+  EXPECT_GT(shapes.size(), 2u);
+}
+
+TEST(Seamless, WhereNoPieceFitsTheCollageIsEmpty) {
+  CollageSettings s = settings();
+  s.pieces.min_scale_px = 80;
+  const CollageResult result = run(make_seamless_canvas(40, 30, true, true), s);
+  EXPECT_TRUE(result.placements.empty());
+  EXPECT_EQ(result.statistics.stopped_by, "full");
+}
+
+TEST(Seamless, DoesNotDependOnHowTheLibraryIsDivided) {
+  const auto whole = run(both_ways(), settings()).placements;
+  ASSERT_GT(whole.size(), 5u);
+  EXPECT_EQ(run(both_ways(), settings(), {5}).placements, whole);
+  EXPECT_EQ(run(both_ways(), settings(), {1, 2, 9}).placements, whole);
+}
+
+/// Filling and improving, interrupted after every step.
+TEST(Seamless, GoesOnFromItsCheckpoints) {
+  const Canvas canvas = make_seamless_canvas(160, 120, true, true);
+  const CollageSettings s = stopped_collage::improved();
+  SilentObserver silent;
+  const CollageResult whole = stopped_collage::run(s, {}, silent, {}, canvas);
+  EXPECT_EQ(whole.statistics.trials, 12u);
+  stopped_collage::KeepLatest keeper;
+  CheckpointState state;
+  const CheckpointState* from = nullptr;
+  CollageResult result;
+  int interruptions = 0;
+  do {
+    stopped_collage::StopAfter stop(1);
+    result = stopped_collage::run(s, {interruptions % 2 ? 3u : 7u}, stop, {from, &keeper}, canvas);
+    state = keeper.latest;
+    from = &state;
+  } while (result.unfinished && ++interruptions < 200);
+  EXPECT_GT(interruptions, 12);
+  EXPECT_EQ(result.placements, whole.placements);
+  EXPECT_EQ(result.statistics.target_samples, whole.statistics.target_samples);
+  EXPECT_EQ(result.statistics.trials_kept, whole.statistics.trials_kept);
+}
+
+}  // namespace
+}  // namespace tessera::master
