@@ -139,6 +139,18 @@ TEST(SeamlessField, APieceThatIsTakenOutLeavesNothing) {
   }));
 }
 
+TEST(SeamlessField, IsReachableInAllImagesAlike) {
+  FreeField free(make_seamless_canvas(kWidth_px, kHeight_px, true, true), kPieces);
+  free.stamp(shapes()[3], {60, 0, 5, 5});
+  const OpenedField opened(free, kPieces);
+  const Vec2 origin = free.field().origin;
+  const auto reachable = [&](Vec2 p) { return opened.reachable(int(p.x - origin.x), int(p.y - origin.y)); };
+  for (const Vec2 offset : free.grid().period().offsets()) EXPECT_TRUE(reachable(Vec2{96, 84} + offset));
+  EXPECT_FALSE(reachable({5, 5}));
+  EXPECT_FALSE(reachable({kWidth_px + 5, 5}));
+  EXPECT_FALSE(reachable({5, kHeight_px + 5}));
+}
+
 TEST(SeamlessCurve, UpdatingEqualsTracingAfresh) {
   EXPECT_TRUE(rc::check([] {
     const Canvas canvas = any_canvas();

@@ -5,6 +5,8 @@
 
 #include "core/collage/placed_outlines.h"
 #include "core/tuning.h"
+#include "master/filling.h"
+#include "offering_matcher.h"
 #include "support/synthetic_shapes.h"
 #include "stopped_collage.h"
 #include "support/polygon_distance.h"
@@ -106,6 +108,50 @@ TEST(Seamless, NoPieceIsAsLongAsThePeriod) {
   const Quality q = quality(canvas, result);
   EXPECT_LT(q.overlap, 0.02);
   EXPECT_GT(q.coverage, 0.6);
+}
+
+/// Also where nothing is settled, which would give them up.
+TEST(Seamless, CandidatesThatAreAsLongAsThePeriodAreNone) {
+  const Canvas canvas = make_seamless_canvas(90, 60, false, true);
+  CollageSettings s = settings();
+  s.settle = false;
+  const std::vector<Placement> placements = run(canvas, s).placements;
+  EXPECT_GT(placements.size(), 2u);
+  for (const Placement& p : placements) EXPECT_LE(bounding_box(outline_at(p, {}).curves.front()).height(), 61);
+}
+
+/// What the workers know of the field.
+class FieldMatcher : public test::OfferingMatcher {
+ public:
+  using OfferingMatcher::OfferingMatcher;
+  Grid<float> field;
+
+  void start_field(int width, int height, Vec2) override { field = Grid<float>(width, height); }
+  void update_field(const FieldPatch& patch) override { write_patch(patch, field); }
+};
+
+TEST(Seamless, WorkersGetAllImagesOfAPiece) {
+  CollageSettings s = settings();
+  s.settle = false;
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+  test::VectorShapes shapes(library());
+  Collage collage(make_seamless_canvas(240, 220, true, true), s, context, shapes);
+  FieldMatcher matcher(library());
+  RunStatistics statistics;
+  Filling filling(collage, context, s, matcher, statistics);
+  matcher.offers = {test::piece(3, 40, {238, 5}), test::piece(4, 40, {4, 90}), test::piece(5, 40, {120, 218})};
+  while (filling.place_one()) EXPECT_EQ(matcher.field.data(), collage.free().field().value.data());
+  EXPECT_EQ(collage.placements().size(), 4u) << "the first piece, and those that are offered";
+}
+
+TEST(Seamless, DistancesAreThoseToTheNearestImage) {
+  const CollageSettings s = settings();
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+  test::VectorShapes shapes(library());
+  Collage collage(both_ways(), s, context, shapes);
+  const Placement placed = test::piece(3, 30, {10, 90});
+  EXPECT_NEAR(collage.distance_px(placed, {220, 90}), collage.distance_px(placed, {-20, 90}), 1e-4);
+  EXPECT_LT(collage.distance_px(placed, {220, 90}), 30);
 }
 
 TEST(Seamless, WithoutEdgesTheFirstPieceFollowsFromTheSeed) {
