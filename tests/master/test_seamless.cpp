@@ -6,6 +6,7 @@
 #include "core/collage/placed_outlines.h"
 #include "core/tuning.h"
 #include "master/filling.h"
+#include "master/ruin_and_recreate.h"
 #include "offering_matcher.h"
 #include "support/synthetic_shapes.h"
 #include "stopped_collage.h"
@@ -144,11 +145,91 @@ TEST(Seamless, WorkersGetAllImagesOfAPiece) {
   EXPECT_EQ(collage.placements().size(), 4u) << "the first piece, and those that are offered";
 }
 
-TEST(Seamless, DistancesAreThoseToTheNearestImage) {
-  const CollageSettings s = settings();
-  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+/// The canvas both ways, and what a collage on it needs.
+struct Scene {
+  explicit Scene(const CollageSettings& s = settings(), const Canvas& canvas = both_ways())
+      : context(make_matching_context(s, std::uint32_t(library().size()))),
+        collage(canvas, s, context, shapes),
+        filling(collage, context, s, matcher, statistics) {}
+
+  MatchingContext context;
+  test::VectorShapes shapes{library()};
+  Collage collage;
+  test::OfferingMatcher matcher{library()};
+  RunStatistics statistics;
+  Filling filling;
+};
+
+TEST(Seamless, AWindowAcrossASeamMarksTheSamplesOnBothSides) {
+  Scene scene;
+  Collage& collage = scene.collage;
+  collage.replace_placements({test::piece(3, 60, {0, 90})});
+  collage.take_stale_samples();
+  const Window& nodes = collage.free().grid().one_period();
+  collage.mark_stale({nodes.x0 - 20, nodes.y0, nodes.x0 + 20, nodes.y1});
+  bool left = false;
+  bool right = false;
+  for (const TargetSample& sample : collage.take_stale_samples()) {
+    left |= sample.position.x <= 21;
+    right |= sample.position.x >= 219;
+    EXPECT_TRUE(sample.position.x <= 21 || sample.position.x >= 219) << sample.position.x;
+  }
+  EXPECT_TRUE(left && right);
+}
+
+/// The piece that stands pushes the next one to the left, across the seam.
+TEST(Seamless, APieceThatIsPushedAcrossASeamComesInAtTheOtherSide) {
+  const Canvas canvas = make_seamless_canvas(240, 220, true, true);
+  const auto settled_at = [&](float standing_px, float offered_px) {
+    Scene scene(settings(), canvas);
+    scene.collage.replace_placements({test::piece(3, 60, {standing_px, 100})});
+    scene.collage.mark_stale(scene.collage.free().grid().nodes());
+    scene.matcher.offers = {test::piece(5, 60, {offered_px, 100})};
+    EXPECT_TRUE(scene.filling.place_one());
+    return scene.collage.placements().back().canvas_from_shape.tx;
+  };
+  const float settled_px = settled_at(160, 102);
+  ASSERT_LT(settled_px, 101.5f) << "the test needs a piece that is pushed to the left";
+  EXPECT_NEAR(settled_at(58.1f, 0.1f), settled_px - 101.9f + 240, 0.2);
+}
+
+TEST(Seamless, PiecesOnBothSidesOfASeamAreTakenOutTogether) {
+  Scene scene(settings(), make_seamless_canvas(400, 60, true, true));
+  std::vector<Placement> row;
+  for (int i = 0; i < 20; ++i) row.push_back(test::piece(3, 14, {float(20 * i + 2), 30}));
+  scene.collage.replace_placements(row);
+  RuinAndRecreate ruin(scene.collage, scene.filling, settings());
+  bool across = false;
+  for (std::uint32_t trial = 0; trial < 60; ++trial) {
+    ruin.try_once(trial, [&] {
+      const std::vector<Placement>& left = scene.collage.placements();
+      across |= std::find(left.begin(), left.end(), row.front()) == left.end() &&
+                std::find(left.begin(), left.end(), row.back()) == left.end();
+      return true;
+    });
+  }
+  EXPECT_TRUE(across);
+}
+
+/// What was computed ahead is forgotten where a piece changes it from the other side of a seam.
+TEST(Seamless, ExactAreasAreThoseOfTheFieldAsItIs) {
+  const PieceSettings pieces = settings().pieces;
+  FreeField free(both_ways(), pieces);
+  OpenedField opened(free, pieces);
   test::VectorShapes shapes(library());
-  Collage collage(both_ways(), s, context, shapes);
+  ExactChecks checks(shapes, free, opened, pieces);
+  Candidate candidate;
+  candidate.shape = ShapeId{3};
+  candidate.canvas_from_shape = {60, 0, 10, 90};
+  checks.compute_ahead(candidate);
+  EXPECT_EQ(checks.areas(candidate).overlap_px2, 0);
+  checks.forget(opened.update(free, free.stamp(library()[4], {60, 0, 225, 90})));
+  EXPECT_GT(checks.areas(candidate).overlap_px2, 500);
+}
+
+TEST(Seamless, DistancesAreThoseToTheNearestImage) {
+  Scene scene;
+  Collage& collage = scene.collage;
   const Placement placed = test::piece(3, 30, {10, 90});
   EXPECT_NEAR(collage.distance_px(placed, {220, 90}), collage.distance_px(placed, {-20, 90}), 1e-4);
   EXPECT_LT(collage.distance_px(placed, {220, 90}), 30);
