@@ -26,6 +26,7 @@ io::LibraryFile library_for(io::Job& job) {
 Canvas checked_canvas(const io::Job& job) {
   Canvas canvas = io::load_canvas(job.canvas);
   io::check_picture_height(job.output, canvas);
+  io::check_images(canvas, job.settings.pieces);
   return canvas;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/plan_estimate.h"
 #include "cli/plan_text.h"
 #include "core/base/error.h"
+#include "core/field/free_field.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
@@ -36,10 +37,12 @@ PlanInput plan_input(const PlanArguments& arguments) {
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
   const io::LibraryFile library = io::open_library_of(job);
   const Canvas canvas = io::load_canvas(job.canvas);
+  io::check_images(canvas, job.settings.pieces);
+  const Window nodes = free_field_grid(canvas, job.settings.pieces).nodes();
   const double width_px = job.output.width_px;
   return {.settings = job.settings,
           .canvas_px2 = canvas.area_px2,
-          .canvas_nodes = double(canvas.width_px) * canvas.height_px,
+          .canvas_nodes = double(nodes.width()) * nodes.height(),
           .picture_px2 = width_px * width_px * canvas.height_px / canvas.width_px,
           .shapes = library.size(),
           .host_devices = job.devices != "gpu",

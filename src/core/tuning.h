@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "core/matching/descent.h"
 #include "core/settings.h"
@@ -31,6 +32,11 @@ inline constexpr float kChangedFine = 0.15f;
 inline constexpr float kChangedCoarse = 0.25f;  // of the coarsest level but one
 inline constexpr float kChangedCoarsest = 0.4f;
 inline constexpr float kChangedSlack_px = 3;  // of a length that is small itself
+
+/// How far the free field of a seamless canvas goes on beyond one period, in parts of the largest piece's scale, up to
+/// another whole period. A piece that is docked at the seam may lie beyond it as a whole; one that is longer is found
+/// from its other end.
+inline constexpr float kSeamlessReach = 2;
 
 /// How far around a piece its distances enter the free field; what looks further ahead only needs "far".
 inline float stamp_band_px(const PieceSettings& p) { return std::max(24.f, 0.25f * p.max_scale_px); }
@@ -116,6 +122,10 @@ inline constexpr int kFinalists = 8;  // candidates checked exactly in a round
 inline constexpr int kFinalistsLookedAt = 64;   // to find so many that differ
 inline constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists that would look the same
 inline constexpr int kEmptyPasses = 2;  // over all samples, with new random dockings each, before the region is full
+
+// The first piece of a canvas without edges: shapes are drawn until one stands, each a little smaller.
+inline constexpr std::uint64_t kFirstPieceDraws = 64;
+inline constexpr float kFirstPieceShrink = 0.95f;
 
 // Settling of a chosen piece.
 inline constexpr Descent kSettle{2, 0.3f, 0.3f, 30, false};  // out of what was placed since it was refined

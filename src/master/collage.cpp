@@ -18,6 +18,23 @@ double area_px2(const Placement& p) {
   return double(scale) * scale;
 }
 
+/// Else the piece would reach its own image.
+bool fits_into(const Period& period, const Extent& piece) {
+  const Vec2 size = piece.high - piece.low;
+  return (period.x_px == 0 || size.x <= float(period.x_px)) && (period.y_px == 0 || size.y <= float(period.y_px));
+}
+
+/// The image whose centre lies in the first period stands for all.
+void bring_into_one_period(Candidate& candidate, const Period& period) {
+  const Vec2 found = candidate.canvas_from_shape.translation();
+  candidate.canvas_from_shape = period.wrapped(candidate.canvas_from_shape);
+  const Vec2 by = candidate.canvas_from_shape.translation() - found;
+  const int dx = int(std::lround(by.x));
+  const int dy = int(std::lround(by.y));
+  Window& window = candidate.window;
+  window = {window.x0 + dx, window.y0 + dy, window.x1 + dx, window.y1 + dy};
+}
+
 /// Those that are in one of the two lists alone.
 std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placement> b) {
   const auto before = [](const Placement& p, const Placement& q) {
@@ -46,7 +63,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       curve_(settings.pieces, settings.match.pad),
       checks_(shapes, free_, opened_, settings_.pieces),
       outlines_(free_, settings.pieces),
-      scoring_(settings, context.stances),
+      scoring_(settings, context.stances, canvas.period),
       settling_(shapes, free_, outlines_, context_),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
@@ -79,7 +96,9 @@ void Collage::put_back_stale_samples(const std::vector<TargetSample>& samples) {
 void Collage::mark_stale(const Window& window) {
   for (const SampleId id : curve_.samples()) {
     const Vec2 node = curve_.sample(id).position - free_.field().origin;
-    if (window.contains(int(node.x), int(node.y))) stale_.insert(id);
+    const int x = int(node.x);
+    const int y = int(node.y);
+    if (free_.grid().overlap(window, {x, y, x + 1, y + 1})) stale_.insert(id);
   }
 }
 
@@ -96,8 +115,10 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     candidate.perimeter = refined.perimeter;
     candidate.radius = refined.radius;
     if (!scoring_.may_use(docking.shape) || !scoring_.acceptable(candidate)) continue;
+    if (!fits_into(free_.grid().period(), refined.extent)) continue;
     candidate.score = scoring_.score(candidate);
     candidate.window = nodes_round(refined.extent, free_.field().origin, context_.gap_px + kWindowMargin_px);
+    bring_into_one_period(candidate, free_.grid().period());
     of_sample[docking.sample].push_back(candidate);
   }
   for (std::size_t t = 0; t < samples.size(); ++t) {
@@ -112,7 +133,7 @@ Window Collage::place(const Candidate& candidate) {
   scoring_.count(placements_.back());
   covered_px2_ += area_px2(placements_.back());
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
-  changed_nodes_ = changed_nodes_.united(changed);
+  changed_nodes_ = free_.grid().united(changed_nodes_, changed);
   retrace(changed);
   if (!scoring_.may_use(candidate.shape)) drop_shape(candidate.shape);
   return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
@@ -135,11 +156,12 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   passes_.clear();
   curve_.set_matched_pads({});
   const Window restamped = restamp(changed);
-  changed_nodes_ = changed_nodes_.united(restamped);
+  changed_nodes_ = free_.grid().united(changed_nodes_, restamped);
   retrace(restamped);
   Window window;
   for (const Placement& p : changed) {
-    window = window.united(piece_window(shapes_.shape(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
+    window = free_.grid().united(
+        window, piece_window(shapes_.shape(p.shape).outline, p.canvas_from_shape, free_.field().origin, 4));
   }
   return window;
 }
@@ -147,17 +169,19 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
 /// The free field anew in the windows of the pieces that come and go.
 Window Collage::restamp(const std::vector<Placement>& changed) {
   Window window;
-  for (const Placement& p : changed) window = window.united(stamp_window(p));
+  for (const Placement& p : changed) window = free_.grid().united(window, stamp_window(p));
   free_.clear(window);
   for (const Placement& p : placements_) {
-    const Window common = stamp_window(p).intersected(window);
-    if (!common.empty()) free_.stamp(shapes_.shape(p.shape), p.canvas_from_shape, common);
+    for (const Window& common : free_.grid().images(window, stamp_window(p))) {
+      free_.stamp(shapes_.shape(p.shape), p.canvas_from_shape, common);
+    }
   }
   return window;
 }
 
 float Collage::distance_px(const Placement& p, Vec2 point_px) {
-  return PieceDistance(shapes_.shape(p.shape), p.canvas_from_shape, 0).at(point_px);
+  const Vec2 nearest_px = free_.grid().period().nearest(point_px, p.canvas_from_shape.translation());
+  return PieceDistance(shapes_.shape(p.shape), p.canvas_from_shape, 0).at(nearest_px);
 }
 
 Window Collage::stamp_window(const Placement& p) {
@@ -184,11 +208,24 @@ void Collage::drop_shape(ShapeId shape) {
   for (const SampleId id : ids) review(id, [&](Candidate& c) { return c.shape != shape; });
 }
 
+/// Target samples that may have candidates whose windows overlap an image of `changed`.
+std::vector<SampleId> Collage::pooled_near(const Window& changed) const {
+  const PeriodicGrid& grid = free_.grid();
+  if (!grid.period().repeats()) return pool_.reached_by(changed);
+  std::set<SampleId> near;
+  for (const Window& image : grid.images(changed, grid.nodes())) {
+    const std::vector<SampleId> reached = pool_.reached_by(image);
+    near.insert(reached.begin(), reached.end());
+  }
+  return {near.begin(), near.end()};
+}
+
 std::vector<Docking> Collage::touched_by(const Window& changed) const {
   std::vector<Docking> touched;
-  for (const SampleId id : pool_.reached_by(changed)) {
+  for (const SampleId id : pooled_near(changed)) {
     for (const Candidate& c : pool_.entries().at(id).candidates) {
-      if (c.window.overlaps(changed)) touched.push_back({0, c.shape, c.source, c.stance, 0, c.canvas_from_shape});
+      if (!free_.grid().overlap(changed, c.window)) continue;
+      touched.push_back({0, c.shape, c.source, c.stance, 0, c.canvas_from_shape});
     }
   }
   return touched;
@@ -204,9 +241,9 @@ std::vector<DockingTerms> Collage::measure(const std::vector<Docking>& dockings)
 
 void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& terms) {
   auto measured = terms.begin();
-  for (const SampleId id : pool_.reached_by(changed)) {
+  for (const SampleId id : pooled_near(changed)) {
     review(id, [&](Candidate& c) {
-      if (!c.window.overlaps(changed)) return true;
+      if (!free_.grid().overlap(changed, c.window)) return true;
       if (measured == terms.end()) throw std::logic_error("fewer candidates were measured than touched");
       c.terms = *measured++;
       if (!scoring_.acceptable(c)) return false;

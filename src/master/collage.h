@@ -29,7 +29,8 @@ class Collage {
   Collage(const Collage&) = delete;  // its parts refer to each other
   Collage& operator=(const Collage&) = delete;
 
-  /// The nodes of the free field that changed since the last call; all of them at first.
+  /// The nodes of the free field that changed since the last call; all of them at first. On a seamless canvas this
+  /// window, like all those below, stands for all of its images (PeriodicGrid).
   Window take_changed_nodes();
 
   /// Target samples to be matched (again); they count as matched from now on.
@@ -72,7 +73,8 @@ class Collage {
   /// and library, or where what is rebuilt from it is not what was saved.
   void restore(const CheckpointState& state);
 
-  /// The distance from the piece to the point, px, negative inside.
+  /// The distance from the piece to the point, or to its image that is nearest to the piece's centre, px, negative
+  /// inside.
   float distance_px(const Placement& placement, Vec2 point_px);
 
   const FreeField& free() const { return free_; }
@@ -82,11 +84,13 @@ class Collage {
 
  private:
   std::vector<Pool::Ranked> finalists();
+  bool choose_first(Candidate& first);
   ExactAreas check_exactly(Candidate& candidate);
   bool settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
   void drop_shape(ShapeId shape);
+  std::vector<SampleId> pooled_near(const Window& changed) const;
   template <class Keep>
   void review(SampleId id, Keep keep);
   void retrace(const Window& changed);

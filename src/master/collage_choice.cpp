@@ -1,10 +1,16 @@
 // Collage: which candidate becomes the next piece.
 #include <algorithm>
 
+#include "core/base/portable_math.h"
 #include "core/tuning.h"
 #include "master/collage.h"
 
 namespace tessera::master {
+namespace {
+
+constexpr std::uint64_t kFirstPiece = 0x6669727374;  // keeps these random numbers apart from those of the dockings
+
+}  // namespace
 
 std::vector<Pool::Ranked> Collage::finalists() {
   std::vector<Pool::Ranked> chosen;
@@ -42,14 +48,39 @@ void Collage::check_ahead() {
 
 /// Makes a piece of the candidate, which may change what it is worth: that is measured again. False: it is given up.
 bool Collage::settle(Candidate& candidate) {
-  if (!settling_.settle(candidate.shape, context_.stances[candidate.stance].poses, candidate.canvas_from_shape)) return false;
+  const PoseRange& poses = context_.stances[candidate.stance].poses;
+  if (!settling_.settle(candidate.shape, poses, candidate.canvas_from_shape)) return false;
+  candidate.canvas_from_shape = free_.grid().period().wrapped(candidate.canvas_from_shape);
   candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context_);
   const ExactAreas areas = check_exactly(candidate);
   return scoring_.acceptable(candidate) && scoring_.overlaps_little(candidate, areas);
 }
 
+/// Where the canvas repeats both ways there is no boundary until a piece stands: the first is any shape, large and as
+/// upright as it may be, in the middle.
+bool Collage::choose_first(Candidate& first) {
+  const Window& nodes = free_.grid().one_period();
+  const Vec2 middle_px = free_.field().origin + Vec2{0.5f * float(nodes.x0 + nodes.x1), 0.5f * float(nodes.y0 + nodes.y1)};
+  const StanceTable& stances = context_.stances;
+  float scale_px = context_.max_scale_px;
+  for (std::uint64_t draw = 0; draw < kFirstPieceDraws && stances.open_shapes() > 0; ++draw) {
+    const std::uint64_t random = mix_bits(settings_.seed ^ mix_bits(kFirstPiece ^ (draw << 32)));
+    first = {};
+    first.shape = stances.open_shape(std::uint32_t(((random >> 32) * stances.open_shapes()) >> 32));
+    first.stance = stances.list(first.shape).first;
+    const PoseRange& poses = stances[first.stance].poses;
+    const Vec2 along = poses.rotations.middle * scale_px;
+    first.canvas_from_shape = {along.x, along.y, middle_px.x, middle_px.y};
+    poses.pull_in(first.canvas_from_shape);
+    if (settling_.settle(first.shape, poses, first.canvas_from_shape)) return true;
+    scale_px = std::max(settings_.pieces.min_scale_px, kFirstPieceShrink * scale_px);
+  }
+  return false;
+}
+
 /// Settling may cost a candidate its place: it is the best only if no other is worth more before its own.
 bool Collage::choose(Candidate& best) {
+  if (placements_.empty() && free_.grid().period().repeats_both_ways()) return choose_first(best);
   for (;;) {
     std::vector<Pool::Ranked> ranked = finalists();
     for (Pool::Ranked& r : ranked) {

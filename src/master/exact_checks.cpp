@@ -24,7 +24,7 @@ void ExactChecks::compute_ahead(const Candidate& candidate) {
 }
 
 void ExactChecks::forget(const Window& changed) {
-  std::erase_if(ahead_, [&](const auto& entry) { return entry.second.window.overlaps(changed); });
+  std::erase_if(ahead_, [&](const auto& entry) { return free_.grid().overlap(changed, entry.second.window); });
 }
 
 }  // namespace tessera::master

@@ -106,8 +106,10 @@ void Filling::place(const Candidate& best) {
 }
 
 void Filling::send_changes() {
-  const Window changed = collage_.take_changed_nodes();
-  if (!changed.empty()) matcher_.update_field(read_patch(collage_.free().field().value, changed));
+  const FreeField& free = collage_.free();
+  for (const Window& part : free.grid().images(collage_.take_changed_nodes(), free.grid().nodes())) {
+    matcher_.update_field(read_patch(free.field().value, part));
+  }
 }
 
 }  // namespace tessera::master

@@ -14,11 +14,13 @@ constexpr std::uint64_t kRuin = 0x7275696e;  // keeps these random numbers apart
 constexpr std::uint32_t kPassesPerTrial = 4;
 
 /// A point in a gap; every free px is as likely. False where there is hardly any.
-bool find_gap(const CanvasField& field, std::uint64_t random, Vec2& gap) {
+bool find_gap(const FreeField& free, std::uint64_t random, Vec2& gap) {
+  const CanvasField& field = free.field();
+  const Window& nodes = free.grid().one_period();
   for (int draw = 0; draw < kGapDraws; ++draw) {
     random = mix_bits(random);
-    const int x = int(((random >> 32) * std::uint64_t(field.value.width())) >> 32);
-    const int y = int(((random & 0xffffffffull) * std::uint64_t(field.value.height())) >> 32);
+    const int x = nodes.x0 + int(((random >> 32) * std::uint64_t(nodes.width())) >> 32);
+    const int y = nodes.y0 + int(((random & 0xffffffffull) * std::uint64_t(nodes.height())) >> 32);
     if (field.value(x, y) < kGapDepth_px) continue;
     gap = field.origin + Vec2{float(x), float(y)};
     return true;
@@ -43,7 +45,8 @@ std::vector<std::size_t> RuinAndRecreate::small_pieces_near(Vec2 gap_px) const {
   for (std::size_t i = 0; i < placements.size(); ++i) {
     const Similarity& pose = placements[i].canvas_from_shape;
     if (pose.scale() > most_scale_px_) continue;
-    nearest.emplace_back(norm(pose.translation() - gap_px) - kDiscRadius * pose.scale(), i);
+    const Vec2 gap = collage_.free().grid().period().nearest(gap_px, pose.translation());
+    nearest.emplace_back(norm(pose.translation() - gap) - kDiscRadius * pose.scale(), i);
   }
   const std::size_t count = std::min<std::size_t>(nearest.size(), kRuinedLookedAt);
   std::partial_sort(nearest.begin(), nearest.begin() + std::ptrdiff_t(count), nearest.end());
@@ -55,7 +58,7 @@ std::vector<std::size_t> RuinAndRecreate::small_pieces_near(Vec2 gap_px) const {
 std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
   std::vector<Placement> left = collage_.placements();
   Vec2 gap_px;
-  if (!find_gap(collage_.free().field(), random, gap_px)) return left;
+  if (!find_gap(collage_.free(), random, gap_px)) return left;
   std::vector<std::pair<float, std::size_t>> nearest;
   for (const std::size_t i : small_pieces_near(gap_px)) {
     nearest.emplace_back(collage_.distance_px(left[i], gap_px), i);

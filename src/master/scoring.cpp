@@ -7,10 +7,11 @@
 
 namespace tessera::master {
 
-Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances)
+Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, const Period& period)
     : pieces_(settings.pieces),
       wishes_(settings.wishes),
       objective_(settings.objective),
+      period_(period),
       poses_(stances.library_shapes()) {
   for (const Stance& stance : stances.stances()) weight_.push_back(stance.weight);
 }
@@ -58,7 +59,8 @@ float Scoring::preference(const Candidate& candidate) const {
   const float radius = candidate.radius + kNearTwinReach;
   for (const Similarity& pose : placed) {
     const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
-    const Vec2 apart = pose.translation() - candidate.canvas_from_shape.translation();
+    const Vec2 centre = candidate.canvas_from_shape.translation();
+    const Vec2 apart = period_.nearest(pose.translation(), centre) - centre;
     if (dot(apart, apart) < near * near) factor *= objective_.near_twin_factor;
   }
   return factor;

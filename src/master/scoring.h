@@ -7,6 +7,7 @@
 #include "core/collage/exact_terms.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
+#include "core/geometry/period.h"
 #include "core/matching/stances.h"
 #include "core/settings.h"
 
@@ -14,7 +15,8 @@ namespace tessera::master {
 
 class Scoring {
  public:
-  Scoring(const CollageSettings& settings, const StanceTable& stances);
+  /// `period` is that of the canvas: copies across a seam are near, too.
+  Scoring(const CollageSettings& settings, const StanceTable& stances, const Period& period = {});
 
   /// A piece of this placement stands from now on.
   void count(const Placement& placement);
@@ -40,6 +42,7 @@ class Scoring {
   Wishes wishes_;
   std::vector<float> weight_;  // by stance
   ObjectiveSettings objective_;
+  Period period_;
   std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
 };
 

@@ -116,6 +116,38 @@ TEST(PlacedOutlines, WithPaddingEachNeighbourThatIsTooNearIsAConflict) {
   }));
 }
 
+/// Beside the images of pieces, too: the scene repeats every 200 px.
+TEST(PlacedOutlines, NeighboursAcrossASeamAreConflicts) {
+  const Canvas canvas = make_seamless_canvas(200, 200, true, true);
+  EXPECT_TRUE(rc::check([&] {
+    const FreeField free(canvas, padded_by(kPadding_px));
+    PlacedOutlines outlines(free, padded_by(kPadding_px));
+    const auto shape = any_shape();
+    const Similarity there = canvas.period.wrapped(any_pose(200, 30));
+    outlines.add({ShapeId{shape}, there, 1, 1}, shapes()[shape].outline);
+    const auto other = any_shape();
+    const Similarity where = canvas.period.wrapped(any_pose(200, 30));
+    const Outline piece = placed_outline(shapes()[other].outline, where);
+    std::size_t too_near = 0;
+    for (const Vec2 offset : canvas.period.offsets()) {
+      const double distance =
+          test::polygon_distance(piece, placed_outline(shapes()[shape].outline, tessera::moved(there, offset)));
+      RC_PRE(std::abs(distance - kNeeded_px) > kRounding_px);
+      too_near += distance < kNeeded_px;
+    }
+    RC_TAG(too_near);
+    RC_ASSERT(outlines.conflicts(shapes()[other], where).size() == too_near);
+  }));
+}
+
+TEST(PlacedOutlines, APieceThatReachesItsOwnImageHasNoWayOut) {
+  const FreeField free(make_seamless_canvas(80, 300, true, false), padded_by(4));
+  const PlacedOutlines outlines(free, padded_by(4));
+  EXPECT_TRUE(outlines.conflicts(square(), pose(75, 0, {40, 150})).empty());
+  EXPECT_EQ(outlines.conflicts(square(), pose(77, 0, {40, 150})), std::vector<Vec2>{Vec2{}});
+  EXPECT_TRUE(outlines.conflicts(square(), pose(290, 0, {40, 150})).size() > 0);
+}
+
 TEST(PlacedOutlines, TheWayOutLeadsAwayByWhatIsMissing) {
   EXPECT_TRUE(rc::check([] {
     Scene scene(kPadding_px);

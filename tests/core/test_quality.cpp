@@ -68,6 +68,38 @@ TEST(Quality, OutsideOfTheCanvasIsNotCoverage) {
   EXPECT_EQ(q.overlap, 0);
 }
 
+TEST(Quality, NothingIsOutsideAcrossASeam) {
+  const Quality corner = measure(make_seamless_canvas(100, 100, true, true), {at(kSquare, 40, {99, 2})});
+  EXPECT_NEAR(corner.coverage, 0.16, 1e-3);
+  EXPECT_EQ(corner.outside, 0);
+  EXPECT_EQ(corner.overlap, 0);
+  const Quality side = measure(make_seamless_canvas(100, 100, true, false), {at(kSquare, 40, {100, 0})});
+  EXPECT_NEAR(side.coverage, 0.08, 1e-3);
+  EXPECT_NEAR(side.outside, 0.08, 1e-3);
+}
+
+TEST(Quality, PiecesOverlapAcrossASeam) {
+  const Quality q = measure(make_seamless_canvas(100, 100, true, false),
+                            {at(kSquare, 40, {5, 50}), at(kSquare, 40, {85, 50})});
+  EXPECT_NEAR(q.coverage, 0.24, 1e-3);
+  EXPECT_NEAR(q.overlap, 0.08, 1e-3);
+}
+
+/// 1 px apart: one side of four of each, and a little of those that meet it.
+TEST(Quality, BoundariesAreSharedAcrossASeam) {
+  const std::vector<Placement> apart_by_one{at(kSquare, 40, {2, 100}), at(kSquare, 40, {161, 100})};
+  EXPECT_NEAR(measure(make_seamless_canvas(200, 200, true, false), apart_by_one).shared_boundary, 43 / 160., 0.02);
+  EXPECT_EQ(measure(make_seamless_canvas(220, 200, true, false), apart_by_one).shared_boundary, 0);
+}
+
+/// Between a square and its images: a disc round the corner of the period touches four corners of squares, with one seam
+/// alone it lies between two sides.
+TEST(Quality, AGapGoesOnAcrossASeam) {
+  const std::vector<Placement> square{at(kSquare, 40, {50, 50})};
+  EXPECT_NEAR(measure(make_seamless_canvas(100, 100, true, true), square).largest_gap_px, 30 * std::sqrt(2.), 0.5);
+  EXPECT_NEAR(measure(make_seamless_canvas(100, 100, true, false), square).largest_gap_px, 30, 0.5);
+}
+
 TEST(Quality, HolesOfACanvasAreOutside) {
   Grid<float> mask(200, 200, 1.f);
   for (int y = 80; y < 120; ++y) std::fill(mask.row(y) + 80, mask.row(y) + 120, 0.f);

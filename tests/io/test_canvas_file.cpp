@@ -145,6 +145,46 @@ TEST_F(CanvasFile, large_canvases_fit_into_the_memory_of_a_drawing) {
   EXPECT_NEAR(double(canvas.area_px2) / (4096. * 4096), 3.1416 * 20 * 20 / 2500, 0.001);
 }
 
+TEST_F(CanvasFile, a_seamless_rectangle_has_no_edge_at_its_seams) {
+  for (const Seamless seamless : {Seamless::none, Seamless::x, Seamless::y, Seamless::both}) {
+    const Canvas canvas = load_canvas({.width_px = 120, .height_px = 80, .file = "", .seamless = seamless});
+    const bool in_x = seamless == Seamless::x || seamless == Seamless::both;
+    const bool in_y = seamless == Seamless::y || seamless == Seamless::both;
+    EXPECT_EQ(canvas.period, (Period{in_x ? 120 : 0, in_y ? 80 : 0}));
+    EXPECT_EQ(distance_at(canvas, 1, 40) > 30, in_x);
+    EXPECT_EQ(distance_at(canvas, 60, 79) > 30, in_y);
+    EXPECT_EQ(canvas.area_px2, 120 * 80);
+  }
+}
+
+TEST_F(CanvasFile, and_seamless_exclude_each_other) {
+  const std::string file = svg("<circle r=\"20\" cx=\"25\" cy=\"25\"/>", "width=\"50\" height=\"50\"");
+  EXPECT_EQ(mistake({.width_px = 100, .height_px = 100, .file = file, .seamless = Seamless::y}),
+            "canvas.seamless: found \"y\" with the canvas.file " + file +
+                ", allowed with a file: \"none\", as only a rectangle goes on across its edges");
+}
+
+TEST(SeamlessCanvas, with_its_images_is_no_larger_than_a_canvas_may_be) {
+  const PieceSettings pieces{.min_scale_px = 20, .max_scale_px = 160};
+  EXPECT_NO_THROW(check_images(make_seamless_canvas(9000, 9000, true, true), pieces));
+  EXPECT_THROW(check_images(make_seamless_canvas(9900, 9900, true, true), pieces), InputError);
+  EXPECT_NO_THROW(check_images(make_rectangle_canvas(10000, 10000), pieces));
+}
+
+TEST(PictureHeight, of_canvases_that_go_on_downwards_is_whole) {
+  const OutputSpec output{.width_px = 1000, .background = "#000000"};
+  EXPECT_NO_THROW(check_picture_height(output, make_seamless_canvas(1200, 600, true, true)));
+  EXPECT_NO_THROW(check_picture_height(output, make_seamless_canvas(1200, 500, true, false)));
+  try {
+    check_picture_height(output, make_seamless_canvas(1200, 500, false, true));
+    FAIL() << "416.67 px";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "output.width_px: found 1000, which makes collage.png 416.67 px high; allowed for a canvas that is "
+                 "seamless from top to bottom: a multiple of 12");
+  }
+}
+
 TEST(PictureHeight, of_narrow_canvases_limits_the_width) {
   const OutputSpec output{.width_px = 2000, .background = "#000000"};
   EXPECT_NO_THROW(check_picture_height(output, make_rectangle_canvas(16, 160)));

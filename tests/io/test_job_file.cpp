@@ -201,7 +201,8 @@ INSTANTIATE_TEST_SUITE_P(
     WrongTypeOrRange, RefusedValue,
     testing::Values("canvas.size_px = 1000", "canvas.size_px = [1000]", "canvas.size_px = [10.5, 1000]",
                     "canvas.size_px = [15, 1000]", "canvas.size_px = [20001, 1000]", "canvas.size_px = [20000, 20000]",
-                    "canvas.size_px = [\"a\", 1000]", "canvas.file = 3", "canvas.file = \"a\\u0000b\"",
+                    "canvas.size_px = [\"a\", 1000]", "canvas.file = 3", "canvas.seamless = \"X\"",
+                    "canvas.seamless = true", "canvas.file = \"a\\u0000b\"",
                     "library.file = true", "library.file = [\"a\", \"b\"]", "pieces.scale_px = []",
                     "pieces.scale_px = [30, 20]", "pieces.scale_px = [[20, 30, 40]]", "pieces.scale_px = [[]]",
                     "pieces.scale_px = [1, 20]", "pieces.scale_px = [20, 1e9]", "pieces.scale_px = [nan, 20]",
@@ -272,11 +273,12 @@ TEST_F(JobFile, overrides_win_and_the_last_one_most) {
 }
 
 TEST_F(JobFile, overrides_need_no_quotes) {
-  const Job job = load(minimal_, {"devices.use=0,2", "output.background=#102030", "objective.kind=paper",
+  const Job job = load(minimal_, {"devices.use=0,2", "output.background=#102030", "objective.kind=paper", "canvas.seamless=y",
                                   "library.file=\"a b.h5\""});
   EXPECT_EQ(job.devices, "0,2");
   EXPECT_EQ(job.output.background, "#102030");
   EXPECT_EQ(job.settings.objective.kind, Objective::paper);
+  EXPECT_EQ(job.canvas.seamless, Seamless::y);
   EXPECT_EQ(job.library, std::filesystem::current_path() / "a b.h5");
 }
 

@@ -58,6 +58,35 @@ TEST(Png, ArtworkLiesWhereItIsPlaced) {
   EXPECT_EQ(at(picture, 200, 58), kBackground);
 }
 
+/// The pictures of a collage and of the same one, half a period further on, are one pattern.
+TEST(Png, ASeamlessCollageShowsPiecesAtBothEndsOfASeam) {
+  const auto with_pieces_at = [](Vec2 shift, cv::Mat& picture, std::string& svg) {
+    OneSquare sample(0.3f);
+    sample.canvas = make_seamless_canvas(200, 100, true, true);
+    sample.report.placements.clear();
+    for (const Vec2 centre : {Vec2{195, 50}, Vec2{3, 97}, Vec2{100, 2}, Vec2{60, 50}}) {
+      const Vec2 at = sample.canvas.period.wrapped(centre + shift);
+      sample.place(ShapeId{7}, 40, at, 0.3f);
+    }
+    picture = drawn_picture(sample.report);
+    svg = test::drawn_svg(sample.report);
+  };
+  cv::Mat here, there, difference;
+  std::string svg;
+  with_pieces_at({0, 0}, here, svg);
+  std::size_t uses = 0;
+  for (std::size_t at = svg.find("<use "); at != std::string::npos; at = svg.find("<use ", at + 1)) ++uses;
+  EXPECT_EQ(uses, 2u + 4u + 2u + 1u);
+  with_pieces_at({100, 50}, there, svg);
+  cv::Mat tiles;
+  cv::repeat(there, 2, 2, tiles);
+  cv::absdiff(here, tiles(cv::Rect(200, 100, 400, 200)), difference);
+  double most = 0;
+  cv::minMaxLoc(difference.reshape(1), nullptr, &most);
+  EXPECT_LE(most, 2);
+  EXPECT_NE(at(here, 1, 100), kBackground) << "of the square at the right end";
+}
+
 TEST(Png, RotationTurnsFromXToY) {
   const OneSquare sample(std::numbers::pi_v<float> / 2);
   const cv::Mat picture = drawn_picture(sample.report);

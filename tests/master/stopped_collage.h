@@ -59,11 +59,12 @@ class KeepLatest : public CheckpointKeeper {
   CheckpointState latest;
 };
 
-inline CollageResult run(const CollageSettings& s, const Cuts& cuts, Observer& observer, const Checkpoints& checkpoints = {}) {
+inline CollageResult run(const CollageSettings& s, const Cuts& cuts, Observer& observer,
+                         const Checkpoints& checkpoints = {}, const Canvas& canvas = stopped_collage::canvas()) {
   const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
   CompositeMatcher matcher = test::divided_matcher(library(), context, cuts);
   test::VectorShapes shapes(library());
-  return make_collage(canvas(), s, matcher, shapes, observer, checkpoints);
+  return make_collage(canvas, s, matcher, shapes, observer, checkpoints);
 }
 
 }  // namespace tessera::master::stopped_collage

@@ -13,13 +13,19 @@ namespace {
 
 using namespace whole_collage;
 
+/// With edges, and without.
+const std::vector<Canvas>& canvases() {
+  static const std::vector<Canvas> both = {make_rectangle_canvas(300, 220), make_seamless_canvas(300, 220, true, true)};
+  return both;
+}
+
 /// Rounds by hand, with or without checking ahead while the matcher would count.
-std::vector<Placement> placed_in_rounds(int rounds, bool checking_ahead) {
+std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool checking_ahead) {
   const CollageSettings s = settings();
   const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
   CompositeMatcher matcher = test::divided_matcher(library(), context, {});
   test::VectorShapes shapes(library());
-  Collage collage(make_rectangle_canvas(300, 220), s, context, shapes);
+  Collage collage(canvas, s, context, shapes);
   const CanvasField& field = collage.free().field();
   matcher.start_field(field.value.width(), field.value.height(), field.origin);
   RunStatistics statistics;
@@ -71,41 +77,70 @@ TEST(Rounds, ASettledPieceIsScoredWhereItEnds) {
 }
 
 TEST(Rounds, CheckingAheadChangesNothing) {
-  const std::vector<Placement> expected = placed_in_rounds(14, false);
-  EXPECT_GT(expected.size(), 10u);
-  EXPECT_EQ(placed_in_rounds(14, true), expected);
+  for (const Canvas& canvas : canvases()) {
+    const std::vector<Placement> expected = placed_in_rounds(canvas, 14, false);
+    EXPECT_GT(expected.size(), 10u);
+    EXPECT_EQ(placed_in_rounds(canvas, 14, true), expected);
+  }
+}
+
+/// Across a seam, too, a piece changes what the candidates beside it are worth. Bringing them into one period rounds their
+/// poses, and now and then the contact of a boundary point with it.
+TEST(Rounds, ASeamlessCollageMeasuresWhatEachPieceTouches) {
+  test::RoundsByHand rounds(canvases()[1], settings(), library());
+  test::VectorShapes shapes(library());
+  Collage& collage = rounds.collage();
+  int candidates = 0;
+  int outdated = 0;
+  Candidate best;
+  for (int round = 0; round < 12 && rounds.choose(best); ++round) {
+    const Window changed = collage.place(best);
+    collage.rescore(changed, rounds.measure(changed));
+    for (const PooledSample& sample : rounds.state().pool) {
+      for (const Candidate& c : sample.candidates) {
+        const DockingTerms now =
+            docking_terms(c.canvas_from_shape, shapes.model(c.shape), collage.free().view(), rounds.context());
+        EXPECT_EQ(canvases()[1].period.wrapped(c.canvas_from_shape), c.canvas_from_shape);
+        ++candidates;
+        outdated += std::abs(now.matched_px - c.terms.matched_px) > 2 || std::abs(now.overlap_px2 - c.terms.overlap_px2) > 5;
+      }
+    }
+  }
+  EXPECT_GT(candidates, 500);
+  EXPECT_LE(outdated, candidates / 200);
 }
 
 /// A collage that went there and back is as if it had never gone: the same field, the same samples.
 TEST(Rounds, PiecesTakenOutAndPutBackLeaveNoTrace) {
-  const Canvas canvas = make_rectangle_canvas(300, 220);
-  const CollageSettings s = settings();
-  const std::vector<Placement> placements = run(canvas, s).placements;
-  test::VectorShapes shapes(library());
-  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
-  Collage fresh(canvas, s, context, shapes);
-  fresh.replace_placements(placements);
-  Collage worn(canvas, s, context, shapes);
-  worn.replace_placements(placements);
-  for (std::size_t i = 0; i < placements.size(); i += 3) {
-    std::vector<Placement> fewer = placements;
-    fewer.erase(fewer.begin() + std::ptrdiff_t(i));
-    worn.replace_placements(fewer);
+  for (const Canvas& canvas : canvases()) {
+    const CollageSettings s = settings();
+    const std::vector<Placement> placements = run(canvas, s).placements;
+    test::VectorShapes shapes(library());
+    const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+    Collage fresh(canvas, s, context, shapes);
+    fresh.replace_placements(placements);
+    Collage worn(canvas, s, context, shapes);
     worn.replace_placements(placements);
-  }
-  EXPECT_EQ(worn.free().free_256ths_px2(), fresh.free().free_256ths_px2());
-  EXPECT_EQ(worn.free().field().value.data(), fresh.free().field().value.data());
-  const Window all = canvas.distance.value.bounds();
-  fresh.mark_stale(all);
-  worn.mark_stale(all);
-  const std::vector<TargetSample> expected = fresh.take_stale_samples();
-  const std::vector<TargetSample> found = worn.take_stale_samples();
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    EXPECT_EQ(found[k].id, expected[k].id);
-    EXPECT_EQ(found[k].position, expected[k].position);
-    EXPECT_EQ(found[k].tangent, expected[k].tangent);
-    EXPECT_EQ(found[k].pyramid, expected[k].pyramid);
+    for (std::size_t i = 0; i < placements.size(); i += 3) {
+      std::vector<Placement> fewer = placements;
+      fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+      worn.replace_placements(fewer);
+      worn.replace_placements(placements);
+    }
+    EXPECT_EQ(worn.free().free_256ths_px2(), fresh.free().free_256ths_px2());
+    EXPECT_EQ(worn.free().field().value.data(), fresh.free().field().value.data());
+    const Window all = fresh.free().grid().nodes();
+    fresh.mark_stale(all);
+    worn.mark_stale(all);
+    const std::vector<TargetSample> expected = fresh.take_stale_samples();
+    const std::vector<TargetSample> found = worn.take_stale_samples();
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].id, expected[k].id);
+      EXPECT_EQ(found[k].position, expected[k].position);
+      EXPECT_EQ(found[k].tangent, expected[k].tangent);
+      EXPECT_EQ(found[k].pyramid, expected[k].pyramid);
+    }
   }
 }
 

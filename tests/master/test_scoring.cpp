@@ -103,6 +103,14 @@ TEST(Scoring, NearTwinsCostMore) {
   EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {100 + reach_px - 1, 100})), 0.25f);
 }
 
+TEST(Scoring, NearTwinsAreNearAcrossASeam) {
+  Scoring scoring(settings(), StanceTable(settings(), 5), {300, 0});
+  scoring.count(placement_at(kShape, 20, {10, 100}));
+  EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {290, 100})), 0.25f);
+  EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {150, 100})), 0.5f);
+  EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {10, 390})), 0.5f) << "no seam that way";
+}
+
 TEST(Scoring, WhatOverlapsMuchOrTouchesNothingIsNotAcceptable) {
   const Scoring scoring = scoring_of(settings());
   Candidate c = candidate_at(20, {100, 100});

@@ -141,11 +141,23 @@ bool PlacedOutlines::too_near_the_edge(const PolygonIndex& piece, Vec2& way) con
   return worst < needed_px_;
 }
 
-std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity& canvas_from_shape) const {
-  const PolygonIndex piece(placed_outline(shape.outline, canvas_from_shape));
+bool PlacedOutlines::any_near(const Box& piece) const {
+  return std::any_of(placed_.begin(), placed_.end(), [&](const Placed& placed) {
+    return near(piece, placed.outline->box(), std::max(needed_px_, 0.f));
+  });
+}
+
+/// By its box: a piece that is longer than the period stands nowhere, even where it could pass its own image.
+bool PlacedOutlines::reaches_itself(const Box& piece) const {
+  const Period& period = free_.grid().period();
+  return (period.x_px > 0 && piece.width() + needed_px_ > float(period.x_px)) ||
+         (period.y_px > 0 && piece.height() + needed_px_ > float(period.y_px));
+}
+
+void PlacedOutlines::add_neighbours(const Shape& shape, const Similarity& canvas_from_shape, const PolygonIndex& piece,
+                                    std::vector<Vec2>& ways) const {
   const PieceDistance distance(shape, canvas_from_shape, 0);
   const FieldView free = free_.view();
-  std::vector<Vec2> ways;
   Vec2 way;
   for (const Placed& placed : placed_) {
     const PolygonIndex& other = *placed.outline;
@@ -160,6 +172,19 @@ std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity
     if (deepest_vertex(piece, other, limit, in_others, way)) ways.push_back(way);
     if (deepest_vertex(other, piece, limit, in_piece, way)) ways.push_back(way * -1.f);
   }
+}
+
+std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity& canvas_from_shape) const {
+  const PolygonIndex piece(placed_outline(shape.outline, canvas_from_shape));
+  std::vector<Vec2> ways;
+  add_neighbours(shape, canvas_from_shape, piece, ways);
+  for (const Vec2 offset : free_.grid().period().offsets()) {
+    if (offset == Vec2{} || !any_near({piece.box().low + offset, piece.box().high + offset})) continue;
+    const Similarity image = moved(canvas_from_shape, offset);
+    add_neighbours(shape, image, PolygonIndex(placed_outline(shape.outline, image)), ways);
+  }
+  if (reaches_itself(piece.box())) ways.push_back({});
+  Vec2 way;
   if (too_near_the_edge(piece, way)) ways.push_back(way);
   return ways;
 }

@@ -26,7 +26,7 @@ class PlacedOutlines {
   void replace(const std::vector<Placement>& placements, ShapeSource& shapes);
 
   /// For each neighbour that the piece comes too near to, and for the canvas' edge, the way (px) by which it would have
-  /// to move away. With padding_px, two polygons are at least so far apart, exactly; without, no vertex of one lies
+  /// to move away; no way, (0, 0), where it is larger than the period of a seamless canvas. With padding_px, two polygons are at least so far apart, exactly; without, no vertex of one lies
   /// deeper than kHardDepth_px in the other. Where the list is empty, the piece may stand.
   std::vector<Vec2> conflicts(const Shape& shape, const Similarity& canvas_from_shape) const;
 
@@ -35,6 +35,10 @@ class PlacedOutlines {
     Placement placement;
     std::shared_ptr<const PolygonIndex> outline;
   };
+  void add_neighbours(const Shape& shape, const Similarity& canvas_from_shape, const PolygonIndex& piece,
+                      std::vector<Vec2>& ways) const;
+  bool any_near(const Box& piece) const;
+  bool reaches_itself(const Box& piece) const;
   bool too_near(const PolygonIndex& piece, const PolygonIndex& other, Vec2& way) const;
   bool too_near_the_edge(const PolygonIndex& piece, Vec2& way) const;
 

@@ -7,6 +7,7 @@
 #include "core/collage/shared_boundary.h"
 #include "core/field/field_lookup.h"
 #include "core/geometry/distance_transform.h"
+#include "core/geometry/periodic_grid.h"
 #include "core/geometry/rasterise.h"
 
 namespace tessera {
@@ -38,12 +39,15 @@ Outline in_canvas_frame(const Outline& outline, const Similarity& canvas_from_sh
   return placed;
 }
 
-/// The canvas, with a rim that is no region, and all pieces.
+/// The canvas, with a rim that is no region, and all pieces; where it is seamless, one period.
 Window counted_cells(const Canvas& canvas, const std::vector<Outline>& pieces_px, const Similarity& cells_from_canvas) {
   const int n = int(cells_from_canvas.a);
-  Window all = Window{0, 0, canvas.width_px * n, canvas.height_px * n}.grown(1);
+  const Window own{0, 0, canvas.width_px * n, canvas.height_px * n};
+  Window all = own.grown(1);
   for (const Outline& piece : pieces_px) all = all.united(bounding_window(piece, cells_from_canvas));
-  return all;
+  const Window& columns = canvas.period.x_px > 0 ? own : all;
+  const Window& rows = canvas.period.y_px > 0 ? own : all;
+  return {columns.x0, rows.y0, columns.x1, rows.y1};
 }
 
 void count_piece(const Outline& piece_px, const Similarity& cells_from_canvas, CellCounts& counts) {
@@ -71,7 +75,11 @@ CellCounts count_cells(const Canvas& canvas, const std::vector<Outline>& pieces_
   counts.cells = counted_cells(canvas, pieces_px, cells_from_canvas);
   counts.pieces = Grid<std::uint8_t>(counts.cells.width(), counts.cells.height(), 0);
   counts.region = Grid<std::uint8_t>(counts.cells.width(), counts.cells.height(), 0);
-  for (const Outline& piece : pieces_px) count_piece(piece, cells_from_canvas, counts);
+  for (const Outline& piece : pieces_px) {
+    for (const Vec2 offset : canvas.period.offsets()) {
+      count_piece(piece, moved(cells_from_canvas, offset * float(counts.per_px)), counts);
+    }
+  }
   mark_region(canvas, counts);
   return counts;
 }
@@ -93,24 +101,36 @@ void measure_areas(const CellCounts& counts, double canvas_area_px2, Quality& qu
   quality.outside = double(outside) / cells;
 }
 
+/// The cells among which gaps are looked for.
+Window gap_cells(const CellCounts& counts, const Period& period) {
+  const int beyond_x = period.x_px * counts.per_px / 2;
+  const int beyond_y = period.y_px * counts.per_px / 2;
+  return {-beyond_x, -beyond_y, counts.cells.width() + beyond_x, counts.cells.height() + beyond_y};
+}
+
 /// Every `step`-th cell both ways: enough for a distance, and 4 to 16 times less to transform.
-int gap_step(const CellCounts& counts) {
-  int step = std::max(1, counts.per_px / 2);
-  while (counts.cells.width() / step * std::size_t(counts.cells.height() / step) > kMaxGapNodes ||
-         (counts.cells.width() + counts.cells.height()) / step + 2 > kMaxGapSides) {
+int gap_step(const Window& cells, int per_px) {
+  int step = std::max(1, per_px / 2);
+  while (cells.width() / step * std::size_t(cells.height() / step) > kMaxGapNodes ||
+         (cells.width() + cells.height()) / step + 2 > kMaxGapSides) {
     ++step;
   }
   return step;
 }
 
-double largest_gap_px(const CellCounts& counts) {
-  const int step = gap_step(counts);
+double largest_gap_px(const CellCounts& counts, const Period& period) {
+  const Window cells = gap_cells(counts, period);
+  const int step = gap_step(cells, counts.per_px);
+  const PeriodicGrid images(counts.region.bounds(), counts.region.bounds(),
+                            {period.x_px * counts.per_px, period.y_px * counts.per_px});
   // One node more on every side, never free: the rim of one cell may fall between the nodes.
-  Grid<std::uint8_t> taken(counts.cells.width() / step + 2, counts.cells.height() / step + 2, 1);
+  Grid<std::uint8_t> taken(cells.width() / step + 2, cells.height() / step + 2, 1);
   bool any_free = false;
   for (int y = 1; y + 1 < taken.height(); ++y) {
+    const int row = images.row(cells.y0 + (y - 1) * step);
     for (int x = 1; x + 1 < taken.width(); ++x) {
-      const bool free = counts.region((x - 1) * step, (y - 1) * step) && !counts.pieces((x - 1) * step, (y - 1) * step);
+      const int column = images.column(cells.x0 + (x - 1) * step);
+      const bool free = counts.region(column, row) && !counts.pieces(column, row);
       taken(x, y) = !free;
       any_free |= free;
     }
@@ -157,7 +177,7 @@ Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& plac
   quality.pieces = placements.size();
   quality.distinct_shapes = count_distinct_shapes(placements);
   quality.scale_px_quantiles = scale_quantiles(placements);
-  quality.largest_gap_px = largest_gap_px(counts);
+  quality.largest_gap_px = largest_gap_px(counts, canvas.period);
   return quality;
 }
 

@@ -25,7 +25,8 @@ struct Quality {
 };
 
 /// `shape(i)` gives library shape i with its outline. Areas are counted on cells of a quarter px (of half or a whole px
-/// on canvases above 4 and 16 Mpx); the boundary is sampled every half px.
+/// on canvases above 4 and 16 Mpx); the boundary is sampled every half px. On a seamless canvas all of it is said of one
+/// period, and of gaps no more is seen than half a period on each side of it.
 Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& placements,
                         const std::function<const Shape&(ShapeId)>& shape);
 

@@ -14,6 +14,7 @@ constexpr float kSpacing_px = 0.5f;  // of boundary samples; misjudges a distanc
 struct BoundarySample {
   Vec2 position_px;
   std::uint32_t piece;
+  bool image = false;  // of one on the other side of a seam: near to others, but no part of the boundary by itself
 };
 
 void append_curve(const std::vector<Vec2>& curve_px, std::uint32_t piece, std::vector<BoundarySample>& samples) {
@@ -25,6 +26,21 @@ void append_curve(const std::vector<Vec2>& curve_px, std::uint32_t piece, std::v
     float at = until_next;
     for (; at < length; at += kSpacing_px) samples.push_back({p + edge * (at / length), piece});
     until_next = at - length;
+  }
+}
+
+/// Brings the samples into the first period, and adds the images that lie within reach of it.
+void cross_seams(const Canvas& canvas, float reach_px, std::vector<BoundarySample>& samples) {
+  const float far_x = float(canvas.width_px) + reach_px;
+  const float far_y = float(canvas.height_px) + reach_px;
+  for (BoundarySample& s : samples) s.position_px = canvas.period.wrapped(s.position_px);
+  const std::size_t count = samples.size();
+  for (const Vec2 offset : canvas.period.offsets()) {
+    if (offset == Vec2{}) continue;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 p = samples[i].position_px + offset;
+      if (p.x > -reach_px && p.x < far_x && p.y > -reach_px && p.y < far_y) samples.push_back({p, samples[i].piece, true});
+    }
   }
 }
 
@@ -87,14 +103,16 @@ class SampleGrid {
 }  // namespace
 
 double shared_boundary_fraction(const Canvas& canvas, const std::vector<Outline>& pieces_px, float reach_px) {
-  const std::vector<BoundarySample> samples = sample_boundaries(pieces_px);
+  std::vector<BoundarySample> samples = sample_boundaries(pieces_px);
   if (samples.empty()) return 0;
+  const std::size_t count = samples.size();
+  cross_seams(canvas, reach_px, samples);
   const SampleGrid grid(canvas, samples, reach_px);
   const FieldView edge(canvas.distance);
   const auto shared = [&](const BoundarySample& s) {
-    return std::abs(field_value(edge, s.position_px)) <= reach_px || grid.another_piece_near(s);
+    return !s.image && (std::abs(field_value(edge, s.position_px)) <= reach_px || grid.another_piece_near(s));
   };
-  return double(std::count_if(samples.begin(), samples.end(), shared)) / double(samples.size());
+  return double(std::count_if(samples.begin(), samples.end(), shared)) / double(count);
 }
 
 }  // namespace tessera

@@ -19,18 +19,23 @@ Canvas empty_canvas(int width_px, int height_px) {
 }  // namespace
 
 Canvas make_rectangle_canvas(int width_px, int height_px) {
+  return make_seamless_canvas(width_px, height_px, false, false);
+}
+
+Canvas make_seamless_canvas(int width_px, int height_px, bool in_x, bool in_y) {
   Canvas canvas = empty_canvas(width_px, height_px);
   Grid<float>& d = canvas.distance.value;
   for (int j = 0; j < d.height(); ++j) {
     for (int i = 0; i < d.width(); ++i) {
       const float x = canvas.distance.origin.x + float(i);
       const float y = canvas.distance.origin.y + float(j);
-      const float dx = std::min(x, float(width_px) - x);
-      const float dy = std::min(y, float(height_px) - y);
+      const float dx = in_x ? kNoEdge_px : std::min(x, float(width_px) - x);
+      const float dy = in_y ? kNoEdge_px : std::min(y, float(height_px) - y);
       d(i, j) = dx < 0 && dy < 0 ? -std::sqrt(dx * dx + dy * dy) : std::min(dx, dy);
     }
   }
   canvas.area_px2 = double(width_px) * height_px;
+  canvas.period = {in_x ? width_px : 0, in_y ? height_px : 0};
   return canvas;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/grid.h"
+#include "core/geometry/period.h"
 #include "core/geometry/vec2.h"
 
 namespace tessera {
@@ -20,11 +21,17 @@ struct Canvas {
   int height_px = 0;
   CanvasField distance;
   double area_px2 = 0;
+  Period period;  // where it repeats: as wide and high as the canvas, without an edge there
 };
 
 inline constexpr int kCanvasMargin = 6;
+/// The distance to an edge that is not there.
+inline constexpr float kNoEdge_px = 1e5f;
 
 Canvas make_rectangle_canvas(int width_px, int height_px);
+
+/// One period of a plane that is to be filled without a seam from left to right, from top to bottom, or both.
+Canvas make_seamless_canvas(int width_px, int height_px, bool in_x, bool in_y);
 
 /// `coverage` is the fraction (0..1) of each cell that belongs to the region, at twice the canvas' resolution both
 /// ways: its size is (2 width_px) x (2 height_px).

@@ -31,13 +31,42 @@ Window piece_window(const Outline& outline, const Similarity& canvas_from_shape,
   return nodes_round(extent_of(outline.curves.front(), canvas_from_shape), origin, margin_px);
 }
 
+PeriodicGrid free_field_grid(const Canvas& canvas, const PieceSettings& pieces) {
+  const Window own = canvas.distance.value.bounds();
+  const int reach = int(std::ceil(kSeamlessReach * pieces.max_scale_px));
+  const int beyond_x = std::min(reach, canvas.period.x_px);
+  const int beyond_y = std::min(reach, canvas.period.y_px);
+  const Window nodes{0, 0, own.x1 + 2 * beyond_x, own.y1 + 2 * beyond_y};
+  Window one_period = nodes;
+  if (canvas.period.x_px > 0) {
+    one_period.x0 = beyond_x + kCanvasMargin;
+    one_period.x1 = one_period.x0 + canvas.period.x_px;
+  }
+  if (canvas.period.y_px > 0) {
+    one_period.y0 = beyond_y + kCanvasMargin;
+    one_period.y1 = one_period.y0 + canvas.period.y_px;
+  }
+  return {nodes, one_period, canvas.period};
+}
+
 FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
-    : field_(canvas.distance),
+    : grid_(free_field_grid(canvas, pieces)),
+      empty_(grid_.nodes().width(), grid_.nodes().height()),
       padding_px_(kept_distance_px(pieces)),
       band_px_(stamp_band_px(pieces)) {
-  for (float& d : field_.value.data()) d -= padding_px_;
-  empty_ = field_.value;
-  for (const float d : field_.value.data()) free_256ths_px2_ += node_256ths_px2(d);
+  const Grid<float>& distance = canvas.distance.value;
+  const int beyond_x = (empty_.width() - distance.width()) / 2;
+  const int beyond_y = (empty_.height() - distance.height()) / 2;
+  const Window& one_period = grid_.one_period();
+  for (int y = one_period.y0; y < one_period.y1; ++y) {
+    for (int x = one_period.x0; x < one_period.x1; ++x) {
+      const float d = distance(x - beyond_x, y - beyond_y) - padding_px_;
+      empty_(x, y) = d;
+      free_256ths_px2_ += node_256ths_px2(d);
+    }
+  }
+  grid_.spread(empty_, one_period, grid_.nodes());
+  field_ = {empty_, canvas.distance.origin - Vec2{float(beyond_x), float(beyond_y)}};
 }
 
 FieldSample FreeField::canvas_sample(Vec2 canvas_px) const {
@@ -53,31 +82,53 @@ std::int64_t FreeField::node_256ths_px2(float distance_px) const {
 }
 
 Window FreeField::stamp_window(const Shape& shape, const Similarity& canvas_from_shape) const {
-  return piece_window(shape.outline, canvas_from_shape, field_.origin, band_px_).intersected(field_.value.bounds());
+  return grid_.clipped(piece_window(shape.outline, canvas_from_shape, field_.origin, band_px_));
 }
 
 void FreeField::clear(const Window& window) {
-  for (int y = window.y0; y < window.y1; ++y) {
-    for (int x = window.x0; x < window.x1; ++x) {
-      float& d = field_.value(x, y);
-      free_256ths_px2_ += node_256ths_px2(empty_(x, y)) - node_256ths_px2(d);
-      d = empty_(x, y);
+  for (const Window& part : grid_.images(window, grid_.one_period())) {
+    for (int y = part.y0; y < part.y1; ++y) {
+      for (int x = part.x0; x < part.x1; ++x) {
+        float& d = field_.value(x, y);
+        free_256ths_px2_ += node_256ths_px2(empty_(x, y)) - node_256ths_px2(d);
+        d = empty_(x, y);
+      }
     }
   }
+  grid_.spread(field_.value, window, grid_.nodes());
 }
 
 Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape) {
   return stamp(shape, canvas_from_shape, stamp_window(shape, canvas_from_shape));
 }
 
+/// A node is changed in the one period, by the distance at that of its images which lies in the window.
 Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window) {
   const PieceDistance piece(shape, canvas_from_shape, padding_px_);
   Window changed;
-  for (int y = window.y0; y < window.y1; ++y) {
-    float* row = field_.value.row(y);
-    int first = window.x1;
-    int end = window.x0;
+  const Window& one_period = grid_.one_period();
+  for (int y = window.y0; y < window.y1;) {
+    const int rows = std::min(window.y1 - y, one_period.y1 - grid_.row(y));
     for (int x = window.x0; x < window.x1;) {
+      const int columns = std::min(window.x1 - x, one_period.x1 - grid_.column(x));
+      changed = changed.united(stamp_part(piece, {x, y, x + columns, y + rows}));
+      x += columns;
+    }
+    y += rows;
+  }
+  grid_.spread(field_.value, changed, grid_.nodes());
+  return changed;
+}
+
+/// The image of the part in the one period is a window, too.
+Window FreeField::stamp_part(const PieceDistance& piece, const Window& part) {
+  const int to_image = grid_.column(part.x0) - part.x0;
+  Window changed;
+  for (int y = part.y0; y < part.y1; ++y) {
+    float* row = field_.value.row(grid_.row(y)) + to_image;
+    int first = part.x1;
+    int end = part.x0;
+    for (int x = part.x0; x < part.x1;) {
       const float d = piece.at({field_.origin.x + float(x), field_.origin.y + float(y)});
       if (d < row[x]) {
         free_256ths_px2_ += node_256ths_px2(d) - node_256ths_px2(row[x]);
@@ -87,7 +138,7 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape,
       }
       // On to the next node that the piece may be nearer to than what is there.
       const int here = x++;
-      while (x < window.x1 && d - PieceDistance::most_change_px(float(x - here)) >= row[x]) ++x;
+      while (x < part.x1 && d - PieceDistance::most_change_px(float(x - here)) >= row[x]) ++x;
     }
     if (first < end) changed = changed.united({first, y, end, y + 1});
   }
@@ -95,7 +146,8 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape,
 }
 
 OpenedField::OpenedField(const FreeField& free, const PieceSettings& pieces)
-    : opening_px_(opening_radius_px(pieces)),
+    : grid_(free.grid()),
+      opening_px_(opening_radius_px(pieces)),
       reachable_px_(reachable_radius_px(pieces)),
       contour_(free.field().value.width(), free.field().value.height(), kClosed),
       reachable_(contour_.width(), contour_.height(), 0),
@@ -106,9 +158,12 @@ OpenedField::OpenedField(const FreeField& free, const PieceSettings& pieces)
 Window OpenedField::update(const FreeField& free, const Window& changed) {
   const Grid<float>& distance = free.field().value;
   const int reach = int(2 * std::max(opening_px_, reachable_px_)) + 5;
-  const Window window = changed.grown(reach).intersected(distance.bounds());
-  open(distance, window);
-  mark_reachable(distance, window);
+  const Window window = grid_.clipped(changed.grown(reach));
+  for (const Window& part : grid_.images(window, grid_.one_period())) {
+    open(distance, part);
+    mark_reachable(distance, part);
+  }
+  grid_.spread(contour_, window, grid_.with_next_nodes());
   return window;
 }
 

@@ -6,22 +6,30 @@
 
 #include "core/field/canvas.h"
 #include "core/field/field_lookup.h"
+#include "core/geometry/periodic_grid.h"
 #include "core/geometry/similarity.h"
 #include "core/settings.h"
 #include "core/shape/shape.h"
 
 namespace tessera {
 
+class PieceDistance;
+
 /// Canvas nodes (see CanvasField) whose pixels the piece and a rim of `margin_px` around it can touch; not clipped.
 Window piece_window(const Outline& outline, const Similarity& canvas_from_shape, Vec2 origin, float margin_px);
 
+/// The nodes of the free field: the canvas' own, and on its seamless sides as many images as pieces and look-ups reach.
+PeriodicGrid free_field_grid(const Canvas& canvas, const PieceSettings& pieces);
+
 /// Signed distance to the free region's boundary, px, positive inside. Exact up to stamp_band_px from a piece and
-/// everywhere near the canvas' edge; beyond, a bound that says "far".
+/// everywhere near the canvas' edge; beyond, a bound that says "far". On a seamless canvas it repeats itself to the bit,
+/// and windows stand for all of their images.
 class FreeField {
  public:
   FreeField(const Canvas& canvas, const PieceSettings& pieces);
 
   const CanvasField& field() const { return field_; }
+  const PeriodicGrid& grid() const { return grid_; }
   FieldView view() const { return FieldView(field_); }
   /// Distance to the canvas' own edge, positive inside, with its gradient: without pieces and without padding.
   FieldSample canvas_sample(Vec2 canvas_px) const;
@@ -36,12 +44,14 @@ class FreeField {
   Window stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window);
   void clear(const Window& window);
 
-  /// Area of the free region, padding included: the same whole number whatever came and went before.
+  /// Area of the free region of one period, padding included: the same whole number whatever came and went before.
   std::int64_t free_256ths_px2() const { return free_256ths_px2_; }
 
  private:
   std::int64_t node_256ths_px2(float distance_px) const;
+  Window stamp_part(const PieceDistance& piece, const Window& part);
 
+  PeriodicGrid grid_;
   Grid<float> empty_;  // of the canvas without pieces
   CanvasField field_;
   float padding_px_;
@@ -57,15 +67,18 @@ class OpenedField {
   /// Recomputes all that depends on the nodes of `changed`; returns the nodes of the result that may have changed.
   Window update(const FreeField& free, const Window& changed);
 
-  /// The free field opened by discs of opening_radius_px: positive where such a disc fits over the node.
+  const PeriodicGrid& grid() const { return grid_; }
+  /// The free field opened by discs of opening_radius_px: positive where such a disc fits over the node. It is valid at
+  /// grid().with_next_nodes().
   const Grid<float>& contour() const { return contour_; }
   /// Whether a disc of reachable_radius_px fits over the node or touches it.
-  bool reachable(int x, int y) const { return reachable_(x, y) != 0; }
+  bool reachable(int x, int y) const { return reachable_(grid_.column(x), grid_.row(y)) != 0; }
 
  private:
   void open(const Grid<float>& distance, const Window& window);
   void mark_reachable(const Grid<float>& distance, const Window& window);
 
+  PeriodicGrid grid_;
   float opening_px_;
   float reachable_px_;
   Grid<float> contour_;

@@ -1,5 +1,6 @@
 #include "core/field/linked_contour.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -42,16 +43,23 @@ void each_crossed(const Grid<float>& contour, const Window& cells, F f) {
 
 }  // namespace
 
-void LinkedContour::retrace(const Grid<float>& contour, Vec2 origin, const Window& window) {
+void LinkedContour::retrace(const Grid<float>& contour, const PeriodicGrid& grid, Vec2 origin, const Window& window) {
   if (width_ == 0) {
+    grid_ = grid;
     width_ = contour.width();
     vertex_of_edge_ = EdgeTable(width_, contour.height());
   }
   cut_window(window);
-  const Window cells =
-      Window{window.x0 - 1, window.y0 - 1, window.x1, window.y1}.intersected({0, 0, width_ - 1, contour.height() - 1});
-  each_crossed(contour, cells, [&](int x, int y) { trace_cell(contour, origin, x, y); });
+  const Window known = grid_.with_next_nodes();
+  const Window all_cells{known.x0, known.y0, known.x1 - 1, known.y1 - 1};
+  for (const Window& cells : grid_.images({window.x0 - 1, window.y0 - 1, window.x1, window.y1}, all_cells)) {
+    each_crossed(contour, cells, [&](int x, int y) { trace_cell(contour, origin, x, y); });
+  }
   forget_smoothing(window);
+}
+
+GridEdge LinkedContour::in_one_period(const GridEdge& edge) const {
+  return {grid_.column(edge.x), grid_.row(edge.y), edge.down};
 }
 
 int LinkedContour::vertex_at(const GridEdge& edge) {
@@ -80,7 +88,9 @@ void LinkedContour::remove_vertex(int v) {
 
 void LinkedContour::cut_window(const Window& window) {
   std::vector<int> inside;
-  vertex_of_edge_.each(window, [&](const GridEdge&, int v) { inside.push_back(v); });
+  each(window, [&](const GridEdge&, int v) { inside.push_back(v); });
+  std::sort(inside.begin(), inside.end());  // an edge may touch several parts of the window
+  inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
   for (const int v : inside) remove_vertex(v);
 }
 
@@ -111,17 +121,19 @@ void LinkedContour::trace_cell(const Grid<float>& contour, Vec2 origin, int x, i
 }
 
 void LinkedContour::link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to) {
-  const int a = vertex_at(from);
-  const int b = vertex_at(to);
+  const GridEdge edge_a = in_one_period(from);
+  const GridEdge edge_b = in_one_period(to);
+  const int a = vertex_at(edge_a);
+  const int b = vertex_at(edge_b);
   vertices_[a].next = b;
   vertices_[b].previous = a;
-  vertices_[a].raw = crossing(contour, origin, from);
-  vertices_[b].raw = crossing(contour, origin, to);
+  vertices_[a].raw = crossing(contour, origin, edge_a);
+  vertices_[b].raw = crossing(contour, origin, edge_b);
 }
 
 /// Two more than the smoothing reaches: what is measured at a vertex depends on its neighbours' positions.
 void LinkedContour::forget_smoothing(const Window& window) {
-  vertex_of_edge_.each(window.grown(int(3 * sigma_px_) + 5), [&](const GridEdge&, int v) {
+  each(window.grown(int(3 * sigma_px_) + 5), [&](const GridEdge&, int v) {
     vertices_[v].smoothed = false;
     vertices_[v].measured = false;
   });
@@ -138,20 +150,25 @@ Vec2 LinkedContour::smooth_position(int v) {
 
 /// Kept, because every walk that passes a vertex asks the same of it.
 void LinkedContour::measure(int v) {
-  const Vec2 before = smooth_position(vertices_[v].previous);
   const Vec2 here = smooth_position(v);
-  const Vec2 after = smooth_position(vertices_[v].next);
+  const Vec2 before = grid_.period().nearest(smooth_position(vertices_[v].previous), here);
+  const Vec2 after = grid_.period().nearest(smooth_position(vertices_[v].next), here);
   vertices_[v].edge_after = norm(after - here);
   vertices_[v].turning_rad = std::abs(turning_rad(before, here, after));
   vertices_[v].measured = true;
+}
+
+float LinkedContour::length_px(int from, int to) const {
+  const Vec2 begin = vertices_[from].raw;
+  return norm(grid_.period().nearest(vertices_[to].raw, begin) - begin);
 }
 
 /// Gaussian along the arclength; every vertex weighs as much as half of its two edges is long. Summed outwards from v,
 /// so that the result does not depend on where the loop starts.
 Vec2 LinkedContour::smoothed_at(int v) const {
   const Vertex& centre = vertices_[v];
-  const float edge_after = norm(vertices_[centre.next].raw - centre.raw);
-  const float edge_before = norm(vertices_[centre.previous].raw - centre.raw);
+  const float edge_after = length_px(v, centre.next);
+  const float edge_before = length_px(v, centre.previous);
   float total = 0.5f * (edge_after + edge_before);
   Vec2 sum;
   const auto add_side = [&](int Vertex::*step, float edge) {
@@ -160,10 +177,10 @@ Vec2 LinkedContour::smoothed_at(int v) const {
       at = vertices_[at].*step;
       if (at == v) return;
       const Vertex& here = vertices_[at];
-      const float edge_out = norm(vertices_[here.*step].raw - here.raw);
+      const float edge_out = length_px(at, here.*step);
       const float t = s / sigma_px_;
       const float weight = 0.5f * (edge + edge_out) * std::exp(-0.5f * t * t);
-      sum = sum + (here.raw - centre.raw) * weight;
+      sum = sum + (grid_.period().nearest(here.raw, centre.raw) - centre.raw) * weight;
       total += weight;
       edge = edge_out;
       s += edge_out;

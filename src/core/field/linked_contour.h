@@ -10,6 +10,7 @@
 #include "core/field/edge_table.h"
 #include "core/field/grid_edge.h"
 #include "core/geometry/grid.h"
+#include "core/geometry/periodic_grid.h"
 #include "core/geometry/vec2.h"
 
 namespace tessera {
@@ -35,17 +36,22 @@ class LinkedContour {
   };
 
   /// Traces the nodes of `window` again; all others are as before. `origin` is the canvas position of node (0, 0).
-  void retrace(const Grid<float>& field, Vec2 origin, const Window& window);
+  /// Where `grid`, always the same, repeats, the line goes on from one end of the period to the other: it has its
+  /// vertices in the one period, and is read from `field` at grid.with_next_nodes().
+  void retrace(const Grid<float>& field, const PeriodicGrid& grid, Vec2 origin, const Window& window);
 
+  const PeriodicGrid& grid() const { return grid_; }
   int width() const { return width_; }  // of the node grid; 0 before the first retrace
   int find(const GridEdge& edge) const { return vertex_of_edge_.find(edge); }  // kNone: the line does not cross it
   /// Calls visit(edge, vertex) for the crossed edges of the window.
   template <class Visit>
   void each(const Window& window, Visit visit) const {
-    vertex_of_edge_.each(window, visit);
+    for (const Window& part : grid_.images(window, grid_.with_next_nodes())) vertex_of_edge_.each(part, visit);
   }
   /// The vertex, of which edge, links and `raw` are valid.
   const Vertex& vertex(int v) const { return vertices_[v]; }
+  /// Between neighbours on the line itself, canvas px.
+  float length_px(int from, int to) const;
   /// The vertex with all its members valid. Its line must be closed.
   const Vertex& measured(int v) {
     if (!vertices_[v].measured) measure(v);
@@ -59,11 +65,13 @@ class LinkedContour {
   void trace_cell(const Grid<float>& contour, Vec2 origin, int x, int y);
   void link(const Grid<float>& contour, Vec2 origin, const GridEdge& from, const GridEdge& to);
   void forget_smoothing(const Window& window);
+  GridEdge in_one_period(const GridEdge& edge) const;
   Vec2 smooth_position(int v);
   Vec2 smoothed_at(int v) const;
   void measure(int v);
 
   float sigma_px_;
+  PeriodicGrid grid_;
   int width_ = 0;
   std::vector<Vertex> vertices_;
   std::vector<int> unused_;

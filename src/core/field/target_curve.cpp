@@ -31,27 +31,29 @@ class TargetCurve::Walk {
  public:
   Walk(TargetCurve& curve, int at, TileIndex::Region& support) : curve_(&curve), at_(at), support_(&support) { visit(); }
 
-  Vec2 position() const { return here().smooth; }
+  /// Goes on beyond the period where the curve does.
+  Vec2 position() const { return here().smooth + beyond_px_; }
   float turning_rad() const { return here().turning_rad; }
   float edge_forward() const { return here().edge_after; }
   float edge_backward() const { return curve_->contour_.measured(here().previous).edge_after; }
-  void forward() {
-    at_ = curve_->contour_.vertex(at_).next;
-    visit();
-  }
-  void backward() {
-    at_ = curve_->contour_.vertex(at_).previous;
-    visit();
-  }
+  void forward() { go(curve_->contour_.vertex(at_).next); }
+  void backward() { go(curve_->contour_.vertex(at_).previous); }
   bool operator==(const Walk& o) const { return at_ == o.at_; }
 
  private:
   const LinkedContour::Vertex& here() const { return curve_->contour_.measured(at_); }
   void visit() { curve_->visit(at_, *support_); }
+  void go(int to) {
+    const Vec2 next = curve_->contour_.measured(to).smooth;
+    beyond_px_ = beyond_px_ + (curve_->contour_.grid().period().nearest(next, here().smooth) - next);
+    at_ = to;
+    visit();
+  }
 
   TargetCurve* curve_;
   int at_;
   TileIndex::Region* support_;
+  Vec2 beyond_px_;  // whole periods since the walk began
 };
 
 TargetCurve::TargetCurve(const PieceSettings& pieces, const PadParameters& pad)
@@ -88,7 +90,7 @@ void TargetCurve::set_matched_pads(const std::vector<MatchedPad>& pads) {
 }
 
 TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin, const Window& window) {
-  contour_.retrace(opened.contour(), origin, window);
+  contour_.retrace(opened.contour(), opened.grid(), origin, window);
   Change change;
   for (const SampleId id : reached_by(window)) {
     const GridEdge e = GridEdge::of(edge_number(id), contour_.width());
@@ -118,7 +120,10 @@ TargetCurve::Change TargetCurve::retrace(const OpenedField& opened, Vec2 origin,
 /// Where a sample may have to be made (again), or to be dropped: ascending.
 std::vector<SampleId> TargetCurve::reached_by(const Window& window) const {
   std::vector<SampleId> ids;
-  supports_.each(window, [&](std::uint32_t thing) { ids.push_back(SampleId{thing}); });
+  const PeriodicGrid& grid = contour_.grid();
+  for (const Window& part : grid.images(window, grid.one_period().grown(support_nodes()))) {
+    supports_.each(part, [&](std::uint32_t thing) { ids.push_back(SampleId{thing}); });
+  }
   contour_.each(window, [&](const GridEdge& e, int) {
     if (on_raster(e)) ids.push_back(SampleId{e.number(contour_.width())});
   });
@@ -158,16 +163,15 @@ bool TargetCurve::on_short_loop(int v, TileIndex::Region& support) const {
   do {
     visit(at, support);
     const int next = contour_.vertex(at).next;
-    length += norm(contour_.vertex(next).raw - contour_.vertex(at).raw);
+    length += contour_.length_px(at, next);
     at = next;
   } while (at != v && length < shortest_loop_px_);
   return length < shortest_loop_px_;
 }
 
-/// A smoothed position depends on what lies up to three sigma along the curve.
 void TargetCurve::visit(int v, TileIndex::Region& support) const {
   const GridEdge& e = contour_.vertex(v).edge;
-  support.add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(int(3 * sigma_px_) + 3));
+  support.add(Window{e.x, e.y, e.x + 2, e.y + 2}.grown(support_nodes()));
 }
 
 TargetCurve::Held TargetCurve::make_sample(int v, TileIndex::Region support) {

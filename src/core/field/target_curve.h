@@ -27,7 +27,8 @@ class TargetCurve {
     std::vector<SampleId> renewed;  // samples that are new or whose PAD changed much, ascending
   };
 
-  /// Traces the nodes of `window` again (all others are as before). `origin` is the canvas position of node (0, 0).
+  /// Traces the nodes of `window` again (all others are as before): where the opened field repeats itself, the curve is
+  /// that of one period, and its PADs see beyond it. `origin` is the canvas position of node (0, 0).
   Change retrace(const OpenedField& opened, Vec2 origin, const Window& window);
 
   const TargetSample& sample(SampleId id) const { return samples_.at(id).sample; }
@@ -51,6 +52,8 @@ class TargetCurve {
 
   std::vector<SampleId> reached_by(const Window& window) const;
   bool on_raster(const GridEdge& e) const { return (e.down ? e.x : e.y) % spacing_px_ == 0; }
+  /// A smoothed position depends on what lies up to three sigma along the curve.
+  int support_nodes() const { return int(3 * sigma_px_) + 3; }
   void visit(int v, TileIndex::Region& support) const;
   bool on_short_loop(int v, TileIndex::Region& support) const;
   Held make_sample(int v, TileIndex::Region support);

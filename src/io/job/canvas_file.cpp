@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/field/free_field.h"
 #include "io/artwork/artwork_render.h"
 #include "io/artwork/mask.h"
 #include "io/job/job_keys.h"
+#include "io/number_text.h"
 
 namespace tessera::io {
 namespace {
@@ -62,6 +65,23 @@ void check_box(const CanvasSpec& spec) {
                    "], allowed with a canvas.file: " + std::to_string(kMaxMaskCanvas_px) + " px or less each");
 }
 
+/// Else copies one below the other would not meet.
+void check_whole_height(const OutputSpec& output, const Canvas& canvas) {
+  const long long rows = (long long)(output.width_px) * canvas.height_px;
+  if (canvas.period.y_px == 0 || rows % canvas.width_px == 0) return;
+  const int step = canvas.width_px / std::gcd(canvas.width_px, canvas.height_px);
+  throw InputError("output.width_px: found " + std::to_string(output.width_px) + ", which makes collage.png " +
+                   fixed(double(rows) / canvas.width_px, 2) + " px high; allowed for a canvas that is seamless from " +
+                   "top to bottom: a multiple of " + std::to_string(step));
+}
+
+void check_no_file(const CanvasSpec& spec) {
+  if (spec.seamless == Seamless::none) return;
+  const std::string& found = find_job_key("canvas", "seamless")->words[std::size_t(spec.seamless)];
+  throw InputError("canvas.seamless: found \"" + found + "\" with the canvas.file " + spec.file +
+                   ", allowed with a file: \"none\", as only a rectangle goes on across its edges");
+}
+
 }  // namespace
 
 Grid<float> mask_coverage(const cv::Mat& page) {
@@ -74,10 +94,20 @@ Grid<float> mask_coverage(const cv::Mat& page) {
 void check_picture_height(const OutputSpec& output, const Canvas& canvas) {
   const double most_px = find_job_key("output", "width_px")->max;
   const double height_px = double(output.width_px) * canvas.height_px / canvas.width_px;
+  check_whole_height(output, canvas);
   if (height_px <= most_px) return;
   throw InputError("output.width_px: found " + std::to_string(output.width_px) + ", which makes collage.png " +
                    std::to_string(std::lround(height_px)) + " px high; allowed for this canvas: " +
                    std::to_string(int(most_px * canvas.width_px / canvas.height_px)) + " or less");
+}
+
+void check_images(const Canvas& canvas, const PieceSettings& pieces) {
+  if (!canvas.period.repeats()) return;
+  const Window nodes = free_field_grid(canvas, pieces).nodes();
+  const double px2 = double(nodes.width()) * nodes.height();
+  if (px2 <= kMaxCanvas_px2) return;
+  throw InputError("canvas.seamless: " + fixed(px2 / 1e6, 1) + " million px with the images beside the canvas, as far as " +
+                   "pieces of pieces.scale_px reach; allowed: " + fixed(kMaxCanvas_px2 / 1e6, 0) + " million");
 }
 
 /// A page of the largest size may take three times its pixels.
@@ -94,7 +124,12 @@ Canvas load_canvas(const CanvasSpec& spec, double seconds) {
 }
 
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
-  if (spec.file.empty()) return make_rectangle_canvas(spec.width_px, spec.height_px);
+  if (spec.file.empty()) {
+    const bool both = spec.seamless == Seamless::both;
+    return make_seamless_canvas(spec.width_px, spec.height_px, both || spec.seamless == Seamless::x,
+                                both || spec.seamless == Seamless::y);
+  }
+  check_no_file(spec);
   check_box(spec);
   const Grid<float> coverage = mask_coverage(render_into_box(spec, drawers));
   if (std::min(coverage.width(), coverage.height()) < 2 * kMinCanvas_px) {

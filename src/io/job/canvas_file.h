@@ -20,8 +20,12 @@ Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.sec
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
 
-/// Throws InputError where a picture of that width would become higher than the widest one may be.
+/// Throws InputError where a picture of that width would become higher than the widest one may be, or, on a canvas that
+/// is seamless from top to bottom, not a whole number of px high.
 void check_picture_height(const OutputSpec& output, const Canvas& canvas);
+
+/// Throws InputError where the images beside a seamless canvas make it larger than a canvas may be.
+void check_images(const Canvas& canvas, const PieceSettings& pieces);
 
 /// The region in a page of straight BGRA, as coverage 0..1 of each pixel, the sizes rounded up to even ones: the alpha
 /// where the page is transparent anywhere, else what differs from the colour that prevails along its edge (mask.h).

@@ -11,11 +11,15 @@
 
 namespace tessera::io {
 
+/// How a canvas repeats: its left edge goes on at its right one (x), its upper at its lower one (y).
+enum class Seamless { none, x, y, both };
+
 /// A rectangle of the size given, or the mask in `file` scaled into a box of that size with its aspect kept.
 struct CanvasSpec {
   int width_px = 1000;
   int height_px = 1000;
   std::string file;   // SVG or image mask, absolute path; empty = the rectangle
+  Seamless seamless = Seamless::none;  // of a rectangle
 };
 
 struct OutputSpec {

@@ -65,13 +65,13 @@ JobKey with_text(JobKey key, Field field) {
   return key;
 }
 
-JobKey with_objective_kind(JobKey key) {
-  for (const ObjectiveKind& kind : objective_kinds()) key.words.push_back(kind.name);
-  key.get = [words = key.words](const Job& job) {
-    return JobValue{{}, words[std::size_t(job.settings.objective.kind)]};
-  };
-  key.set = [words = key.words](Job& job, const JobValue& value) {
-    job.settings.objective.kind = Objective(std::find(words.begin(), words.end(), value.text) - words.begin());
+/// The words of the key in the order of the member's enum.
+template <class Field>
+JobKey with_word(JobKey key, Field field) {
+  key.get = [field, words = key.words](const Job& job) { return JobValue{{}, words[std::size_t(field(job))]}; };
+  key.set = [field, words = key.words](Job& job, const JobValue& value) {
+    using Member = std::remove_cvref_t<decltype(field(job))>;
+    field(job) = Member(std::find(words.begin(), words.end(), value.text) - words.begin());
   };
   return key;
 }
@@ -98,6 +98,10 @@ void add_input_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_text({"canvas", "file", file, "", 0, 0, {},
                             "SVG or image whose silhouette is filled; empty = rectangle"},
                            FIELD(canvas.file)));
+  keys.push_back(with_word({"canvas", "seamless", word, "", 0, 0, {"none", "x", "y", "both"},
+                            "edges across which the collage goes on, so that copies side by side show no seam: left and "
+                            "right (x), top and bottom (y)"},
+                           FIELD(canvas.seamless)));
 }
 
 /// Scales: the range 8:1 of the trial. The paper allows any rotation and any number of uses.
@@ -146,12 +150,19 @@ void add_match_keys(std::vector<JobKey>& keys) {
                              FIELD(settings.match.delta_px)));
 }
 
+std::vector<std::string> objective_names() {
+  std::vector<std::string> names;
+  for (const ObjectiveKind& kind : objective_kinds()) names.push_back(kind.name);
+  return names;
+}
+
 /// All from the trial: the paper's Z alone prefers dwarfs (75 % coverage with 600 pieces). Without a price of
 /// repetition one boomerang fills the canvas.
 void add_objective_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
-  keys.push_back(with_objective_kind({"objective", "kind", word, "", 0, 0, {},
-                                      "`scale_aware`: long contact, little gap, large pieces; `paper`: its Z"}));
+  keys.push_back(with_word({"objective", "kind", word, "", 0, 0, objective_names(),
+                            "`scale_aware`: long contact, little gap, large pieces; `paper`: its Z"},
+                           FIELD(settings.objective.kind)));
   keys.push_back(with_number({"objective", "overlap_weight", number, "", 0, 100, {}, "cost of overlapped area"},
                              FIELD(settings.objective.overlap_weight)));
   keys.push_back(with_number({"objective", "gap_weight", number, "", 0, 100, {},

@@ -7,6 +7,7 @@
 
 #include "core/field/field_lookup.h"
 #include "io/parallel_for.h"
+#include "io/result/drawn_pieces.h"
 #include "io/result/piece_drawing.h"
 #include "io/result/png_stream.h"
 #include "io/result/sprite_cache.h"
@@ -37,12 +38,12 @@ class PictureBands {
         size_(picture_size(report)),
         picture_px_(double(size_.width) / report.canvas->width_px),
         background_(parse_colour(report.job->output.background)),
-        sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }),
-        tiles_(report.placements.size()) {
-    for (const Placement& placement : report.placements) {
+        sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
+    for (const Placement& placement : drawn_pieces(report, artworks)) {
       const std::size_t slot = report.slot_of(placement.shape);
       pieces_.push_back(make_piece_drawing(placement, slot, report.shapes[slot], artworks.clip(slot), picture_px_, size_));
     }
+    tiles_.resize(pieces_.size());
   }
 
   int rows() const { return size_.height; }

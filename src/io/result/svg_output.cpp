@@ -8,6 +8,7 @@
 #include "io/number_text.h"
 #include "io/parallel_for.h"
 #include "io/result/artwork_original.h"
+#include "io/result/drawn_pieces.h"
 #include "io/result/svg_path.h"
 #include "io/xml_writer.h"
 
@@ -73,8 +74,9 @@ void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip
   svg.end();
 }
 
-void write_pieces(const CollageReport& report, const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
-  for (const Placement& placement : report.placements) {
+void write_pieces(const CollageReport& report, const ShapeArtworks& artworks, const std::vector<SvgSymbol>& symbols,
+                  XmlWriter& svg) {
+  for (const Placement& placement : drawn_pieces(report, artworks)) {
     const std::size_t slot = report.slot_of(placement.shape);
     svg.raw("\n").start("use").attribute("xlink:href", "#" + symbol_id(slot));
     svg.attribute("clip-path", "url(#" + clip_id(slot) + ")");
@@ -103,7 +105,7 @@ std::string collage_svg(const CollageReport& report, ShapeArtworks& artworks, co
   }
   svg.end().raw("\n");
   write_canvas(report, svg);
-  write_pieces(report, symbols, svg);
+  write_pieces(report, artworks, symbols, svg);
   return svg.raw("\n").finish();
 }
 

@@ -1,0 +1,14 @@
+// The pieces of a collage as its pictures show them: on a seamless canvas one that crosses a seam is seen at both ends.
+#pragma once
+
+#include <vector>
+
+#include "io/result/collage_files.h"
+#include "io/result/shape_artworks.h"
+
+namespace tessera::io {
+
+/// The placements in their order, each at all of its images that touch the canvas, one after the other.
+std::vector<Placement> drawn_pieces(const CollageReport& report, const ShapeArtworks& artworks);
+
+}  // namespace tessera::io
