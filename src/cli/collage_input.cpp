@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/matching/sized_settings.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
 #include "io/result/collage_files.h"
@@ -23,10 +24,14 @@ io::LibraryFile library_for(io::Job& job) {
   return library;
 }
 
-Canvas checked_canvas(const io::Job& job) {
+/// With the factor of the sizes, which goes by the canvas' area.
+Canvas checked_canvas(const io::LibraryFile& library, io::Job& job) {
   Canvas canvas = io::load_canvas(job.canvas);
   io::check_picture_height(job.output, canvas);
-  io::check_images(canvas, job.settings.pieces);
+  if (job.settings.pieces.fit_all) {
+    job.size_factor = first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2);
+  }
+  io::check_images(canvas, with_sizes_times(job.size_factor, job.settings).pieces);
   return canvas;
 }
 
@@ -55,7 +60,7 @@ CollageInput::CollageInput(const CollageArguments& arguments)
       start(start_of(arguments, earlier)),
       checkpoints(checkpoints_in(earlier, start)),
       library(library_for(job)),
-      canvas(checked_canvas(job)),
+      canvas(checked_canvas(library, job)),
       lock(locked_folder(folder), folder) {
   io::check_nothing_foreign_is_replaced(folder, arguments.job);
   io::prepare_output_directory(folder);

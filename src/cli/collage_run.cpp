@@ -24,6 +24,7 @@
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/base/version.h"
+#include "core/matching/sized_settings.h"
 #include "io/result/rank_table.h"
 #include "io/utc_time.h"
 #include "master/collage_loop.h"
@@ -82,7 +83,8 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
   master::LibraryShapes shapes(input.library);
   CollageProgress progress(input.job.settings.stop, arguments.quiet, limit);
-  return master::make_collage(input.canvas, input.job.settings, matcher, shapes, progress, {from, &checkpoints});
+  const CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
+  return master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints});
 }
 
 /// From the empty canvas or a checkpoint to the result without its pictures.

@@ -11,6 +11,7 @@
 #include "comm/rank_sites.h"
 #include "core/base/interrupted.h"
 #include "core/matching/matching_context.h"
+#include "core/matching/sized_settings.h"
 #include "core/ranks/partition.h"
 #include "io/available_cores.h"
 #include "io/job/job_library.h"
@@ -21,7 +22,7 @@ namespace tessera::cli {
 namespace {
 
 MatchingContext context_of(const io::Job& job, const io::LibraryFile& library) {
-  return make_matching_context(job.settings, std::uint32_t(library.size()));
+  return make_matching_context(with_sizes_times(job.size_factor, job.settings), std::uint32_t(library.size()));
 }
 
 /// A worker's devices share its node with those of the other workers.

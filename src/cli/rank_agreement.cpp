@@ -1,6 +1,7 @@
 #include "cli/rank_agreement.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <span>
 #include <string_view>
 
@@ -31,6 +32,13 @@ std::string kernel_digest() {
   return hex(digest.value());
 }
 
+/// Comes back from strtod to the bit.
+std::string exact_text(double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%a", value);
+  return text;
+}
+
 }  // namespace
 
 std::string program_identity() {
@@ -42,6 +50,7 @@ void announce_run(comm::Communicator& ranks, const std::string& program, const i
                   std::uint64_t library_digest) {
   ranks.broadcast(to_bytes(program));
   ranks.broadcast(to_bytes(io::to_toml(job)));
+  ranks.broadcast(to_bytes(exact_text(job.size_factor)));
   ranks.broadcast(to_bytes(hex(library_digest)));
 }
 
@@ -57,6 +66,7 @@ io::Job receive_job(comm::Communicator& ranks, const std::string& program) {
     throw EnvironmentError("this rank understands the master's job otherwise than the master; install the same program "
                            "and the same libraries on every node");
   }
+  job.size_factor = std::strtod(receive_text(ranks).c_str(), nullptr);
   return job;
 }
 

@@ -73,7 +73,7 @@ void serialize(Archive& archive, tessera::FieldPatch& patch, unsigned) {
 
 template <class Archive>
 void serialize(Archive& archive, tessera::StandingLimits& limits, unsigned) {
-  archive& limits.region& limits.most_scale_px& limits.used_up;
+  archive& limits.region& limits.size_factor& limits.most_scale_px& limits.used_up;
 }
 
 template <class Archive>

@@ -17,6 +17,8 @@ struct PieceSettings {
   float max_rotation_rad = 3.14159265f;
   PoseWish several = {};  // where there are several intervals; empty: those from min to max
   int uses = 0;          // how often one shape may be placed; 0 = unlimited
+  int least_uses = 0;    // so many of each shape come before more of any, while there is room
+  bool fit_all = false;  // sizes are relative: multiplied so that every shape finds its place
   float padding_px = 0;  // distance kept between pieces, and between pieces and the canvas' edge
 
   /// What a pose may be where no shape or region wishes otherwise.

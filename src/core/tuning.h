@@ -127,6 +127,14 @@ inline constexpr int kEmptyPasses = 2;  // over all samples, with new random doc
 inline constexpr std::uint64_t kFirstPieceDraws = 64;
 inline constexpr float kFirstPieceShrink = 0.95f;
 
+// Every drawing at least once (pieces.fit = "all").
+inline constexpr double kFilledByTheRest = 0.85;  // of the free area, by the shapes that are still to come
+inline constexpr float kSizeStep = 0.9f;          // of the ladder of largest sizes: each step drops what is too large
+inline constexpr double kNearlyOneSize = 1.001;   // ratio of two sizes
+inline constexpr double kFirstFilling = 0.86;     // of the canvas, by the sizes of the first attempt
+inline constexpr float kNextAttempt = 0.95f;      // times the sizes of the one before, when not all found room
+inline constexpr int kMostAttempts = 9;
+
 // Settling of a chosen piece.
 inline constexpr Descent kSettle{2, 0.3f, 0.3f, 30, false};  // out of what was placed since it was refined
 inline constexpr int kSettleSteps = 20;

@@ -6,6 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/geometry/similarity.h"
+#include "core/shape/shape_id.h"
+
 namespace tessera {
 
 /// Both ends belong to it; one value is an interval.
@@ -29,6 +32,7 @@ struct ShapeWish {
   PoseWish poses;
   float weight = 1;                    // of the score; 0: never
   std::optional<int> uses;             // at most so many of each shape; 0 = no limit; empty: as the job says
+  std::optional<int> least_uses;       // at least so many of each, while there is room; empty: as the job says
   std::vector<std::uint8_t> in_region;  // per region: whether they may stand there; empty = everywhere
 
   friend bool operator==(const ShapeWish&, const ShapeWish&) = default;
@@ -40,10 +44,20 @@ struct RegionWish {
   friend bool operator==(const RegionWish&, const RegionWish&) = default;
 };
 
+/// Stands before the first round, and to the end.
+struct GivenPiece {
+  ShapeId shape{};
+  Similarity canvas_from_shape;
+
+  friend bool operator==(const GivenPiece&, const GivenPiece&) = default;
+};
+
 struct Wishes {
   std::vector<ShapeWish> classes;              // empty: one class, without wishes
   std::vector<std::uint32_t> class_of_shape;   // per shape of the library; empty: all of class 0
   std::vector<RegionWish> regions;             // of the canvas, in the order in which they are filled; empty: one
+
+  std::vector<GivenPiece> given;
 
   friend bool operator==(const Wishes&, const Wishes&) = default;
 };

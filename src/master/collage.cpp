@@ -8,6 +8,7 @@
 
 #include "core/field/piece_distance.h"
 #include "core/geometry/extent.h"
+#include "core/matching/size_schedule.h"
 #include "core/tuning.h"
 
 namespace tessera::master {
@@ -57,6 +58,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
                  ShapeSource& shapes)
     : settings_(settings),
       context_(context),
+      all_stances_(context.stances),
       shapes_(shapes),
       free_(canvas, settings.pieces),
       opened_(free_, settings.pieces),
@@ -67,6 +69,48 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       settling_(shapes, free_, outlines_, context_),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
+  update_limits();
+}
+
+void Collage::begin(std::vector<Placement> given, std::uint32_t region, float size_factor) {
+  limits_.region = region;
+  limits_.size_factor = size_factor;
+  limits_changed_ = limits_ != StandingLimits{};
+  context_.stances = all_stances_.limited(limits_);
+  given_ = given.size();
+  replace_placements(std::move(given));
+  mark_stale(free_.field().value.bounds());
+}
+
+std::vector<ShapeId> Collage::missing() const {
+  if (!scoring_.limits_uses()) return {};
+  const StanceTable table = all_stances_.limited({.region = limits_.region});
+  std::vector<ShapeId> missing;
+  for (std::uint32_t i = 0; i < table.open_shapes(); ++i) {
+    if (scoring_.is_missing(table.open_shape(i))) missing.push_back(table.open_shape(i));
+  }
+  return missing;
+}
+
+float Collage::most_scale_for(const std::vector<ShapeId>& missing) const {
+  const StanceTable table = all_stances_.limited({.region = limits_.region, .size_factor = limits_.size_factor});
+  std::vector<Interval> sizes;
+  for (const ShapeId shape : missing) sizes.push_back({table.list(shape).min_scale_px, table.list(shape).max_scale_px});
+  return most_scale_px(double(free_.free_256ths_px2()) / 256, sizes);
+}
+
+/// They follow from the placements: whatever came and went, the same may stand.
+void Collage::update_limits() {
+  if (!scoring_.limits_uses()) return;
+  const std::vector<ShapeId> missing = this->missing();
+  StandingLimits now{.region = limits_.region, .size_factor = limits_.size_factor};
+  now.used_up = scoring_.closed_shapes(missing);
+  if (settings_.pieces.fit_all && !missing.empty()) now.most_scale_px = most_scale_for(missing);
+  if (now == limits_) return;
+  limits_ = now;
+  limits_changed_ = true;
+  context_.stances = all_stances_.limited(limits_);
+  drop_what_may_not_stand();
 }
 
 Window Collage::take_changed_nodes() {
@@ -135,7 +179,7 @@ Window Collage::place(const Candidate& candidate) {
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
   changed_nodes_ = free_.grid().united(changed_nodes_, changed);
   retrace(changed);
-  if (!scoring_.may_use(candidate.shape)) drop_shape(candidate.shape);
+  update_limits();
   return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
                       2 + kept_distance_px(settings_.pieces));
 }
@@ -158,6 +202,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   const Window restamped = restamp(changed);
   changed_nodes_ = free_.grid().united(changed_nodes_, restamped);
   retrace(restamped);
+  update_limits();
   Window window;
   for (const Placement& p : changed) {
     window = free_.grid().united(
@@ -202,10 +247,14 @@ void Collage::retrace(const Window& changed) {
   }
 }
 
-void Collage::drop_shape(ShapeId shape) {
+void Collage::drop_what_may_not_stand() {
+  const auto may_stand = [&](const Candidate& c) {
+    return context_.stances.list(c.shape).count > 0 &&
+           c.canvas_from_shape.scale() <= limits_.most_scale_px * (1 + kScaleRounding);
+  };
   std::vector<SampleId> ids;
   for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
-  for (const SampleId id : ids) review(id, [&](Candidate& c) { return c.shape != shape; });
+  for (const SampleId id : ids) review(id, may_stand);
 }
 
 /// Target samples that may have candidates whose windows overlap an image of `changed`.

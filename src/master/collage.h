@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "core/collage/checkpoint_state.h"
@@ -28,6 +29,20 @@ class Collage {
   Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context, ShapeSource& shapes);
   Collage(const Collage&) = delete;  // its parts refer to each other
   Collage& operator=(const Collage&) = delete;
+
+  /// Begins with these pieces, which stand to the end, in this region of the canvas, with all sizes times `size_factor`.
+  void begin(std::vector<Placement> given, std::uint32_t region, float size_factor);
+  /// So many of the placements, the first ones, were given.
+  std::size_t given() const { return given_; }
+
+  /// What may stand for the moment; it follows from the placements.
+  const StandingLimits& limits() const { return limits_; }
+  /// Whether limits() changed since the last call; at first: whether there are any.
+  bool take_limits_change() { return std::exchange(limits_changed_, false); }
+  /// The shapes of which fewer stand than are wanted at least, ascending.
+  std::vector<ShapeId> missing() const;
+  /// Whether any shape may still stand.
+  bool may_go_on() const { return context_.stances.open_shapes() > 0; }
 
   /// The nodes of the free field that changed since the last call; all of them at first. On a seamless canvas this
   /// window, like all those below, stands for all of its images (PeriodicGrid).
@@ -89,7 +104,9 @@ class Collage {
   bool settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
-  void drop_shape(ShapeId shape);
+  void update_limits();
+  float most_scale_for(const std::vector<ShapeId>& missing) const;
+  void drop_what_may_not_stand();
   std::vector<SampleId> pooled_near(const Window& changed) const;
   template <class Keep>
   void review(SampleId id, Keep keep);
@@ -99,7 +116,11 @@ class Collage {
   std::uint64_t rebuilt_digest() const;
 
   CollageSettings settings_;
-  MatchingContext context_;
+  MatchingContext context_;  // with the stances within the limits
+  StanceTable all_stances_;
+  StandingLimits limits_;
+  bool limits_changed_ = false;
+  std::size_t given_ = 0;
   ShapeSource& shapes_;
   FreeField free_;
   OpenedField opened_;

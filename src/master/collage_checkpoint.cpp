@@ -18,9 +18,14 @@ constexpr float kLongestContour = 1e4f;
                    "; --restart removes it and starts again");
 }
 
-bool sane(const Similarity& pose, const PieceSettings& pieces) {
+/// A piece that was given may be of any size.
+bool sane(const Similarity& pose) {
   const auto near = [](float at_px) { return std::abs(at_px) < kFarAway_px; };  // not NaN either
-  return near(pose.tx) && near(pose.ty) && pose.scale() * kScaleSlack >= pieces.min_scale_px &&
+  return near(pose.tx) && near(pose.ty) && near(pose.scale()) && pose.scale() > 0;
+}
+
+bool sane(const Similarity& pose, const PieceSettings& pieces) {
+  return sane(pose) && pose.scale() * kScaleSlack >= pieces.min_scale_px &&
          pose.scale() <= kScaleSlack * pieces.max_scale_px;
 }
 
@@ -38,6 +43,8 @@ bool sane(const Window& window, const Window& canvas) {
 }  // namespace
 
 void Collage::save(CheckpointState& state) const {
+  state.region = limits_.region;
+  state.given = std::uint32_t(given_);
   state.placements = placements_;
   for (const auto& [id, entry] : pool_.entries()) state.pool.push_back({id, entry.truncated, entry.candidates});
   std::sort(state.pool.begin(), state.pool.end(),
@@ -63,16 +70,18 @@ void Collage::restore(const CheckpointState& state) {
 }
 
 void Collage::check_pieces(const CheckpointState& state) const {
-  const auto check = [&](ShapeId shape, const Similarity& pose) {
+  const auto check = [&](ShapeId shape, const Similarity& pose, bool is_given) {
     if (index_of(shape) >= context_.library_shapes) {
       fail(state, "shape " + std::to_string(index_of(shape)) + " of " + std::to_string(context_.library_shapes));
     }
-    if (!sane(pose, settings_.pieces)) fail(state, "a piece out of all proportion");
+    if (!(is_given ? sane(pose) : sane(pose, settings_.pieces))) fail(state, "a piece out of all proportion");
   };
-  for (const Placement& p : state.placements) check(p.shape, p.canvas_from_shape);
+  for (std::size_t i = 0; i < state.placements.size(); ++i) {
+    check(state.placements[i].shape, state.placements[i].canvas_from_shape, i < given_);
+  }
   for (const PooledSample& sample : state.pool) {
     for (const Candidate& c : sample.candidates) {
-      check(c.shape, c.canvas_from_shape);
+      check(c.shape, c.canvas_from_shape, false);
       if (c.stance >= context_.stances.stances().size()) fail(state, "a way of standing that the job does not know");
       if (!sane(c.window, free_.field().value.bounds()) || !sane(c.perimeter, c.radius)) {
         fail(state, "a candidate out of all proportion");

@@ -1,17 +1,38 @@
 #include "master/collage_loop.h"
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
 #include "core/base/stopwatch.h"
+#include "core/tuning.h"
 #include "master/collage.h"
 #include "master/filling.h"
 #include "master/ruin_and_recreate.h"
 
 namespace tessera::master {
 namespace {
+
+Canvas region_of(const Canvas& canvas, std::uint32_t region) {
+  Canvas part = canvas;
+  if (!canvas.regions.empty()) part.distance = canvas.regions[region];
+  part.regions.clear();
+  return part;
+}
+
+/// A region of the canvas, while it is filled.
+struct Part {
+  Part(const Canvas& region, const CollageSettings& settings, const MatchingContext& context, Matcher& matcher,
+       ShapeSource& shapes, RunStatistics& statistics)
+      : collage(region, settings, context, shapes), filling(collage, context, settings, matcher, statistics) {}
+
+  Collage collage;
+  Filling filling;
+};
 
 /// One run: the state of the loop around the collage itself.
 class Run {
@@ -20,35 +41,88 @@ class Run {
       const Checkpoints& checkpoints)
       : canvas_(canvas),
         settings_(settings),
+        matcher_(matcher),
+        shapes_(shapes),
         observer_(observer),
         keeper_(checkpoints.keeper),
-        context_(make_matching_context(settings, matcher.shapes().end)),
-        collage_(canvas, settings, context_, shapes),
-        filling_(collage_, context_, settings, matcher, statistics_),
-        setup_processor_s_(processor_time_s() - processor_before_s_) {
-    if (checkpoints.from) restore(*checkpoints.from);
+        context_(make_matching_context(settings, matcher.shapes().end)) {
+    if (checkpoints.from) {
+      restore(*checkpoints.from);
+    } else {
+      begin(0, given_pieces());
+    }
+    setup_processor_s_ = processor_time_s() - processor_before_s_;
   }
 
   CollageResult finish() {
     try {
-      if (!improving_) fill();
-      if (improving_) improve();
+      do {
+        if (!improving_) fill();
+        if (improving_) improve();
+      } while (begin_next_region());
     } catch (const Interrupted& interrupted) {
       stop_unfinished(interrupted.reason);
       gave_up_question_ = true;
     }
     statistics_.total_s = seconds();
     if (keeper_) keeper_->keep(state());
-    return {collage_.placements(), statistics_, unfinished_, own_work(), gave_up_question_};
+    return {collage().placements(), statistics_, unfinished_, own_work(), gave_up_question_};
   }
 
  private:
+  Collage& collage() const { return part_->collage; }
+  Filling& filling() const { return part_->filling; }
+
+  std::vector<Placement> given_pieces() const {
+    std::vector<Placement> placements;
+    for (const GivenPiece& piece : settings_.wishes.given) {
+      placements.push_back({piece.shape, canvas_.period.wrapped(piece.canvas_from_shape), 0, 0});
+    }
+    return placements;
+  }
+
+  void begin(std::uint32_t region, std::vector<Placement> given) {
+    part_ = std::make_unique<Part>(region_of(canvas_, region), settings_, context_, matcher_, shapes_, statistics_);
+    collage().begin(std::move(given), region, float(std::pow(kNextAttempt, attempt_)));
+    improving_ = false;
+  }
+
+  /// What stands is given to the next region. False where there is none, or the run is over.
+  bool begin_next_region() {
+    const std::uint32_t next = collage().limits().region + 1;
+    if (unfinished_ || over_ || next >= canvas_.regions.size()) return false;
+    attempt_ = 0;
+    begin(next, collage().placements());
+    return true;
+  }
+
+  /// Every shape is to have a place: where some have none, all over again with smaller sizes.
+  bool begin_next_attempt() {
+    if (!settings_.pieces.fit_all || attempt_ + 1 == kMostAttempts || collage().missing().empty()) return false;
+    ++attempt_;
+    std::vector<Placement> given = collage().placements();
+    given.resize(collage().given());
+    begin(collage().limits().region, std::move(given));
+    return true;
+  }
+
   void restore(const CheckpointState& from) {
-    collage_.restore(from);
+    if (from.region >= std::max<std::size_t>(1, canvas_.regions.size()) || from.given > from.placements.size() ||
+        from.attempt >= std::uint32_t(kMostAttempts)) {
+      throw InputError(from.name + ": not a checkpoint of this job: region " + std::to_string(from.region) + ", attempt " +
+                       std::to_string(from.attempt) + "; --restart removes it and starts again");
+    }
+    for (std::size_t i = 0; i < from.given; ++i) {
+      if (index_of(from.placements[i].shape) < context_.library_shapes) continue;
+      throw InputError(from.name + ": not a checkpoint of this library; --restart removes it and starts again");
+    }
+    attempt_ = int(from.attempt);
+    begin(from.region, {from.placements.begin(), from.placements.begin() + from.given});
+    collage().restore(from);
     statistics_ = from.statistics;
     earlier_ = from.statistics;
     improving_ = from.improving;
-    if (!filling_.restore_empty_passes(from.empty_passes)) {
+    if (!filling().restore_empty_passes(from.empty_passes)) {
       throw InputError(from.name + ": not a checkpoint of this job: " + std::to_string(from.empty_passes) +
                        " passes without a piece; --restart removes it and starts again");
     }
@@ -57,18 +131,20 @@ class Run {
   CheckpointState state() const {
     CheckpointState state;
     state.improving = improving_;
-    state.empty_passes = improving_ ? 0 : filling_.empty_passes();
+    state.empty_passes = improving_ ? 0 : filling().empty_passes();
     state.statistics = statistics_;
     state.statistics.total_s = seconds();
     state.statistics.stopped_by.clear();
-    collage_.save(state);
+    state.attempt = std::uint32_t(attempt_);
+    collage().save(state);
     return state;
   }
 
   void fill() {
     while (!should_stop()) {
-      if (!filling_.place_one()) {
-        statistics_.stopped_by = "full";
+      if (!filling().place_one()) {
+        if (begin_next_attempt()) continue;
+        statistics_.stopped_by = collage().may_go_on() ? "full" : "used_up";
         improving_ = settings_.improve.trials > 0 || settings_.improve.seconds > 0;
         return;
       }
@@ -77,11 +153,11 @@ class Run {
   }
 
   void improve() {
-    statistics_.stopped_by = "full";
-    filling_.count_into(trial_work_);
+    statistics_.stopped_by = collage().may_go_on() ? "full" : "used_up";
+    filling().count_into(trial_work_);
     const double earlier_s = statistics_.improve_s;
     const Stopwatch watch;
-    RuinAndRecreate ruin_and_recreate(collage_, filling_, settings_);
+    RuinAndRecreate ruin_and_recreate(collage(), filling(), settings_);
     while (may_improve() && !reached_limit() && !interrupted()) {
       const Trial trial = ruin_and_recreate.try_once(std::uint32_t(statistics_.trials),
                                                      [this] { return observer_.stop_requested() != nullptr; });
@@ -95,20 +171,27 @@ class Run {
 
   bool may_improve() const {
     const ImproveSettings& limits = settings_.improve;
-    return (limits.trials == 0 || statistics_.trials < std::uint64_t(limits.trials)) &&
+    return (limits.trials == 0 || statistics_.trials < trials_so_far()) &&
            (limits.seconds == 0 || statistics_.improve_s < limits.seconds);
   }
 
+  /// Each region has as many.
+  std::uint64_t trials_so_far() const {
+    const std::uint64_t regions = std::max<std::size_t>(1, canvas_.regions.size());
+    return std::uint64_t(settings_.improve.trials) * (collage().limits().region + 1) / regions;
+  }
+
   void after_step() {
-    observer_.progressed({collage_.placements().size(), collage_.covered_px2() / canvas_.area_px2, seconds(),
-                          collage_.open_samples(), statistics_.trials, std::uint64_t(settings_.improve.trials)});
+    observer_.progressed({collage().placements().size(), collage().covered_px2() / canvas_.area_px2, seconds(),
+                          collage().open_samples(), statistics_.trials, std::uint64_t(settings_.improve.trials)});
     if (keeper_ && keeper_->due()) keeper_->keep(state());
   }
 
   bool should_stop() {
     const StopSettings& stop = settings_.stop;
-    if (stop.pieces > 0 && collage_.placements().size() >= std::size_t(stop.pieces)) {
+    if (stop.pieces > 0 && collage().placements().size() >= std::size_t(stop.pieces)) {
       statistics_.stopped_by = "pieces";
+      over_ = true;
       return true;
     }
     return reached_limit() || interrupted();
@@ -117,9 +200,10 @@ class Run {
   /// That ends filling and improving alike.
   bool reached_limit() {
     const StopSettings& stop = settings_.stop;
-    const bool covered = collage_.covered_px2() >= double(stop.coverage) * canvas_.area_px2;
+    const bool covered = collage().covered_px2() >= double(stop.coverage) * canvas_.area_px2;
     const bool late = stop.seconds > 0 && seconds() >= stop.seconds;
     if (covered || late) statistics_.stopped_by = late ? "seconds" : "coverage";
+    over_ = over_ || covered || late;
     return covered || late;
   }
 
@@ -155,14 +239,17 @@ class Run {
   const double processor_before_s_ = processor_time_s();
   const Canvas& canvas_;
   const CollageSettings& settings_;
+  Matcher& matcher_;
+  ShapeSource& shapes_;
   Observer& observer_;
   CheckpointKeeper* keeper_;
   MatchingContext context_;
-  Collage collage_;
   RunStatistics statistics_;  // of the greedy part, with the number of trials
   RunStatistics trial_work_;
-  Filling filling_;
-  const double setup_processor_s_;
+  std::unique_ptr<Part> part_;
+  int attempt_ = 0;  // at the sizes, where every shape is to have a place
+  bool over_ = false;  // a limit of the job was reached
+  double setup_processor_s_ = 0;
   Stopwatch watch_;
   RunStatistics earlier_;  // before an interruption
   bool improving_ = false;

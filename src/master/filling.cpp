@@ -106,6 +106,7 @@ void Filling::place(const Candidate& best) {
 }
 
 void Filling::send_changes() {
+  if (collage_.take_limits_change()) matcher_.limit(collage_.limits());
   const FreeField& free = collage_.free();
   for (const Window& part : free.grid().images(collage_.take_changed_nodes(), free.grid().nodes())) {
     matcher_.update_field(read_patch(free.field().value, part));

@@ -42,7 +42,7 @@ std::vector<std::size_t> RuinAndRecreate::small_pieces_near(Vec2 gap_px) const {
   constexpr float kDiscRadius = 0.5642f;  // of area 1
   std::vector<std::pair<float, std::size_t>> nearest;
   const std::vector<Placement>& placements = collage_.placements();
-  for (std::size_t i = 0; i < placements.size(); ++i) {
+  for (std::size_t i = collage_.given(); i < placements.size(); ++i) {
     const Similarity& pose = placements[i].canvas_from_shape;
     if (pose.scale() > most_scale_px_) continue;
     const Vec2 gap = collage_.free().grid().period().nearest(gap_px, pose.translation());
@@ -78,6 +78,7 @@ std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
 Trial RuinAndRecreate::try_once(std::uint32_t trial, const std::function<bool()>& stopped) {
   const std::vector<Placement> before = collage_.placements();
   const std::int64_t free_before = collage_.free().free_256ths_px2();
+  const std::size_t missing_before = collage_.missing().size();
   const std::uint64_t random = mix_bits(seed_ ^ mix_bits(kRuin ^ (std::uint64_t(trial) << 32)));
   std::vector<Placement> rest = ruined(random);
   if (rest.size() == before.size()) return Trial::put_back;
@@ -91,7 +92,8 @@ Trial RuinAndRecreate::try_once(std::uint32_t trial, const std::function<bool()>
     throw;
   }
   const bool interrupted = stopped();
-  if (!interrupted && collage_.placements().size() <= most_pieces_ && collage_.free().free_256ths_px2() < free_before) {
+  if (!interrupted && collage_.placements().size() <= most_pieces_ && collage_.missing().size() <= missing_before &&
+      collage_.free().free_256ths_px2() < free_before) {
     return Trial::kept;
   }
   collage_.replace_placements(before);

@@ -1,5 +1,6 @@
 #include "master/scoring.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/collage/objective.h"
@@ -14,6 +15,10 @@ Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, co
       period_(period),
       poses_(stances.library_shapes()) {
   for (const Stance& stance : stances.stances()) weight_.push_back(stance.weight);
+  limits_uses_ = pieces_.fit_all || pieces_.uses > 0 || pieces_.least_uses > 0;
+  for (const ShapeWish& wish : wishes_.classes) {
+    limits_uses_ = limits_uses_ || wish.uses.value_or(0) > 0 || wish.least_uses.value_or(0) > 0;
+  }
 }
 
 void Scoring::count(const Placement& placement) { poses_[index_of(placement.shape)].push_back(placement.canvas_from_shape); }
@@ -22,10 +27,35 @@ void Scoring::forget_placements() {
   for (std::vector<Similarity>& poses : poses_) poses.clear();
 }
 
+/// Null where nothing is wished.
+const ShapeWish* Scoring::wish_of(ShapeId shape) const {
+  if (wishes_.classes.empty()) return nullptr;
+  return &wishes_.classes[wishes_.class_of_shape.empty() ? 0 : wishes_.class_of_shape[index_of(shape)]];
+}
+
 int Scoring::most_uses(ShapeId shape) const {
-  if (wishes_.classes.empty()) return pieces_.uses;
-  const std::size_t wished = wishes_.class_of_shape.empty() ? 0 : wishes_.class_of_shape[index_of(shape)];
-  return wishes_.classes[wished].uses.value_or(pieces_.uses);
+  const ShapeWish* wish = wish_of(shape);
+  return wish ? wish->uses.value_or(pieces_.uses) : pieces_.uses;
+}
+
+int Scoring::least_uses(ShapeId shape) const {
+  const ShapeWish* wish = wish_of(shape);
+  const int least = wish ? wish->least_uses.value_or(pieces_.least_uses) : pieces_.least_uses;
+  return pieces_.fit_all ? std::max(1, least) : least;
+}
+
+bool Scoring::is_missing(ShapeId shape) const {
+  return poses_[index_of(shape)].size() < std::size_t(least_uses(shape)) && may_use(shape);
+}
+
+std::vector<ShapeId> Scoring::closed_shapes(const std::vector<ShapeId>& missing) const {
+  std::vector<ShapeId> closed;
+  for (std::uint32_t i = 0; i < poses_.size(); ++i) {
+    const ShapeId shape{i};
+    const bool waits = !missing.empty() && !std::binary_search(missing.begin(), missing.end(), shape);
+    if (waits || !may_use(shape)) closed.push_back(shape);
+  }
+  return closed;
 }
 
 bool Scoring::may_use(ShapeId shape) const {

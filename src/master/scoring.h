@@ -22,8 +22,15 @@ class Scoring {
   void count(const Placement& placement);
   void forget_placements();
 
+  /// Whether it matters at all how often a shape stands.
+  bool limits_uses() const { return limits_uses_; }
   /// Whether another one of the shape may stand.
   bool may_use(ShapeId shape) const;
+  /// Whether there are fewer of the shape than are wanted at least.
+  bool is_missing(ShapeId shape) const;
+  /// Those that may not stand for the moment, ascending: where some are `missing`, ascending, all
+  /// others.
+  std::vector<ShapeId> closed_shapes(const std::vector<ShapeId>& missing) const;
   /// Whether the candidate's terms alone allow it: no overlap shows, and it touches something.
   bool acceptable(const Candidate& candidate) const;
   /// Whether the exact areas agree that no overlap shows: where lines lie on lines, the contour sees nothing of it.
@@ -37,12 +44,15 @@ class Scoring {
  private:
   /// 0 = no limit.
   int most_uses(ShapeId shape) const;
+  int least_uses(ShapeId shape) const;
+  const ShapeWish* wish_of(ShapeId shape) const;
 
   PieceSettings pieces_;
   Wishes wishes_;
   std::vector<float> weight_;  // by stance
   ObjectiveSettings objective_;
   Period period_;
+  bool limits_uses_ = false;
   std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
 };
 

@@ -125,7 +125,7 @@ TEST(Messages, TheSmallOnes) {
   const ShapeRange range = there_and_back(ShapeRange{7, 4000000000u});
   EXPECT_EQ(range.begin, 7u);
   EXPECT_EQ(range.end, 4000000000u);
-  const StandingLimits limits{3, 45.5f, {ShapeId{1}, ShapeId{4000000000u}}};
+  const StandingLimits limits{3, 0.9f, 45.5f, {ShapeId{1}, ShapeId{4000000000u}}};
   EXPECT_EQ(there_and_back(limits), limits);
   EXPECT_EQ(there_and_back(StandingLimits{}), StandingLimits{}) << "infinity";
   const FieldStart start{1012, 1013, {-5.5f, -0.f}};

@@ -161,7 +161,7 @@ TEST(RemoteMatcher, DockingsSeeTheFieldAsItWasWhenPosted) {
 TEST(RemoteMatcher, LimitsReachAllWorkers) {
   with_echo_team([](Matcher& team) {
     team.start_field(30, 20, {});
-    team.limit({0, 50.f, {ShapeId{0}, ShapeId{3}}});
+    team.limit({0, 1, 50.f, {ShapeId{0}, ShapeId{3}}});
     team.post_dock({samples_of_edges({1}), {5}, 300});
     for (const Docking& docking : team.take_dock().dockings) EXPECT_EQ(docking.canvas_from_shape.ty, 2.f);
   });

@@ -126,7 +126,7 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithWishes) {
 
 TEST_P(MatcherSuite, GivesTheReferencesRoundWithinLimits) {
   const MatchingScene scene = scene_with_wishes();
-  const StandingLimits limits{1, 45, {ShapeId{0}, ShapeId{4}, ShapeId{6}}};
+  const StandingLimits limits{1, 0.9f, 45, {ShapeId{0}, ShapeId{4}, ShapeId{6}}};
   const Round round = expect_the_references_round(scene, limits);
   const StanceTable stances = scene.context.stances.limited(limits);
   for (const Docking& docking : round.docked.dockings) {
@@ -140,7 +140,7 @@ TEST_P(MatcherSuite, LimitsHoldFromThenOnAndMayBeTakenBack) {
   const auto matcher = matcher_of(scene());
   const Round before = run_round(*matcher, scene());
   const ShapeId often = before.docked.dockings.front().shape;
-  matcher->limit({0, 30, {often}});
+  matcher->limit({0, 1, 30, {often}});
   const Round limited = run_round(*matcher, scene());
   EXPECT_FALSE(limited.docked.dockings.empty());
   for (const Docking& docking : limited.docked.dockings) {
@@ -153,7 +153,7 @@ TEST_P(MatcherSuite, LimitsHoldFromThenOnAndMayBeTakenBack) {
 
 TEST_P(MatcherSuite, WhereNothingMayStandNothingDocks) {
   const auto matcher = matcher_of(scene());
-  matcher->limit({0, 1, {}});
+  matcher->limit({0, 1, 1, {}});
   const Round round = run_round(*matcher, scene());
   EXPECT_TRUE(round.docked.dockings.empty());
   EXPECT_EQ(round.docked.evaluated, 0u);

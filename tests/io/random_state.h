@@ -15,6 +15,9 @@ class RandomState {
   CheckpointState make() {
     CheckpointState state;
     state.improving = below(2) == 1;
+  state.region = below(3);
+  state.given = below(3);
+  state.attempt = below(3);
     state.empty_passes = int(below(3));
     for (std::uint32_t i = below(20); i > 0; --i) {
       state.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});

@@ -129,7 +129,7 @@ TEST_F(JobFile, names_line_key_found_and_allowed) {
 TEST_F(JobFile, names_the_nearest_key) {
   EXPECT_EQ(mistake("[pieces]\n\nscale = [20, 160]"),
             "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); "
-            "allowed in [pieces]: scale_px, rotation_deg, uses, padding_px");
+            "allowed in [pieces]: scale_px, rotation_deg, uses, fit, padding_px");
   EXPECT_EQ(mistake("[output]\nuses = 3"),
             "job.toml:2: unknown key output.uses (did you mean pieces.uses?); "
             "allowed in [output]: width_px, background");
@@ -137,7 +137,7 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, match, "
-            "objective, improve, stop, checkpoint, comm, devices, output, [[shapes]], [[regions]]");
+            "objective, improve, stop, checkpoint, comm, devices, output, [[shapes]], [[regions]], [[given]]");
   EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
             "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
 }
@@ -148,7 +148,7 @@ TEST_F(JobFile, reports_the_first_line_first) {
 
 TEST_F(JobFile, tells_sections_from_keys) {
   EXPECT_EQ(mistake("pieces = 3"),
-            "job.toml:1: pieces is a section with the keys scale_px, rotation_deg, uses, padding_px, found 3");
+            "job.toml:1: pieces is a section with the keys scale_px, rotation_deg, uses, fit, padding_px, found 3");
   EXPECT_NE(mistake("[[pieces]]\nuses = 1").find("pieces is a section"), std::string::npos);
   EXPECT_NE(mistake("[seed]\nuses = 1").find("seed: found"), std::string::npos);
   EXPECT_NE(mistake("[nonsense]").find("unknown section [nonsense]"), std::string::npos);

@@ -17,7 +17,7 @@ const std::vector<std::string> kNames = {"cat", "cow", "owl", "owl_2"};
 class WishResolution : public testing::Test {
  protected:
   Job resolved(const std::string& tables) {
-    Job job = load_job(folder_.write("job.toml", "[library]\nfile = 'x.h5'\n[pieces]\nscale_px = [30, 50]\n" + tables), {});
+    Job job = load_job(folder_.write("job.toml", "[library]\nfile = 'x.h5'\n[canvas]\nfile = 'c.svg'\n[pieces]\nscale_px = [30, 50]\n" + tables), {});
     resolve_wishes(kNames, job);
     return job;
   }

@@ -1,6 +1,8 @@
 // What is to be filled. Canvas frame: px, y down, origin at the upper left corner of the upper left pixel.
 #pragma once
 
+#include <vector>
+
 #include "core/geometry/grid.h"
 #include "core/geometry/period.h"
 #include "core/geometry/vec2.h"
@@ -20,6 +22,7 @@ struct Canvas {
   int width_px = 0;
   int height_px = 0;
   CanvasField distance;
+  std::vector<CanvasField> regions = {};  // the distance of each, where there are several; in the order of filling
   double area_px2 = 0;
   Period period;  // where it repeats: as wide and high as the canvas, without an edge there
 };

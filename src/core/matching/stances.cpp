@@ -105,6 +105,8 @@ void StanceTable::set_scales(StanceList& list) const {
 StanceTable StanceTable::limited(const StandingLimits& limits) const {
   StanceTable table = *this;
   for (Stance& s : table.stances_) {
+    s.poses.min_scale_px *= limits.size_factor;
+    s.poses.max_scale_px *= limits.size_factor;
     if (s.poses.max_scale_px <= limits.most_scale_px) continue;
     s.poses.max_scale_px = std::max(s.poses.min_scale_px, limits.most_scale_px);
     s.log2_scale_ratio = std::log2(s.poses.max_scale_px / s.poses.min_scale_px);
@@ -112,7 +114,7 @@ StanceTable StanceTable::limited(const StandingLimits& limits) const {
   table.lists_ = lists_in_region_[limits.region];
   for (StanceList& list : table.lists_) {
     const auto too_large = [&](const Stance& s) { return s.poses.min_scale_px > limits.most_scale_px; };
-    const std::span<const Stance> all = of(list);
+    const std::span<const Stance> all = table.of(list);
     list.count = std::uint32_t(std::find_if(all.begin(), all.end(), too_large) - all.begin());
     table.set_scales(list);
   }

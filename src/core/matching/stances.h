@@ -33,6 +33,7 @@ struct StanceList {
 /// What may stand for the moment, of all that may stand at all. It changes from round to round.
 struct StandingLimits {
   std::uint32_t region = 0;  // of the canvas, that is being filled
+  float size_factor = 1;     // times all sizes
   float most_scale_px = std::numeric_limits<float>::infinity();
   std::vector<ShapeId> used_up = {};  // ascending
 

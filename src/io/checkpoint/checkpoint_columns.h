@@ -12,6 +12,7 @@ struct CheckpointColumns {
   std::vector<std::uint8_t> job;
   std::vector<std::uint64_t> digests;  // library, canvas, rebuilt
   std::vector<std::uint8_t> improving;
+  std::vector<std::uint32_t> stage;
   std::vector<std::uint8_t> empty_passes;
   std::vector<std::uint64_t> counts;
   std::vector<double> measures;
@@ -36,6 +37,7 @@ void each_column(Columns& c, Visit visit) {
   visit("/job", c.job, 1, "", "the effective job, TOML");
   visit("/digests", c.digests, 1, "", "of the library's content, the canvas, the free region with its samples");
   visit("/improving", c.improving, 1, "", "1: ruin and recreate has begun");
+  visit("/stage", c.stage, 1, "", "region that is being filled, pieces that were given to it, attempt at its sizes");
   visit("/empty_passes", c.empty_passes, 1, "", "how often all samples were matched again since the last piece");
   visit("/statistics/counts", c.counts, 1, "",
         "shapes, rounds, docking choices, dockings evaluated, refined, target samples, trials, trials kept");

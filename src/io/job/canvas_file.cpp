@@ -9,6 +9,7 @@
 #include "core/field/free_field.h"
 #include "io/artwork/artwork_render.h"
 #include "io/artwork/mask.h"
+#include "io/job/canvas_regions.h"
 #include "io/job/job_keys.h"
 #include "io/number_text.h"
 
@@ -131,7 +132,8 @@ Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
   }
   check_no_file(spec);
   check_box(spec);
-  const Grid<float> coverage = mask_coverage(render_into_box(spec, drawers));
+  const cv::Mat page = render_into_box(spec, drawers);
+  const Grid<float> coverage = mask_coverage(page);
   if (std::min(coverage.width(), coverage.height()) < 2 * kMinCanvas_px) {
     throw InputError("canvas file " + spec.file + ": only " + std::to_string(coverage.width() / 2) + " x " +
                      std::to_string(coverage.height() / 2) + " px in the box of canvas.size_px, allowed: " +
@@ -142,6 +144,7 @@ Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
     throw InputError("canvas file " + spec.file + ": no area to fill; needed: an opaque silhouette on a transparent " +
                      "page or a plain background");
   }
+  canvas.regions = region_distances(page, coverage, spec);
   return canvas;
 }
 

@@ -20,6 +20,7 @@ struct CanvasSpec {
   int height_px = 1000;
   std::string file;   // SVG or image mask, absolute path; empty = the rectangle
   Seamless seamless = Seamless::none;  // of a rectangle
+  std::vector<std::string> region_colours = {};  // of `file`: each place belongs to the nearest; empty: one region
 };
 
 struct OutputSpec {
@@ -57,6 +58,7 @@ struct Job {
   CheckpointSpec checkpoint;
   CommSpec comm;
   CollageSettings settings;
+  double size_factor = 1;  // times all sizes; found by the master where every shape is to have a place (pieces.fit)
   std::map<std::string, std::vector<JobRow>> tables;  // by name
 };
 

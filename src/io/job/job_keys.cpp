@@ -115,9 +115,12 @@ void add_piece_keys(std::vector<JobKey>& keys) {
                                  "allowed rotations of the artwork, clockwise; -180 to 180 = any"},
                                 &PoseWish::rotation_rad, FIELD(settings.pieces.min_rotation_rad),
                                 FIELD(settings.pieces.max_rotation_rad), kDegreesPerRad));
-  keys.push_back(with_number({"pieces", "uses", integer, "", 0, 1e6, {},
-                              "how often one shape may be placed; 0 = unlimited"},
-                             FIELD(settings.pieces.uses)));
+  keys.push_back(with_pair({"pieces", "uses", uses, "", 0, 1e6, {},
+                            "how often one shape may be placed; 0 = unlimited"},
+                           FIELD(settings.pieces.least_uses), FIELD(settings.pieces.uses)));
+  keys.push_back(with_word({"pieces", "fit", word, "", 0, 0, {"free", "all"},
+                            "`all`: every shape at least once; the program multiplies all sizes by one factor to that end"},
+                           FIELD(settings.pieces.fit_all)));
   keys.push_back(with_number({"pieces", "padding_px", number, "px", 0, 500, {},
                               "distance kept between pieces, and between pieces and the canvas' edge"},
                              FIELD(settings.pieces.padding_px)));

@@ -122,8 +122,14 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
   const toml::table table = parse(text, path);
   for (const JobEntry& entry : entries_of(table, path)) apply_entry(entry, job);
   add_rows(table, path, job);
+  if (job.tables.contains("regions")) {
+    for (const JobRow& region : job.tables["regions"]) job.canvas.region_colours.push_back(region.at("colour").text);
+  }
   for (const std::string& override : overrides) apply_override(override, job);
   check_required(job);
+  if (!job.canvas.region_colours.empty() && job.canvas.file.empty()) {
+    throw InputError(path + ": [[regions]] are parts of canvas.file, which is missing; needed: an SVG or image with them");
+  }
   return job;
 }
 

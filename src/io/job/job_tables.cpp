@@ -42,10 +42,21 @@ JobTable regions_table() {
            column(t, "rotation_deg", intervals, "degrees", -360, 360, "rotations there, instead of those of [pieces]")}};
 }
 
+JobTable given_table() {
+  using enum JobKind;
+  const std::string t = "given";
+  return {t,
+          "pieces that stand where you put them, before any other is placed",
+          {required(column(t, "shape", name, "", 0, 0, "name of a shape of the library")),
+           required(column(t, "at_px", point, "px", -20000, 40000, "where the middle of its area lies, from the canvas' upper left corner")),
+           required(column(t, "scale_px", number, "px", 2, 20000, "its size: the square root of its area")),
+           column(t, "rotation_deg", number, "degrees", -360, 360, "clockwise; default 0")}};
+}
+
 }  // namespace
 
 const std::vector<JobTable>& job_tables() {
-  static const std::vector<JobTable> tables = {shapes_table(), regions_table()};
+  static const std::vector<JobTable> tables = {shapes_table(), regions_table(), given_table()};
   return tables;
 }
 

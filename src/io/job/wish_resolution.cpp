@@ -1,6 +1,7 @@
 #include "io/job/wish_resolution.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <string_view>
@@ -37,12 +38,14 @@ class Resolution {
       : names_(shape_names),
         job_(job),
         shape_rows_(rows_of(job, "shapes")),
-        region_rows_(rows_of(job, "regions")) {}
+        region_rows_(rows_of(job, "regions")),
+        given_rows_(rows_of(job, "given")) {}
 
   Wishes wishes() {
     for (std::size_t row = 0; row < shape_rows_.size(); ++row) check_names(row);
     for (const JobRow& row : region_rows_) add_region(row);
     if (!shape_rows_.empty()) add_classes();
+    for (const JobRow& row : given_rows_) wishes_.given.push_back(given_piece(row));
     return std::move(wishes_);
   }
 
@@ -57,11 +60,27 @@ class Resolution {
   void check_names(std::size_t row) const {
     for (const std::string& pattern : shape_rows_[row].at("names").texts) {
       if (std::any_of(names_.begin(), names_.end(), [&](const std::string& n) { return matches_glob(pattern, n); })) continue;
-      const std::string nearest = nearest_name(pattern, names_);
-      fail("[[shapes]] names: the library has no shape \"" + pattern + "\"" +
-           (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
-           "; tessera library info FILE --names lists them");
+      fail_no_shape("[[shapes]] names", pattern);
     }
+  }
+
+  [[noreturn]] void fail_no_shape(const std::string& key, const std::string& name) const {
+    const std::string nearest = nearest_name(name, names_);
+    fail(key + ": the library has no shape \"" + name + "\"" +
+         (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
+         "; tessera library info FILE --names lists them");
+  }
+
+  GivenPiece given_piece(const JobRow& row) const {
+    const auto name = std::find(names_.begin(), names_.end(), row.at("shape").text);
+    if (name == names_.end()) fail_no_shape("[[given]] shape", row.at("shape").text);
+    const double scale_px = row.at("scale_px").numbers[0];
+    const JobValue* turned = cell(row, "rotation_deg");
+    const double rotation_rad = turned ? turned->numbers[0] / kDegreesPerRad : 0;
+    const std::vector<double>& at_px = row.at("at_px").numbers;
+    return {ShapeId(std::uint32_t(name - names_.begin())),
+            {float(scale_px * std::cos(rotation_rad)), float(scale_px * std::sin(rotation_rad)), float(at_px[0]),
+             float(at_px[1])}};
   }
 
   void add_region(const JobRow& row) {
@@ -95,7 +114,10 @@ class Resolution {
       const JobRow& row = shape_rows_[i];
       read_poses(row, wish.poses);
       if (const JobValue* value = cell(row, "weight")) wish.weight = float(value->numbers[0]);
-      if (const JobValue* value = cell(row, "uses")) wish.uses = int(value->numbers[1]);
+      if (const JobValue* value = cell(row, "uses")) {
+        wish.least_uses = int(value->numbers[0]);
+        wish.uses = int(value->numbers[1]);
+      }
       if (const JobValue* value = cell(row, "regions")) wish.in_region = regions_named(value->texts);
     }
     return wish;
@@ -116,6 +138,7 @@ class Resolution {
   const Job& job_;
   const std::vector<JobRow>& shape_rows_;
   const std::vector<JobRow>& region_rows_;
+  const std::vector<JobRow>& given_rows_;
   Wishes wishes_;
 };
 
@@ -134,7 +157,7 @@ void widen_scales(PieceSettings& pieces, const Wishes& wishes) {
 
 }  // namespace
 
-bool has_shape_wishes(const Job& job) { return !rows_of(job, "shapes").empty(); }
+bool has_shape_wishes(const Job& job) { return !rows_of(job, "shapes").empty() || !rows_of(job, "given").empty(); }
 
 void resolve_wishes(const std::vector<std::string>& shape_names, Job& job) {
   job.settings.wishes = Resolution(shape_names, job).wishes();

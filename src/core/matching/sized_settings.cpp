@@ -1,0 +1,48 @@
+#include "core/matching/sized_settings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/matching/size_schedule.h"
+#include "core/matching/stances.h"
+#include "core/tuning.h"
+
+namespace tessera {
+namespace {
+
+void multiply(std::vector<Interval>& scales_px, float factor) {
+  for (Interval& scale_px : scales_px) {
+    scale_px.min *= factor;
+    scale_px.max *= factor;
+  }
+}
+
+}  // namespace
+
+CollageSettings with_sizes_times(double factor, CollageSettings settings) {
+  PieceSettings& pieces = settings.pieces;
+  pieces.several.scale_px = pieces.poses().scale_px;
+  multiply(pieces.several.scale_px, float(factor));
+  for (ShapeWish& shape : settings.wishes.classes) multiply(shape.poses.scale_px, float(factor));
+  for (RegionWish& region : settings.wishes.regions) multiply(region.poses.scale_px, float(factor));
+  pieces.min_scale_px *= float(factor);
+  pieces.max_scale_px *= float(factor);
+  if (pieces.fit_all) pieces.min_scale_px *= float(std::pow(kNextAttempt, kMostAttempts - 1));
+  return settings;
+}
+
+double first_size_factor(const CollageSettings& settings, std::uint32_t library_shapes, double area_px2) {
+  for (const GivenPiece& piece : settings.wishes.given) {
+    const double scale_px = piece.canvas_from_shape.scale();
+    area_px2 -= scale_px * scale_px;
+  }
+  const StanceTable stances(settings, library_shapes);
+  std::vector<Interval> sizes;
+  for (std::uint32_t i = 0; i < stances.open_shapes(); ++i) {
+    const StanceList& list = stances.list(stances.open_shape(i));
+    sizes.push_back({list.min_scale_px, list.max_scale_px});
+  }
+  return size_factor(std::max(area_px2, 1.), kFirstFilling, sizes);
+}
+
+}  // namespace tessera
