@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "io/job/job_keys.h"
 #include "io/job/job_value.h"
-#include "io/job/nearest_name.h"
+#include "io/nearest_name.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# library_copy_test.sh TESSERA NEW_FOLDER: tessera library merge and subset, what they say, and what they never replace.
+set -uo pipefail
+tessera=$1
+folder=$2
+# shellcheck source=tests/support/drawings.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
+
+fail() {
+  echo "FAILED $*"
+  cat output errors 2>/dev/null
+  exit 1
+}
+
+# library CODE ARGUMENT...
+library() {
+  local expected=$1 code
+  shift
+  "$tessera" library "$@" >output 2>errors
+  code=$?
+  [[ $code == "$expected" ]] || fail "exit code $code, not $expected: library $*"
+}
+
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
+make_drawings drawings
+mkdir more
+cp drawings/star.svg more/star_again.svg
+sed 's/teal/crimson/' drawings/star.svg >more/star_red.svg
+cp drawings/bean.svg more/bean_again.svg
+draw_svg more/leaf 'M10 10 H90 V90 H50 V50 H10Z'
+library 0 build drawings -o a.h5
+library 0 build more -o b.h5
+
+library 0 merge a.h5 b.h5 -o all.h5
+grep -q '^merged 2 with the same silhouette and colour:$' output || fail "twins that are not counted"
+grep -qx '  star_again = star' output || fail "a twin that is not told"
+grep -qE '^all.h5, .* MB, 7 shapes$' output || fail "another number of shapes"
+grep -qF $'merged\tb.h5/bean_again\tthe silhouette and colour of bean' all.left_out.txt || fail "another list"
+library 0 info all.h5 --names
+[[ $(tr '\n' , <output) == 'bean,corner,drop,leaf,star,leaf (more),star_red,' ]] || fail "other names"
+library 0 info all.h5
+grep -qx 'silhouettes     6 (1 in other colours)' output || fail "no variants"
+echo "ok merge"
+
+library 0 subset all.h5 --include '*e*' 'star*' --exclude '*d*' -o some.h5
+library 0 info some.h5 --names
+[[ $(tr '\n' , <output) == 'bean,corner,leaf,star,leaf (more),' ]] || fail "another choice"
+library 2 subset all.h5 --include 'Star' -o none.h5
+grep -qF 'all.h5: include: no shape has a name like "Star"; near it are: star, star_red' errors || fail "no near names"
+library 2 subset all.h5 -o none.h5
+grep -qF 'nothing is chosen; needed: --include or --exclude' errors || fail "a choice of nothing"
+[[ ! -e none.h5 && ! -e none.left_out.txt ]] || fail "a library of nothing"
+echo "ok subset"
+
+cp a.h5 a_before.h5
+ln a.h5 same.h5
+for output in a.h5 ./a.h5 same.h5; do
+  library 2 merge a.h5 b.h5 -o "$output"
+  grep -qF -- "--output: found $output, which is read" errors || fail "another message for $output"
+done
+cmp a.h5 a_before.h5 || fail "what is read was replaced"
+library 2 merge a.h5 b.h5 -o drawings/bean.svg
+grep -qF 'drawings/bean.svg: is there and is no library' errors || fail "another message for a drawing"
+library 2 merge a.h5 none.h5 -o new.h5
+library 2 merge a.h5 drawings/bean.svg -o new.h5
+library 1 merge a.h5 b.h5 -o /proc/new.h5
+library 0 build more --pad-levels 4 -o other.h5
+library 2 merge a.h5 other.h5 -o new.h5
+grep -qF 'other.h5: built with --pad-levels 4 --delta-tau 0.200000, but a.h5 with --pad-levels 5' errors ||
+  fail "another message for libraries that differ"
+[[ ! -e new.h5 && ! -e new.h5.lock ]] || fail "a library of bad ones"
+library 0 subset all.h5 --include leaf -o all_but.h5
+library 0 subset a.h5 --include leaf -o all_but.h5 # replaces a library
+echo "ok errors"
