@@ -10,7 +10,7 @@ namespace tessera::cli {
 namespace {
 
 /// Of the shapes that were placed, all that the files need.
-void add_placed_shapes(const io::LibraryFile& library, io::CollageReport& report) {
+void add_placed_shapes(const io::ShapeLibrary& library, io::CollageReport& report) {
   std::set<ShapeId> placed;
   for (const Placement& placement : report.placements) placed.insert(placement.shape);
   const io::LibraryParts parts{.outline = true, .field = false, .levels = 0, .artwork = true, .original = false};

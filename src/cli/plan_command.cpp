@@ -34,7 +34,7 @@ struct PlanArguments {
 
 PlanInput plan_input(const PlanArguments& arguments) {
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
-  const io::LibraryFile library = io::open_library_of(job);
+  const io::LibraryView library = io::open_library_of(job);
   const Canvas canvas = io::load_canvas(job.canvas);
   const double width_px = job.output.width_px;
   return {.settings = job.settings,

@@ -34,6 +34,12 @@ std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placemen
   return result;
 }
 
+std::vector<ShapeId> silhouettes_of(const ShapeSource& shapes, std::uint32_t count) {
+  std::vector<ShapeId> silhouettes;
+  for (std::uint32_t shape = 0; shape < count; ++shape) silhouettes.push_back(shapes.silhouette(ShapeId(shape)));
+  return silhouettes;
+}
+
 }  // namespace
 
 Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context,
@@ -46,7 +52,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       curve_(settings.pieces, settings.match.pad),
       checks_(shapes, free_, opened_, settings_.pieces),
       outlines_(free_, settings.pieces),
-      scoring_(settings, context.library_shapes),
+      scoring_(settings, context.library_shapes, silhouettes_of(shapes, context.library_shapes)),
       settling_(shapes, free_, outlines_, context_),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
@@ -113,7 +119,7 @@ Window Collage::place(const Candidate& candidate) {
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
   changed_nodes_ = changed_nodes_.united(changed);
   retrace(changed);
-  if (!scoring_.may_use(candidate.shape)) drop_shape(candidate.shape);
+  if (!scoring_.may_use(candidate.shape)) drop_silhouette(candidate.shape);
   return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
                       2 + kept_distance_px(settings_.pieces));
 }
@@ -177,10 +183,10 @@ void Collage::retrace(const Window& changed) {
   }
 }
 
-void Collage::drop_shape(ShapeId shape) {
+void Collage::drop_silhouette(ShapeId shape) {
   std::vector<SampleId> ids;
   for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
-  for (const SampleId id : ids) review(id, [&](Candidate& c) { return c.shape != shape; });
+  for (const SampleId id : ids) review(id, [&](Candidate& c) { return !scoring_.same_silhouette(c.shape, shape); });
 }
 
 std::vector<Docking> Collage::touched_by(const Window& changed) const {

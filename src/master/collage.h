@@ -86,7 +86,7 @@ class Collage {
   bool settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
-  void drop_shape(ShapeId shape);
+  void drop_silhouette(ShapeId shape);
   template <class Keep>
   void review(SampleId id, Keep keep);
   void retrace(const Window& changed);

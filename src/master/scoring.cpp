@@ -1,25 +1,34 @@
 #include "master/scoring.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "core/collage/objective.h"
 #include "core/tuning.h"
 
 namespace tessera::master {
 
-Scoring::Scoring(const CollageSettings& settings, std::uint32_t library_shapes)
+Scoring::Scoring(const CollageSettings& settings, std::uint32_t library_shapes, std::vector<ShapeId> silhouettes)
     : pieces_(settings.pieces),
       objective_(settings.objective),
-      poses_(library_shapes) {}
+      silhouettes_(std::move(silhouettes)),
+      placed_(library_shapes) {
+  for (std::uint32_t shape = std::uint32_t(silhouettes_.size()); shape < library_shapes; ++shape)
+    silhouettes_.push_back(ShapeId(shape));
+}
 
-void Scoring::count(const Placement& placement) { poses_[index_of(placement.shape)].push_back(placement.canvas_from_shape); }
+void Scoring::count(const Placement& placement) {
+  placed_[silhouette(placement.shape)].push_back({placement.shape, placement.canvas_from_shape});
+}
 
 void Scoring::forget_placements() {
-  for (std::vector<Similarity>& poses : poses_) poses.clear();
+  for (std::vector<Placed>& placed : placed_) placed.clear();
 }
 
 bool Scoring::may_use(ShapeId shape) const {
-  return pieces_.uses == 0 || poses_[index_of(shape)].size() < std::size_t(pieces_.uses);
+  return pieces_.uses == 0 || placed_[silhouette(shape)].size() < std::size_t(pieces_.uses);
 }
 
 bool Scoring::acceptable(const Candidate& candidate) const {
@@ -42,11 +51,15 @@ float Scoring::score(const Candidate& candidate) const {
 
 /// Repetition costs something, or one shape that fits everywhere fills the canvas.
 float Scoring::preference(const Candidate& candidate) const {
-  const std::vector<Similarity>& placed = poses_[index_of(candidate.shape)];
+  const std::vector<Placed>& placed = placed_[silhouette(candidate.shape)];
   if (placed.empty()) return 1;
-  float factor = std::pow(1.f + float(placed.size()), -objective_.repetition_exponent);
+  const auto same_colours = std::count_if(placed.begin(), placed.end(),
+                                          [&](const Placed& other) { return other.shape == candidate.shape; });
+  const float uses = float(same_colours) + kUseInOtherColours * float(std::ptrdiff_t(placed.size()) - same_colours);
+  float factor = std::pow(1.f + uses, -objective_.repetition_exponent);
   const float radius = candidate.radius + kNearTwinReach;
-  for (const Similarity& pose : placed) {
+  for (const Placed& other : placed) {
+    const Similarity& pose = other.canvas_from_shape;
     const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
     const Vec2 apart = pose.translation() - candidate.canvas_from_shape.translation();
     if (dot(apart, apart) < near * near) factor *= objective_.near_twin_factor;

@@ -13,13 +13,16 @@ namespace tessera::master {
 
 class Scoring {
  public:
-  Scoring(const CollageSettings& settings, std::uint32_t library_shapes);
+  /// `silhouettes`: for each shape of the library the first one with its silhouette; empty: each is its own. Shapes of
+  /// one silhouette repeat each other.
+  Scoring(const CollageSettings& settings, std::uint32_t library_shapes, std::vector<ShapeId> silhouettes = {});
 
   /// A piece of this placement stands from now on.
   void count(const Placement& placement);
   void forget_placements();
 
-  /// Whether `pieces.uses` leaves another one of the shape.
+  bool same_silhouette(ShapeId a, ShapeId b) const { return silhouette(a) == silhouette(b); }
+  /// Whether `pieces.uses` leaves another one of the shape's silhouette.
   bool may_use(ShapeId shape) const;
   /// Whether the candidate's terms alone allow it: no overlap shows, and it touches something.
   bool acceptable(const Candidate& candidate) const;
@@ -27,14 +30,21 @@ class Scoring {
   bool overlaps_little(const Candidate& candidate, const ExactAreas& areas) const;
   /// The objective of the candidate's terms.
   float score(const Candidate& candidate) const;
-  /// The part (0..1) of its score that is left to a candidate whose shape stands already: the smaller, the more of them
-  /// stand, above all close by. It falls as pieces are placed, and never rises but by forget_placements().
+  /// The part (0..1) of its score that is left to a candidate whose silhouette stands already: the smaller, the more of
+  /// them stand, above all close by and in the same colours. It falls as pieces are placed, and never rises but by forget_placements().
   float preference(const Candidate& candidate) const;
 
  private:
+  struct Placed {
+    ShapeId shape;
+    Similarity canvas_from_shape;
+  };
+  std::uint32_t silhouette(ShapeId shape) const { return index_of(silhouettes_[index_of(shape)]); }
+
   PieceSettings pieces_;
   ObjectiveSettings objective_;
-  std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
+  std::vector<ShapeId> silhouettes_;
+  std::vector<std::vector<Placed>> placed_;  // per silhouette
 };
 
 }  // namespace tessera::master

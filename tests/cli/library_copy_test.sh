@@ -48,7 +48,7 @@ library 0 subset all.h5 --include '*e*' 'star*' --exclude '*d*' -o some.h5
 library 0 info some.h5 --names
 [[ $(tr '\n' , <output) == 'bean,corner,leaf,star,leaf (more),' ]] || fail "another choice"
 library 2 subset all.h5 --include 'Star' -o none.h5
-grep -qF 'all.h5: include: no shape has a name like "Star"; near it are: star, star_red' errors || fail "no near names"
+grep -qF 'include: no shape of all.h5 has a name like "Star"; near it are: star, star_red' errors || fail "no near names"
 library 2 subset all.h5 -o none.h5
 grep -qF 'nothing is chosen; needed: --include or --exclude' errors || fail "a choice of nothing"
 [[ ! -e none.h5 && ! -e none.left_out.txt ]] || fail "a library of nothing"
@@ -74,3 +74,43 @@ grep -qF 'other.h5: built with --pad-levels 4 --delta-tau 0.200000, but a.h5 wit
 library 0 subset all.h5 --include leaf -o all_but.h5
 library 0 subset a.h5 --include leaf -o all_but.h5 # replaces a library
 echo "ok errors"
+
+# collage NAME OPTION...: draws, too; the digest of its pieces
+collage() {
+  local name=$1
+  shift
+  "$tessera" collage job.toml --out "$name" --quiet "$@" >output 2>errors || fail "collage $name"
+  grep -o '"library":.*"digest":"[0-9a-f]*"},"canvas"' "$name/manifest.json" | grep -o '[0-9a-f]\{16\}'
+}
+cat >job.toml <<'END'
+[library]
+files = ["a.h5", "b.h5"]
+[canvas]
+size_px = [120, 90]
+[pieces]
+scale_px = [15, 40]
+[stop]
+pieces = 6
+[output]
+width_px = 240
+END
+joined=$(collage joined) || exit 1
+merged=$(collage merged --set library.files= --set library.file=all.h5) || exit 1
+[[ -n $joined && $joined == "$merged" ]] || fail "files of a job are another library than their merger: $joined $merged"
+cmp joined/pieces.geojson merged/pieces.geojson || fail "files of a job give other pieces than their merger"
+cmp joined/collage.png merged/collage.png || fail "files of a job give another picture than their merger"
+collage chosen --set 'library.include=["l*", "star*"]' --set library.exclude=*red >/dev/null
+grep -o '"shape":"[^"]*"' chosen/pieces.geojson | sort -u | grep -vE '"(leaf|star|leaf \(more\))"' && fail "a shape that is not chosen"
+cp joined/collage.png before.png
+mkdir moved && mv a.h5 moved/a.h5 && mv b.h5 moved/b.h5
+"$tessera" draw joined --png --quiet 2>errors && fail "draws without its libraries"
+grep -q 'library.files: .*a.h5: no such file.*--library FILE of tessera draw says' errors || fail "another message of draw"
+"$tessera" draw --library moved/a.h5 --library moved/b.h5 joined --png --quiet || fail "draw --library --library"
+cmp joined/collage.png before.png || fail "drawn otherwise from libraries that were moved"
+"$tessera" draw joined --library all.h5 --png --quiet || fail "draw with the merger"
+"$tessera" draw joined --library moved/a.h5 --png --quiet 2>errors && fail "draws with another library"
+grep -q 'moved/a.h5: not the library that the collage was made from' errors || fail "another message for another library"
+"$tessera" collage job.toml --set 'library.files=["moved/a.h5", "moved/b.h5"]' --set 'library.include=bea' --out new 2>errors &&
+  fail "a choice of nothing"
+grep -q 'job.toml: library.include: no shape of .* has a name like "bea"; near it are: bean' errors || fail "no near names"
+echo "ok jobs"

@@ -85,8 +85,8 @@ TEST_F(LibraryViews, ChooseByName) {
 TEST_F(LibraryViews, SayWhatNamesAreNear) {
   const std::string path = write("a.h5", animals_);
   EXPECT_EQ(message_of([&] { LibraryView({{path}, {{"cat", "DOG*"}, {}}}); }),
-            path + ": include: no shape has a name like \"DOG*\"; near it are: dog, Cat, cat, cow");
-  EXPECT_EQ(message_of([&] { LibraryView({{path}, {{}, {"*"}}}); }), path + ": exclude: nothing is left of 4 shapes");
+            "include: no shape of " + path + " has a name like \"DOG*\"; near it are: dog, Cat, cat, cow");
+  EXPECT_EQ(message_of([&] { LibraryView({{path}, {{}, {"*"}}}); }), "exclude: nothing is left of the 4 shapes of " + path);
 }
 
 TEST_F(LibraryViews, JoinFilesInOrderAndLeaveTwinsOut) {

@@ -101,6 +101,9 @@ void apply_entry(const JobEntry& entry, Job& job) {
   if (key->kind == JobKind::file && !value->text.empty()) {
     value->text = (entry.base / value->text).lexically_normal().string();
   }
+  if (key->kind == JobKind::files) {
+    for (std::string& path : value->texts) path = (entry.base / path).lexically_normal().string();
+  }
   key->set(job, *value);
 }
 

@@ -32,7 +32,10 @@ struct CommSpec {
 
 struct Job {
   std::string path;      // the file it came from
-  std::string library;   // absolute path
+  std::string library;   // absolute path; empty: library_files
+  std::vector<std::string> library_files;    // absolute paths
+  std::vector<std::string> library_include;  // patterns of names (io/library/name_globs.h); empty: all shapes
+  std::vector<std::string> library_exclude;
   CanvasSpec canvas;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
   int devices_per_worker = 0;   // 0 = each worker of a node uses all of them

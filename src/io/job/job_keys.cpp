@@ -44,6 +44,13 @@ JobKey with_text(JobKey key, Field field) {
   return key;
 }
 
+template <class Field>
+JobKey with_texts(JobKey key, Field field) {
+  key.get = [field](const Job& job) { return JobValue{{}, {}, field(job)}; };
+  key.set = [field](Job& job, const JobValue& value) { field(job) = value.texts; };
+  return key;
+}
+
 JobKey with_objective_kind(JobKey key) {
   for (const ObjectiveKind& kind : objective_kinds()) key.words.push_back(kind.name);
   key.get = [words = key.words](const Job& job) {
@@ -71,6 +78,15 @@ void add_input_keys(std::vector<JobKey>& keys) {
                             "the library of shapes, made by `tessera library build`"},
                            FIELD(library)));
   keys.back().required = true;
+  keys.back().or_list = "files";
+  keys.push_back(with_texts({"library", "files", files, "", 0, 0, {}, "several libraries as one, instead of `file`"},
+                            FIELD(library_files)));
+  keys.push_back(with_texts({"library", "include", texts, "", 0, 0, {},
+                             "patterns of the names of shapes to use; empty = all"},
+                            FIELD(library_include)));
+  keys.push_back(with_texts({"library", "exclude", texts, "", 0, 0, {},
+                             "patterns of the names of shapes to leave out"},
+                            FIELD(library_exclude)));
   keys.push_back(with_pair({"canvas", "size_px", size, "px", 16, 20000, {},
                             "width and height of the rectangle, or of the box that the mask in `file` is scaled into"},
                            FIELD(canvas.width_px), FIELD(canvas.height_px)));

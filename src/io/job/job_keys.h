@@ -19,14 +19,17 @@ enum class JobKind {
   size,             // [width, height] of whole numbers
   word,             // one of JobKey::words
   file,             // a path
+  texts,            // a list of texts
+  files,            // a list of paths
   colour,           // "#rrggbb"
   devices,          // "all", "cpu", "gpu", indices
 };
 
-/// A value as the job file has it: one or two numbers, or a text.
+/// A value as the job file has it: one or two numbers, a text, or a list of texts.
 struct JobValue {
   std::vector<double> numbers;
   std::string text;
+  std::vector<std::string> texts = {};
 
   friend bool operator==(const JobValue&, const JobValue&) = default;
 };
@@ -43,6 +46,7 @@ struct JobKey {
   std::function<JobValue(const Job&)> get = {};
   std::function<void(Job&, const JobValue&)> set = {};
   bool required = false;  // the default, an empty text, will not do
+  std::string or_list = {};  // a list of the same section that may be given instead, but not beside it
   bool decides = true;    // about the collage; false: may be another one when an interrupted run goes on
   bool in_result = true;  // shows in the files of the result; false: only in its job.toml
 

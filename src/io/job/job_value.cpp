@@ -57,6 +57,21 @@ Result read_colour(std::string text) {
   return JobValue{{}, text};
 }
 
+/// One text alone is a list of one, an empty one none: what --set gives needs no brackets.
+Result read_texts(const toml::node& node) {
+  std::vector<std::string> texts;
+  const auto add = [&](const toml::node& item) {
+    const auto* text = item.as_string();
+    if (!text || text->get().empty() || text->get().find('\0') != std::string::npos) return false;
+    texts.push_back(text->get());
+    return true;
+  };
+  if (const auto* text = node.as_string(); text && text->get().empty()) return JobValue{};
+  const toml::array* array = node.as_array();
+  const bool right = array ? std::all_of(array->begin(), array->end(), add) : add(node);
+  return right ? Result(JobValue{{}, {}, std::move(texts)}) : Result();
+}
+
 /// "0, 2" -> {0, 2}; nothing where it is no list of whole numbers.
 std::optional<std::vector<double>> split_indices(const std::string& text) {
   std::vector<double> indices;
@@ -150,6 +165,12 @@ std::string quoted(const std::string& text) {
   return out.str();
 }
 
+std::string quoted_list(const std::vector<std::string>& texts) {
+  std::string list = "[";
+  for (const std::string& text : texts) list += (list.size() > 1 ? ", " : "") + quoted(text);
+  return list + "]";
+}
+
 }  // namespace
 
 std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node) {
@@ -160,6 +181,8 @@ std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node
     case JobKind::proper_interval:
     case JobKind::size: return read_two(key, node);
     case JobKind::devices: return read_devices(key, node);
+    case JobKind::texts:
+    case JobKind::files: return read_texts(node);
     default: return read_text(key, node);
   }
 }
@@ -177,6 +200,8 @@ std::string allowed_values(const JobKey& key) {
              number_text(kMaxCanvas_px2 / 1e6) + " million px or less in all";
     case JobKind::word: return quoted_words(key, " or ");
     case JobKind::file: return "a path";
+    case JobKind::texts: return "a list of texts";
+    case JobKind::files: return "a list of paths";
     case JobKind::colour: return "\"#rrggbb\"";
     case JobKind::devices:
       return quoted_words(key, ", ") + " or distinct indices from " + min + " to " + max + " like \"0,2\" or [0, 2]";
@@ -186,6 +211,7 @@ std::string allowed_values(const JobKey& key) {
 
 std::string job_value_to_toml(const JobKey& key, const Job& job) {
   const JobValue value = key.get(job);
+  if (key.kind == JobKind::texts || key.kind == JobKind::files) return quoted_list(value.texts);
   if (value.numbers.empty()) return quoted(value.text);
   if (value.numbers.size() == 1) return shortest_number(key, job, 0);
   std::string text = "[";

@@ -46,11 +46,7 @@ std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std
   std::vector<std::string> names;
   for (const LibraryFile& file : files)
     for_each_head(file, [&](std::size_t, ShapeHead head) { names.push_back(std::move(head.name)); });
-  try {
-    return chosen_names(names, globs);
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
+  return chosen_names(names, globs, path);
 }
 
 }  // namespace

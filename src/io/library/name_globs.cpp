@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "core/base/error.h"
 #include "io/nearest_name.h"
 #include "io/utf8_text.h"
 
@@ -48,11 +47,12 @@ std::string near_names(const std::string& glob, const std::vector<std::string>& 
 
 }  // namespace
 
-std::vector<bool> chosen_names(const std::vector<std::string>& names, const NameGlobs& globs) {
+std::vector<bool> chosen_names(const std::vector<std::string>& names, const NameGlobs& globs,
+                               const std::string& library) {
   for (const std::string& glob : globs.include) {
     if (std::any_of(names.begin(), names.end(), [&](const std::string& name) { return matches(glob, name); })) continue;
-    throw InputError("include: no shape has a name like \"" + printable_utf8(glob) + "\"; near it are: " +
-                     near_names(glob, names));
+    throw NamesNotFound("include: no shape of " + library + " has a name like \"" + printable_utf8(glob) +
+                        "\"; near it are: " + near_names(glob, names));
   }
   std::vector<bool> chosen(names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -60,7 +60,7 @@ std::vector<bool> chosen_names(const std::vector<std::string>& names, const Name
     chosen[i] = included && !matches_any(globs.exclude, names[i]);
   }
   if (std::find(chosen.begin(), chosen.end(), true) == chosen.end())
-    throw InputError("exclude: nothing is left of " + std::to_string(names.size()) + " shapes");
+    throw NamesNotFound("exclude: nothing is left of the " + std::to_string(names.size()) + " shapes of " + library);
   return chosen;
 }
 
