@@ -4,6 +4,7 @@
 
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
+#include "io/job/palette.h"
 #include "io/result/collage_files.h"
 
 namespace tessera::cli {
@@ -47,6 +48,7 @@ CollageInput::CollageInput(const CollageArguments& arguments)
       start(start_of(arguments, earlier)),
       checkpoints(checkpoints_in(earlier, start)),
       library(io::open_library_of(job)),
+      palette(io::load_palette(job)),
       canvas(checked_canvas(job)),
       lock(locked_folder(folder), folder) {
   io::check_nothing_foreign_is_replaced(folder, arguments.job);

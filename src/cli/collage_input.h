@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/collage_checkpoints.h"
 #include "cli/collage_run.h"
@@ -28,6 +29,7 @@ struct CollageInput {
   Start start;
   io::CheckpointFolder checkpoints;
   io::LibraryView library;
+  std::vector<std::string> palette;  // of silhouettes, "#rrggbb"
   Canvas canvas;
   io::OutputLock lock;  // of the folder; what is in it counts as it is from then on
   io::CheckpointOrigin origin;

@@ -20,7 +20,8 @@ using StopReason = std::function<const char*()>;
 
 /// The matcher of a run without workers: the whole library on this rank's devices. What asks to stop ends a question by
 /// Interrupted.
-std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::ShapeLibrary& library, const StopReason& stop_reason);
+std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::ShapeLibrary& library,
+                                     const StopReason& stop_reason);
 
 /// Where rank 0 runs: with devices where it is alone, without where workers do the matching.
 RankSite master_site(const comm::Communicator& ranks, const io::Job& job);

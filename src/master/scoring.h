@@ -31,7 +31,8 @@ class Scoring {
   /// The objective of the candidate's terms.
   float score(const Candidate& candidate) const;
   /// The part (0..1) of its score that is left to a candidate whose silhouette stands already: the smaller, the more of
-  /// them stand, above all close by and in the same colours. It falls as pieces are placed, and never rises but by forget_placements().
+  /// them stand, above all close by and in the same colours. It falls as pieces are placed, and never rises but by
+  /// forget_placements().
   float preference(const Candidate& candidate) const;
 
  private:

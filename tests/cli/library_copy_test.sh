@@ -99,6 +99,21 @@ merged=$(collage merged --set library.files= --set library.file=all.h5) || exit 
 [[ -n $joined && $joined == "$merged" ]] || fail "files of a job are another library than their merger: $joined $merged"
 cmp joined/pieces.geojson merged/pieces.geojson || fail "files of a job give other pieces than their merger"
 cmp joined/collage.png merged/collage.png || fail "files of a job give another picture than their merger"
+grep -q '"colours"' joined/manifest.json && fail "a palette for a library of two colours"
+collage teal --set library.files=a.h5 >/dev/null
+grep -q '"colours":\["#' teal/manifest.json || fail "teal drawings alone are not told apart by colours"
+collage as_drawn --set library.files=a.h5 --set colour.pieces=artwork >/dev/null
+grep -q '"colours"' as_drawn/manifest.json && fail "colours of artwork"
+cmp -s as_drawn/collage.png teal/collage.png && fail "the palette is not seen"
+cmp as_drawn/pieces.geojson teal/pieces.geojson || fail "colours change pieces"
+printf '#aa0000\n#00aa00\n' >two.txt
+collage two --set colour.pieces=palette --set colour.palette=two.txt >/dev/null
+grep -q '"colours":\["#\(aa0000\|00aa00\)"' two/manifest.json || fail "another palette than that of the file"
+cp two/collage.png two.png
+rm two.txt
+"$tessera" draw two --quiet 2>errors && cmp two/collage.png two.png || fail "tessera draw needs the palette's file"
+"$tessera" collage job.toml --set colour.palette=two.txt --out three 2>errors && fail "a palette that is not there"
+grep -q 'job.toml: colour.palette: .*two.txt.*allowed: dusk' errors || fail "another message for a palette"
 collage chosen --set 'library.include=["l*", "star*"]' --set library.exclude=*red >/dev/null
 grep -o '"shape":"[^"]*"' chosen/pieces.geojson | sort -u | grep -vE '"(leaf|star|leaf \(more\))"' && fail "a shape that is not chosen"
 cp joined/collage.png before.png

@@ -136,7 +136,7 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, match, "
-            "objective, improve, stop, checkpoint, comm, devices, output");
+            "objective, improve, stop, checkpoint, comm, colour, devices, output");
   EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
             "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
 }
@@ -251,7 +251,8 @@ TEST_F(JobFile, paths_are_relative_to_the_file_or_the_working_directory) {
 }
 
 TEST_F(JobFile, lists_of_texts_and_paths) {
-  const Job job = load("[library]\nfiles = [\"a.h5\", \"../b.h5\"]\ninclude = [\"cat*\", \"*\\\"dog\\\"*\"]\nexclude = \"x\"");
+  const Job job = load("[library]\nfiles = [\"a.h5\", \"../b.h5\"]\n"
+                       "include = [\"cat*\", \"*\\\"dog\\\"*\"]\nexclude = \"x\"");
   EXPECT_EQ(job.library, "");
   EXPECT_EQ(job.library_files, (std::vector<std::string>{folder_.path("a.h5"),
                                 std::filesystem::path(folder_.path("../b.h5")).lexically_normal()}));
@@ -296,7 +297,11 @@ JobValue random_value(const JobKey& key) {
     case JobKind::word: return {{}, *rc::gen::elementOf(key.words)};
     case JobKind::file: return {{}, "/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')) + "x"};
     case JobKind::texts:
-    case JobKind::files: return {{}, {}, {"/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')), "/b"}};
+    case JobKind::files:
+      return {{}, {}, {"/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')), "/b"}};
+    case JobKind::palette:
+      return {{}, {}, *rc::gen::elementOf(std::vector<std::vector<std::string>>{
+                          {"#012345"}, {"forest"}, {"/p.gpl"}, {"#0a0b0c", "#ffffff"}})};
     case JobKind::colour: return {{}, *rc::gen::element<std::string>("#000000", "#12abcf", "#ffffff")};
     case JobKind::devices: return {{}, *rc::gen::element<std::string>("all", "gpu", "3", "5,0,63")};
   }

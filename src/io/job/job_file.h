@@ -22,6 +22,11 @@ struct OutputSpec {
   std::string background = "#f3f0ec";  // of the canvas region; outside it is white
 };
 
+struct ColourSpec {
+  std::string pieces = "auto";                // "artwork", "palette", or "auto": as the library is
+  std::vector<std::string> palette = {"dusk"};  // colours "#rrggbb"; or alone: a built-in name, a file's absolute path
+};
+
 struct CheckpointSpec {
   double every_s = 60;  // 0 = only at the end, and where the run is interrupted
 };
@@ -39,6 +44,7 @@ struct Job {
   CanvasSpec canvas;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
   int devices_per_worker = 0;   // 0 = each worker of a node uses all of them
+  ColourSpec colour;
   OutputSpec output;
   CheckpointSpec checkpoint;
   CommSpec comm;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/collage/objective.h"
+#include "io/job/palette.h"
 
 namespace tessera::io {
 namespace {
@@ -209,6 +210,20 @@ void add_comm_keys(std::vector<JobKey>& keys) {
   keys.back().in_result = false;
 }
 
+/// One-colour silhouettes, black as a rule, make a black mass: they are told apart by colours of a palette.
+void add_colour_keys(std::vector<JobKey>& keys) {
+  using enum JobKind;
+  keys.push_back(with_text({"colour", "pieces", word, "", 0, 0, {"auto", "artwork", "palette"},
+                            "`artwork`: as drawn; `palette`: silhouettes in colours of the palette; `auto`: `palette` "
+                            "for a library of silhouettes in one colour, else `artwork`"},
+                           FIELD(colour.pieces)));
+  keys.back().decides = false;
+  keys.push_back(with_texts({"colour", "palette", palette, "", 0, 0, built_in_palettes(),
+                             "the colours of silhouettes: a built-in palette, a palette file, or a list of colours"},
+                            FIELD(colour.palette)));
+  keys.back().decides = false;
+}
+
 /// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
 void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
@@ -244,6 +259,7 @@ const std::vector<JobKey>& job_keys() {
     add_stop_keys(all);
     add_checkpoint_keys(all);
     add_comm_keys(all);
+    add_colour_keys(all);
     add_machine_and_output_keys(all);
     return all;
   }();

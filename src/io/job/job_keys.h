@@ -21,6 +21,7 @@ enum class JobKind {
   file,             // a path
   texts,            // a list of texts
   files,            // a list of paths
+  palette,          // one of JobKey::words, a path, or a list of colours
   colour,           // "#rrggbb"
   devices,          // "all", "cpu", "gpu", indices
 };

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/base/split_text.h"
+#include "io/job/palette.h"
 
 namespace tessera::io {
 namespace {
@@ -70,6 +71,19 @@ Result read_texts(const toml::node& node) {
   const toml::array* array = node.as_array();
   const bool right = array ? std::all_of(array->begin(), array->end(), add) : add(node);
   return right ? Result(JobValue{{}, {}, std::move(texts)}) : Result();
+}
+
+/// A list holds colours; a text alone may be a name or a path, too.
+Result read_palette(const toml::node& node) {
+  Result value = read_texts(node);
+  if (!value || value->texts.empty()) return {};
+  if (!node.is_array() && value->texts[0][0] != '#') return value;
+  for (std::string& text : value->texts) {
+    const Result colour = read_colour(text);
+    if (!colour) return {};
+    text = colour->text;
+  }
+  return value;
 }
 
 /// "0, 2" -> {0, 2}; nothing where it is no list of whole numbers.
@@ -183,6 +197,7 @@ std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node
     case JobKind::devices: return read_devices(key, node);
     case JobKind::texts:
     case JobKind::files: return read_texts(node);
+    case JobKind::palette: return read_palette(node);
     default: return read_text(key, node);
   }
 }
@@ -202,6 +217,9 @@ std::string allowed_values(const JobKey& key) {
     case JobKind::file: return "a path";
     case JobKind::texts: return "a list of texts";
     case JobKind::files: return "a list of paths";
+    case JobKind::palette:
+      return quoted_words(key, ", ") + ", the path of a GIMP palette or of a file with a #rrggbb a line, or a list of "
+             "\"#rrggbb\"";
     case JobKind::colour: return "\"#rrggbb\"";
     case JobKind::devices:
       return quoted_words(key, ", ") + " or distinct indices from " + min + " to " + max + " like \"0,2\" or [0, 2]";
@@ -212,6 +230,9 @@ std::string allowed_values(const JobKey& key) {
 std::string job_value_to_toml(const JobKey& key, const Job& job) {
   const JobValue value = key.get(job);
   if (key.kind == JobKind::texts || key.kind == JobKind::files) return quoted_list(value.texts);
+  if (key.kind == JobKind::palette) {
+    return is_colour_list(value.texts) ? quoted_list(value.texts) : quoted(value.texts[0]);
+  }
   if (value.numbers.empty()) return quoted(value.text);
   if (value.numbers.size() == 1) return shortest_number(key, job, 0);
   std::string text = "[";

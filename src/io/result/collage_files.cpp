@@ -102,6 +102,7 @@ std::string publish_result(const std::string& dir, const CollageReport& report, 
   manifest.library_digest = origin.library_digest;
   manifest.canvas_digest = origin.canvas_digest;
   for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
+  manifest.colours = report.colours;
   write_manifest(dir, manifest);
   return card;
 }

@@ -19,6 +19,16 @@ cv::Vec3b parse_colour(const std::string& hex) {
   return {std::uint8_t(rgb), std::uint8_t(rgb >> 8), std::uint8_t(rgb >> 16)};
 }
 
+/// Premultiplied: what is drawn, all of it in this colour.
+void tint(cv::Mat& bgra, cv::Vec3b colour) {
+  for (int y = 0; y < bgra.rows; ++y) {
+    cv::Vec4b* row = bgra.ptr<cv::Vec4b>(y);
+    for (int x = 0; x < bgra.cols; ++x) {
+      for (int c = 0; c < 3; ++c) row[x][c] = std::uint8_t((colour[c] * row[x][3] + 127) / 255);
+    }
+  }
+}
+
 /// A part of a piece that is drawn: rows of its box from `top` on.
 struct Tile {
   int top = 0;
@@ -94,6 +104,7 @@ class PictureBands {
       const PieceDrawing& piece = pieces_[missing[k]];
       const auto sprite = sprites_.get(piece.slot, piece.sprite_side_px);
       tile.bgra = draw_rows(piece, *sprite, tile.top, ends[k]);
+      if (!report_.colours.empty()) tint(tile.bgra, parse_colour(report_.colours[missing[k]]));
     });
   }
 

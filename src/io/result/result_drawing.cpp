@@ -49,7 +49,8 @@ LibraryView opened_library(const Job& job) {
 LibraryView library_of(const Job& job, const ResultManifest& manifest) {
   LibraryView library = opened_library(job);
   if (library.content_digest() == manifest.library_digest) return library;
-  throw InputError(library.path() + ": not the library that the collage was made from; --library FILE says where that is");
+  throw InputError(library.path() +
+                   ": not the library that the collage was made from; --library FILE says where that is");
 }
 
 Canvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver& observer) {
@@ -186,6 +187,7 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   report.canvas = &canvas;
   report.placements = placements_of(dir, manifest, library.size());
   add_shapes(library, stop, report);
+  report.colours = manifest.colours;
   ResultPictures pictures(dir, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
   if (request.png) pictures.png();

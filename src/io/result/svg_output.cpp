@@ -74,10 +74,12 @@ void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip
 }
 
 void write_pieces(const CollageReport& report, const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
-  for (const Placement& placement : report.placements) {
+  for (std::size_t i = 0; i < report.placements.size(); ++i) {
+    const Placement& placement = report.placements[i];
     const std::size_t slot = report.slot_of(placement.shape);
     svg.raw("\n").start("use").attribute("xlink:href", "#" + symbol_id(slot));
     svg.attribute("clip-path", "url(#" + clip_id(slot) + ")");
+    if (!report.colours.empty()) svg.attribute("fill", report.colours[i]);
     svg.attribute("transform",
                   matrix_text(placement, report.shapes[slot].artwork, symbols[slot].artwork_px_per_unit));
     svg.end();
