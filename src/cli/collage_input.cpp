@@ -5,6 +5,7 @@
 #include "core/matching/sized_settings.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
+#include "io/job/palette.h"
 #include "io/result/collage_files.h"
 
 namespace tessera::cli {
@@ -18,14 +19,14 @@ Start start_of(const CollageArguments& arguments, const io::EarlierResult& earli
 }
 
 /// Whose names the job's wishes are about.
-io::LibraryFile library_for(io::Job& job) {
-  io::LibraryFile library = io::open_library_of(job);
+io::LibraryView library_for(io::Job& job) {
+  io::LibraryView library = io::open_library_of(job);
   io::resolve_wishes(library, job);
   return library;
 }
 
 /// With the factor of the sizes, which goes by the canvas' area.
-Canvas checked_canvas(const io::LibraryFile& library, io::Job& job) {
+Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job) {
   Canvas canvas = io::load_canvas(job.canvas);
   io::check_picture_height(job.output, canvas);
   if (job.settings.pieces.fit_all) {
@@ -60,6 +61,7 @@ CollageInput::CollageInput(const CollageArguments& arguments)
       start(start_of(arguments, earlier)),
       checkpoints(checkpoints_in(earlier, start)),
       library(library_for(job)),
+      palette(io::load_palette(job)),
       canvas(checked_canvas(library, job)),
       lock(locked_folder(folder), folder) {
   io::check_nothing_foreign_is_replaced(folder, arguments.job);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/collage_checkpoints.h"
 #include "cli/collage_run.h"
@@ -10,7 +11,7 @@
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/job/job_file.h"
-#include "io/library/library_file.h"
+#include "io/library/library_view.h"
 #include "io/output_lock.h"
 #include "io/result/finished_result.h"
 
@@ -27,7 +28,8 @@ struct CollageInput {
   io::EarlierResult earlier;
   Start start;
   io::CheckpointFolder checkpoints;
-  io::LibraryFile library;
+  io::LibraryView library;
+  std::vector<std::string> palette;  // of silhouettes, "#rrggbb"
   Canvas canvas;
   io::OutputLock lock;  // of the folder; what is in it counts as it is from then on
   io::CheckpointOrigin origin;

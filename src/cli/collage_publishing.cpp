@@ -4,21 +4,28 @@
 #include <set>
 #include <utility>
 
+#include "io/library/one_colour.h"
 #include "io/result/collage_files.h"
+#include "io/result/piece_colours.h"
 
 namespace tessera::cli {
 namespace {
 
 /// Of the shapes that were placed, all that the files need.
-void add_placed_shapes(const io::LibraryFile& library, io::CollageReport& report) {
+void add_placed_shapes(const io::ShapeLibrary& library, io::CollageReport& report) {
   std::set<ShapeId> placed;
   for (const Placement& placement : report.placements) placed.insert(placement.shape);
-  const io::LibraryParts parts{.outline = true, .field = false, .levels = 0, .artwork = true, .original = false};
+  const io::LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = false};
   for (const ShapeId id : placed) {
     const std::uint32_t index = index_of(id);
     report.shape_ids.push_back(id);
     report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
   }
+}
+
+bool draws_palette(const CollageInput& input) {
+  const std::string& pieces = input.job.colour.pieces;
+  return pieces == "palette" || (pieces == "auto" && io::is_of_one_colour(input.library));
 }
 
 }  // namespace
@@ -37,6 +44,7 @@ std::string publish(const CollageInput& input, const master::CollageResult& resu
   report.ranks = ranks;
   report.record = record;
   add_placed_shapes(input.library, report);
+  if (draws_palette(input)) report.colours = io::piece_colours(report, input.palette);
   const std::string card = io::publish_result(input.folder, report, input.origin, !result.unfinished);
   if (result.unfinished) {
     checkpoints.require_one();

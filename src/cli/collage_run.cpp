@@ -25,6 +25,7 @@
 #include "core/base/interrupted.h"
 #include "core/base/version.h"
 #include "core/matching/sized_settings.h"
+#include "io/job/job_library.h"
 #include "io/result/rank_table.h"
 #include "io/utc_time.h"
 #include "master/collage_loop.h"
@@ -53,7 +54,7 @@ io::RunRecord record_of(const CollageInput& input) {
   record.commit = program_commit();
   record.command_line = own_command_line();
   record.job_file = std::filesystem::absolute(input.job.path).string();
-  record.library_file = input.job.library;
+  record.library_file = io::library_text(input.job);
   record.library_digest = input.origin.library_digest;
   record.started_utc = io::utc_now();
   return record;
@@ -123,7 +124,7 @@ bool draw_pictures(const CollageArguments& arguments, const CollageInput& input,
   comm::install_stop_handlers();
   io::DrawingRequest pictures;
   pictures.svg = pictures.png = true;
-  pictures.library = input.job.library;
+  pictures.library = io::library_paths(input.job);
   try {
     const bool drawn = draw(input.folder, pictures, arguments.quiet,
                             [&] { return comm::stop_signalled() || limit.drawing_over(leaving_s(ranks)); });

@@ -21,7 +21,7 @@
 namespace tessera::cli {
 namespace {
 
-MatchingContext context_of(const io::Job& job, const io::LibraryFile& library) {
+MatchingContext context_of(const io::Job& job, const io::ShapeLibrary& library) {
   return make_matching_context(with_sizes_times(job.size_factor, job.settings), std::uint32_t(library.size()));
 }
 
@@ -48,7 +48,7 @@ RankSite site_with(const io::Job& job, const worker::DeviceShare& share) {
 void run_collage_worker(comm::Communicator& ranks) {
   io::Job job = receive_job(ranks, program_identity());
   const comm::Heart heart(ranks, job.comm.silence_s);
-  const io::LibraryFile library = io::open_library_of(job);
+  const io::LibraryView library = io::open_library_of(job);
   check_library(ranks, library);
   io::resolve_wishes(library, job);
   const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
@@ -60,7 +60,7 @@ void run_collage_worker(comm::Communicator& ranks) {
                                                  [&ranks] { ranks.look(); }));
 }
 
-std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library,
+std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::ShapeLibrary& library,
                                      const StopReason& stop_reason) {
   const MatchingContext context = context_of(job, library);
   const ShapeRange all = even_range(library.size(), 0, 1);

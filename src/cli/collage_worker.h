@@ -8,7 +8,7 @@
 #include "core/matching/matcher.h"
 #include "core/ranks/rank_site.h"
 #include "io/job/job_file.h"
-#include "io/library/library_file.h"
+#include "io/library/shape_library.h"
 
 namespace tessera::cli {
 
@@ -20,7 +20,8 @@ using StopReason = std::function<const char*()>;
 
 /// The matcher of a run without workers: the whole library on this rank's devices. What asks to stop ends a question by
 /// Interrupted.
-std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::LibraryFile& library, const StopReason& stop_reason);
+std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::ShapeLibrary& library,
+                                     const StopReason& stop_reason);
 
 /// Where rank 0 runs: with devices where it is alone, without where workers do the matching.
 RankSite master_site(const comm::Communicator& ranks, const io::Job& job);

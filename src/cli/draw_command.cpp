@@ -82,8 +82,10 @@ void add_draw_command(CLI::App& app, Command& selected) {
   draw->add_option("--background", arguments->request.background, "Of the canvas; default: output.background")
       ->type_name("#RRGGBB")
       ->check(not_a_colour);
-  draw->add_option("--library", arguments->request.library, "The library, where it is not at its place any more")
-      ->type_name("FILE");
+  draw->add_option("--library", arguments->request.library,
+                   "The library, where it is not at its place any more; of several, each with an option of its own")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   draw->add_flag("--quiet", arguments->quiet, "Print no progress, only warnings");
   draw->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
 }

@@ -9,6 +9,7 @@
 
 #include "cli/build_summary.h"
 #include "cli/collage_warnings.h"
+#include "cli/library_output.h"
 #include "cli/progress_bar.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
@@ -16,7 +17,6 @@
 #include "io/drawing/drawers.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
-#include "io/library/library_file.h"
 #include "io/output_lock.h"
 
 namespace tessera::cli {
@@ -82,22 +82,11 @@ void throw_if_nothing_found(const BuildArguments& arguments, const io::ArtworkFi
                                            : ": no file matches " + arguments.glob));
 }
 
-/// What is replaced must be a library: a slip of the pen names a drawing.
-void throw_if_not_ours(const BuildArguments& arguments) {
-  std::error_code error;
-  if (!std::filesystem::exists(arguments.output, error)) return;
-  try {
-    const io::LibraryFile library(arguments.output);
-  } catch (const InputError&) {
-    throw InputError(arguments.output + ": is there and is no library; give another name, or remove it");
-  }
-}
-
 int run(const BuildArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const io::ArtworkFiles files = io::find_artwork(arguments.sources, arguments.glob);
   throw_if_nothing_found(arguments, files);
-  throw_if_not_ours(arguments);
+  check_replaceable(arguments.output);
   const io::OutputLock lock(arguments.output + ".lock", arguments.output);
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   std::fputs(build_summary(report).c_str(), stdout);

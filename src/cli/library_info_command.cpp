@@ -2,11 +2,14 @@
 
 #include <cstdio>
 #include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "io/library/contact_sheet.h"
 #include "io/library/library_file.h"
+#include "io/utf8_text.h"
 
 namespace tessera::cli {
 namespace {
@@ -14,11 +17,13 @@ namespace {
 constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library info animals.h5\n"
-    "  tessera library info animals.h5 --sheet animals.png";
+    "  tessera library info animals.h5 --sheet animals.png\n"
+    "  tessera library info animals.h5 --names | grep -i cat";
 
 struct InfoArguments {
   std::string library;
   std::string sheet;
+  bool names = false;
 };
 
 std::size_t samples_per_shape() {
@@ -35,6 +40,9 @@ void print_counts(const io::LibraryFile& library, const io::LibrarySummary& summ
   std::printf("outline points  %zu\n", summary.outline_points);
   std::printf("samples         %zu (%zu a shape)\n", summary.shapes * samples_per_shape(), samples_per_shape());
   std::printf("PAD             n = %d, delta_tau = %g rad\n", pad.levels, double(pad.delta_tau));
+  const std::vector<std::uint32_t> variant_of = library.variant_of();
+  const std::set<std::uint32_t> silhouettes(variant_of.begin(), variant_of.end());
+  std::printf("silhouettes     %zu (%zu in other colours)\n", silhouettes.size(), summary.shapes - silhouettes.size());
   std::printf("artwork         %s\n", summary.original_bytes > 0 ? "embedded" : "referred to by path");
 }
 
@@ -56,6 +64,15 @@ void print_bytes(const io::LibrarySummary& summary) {
   row("file", summary.file_bytes);
 }
 
+void print_names(const io::LibraryFile& library) {
+  constexpr std::size_t kNamesAtATime = 1024;
+  constexpr io::LibraryParts kNames{.outline = false, .field = false, .levels = 0, .artwork = false, .original = false};
+  for (std::size_t at = 0; at < library.size(); at += kNamesAtATime) {
+    for (const Shape& shape : library.read(at, at + kNamesAtATime, kNames))
+      std::printf("%s\n", io::printable_utf8(shape.name).c_str());
+  }
+}
+
 /// A slip of the pen must not turn a library or a drawing into a picture.
 void check_sheet_name(const std::string& sheet) {
   if (sheet.empty() || sheet.ends_with(".png")) return;
@@ -65,6 +82,10 @@ void check_sheet_name(const std::string& sheet) {
 int run(const InfoArguments& arguments) {
   check_sheet_name(arguments.sheet);
   const io::LibraryFile library(arguments.library);
+  if (arguments.names) {
+    print_names(library);
+    return 0;
+  }
   const io::LibrarySummary summary = library.summary();
   print_counts(library, summary);
   print_levels();
@@ -83,6 +104,7 @@ void add_library_info_command(CLI::App& library, Command& selected) {
   info->footer(kExamples);
   info->add_option("LIBRARY", arguments->library, "The library file")->required()->type_name("LIB.h5");
   info->add_option("--sheet", arguments->sheet, "Write a picture of its shapes (PNG)")->type_name("SHEET.png");
+  info->add_flag("--names", arguments->names, "Print the names of the shapes instead, one a line")->excludes("--sheet");
   info->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
 }
 

@@ -35,7 +35,7 @@ struct PlanArguments {
 
 PlanInput plan_input(const PlanArguments& arguments) {
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
-  const io::LibraryFile library = io::open_library_of(job);
+  const io::LibraryView library = io::open_library_of(job);
   const Canvas canvas = io::load_canvas(job.canvas);
   io::check_images(canvas, job.settings.pieces);
   const Window nodes = free_field_grid(canvas, job.settings.pieces).nodes();

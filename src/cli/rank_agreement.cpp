@@ -70,7 +70,7 @@ io::Job receive_job(comm::Communicator& ranks, const std::string& program) {
   return job;
 }
 
-void check_library(comm::Communicator& ranks, const io::LibraryFile& library) {
+void check_library(comm::Communicator& ranks, const io::ShapeLibrary& library) {
   const std::string masters = receive_text(ranks);
   const std::string own = hex(library.content_digest());
   if (own == masters) return;

@@ -6,7 +6,7 @@
 
 #include "comm/communicator.h"
 #include "io/job/job_file.h"
-#include "io/library/library_file.h"
+#include "io/library/shape_library.h"
 
 namespace tessera::cli {
 
@@ -22,6 +22,6 @@ void announce_run(comm::Communicator& ranks, const std::string& program, const i
 io::Job receive_job(comm::Communicator& ranks, const std::string& program);
 
 /// A worker, after receive_job: throws InputError where `library` has another content than the master's.
-void check_library(comm::Communicator& ranks, const io::LibraryFile& library);
+void check_library(comm::Communicator& ranks, const io::ShapeLibrary& library);
 
 }  // namespace tessera::cli

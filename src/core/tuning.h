@@ -118,6 +118,7 @@ inline constexpr float kLeastMatched = 0.03f;  // of the piece's boundary: it mu
 inline constexpr float kWindowMargin_px = 3;   // round a candidate's boundary points: the outline bulges between them
 inline constexpr int kRefillBelow = 2;         // a target sample with fewer candidates left is matched again
 inline constexpr float kNearTwinReach = 0.5f;  // two of a shape are near twins with no more than this between, times scale
+inline constexpr float kUseInOtherColours = 0.75f;  // as repetition: of variants that fit alike the rarer one is chosen
 inline constexpr int kFinalists = 8;  // candidates checked exactly in a round
 inline constexpr int kFinalistsLookedAt = 64;   // to find so many that differ
 inline constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists that would look the same

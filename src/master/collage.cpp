@@ -52,6 +52,12 @@ std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placemen
   return result;
 }
 
+std::vector<ShapeId> silhouettes_of(const ShapeSource& shapes, std::uint32_t count) {
+  std::vector<ShapeId> silhouettes;
+  for (std::uint32_t shape = 0; shape < count; ++shape) silhouettes.push_back(shapes.silhouette(ShapeId(shape)));
+  return silhouettes;
+}
+
 }  // namespace
 
 Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context,
@@ -65,7 +71,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       curve_(settings.pieces, settings.match.pad),
       checks_(shapes, free_, opened_, settings_.pieces),
       outlines_(free_, settings.pieces),
-      scoring_(settings, context.stances, canvas.period),
+      scoring_(settings, context.stances, silhouettes_of(shapes, context.library_shapes), canvas.period),
       settling_(shapes, free_, outlines_, context_),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);

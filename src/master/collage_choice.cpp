@@ -19,7 +19,8 @@ std::vector<Pool::Ranked> Collage::finalists() {
   const auto worth = [&](const Candidate& c) { return c.score * scoring_.preference(c); };
   pool_.best_first(worth, [&](const Pool::Ranked& ranked, const Candidate& c) {
     const bool repeated = std::any_of(looks.begin(), looks.end(), [&](const Candidate* other) {
-      return other->shape == c.shape && near_copy(other->canvas_from_shape, c.canvas_from_shape, kSameCandidate);
+      return scoring_.same_silhouette(other->shape, c.shape) &&
+             near_copy(other->canvas_from_shape, c.canvas_from_shape, kSameCandidate);
     });
     if (!repeated) {
       chosen.push_back(ranked);

@@ -1,20 +1,27 @@
 // The shapes that the master places, read from the library file as they are needed.
 #pragma once
 
-#include "io/library/library_file.h"
+#include <cstdint>
+#include <vector>
+
+#include "io/library/shape_library.h"
 #include "master/cached_shapes.h"
 
 namespace tessera::master {
 
 class LibraryShapes : public CachedShapes {
  public:
-  explicit LibraryShapes(const io::LibraryFile& library) : library_(library) {}
+  /// Throws InputError where the library is damaged.
+  explicit LibraryShapes(const io::ShapeLibrary& library) : library_(library), variant_of_(library.variant_of()) {}
+
+  ShapeId silhouette(ShapeId id) const override { return ShapeId(variant_of_[index_of(id)]); }
 
  protected:
   Shape load(ShapeId id) override;
 
  private:
-  const io::LibraryFile& library_;
+  const io::ShapeLibrary& library_;
+  const std::vector<std::uint32_t> variant_of_;
 };
 
 }  // namespace tessera::master

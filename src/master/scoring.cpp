@@ -2,18 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "core/collage/objective.h"
 #include "core/tuning.h"
 
 namespace tessera::master {
 
-Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, const Period& period)
+Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, std::vector<ShapeId> silhouettes,
+                 const Period& period)
     : pieces_(settings.pieces),
       wishes_(settings.wishes),
       objective_(settings.objective),
       period_(period),
-      poses_(stances.library_shapes()) {
+      silhouettes_(std::move(silhouettes)),
+      placed_(stances.library_shapes()) {
+  for (std::size_t shape = silhouettes_.size(); shape < placed_.size(); ++shape) {
+    silhouettes_.push_back(ShapeId(std::uint32_t(shape)));
+  }
   for (const Stance& stance : stances.stances()) weight_.push_back(stance.weight);
   limits_uses_ = pieces_.fit_all || pieces_.uses > 0 || pieces_.least_uses > 0;
   for (const ShapeWish& wish : wishes_.classes) {
@@ -21,10 +28,18 @@ Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, co
   }
 }
 
-void Scoring::count(const Placement& placement) { poses_[index_of(placement.shape)].push_back(placement.canvas_from_shape); }
+void Scoring::count(const Placement& placement) {
+  placed_[silhouette(placement.shape)].push_back({placement.shape, placement.canvas_from_shape});
+}
 
 void Scoring::forget_placements() {
-  for (std::vector<Similarity>& poses : poses_) poses.clear();
+  for (std::vector<Placed>& placed : placed_) placed.clear();
+}
+
+/// Of this drawing alone: the same outline in other colours is another one.
+int Scoring::uses_of(ShapeId shape) const {
+  const std::vector<Placed>& placed = placed_[silhouette(shape)];
+  return int(std::count_if(placed.begin(), placed.end(), [&](const Placed& p) { return p.shape == shape; }));
 }
 
 /// Null where nothing is wished.
@@ -45,12 +60,12 @@ int Scoring::least_uses(ShapeId shape) const {
 }
 
 bool Scoring::is_missing(ShapeId shape) const {
-  return poses_[index_of(shape)].size() < std::size_t(least_uses(shape)) && may_use(shape);
+  return uses_of(shape) < least_uses(shape) && may_use(shape);
 }
 
 std::vector<ShapeId> Scoring::closed_shapes(const std::vector<ShapeId>& missing) const {
   std::vector<ShapeId> closed;
-  for (std::uint32_t i = 0; i < poses_.size(); ++i) {
+  for (std::uint32_t i = 0; i < placed_.size(); ++i) {
     const ShapeId shape{i};
     const bool waits = !missing.empty() && !std::binary_search(missing.begin(), missing.end(), shape);
     if (waits || !may_use(shape)) closed.push_back(shape);
@@ -60,7 +75,7 @@ std::vector<ShapeId> Scoring::closed_shapes(const std::vector<ShapeId>& missing)
 
 bool Scoring::may_use(ShapeId shape) const {
   const int most = most_uses(shape);
-  return most == 0 || poses_[index_of(shape)].size() < std::size_t(most);
+  return most == 0 || uses_of(shape) < most;
 }
 
 bool Scoring::acceptable(const Candidate& candidate) const {
@@ -83,11 +98,15 @@ float Scoring::score(const Candidate& candidate) const {
 
 /// Repetition costs something, or one shape that fits everywhere fills the canvas.
 float Scoring::preference(const Candidate& candidate) const {
-  const std::vector<Similarity>& placed = poses_[index_of(candidate.shape)];
+  const std::vector<Placed>& placed = placed_[silhouette(candidate.shape)];
   if (placed.empty()) return 1;
-  float factor = std::pow(1.f + float(placed.size()), -objective_.repetition_exponent);
+  const auto same_colours = std::count_if(placed.begin(), placed.end(),
+                                          [&](const Placed& other) { return other.shape == candidate.shape; });
+  const float uses = float(same_colours) + kUseInOtherColours * float(std::ptrdiff_t(placed.size()) - same_colours);
+  float factor = std::pow(1.f + uses, -objective_.repetition_exponent);
   const float radius = candidate.radius + kNearTwinReach;
-  for (const Similarity& pose : placed) {
+  for (const Placed& other : placed) {
+    const Similarity& pose = other.canvas_from_shape;
     const float near = radius * (pose.scale() + candidate.canvas_from_shape.scale());
     const Vec2 centre = candidate.canvas_from_shape.translation();
     const Vec2 apart = period_.nearest(pose.translation(), centre) - centre;

@@ -15,8 +15,10 @@ namespace tessera::master {
 
 class Scoring {
  public:
-  /// `period` is that of the canvas: copies across a seam are near, too.
-  Scoring(const CollageSettings& settings, const StanceTable& stances, const Period& period = {});
+  /// `silhouettes`: for each shape of the library the first one with its silhouette; empty: each is its own. Shapes of
+  /// one silhouette repeat each other. `period` is that of the canvas: copies across a seam are near, too.
+  Scoring(const CollageSettings& settings, const StanceTable& stances, std::vector<ShapeId> silhouettes = {},
+          const Period& period = {});
 
   /// A piece of this placement stands from now on.
   void count(const Placement& placement);
@@ -24,6 +26,7 @@ class Scoring {
 
   /// Whether it matters at all how often a shape stands.
   bool limits_uses() const { return limits_uses_; }
+  bool same_silhouette(ShapeId a, ShapeId b) const { return silhouette(a) == silhouette(b); }
   /// Whether another one of the shape may stand.
   bool may_use(ShapeId shape) const;
   /// Whether there are fewer of the shape than are wanted at least.
@@ -37,11 +40,18 @@ class Scoring {
   bool overlaps_little(const Candidate& candidate, const ExactAreas& areas) const;
   /// The objective of the candidate's terms, times the weight that is wished for.
   float score(const Candidate& candidate) const;
-  /// The part (0..1) of its score that is left to a candidate whose shape stands already: the smaller, the more of them
-  /// stand, above all close by. It falls as pieces are placed, and never rises but by forget_placements().
+  /// The part (0..1) of its score that is left to a candidate whose silhouette stands already: the smaller, the more of
+  /// them stand, above all close by and in the same colours. It falls as pieces are placed, and never rises but by
+  /// forget_placements().
   float preference(const Candidate& candidate) const;
 
  private:
+  struct Placed {
+    ShapeId shape;
+    Similarity canvas_from_shape;
+  };
+  std::uint32_t silhouette(ShapeId shape) const { return index_of(silhouettes_[index_of(shape)]); }
+  int uses_of(ShapeId shape) const;
   /// 0 = no limit.
   int most_uses(ShapeId shape) const;
   int least_uses(ShapeId shape) const;
@@ -53,7 +63,8 @@ class Scoring {
   ObjectiveSettings objective_;
   Period period_;
   bool limits_uses_ = false;
-  std::vector<std::vector<Similarity>> poses_;  // canvas_from_shape of the placements, per shape
+  std::vector<ShapeId> silhouettes_;
+  std::vector<std::vector<Placed>> placed_;  // per silhouette
 };
 
 }  // namespace tessera::master

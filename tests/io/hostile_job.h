@@ -129,6 +129,9 @@ class HostileJob {
       case io::JobKind::devices:
       case io::JobKind::word: return "\"" + any(key.words) + "\"";
       case io::JobKind::file: return "\"" + std::string(2000, 'f') + "/../own.h5\"";
+      case io::JobKind::texts: return "[\"*\", \"" + std::string(2000, '*') + "[\", \"[[:alpha:]]\"]";
+      case io::JobKind::files: return "[\"own.h5\", \"own.h5\"]";
+      case io::JobKind::palette: return "[\"#FFFFFF\", \"#000000\"]";
       case io::JobKind::colour: return "\"#FFFFFF\"";
     }
     return {};

@@ -46,7 +46,9 @@ std::vector<Column> all_columns() {
                           c.original_bytes,
                           c.part_digest,
                           c.artwork_beside,
-                          c.artwork_sha256};
+                          c.artwork_sha256,
+                          c.variant_of,
+                          c.colour_spread};
   for (const io::layout::LevelColumns& level : c.levels)
     all.insert(all.end(), {level.points, level.perimeter, level.lengths, level.keypoints, level.convexity});
   return all;

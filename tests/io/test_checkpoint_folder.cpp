@@ -11,6 +11,7 @@
 #include "io/atomic_file.h"
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/checkpoint/checkpoint_origin.h"
+#include "io/library/library_file.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 

@@ -137,7 +137,7 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, match, "
-            "objective, improve, stop, checkpoint, comm, devices, output, [[shapes]], [[regions]], [[given]]");
+            "objective, improve, stop, checkpoint, comm, colour, devices, output, [[shapes]], [[regions]], [[given]]");
   EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
             "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
 }
@@ -298,6 +298,37 @@ TEST_F(JobFile, paths_are_relative_to_the_file_or_the_working_directory) {
   EXPECT_EQ(load(minimal_, {"library.file=y.h5"}).library, std::filesystem::current_path() / "y.h5");
 }
 
+TEST_F(JobFile, lists_of_texts_and_paths) {
+  const Job job = load("[library]\nfiles = [\"a.h5\", \"../b.h5\"]\n"
+                       "include = [\"cat*\", \"*\\\"dog\\\"*\"]\nexclude = \"x\"");
+  EXPECT_EQ(job.library, "");
+  EXPECT_EQ(job.library_files, (std::vector<std::string>{folder_.path("a.h5"),
+                                std::filesystem::path(folder_.path("../b.h5")).lexically_normal()}));
+  EXPECT_EQ(job.library_include, (std::vector<std::string>{"cat*", "*\"dog\"*"}));
+  EXPECT_EQ(job.library_exclude, std::vector<std::string>{"x"});
+  EXPECT_NE(to_toml(job).find("file = \"\"\n"), std::string::npos) << to_toml(job);
+  EXPECT_NE(to_toml(job).find("exclude = [\"x\"]\n"), std::string::npos) << to_toml(job);
+  const Job overridden = load(to_toml(job), {"library.include=*a*", "library.exclude=", "library.files=[\"y.h5\"]"});
+  EXPECT_EQ(overridden.library_include, std::vector<std::string>{"*a*"});
+  EXPECT_TRUE(overridden.library_exclude.empty());
+  EXPECT_EQ(overridden.library_files, std::vector<std::string>{std::filesystem::current_path() / "y.h5"});
+}
+
+TEST_F(JobFile, lists_hold_texts_alone) {
+  for (const char* value : {"1", "[1]", "[\"a\", 2]", "[[\"a\"]]", "[\"\"]", "\"a\\u0000\"", "{a = \"b\"}"}) {
+    EXPECT_EQ(mistake("[library]\nfile = \"a.h5\"\ninclude = " + std::string(value)).substr(0, 35),
+              "job.toml:3: library.include: found ") << value;
+  }
+  EXPECT_NE(mistake(minimal_ + "include = [1]").find("allowed: a list of texts"), std::string::npos);
+}
+
+TEST_F(JobFile, takes_one_library_or_a_list) {
+  EXPECT_EQ(mistake(minimal_ + "files = [\"b.h5\"]"),
+            "job.toml: library.file and library.files: both are given; allowed: one of them, the other empty");
+  EXPECT_EQ(load(minimal_, {"library.file=", "library.files=b.h5"}).library, "");
+  EXPECT_EQ(mistake("[library]\nfiles = []").substr(0, 34), "job.toml: library.file is missing;");
+}
+
 /// A value that the key takes, not always a round one.
 JobValue random_value(const JobKey& key) {
   const auto number = [&] {
@@ -324,6 +355,12 @@ JobValue random_value(const JobKey& key) {
     case JobKind::size: return {{double(*rc::gen::inRange(16, 5000)), double(*rc::gen::inRange(16, 20001))}, {}};
     case JobKind::word: return {{}, *rc::gen::elementOf(key.words)};
     case JobKind::file: return {{}, "/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')) + "x"};
+    case JobKind::texts:
+    case JobKind::files:
+      return {{}, {}, {"/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')), "/b"}};
+    case JobKind::palette:
+      return {{}, {}, *rc::gen::elementOf(std::vector<std::vector<std::string>>{
+                          {"#012345"}, {"forest"}, {"/p.gpl"}, {"#0a0b0c", "#ffffff"}})};
     case JobKind::colour: return {{}, *rc::gen::element<std::string>("#000000", "#12abcf", "#ffffff")};
     case JobKind::devices: return {{}, *rc::gen::element<std::string>("all", "gpu", "3", "5,0,63")};
   }
@@ -343,9 +380,11 @@ RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
   for (const JobKey& key : job_keys()) {
     JobValue value = random_value(key);
     if (key.kind == JobKind::file) value.text = std::filesystem::path(value.text).lexically_normal();
+    if (key.kind == JobKind::files) value.texts[0] = std::filesystem::path(value.texts[0]).lexically_normal();
     key.set(job, value);
   }
   for (const JobTable& table : job_tables()) job.tables[table.name] = {random_row(table), random_row(table)};
+  *rc::gen::arbitrary<bool>() ? job.library.clear() : job.library_files.clear();
   const Job back = load(to_toml(job));
   for (const JobKey& key : job_keys()) {
     if (key.get(back) != key.get(job)) RC_FAIL(key.full_name() + " changed:\n" + to_toml(job));

@@ -8,7 +8,7 @@
 #include "io/job/job_file.h"
 #include "io/job/job_tables.h"
 #include "io/job/job_value.h"
-#include "io/job/nearest_name.h"
+#include "io/nearest_name.h"
 
 namespace tessera::io {
 namespace {

@@ -251,6 +251,7 @@ TEST_F(LibraryBuilder, BuildsFromRealDrawings) {
   EXPECT_EQ(all[2].outline, all[0].outline);
 
   const LibraryFile library(folder_.path("out.h5"));
+  EXPECT_EQ(library.variant_of(), (std::vector<std::uint32_t>{0, 1, 0}));
   EXPECT_EQ(write_contact_sheet(library, folder_.path("sheet.png")), 3u);
   const cv::Mat sheet = cv::imread(folder_.path("sheet.png"));
   ASSERT_FALSE(sheet.empty());

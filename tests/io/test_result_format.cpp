@@ -68,6 +68,7 @@ TEST(ResultFormat, has_every_key_of_the_manifest) {
   const test::ScratchFolder folder;
   ResultManifest manifest;
   manifest.pictures.resize(1);
+  manifest.colours = {"#000000"};
   write_manifest(folder.path(""), manifest);
   std::ifstream file(folder.path("manifest.json"));
   const json written = json::parse(file);

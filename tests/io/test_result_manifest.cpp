@@ -29,5 +29,21 @@ TEST(ResultManifest, of_another_format_is_refused) {
   EXPECT_EQ(test::message_of([&] { read_manifest(dir); }), path + ": another format than 1");
 }
 
+TEST(ResultManifest, keeps_the_colours_of_silhouettes) {
+  const test::ScratchFolder scratch;
+  test::SampleCollage sample;
+  const std::string dir = scratch.path("");
+  publish_result(dir, sample.report, sample.origin(), true);
+  EXPECT_TRUE(read_manifest(dir).colours.empty());
+  sample.report.colours = {"#123456", "#abcdef"};
+  publish_result(dir, sample.report, sample.origin(), true);
+  EXPECT_EQ(read_manifest(dir).colours, sample.report.colours);
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"#123456"}, {"#123456", "url(x)"}}) {
+    sample.report.colours = wrong;
+    publish_result(dir, sample.report, sample.origin(), true);
+    EXPECT_NE(test::message_of([&] { read_manifest(dir); }).find(kManifestName), std::string::npos) << wrong.back();
+  }
+}
+
 }  // namespace
 }  // namespace tessera::io

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/matching/matching_context.h"
+#include "io/library/library_file.h"
 #include "io/library/shape_models.h"
 #include "io/scratch_folder.h"
 #include "support/matching_scene.h"

@@ -52,10 +52,17 @@ TEST(Silhouette, SvgPageAndDrawing) {
 }
 
 TEST(Silhouette, MeanColourIsLab) {
-  const auto lab = make_silhouette(svg(kDisc), "a.svg").mean_lab;
+  const auto lab = make_silhouette(svg(kDisc), "a.svg").colour.mean_lab;
   EXPECT_NEAR(lab[0], 53.2, 0.5);  // sRGB red
   EXPECT_NEAR(lab[1], 80.1, 0.5);
   EXPECT_NEAR(lab[2], 67.2, 0.5);
+}
+
+/// Black and white in equal shares lie 50 from their mean.
+TEST(Silhouette, SpreadTellsOneColourFromSeveral) {
+  EXPECT_LT(make_silhouette(svg(kDisc), "a.svg").colour.spread, 1);
+  const std::string halves = R"(<rect width="50" height="50"/><rect x="50" width="50" height="50" fill="white"/>)";
+  EXPECT_NEAR(make_silhouette(svg(halves), "a.svg").colour.spread, 50, 1);
 }
 
 TEST(Silhouette, ThumbnailIsTheWholePageWithStraightAlpha) {
@@ -92,7 +99,7 @@ TEST(Silhouette, SizeOfThePage) {
 TEST(Silhouette, NothingDrawn) {
   const Silhouette s = make_silhouette(svg(""), "a.svg");
   EXPECT_EQ(area_px2(s), 0);
-  EXPECT_EQ(s.mean_lab, (std::array<float, 3>{}));
+  EXPECT_EQ(s.colour.mean_lab, (std::array<float, 3>{}));
   EXPECT_EQ(std::get<SkipReason>(shape_from_artwork(svg(""), "a.svg", {})), SkipReason::empty);
 }
 
@@ -100,7 +107,7 @@ TEST(Silhouette, ImagesWithAlpha) {
   for (const std::string extension : {".png", ".webp", ".tiff"}) {
     const Silhouette s = make_silhouette(encoded(disc_with_alpha(), extension), "a" + extension);
     EXPECT_NEAR(area_fraction(s), kDiscFraction, 5e-3) << extension;
-    EXPECT_NEAR(s.mean_lab[1], 80, 2) << extension;
+    EXPECT_NEAR(s.colour.mean_lab[1], 80, 2) << extension;
     EXPECT_NEAR(s.source_px, float(s.width_px) / 300, 1e-4) << extension;
   }
 }
@@ -125,7 +132,7 @@ TEST(Silhouette, MasksWithoutAlpha) {
     }
   }
   // The background is taken out of the colour.
-  EXPECT_NEAR(make_silhouette(encoded(blue_on_yellow, ".png"), "a").mean_lab[2], -74, 3);
+  EXPECT_NEAR(make_silhouette(encoded(blue_on_yellow, ".png"), "a").colour.mean_lab[2], -74, 3);
 }
 
 TEST(Silhouette, OpaqueAlphaIsAMask) {
@@ -161,6 +168,8 @@ TEST(ArtworkShape, SameSilhouetteGivesTheSameOutline) {
   const Shape red = shape_of(svg(kDisc));
   const Shape blue = shape_of(svg(R"(<circle cx="30" cy="25" r="20" fill="#0000ff"/>)"));
   EXPECT_EQ(red.outline, blue.outline);
+  EXPECT_GE(red.colour_spread, 0);
+  EXPECT_LT(red.colour_spread, 1);
   EXPECT_NE(red.mean_lab, blue.mean_lab);
 }
 

@@ -2,9 +2,6 @@
 #include "io/job/wish_resolution.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
-#include <regex>
 
 #include "core/base/error.h"
 #include "io/scratch_folder.h"
@@ -78,28 +75,28 @@ TEST_F(WishResolution, ShapesNameRegions) {
   EXPECT_EQ(wishes.regions[1].poses.rotation_rad.size(), 1u);
 }
 
+TEST_F(WishResolution, GivenPiecesHaveTheirPose) {
+  const Wishes wishes =
+      resolved("[[given]]\nshape = 'owl'\nat_px = [100, -5]\nscale_px = 300\nrotation_deg = 90\n").settings.wishes;
+  ASSERT_EQ(wishes.given.size(), 1u);
+  EXPECT_EQ(wishes.given[0].shape, ShapeId{2});
+  const Similarity& pose = wishes.given[0].canvas_from_shape;
+  EXPECT_NEAR(pose.a, 0, 1e-4);
+  EXPECT_FLOAT_EQ(pose.b, 300);
+  EXPECT_EQ(pose.translation(), (Vec2{100, -5}));
+}
+
 TEST_F(WishResolution, NamesThatThereAreNotAreTold) {
-  EXPECT_NE(mistake("[[shapes]]\nnames = 'owls'").find("the library has no shape \"owls\" (did you mean \"owl\"?)"),
+  EXPECT_NE(mistake("[[shapes]]\nnames = 'owls'").find("[[shapes]] names: include: no shape of the library has a name like "
+                                                        "\"owls\"; near it are: owl,"),
             std::string::npos)
       << mistake("[[shapes]]\nnames = 'owls'");
+  EXPECT_NE(mistake("[[given]]\nshape = 'owls'\nat_px = [1, 2]\nscale_px = 30").find("(did you mean \"owl\"?)"),
+            std::string::npos);
   EXPECT_NE(mistake("[[shapes]]\nnames = 'cat'\nregions = 'sea'").find("no [[regions]] with the name \"sea\""),
             std::string::npos);
   const std::string region = "[[regions]]\nname = 'sea'\ncolour = '#0000ff'\n";
   EXPECT_NE(mistake(region + region).find("two with the name \"sea\""), std::string::npos);
-}
-
-RC_GTEST_PROP(Glob, matches_as_a_regular_expression_does, ()) {
-  const auto pattern = *rc::gen::container<std::string>(rc::gen::element('a', 'b', '*', '?'));
-  const auto text = *rc::gen::container<std::string>(rc::gen::element('a', 'b'));
-  std::string expression;
-  for (const char c : pattern) expression += c == '*' ? ".*" : c == '?' ? "." : std::string(1, c);
-  RC_ASSERT(matches_glob(pattern, text) == std::regex_match(text, std::regex(expression)));
-}
-
-TEST(Glob, takes_no_time_for_many_stars) {
-  std::string pattern;
-  for (int i = 0; i < 100; ++i) pattern += "*a";
-  EXPECT_FALSE(matches_glob(pattern + "b", std::string(5000, 'a')));
 }
 
 }  // namespace

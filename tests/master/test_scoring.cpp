@@ -94,6 +94,24 @@ TEST(Scoring, RepetitionCosts) {
   EXPECT_FLOAT_EQ(scoring.preference(far), 1.f / 3);
 }
 
+/// Shapes 1 and 2 are one silhouette in two colours.
+TEST(Scoring, VariantsRepeatEachOther) {
+  const std::vector<ShapeId> silhouettes{ShapeId{0}, ShapeId{1}, ShapeId{1}, ShapeId{3}, ShapeId{4}};
+  Scoring scoring(settings(), StanceTable(settings(), 5), silhouettes);
+  Candidate far = candidate_at(20, {500, 500}), near = candidate_at(20, {60, 50});
+  scoring.count(placement_at(ShapeId{1}, 20, {50, 50}));
+  EXPECT_FLOAT_EQ(scoring.preference(far), 1 / (1 + kUseInOtherColours)) << "in other colours";
+  EXPECT_FLOAT_EQ(scoring.preference(near), 0.5f / (1 + kUseInOtherColours));
+  far.shape = ShapeId{1};
+  EXPECT_FLOAT_EQ(scoring.preference(far), 0.5f);
+  EXPECT_TRUE(scoring.may_use(kShape));
+  scoring.count(placement_at(kShape, 20, {90, 50}));
+  EXPECT_TRUE(scoring.may_use(ShapeId{1})) << "uses are those of each drawing";
+  scoring.count(placement_at(kShape, 20, {90, 50}));
+  EXPECT_FALSE(scoring.may_use(kShape));
+  EXPECT_TRUE(scoring.may_use(ShapeId{1}));
+}
+
 /// Two of radius 1 and 20 px: (1 + kNearTwinReach) 40 px apart.
 TEST(Scoring, NearTwinsCostMore) {
   Scoring scoring = scoring_of(settings());
@@ -104,7 +122,7 @@ TEST(Scoring, NearTwinsCostMore) {
 }
 
 TEST(Scoring, NearTwinsAreNearAcrossASeam) {
-  Scoring scoring(settings(), StanceTable(settings(), 5), {300, 0});
+  Scoring scoring(settings(), StanceTable(settings(), 5), {}, {300, 0});
   scoring.count(placement_at(kShape, 20, {10, 100}));
   EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {290, 100})), 0.25f);
   EXPECT_FLOAT_EQ(scoring.preference(candidate_at(20, {150, 100})), 0.5f);

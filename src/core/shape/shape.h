@@ -100,6 +100,7 @@ struct Shape {
   ShapeField field;
   std::array<LevelCurve, kSmoothingLevels.size()> levels;
   std::array<float, 3> mean_lab{};  // CIELAB (D65), alpha-weighted mean
+  float colour_spread = -1;         // root mean square distance of the artwork's colours from it; negative: unknown
   Artwork artwork;
 };
 

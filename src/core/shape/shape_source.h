@@ -14,6 +14,8 @@ class ShapeSource {
   virtual const Shape& shape(ShapeId id) = 0;
   /// The shape's model without PADs. It is valid as long as the source.
   virtual const ShapeModel& model(ShapeId id) = 0;
+  /// The first shape with this silhouette: shapes that differ by their colours alone repeat each other.
+  virtual ShapeId silhouette(ShapeId id) const { return id; }
 };
 
 }  // namespace tessera

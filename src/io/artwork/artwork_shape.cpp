@@ -17,7 +17,8 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
   const auto& outline = std::get<TracedOutline>(traced);
   Shape shape = make_shape(outline, pad);
   shape.name = std::filesystem::path(path).stem();
-  shape.mean_lab = silhouette.mean_lab;
+  shape.mean_lab = silhouette.colour.mean_lab;
+  shape.colour_spread = silhouette.colour.spread;
   shape.artwork.path = std::filesystem::absolute(path);
   shape.artwork.sha256 = sha256_of(bytes);
   shape.artwork.width_px = silhouette.width_px;

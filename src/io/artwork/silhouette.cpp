@@ -1,6 +1,7 @@
 #include "io/artwork/silhouette.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -64,23 +65,27 @@ cv::Mat thumbnail_of(const cv::Mat& page_bgra) {
   return straightened(small);
 }
 
-std::array<float, 3> mean_lab_of(const cv::Mat& straight_bgra) {
+ArtworkColour colour_of(const cv::Mat& straight_bgra) {
   cv::Mat bgr, lab, alpha;
   cv::cvtColor(straight_bgra, bgr, cv::COLOR_BGRA2BGR);
   bgr.convertTo(bgr, CV_32F, 1.0 / 255);
   cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
   cv::extractChannel(straight_bgra, alpha, 3);
   cv::Vec3d sum(0, 0, 0);
-  double weight = 0;
+  double weight = 0, squares = 0;
   for (int y = 0; y < lab.rows; ++y) {
     for (int x = 0; x < lab.cols; ++x) {
       const double a = alpha.at<std::uint8_t>(y, x);
-      sum += a * cv::Vec3d(lab.at<cv::Vec3f>(y, x));
+      const cv::Vec3d colour(lab.at<cv::Vec3f>(y, x));
+      sum += a * colour;
+      squares += a * colour.dot(colour);
       weight += a;
     }
   }
   if (weight == 0) return {};
-  return {float(sum[0] / weight), float(sum[1] / weight), float(sum[2] / weight)};
+  const cv::Vec3d mean = sum * (1 / weight);
+  const double variance = std::max(0., squares / weight - mean.dot(mean));
+  return {{float(sum[0] / weight), float(sum[1] / weight), float(sum[2] / weight)}, float(std::sqrt(variance))};
 }
 
 std::vector<std::uint8_t> png_of(const cv::Mat& bgra) {
@@ -105,7 +110,7 @@ Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::strin
   silhouette.alpha = alpha_grid(drawing.bgra);
   silhouette.origin_px = {float(drawing.part.x), float(drawing.part.y)};
   silhouette.source_px = page->source_px(drawing.longest_side_px);
-  silhouette.mean_lab = mean_lab_of(thumbnail);
+  silhouette.colour = colour_of(thumbnail);
   silhouette.thumbnail_png = png_of(thumbnail);
   return silhouette;
 }

@@ -16,6 +16,12 @@ namespace tessera::io {
 inline constexpr int kSilhouetteSide_px = 512;
 inline constexpr int kThumbnailSide_px = 192;
 
+/// Weighted by alpha; CIELAB (D65).
+struct ArtworkColour {
+  std::array<float, 3> mean_lab{};  // 0 where nothing is drawn
+  float spread = 0;                 // root mean square distance of the colours from the mean
+};
+
 /// Artwork frame: px of the whole page (width_px x height_px), y down.
 struct Silhouette {
   std::string path;
@@ -24,7 +30,7 @@ struct Silhouette {
   Grid<float> alpha;                        // 0..1, of the part of the page that is drawn on
   Vec2 origin_px;                           // upper left corner of alpha's upper left pixel
   float source_px = 0;                      // size of a pixel of the source; 0 for vectors
-  std::array<float, 3> mean_lab{};          // CIELAB (D65), alpha-weighted; 0 where nothing is drawn
+  ArtworkColour colour;
   std::vector<std::uint8_t> thumbnail_png;  // the whole page, RGBA, longest side kThumbnailSide_px
 };
 

@@ -3,12 +3,13 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "io/job/job_difference.h"
+#include "io/job/job_library.h"
 
 namespace tessera::io {
 namespace {
 
 /// Files go by their content.
-bool counts(const JobKey& key) { return key.decides && key.kind != JobKind::file; }
+bool counts(const JobKey& key) { return key.decides && key.kind != JobKind::file && key.kind != JobKind::files; }
 
 std::string differing_file(const char* key, const std::string& then, const std::string& now) {
   const std::string names = then == now ? "\"" + now + "\" has changed since" : "then \"" + then + "\", now \"" + now + "\"";
@@ -26,7 +27,7 @@ std::uint64_t canvas_digest(const Canvas& canvas) {
   return digest.value();
 }
 
-CheckpointOrigin make_origin(const Job& job, const LibraryFile& library, const Canvas& canvas) {
+CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, const Canvas& canvas) {
   return {&job, library.content_digest(), canvas_digest(canvas)};
 }
 
@@ -37,7 +38,7 @@ Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState
 std::string origin_differences(const CheckpointOrigin& then, const CheckpointOrigin& now) {
   std::string differences = job_differences(*then.job, *now.job, counts);
   if (then.library_digest != now.library_digest) {
-    differences += differing_file("library.file", then.job->library, now.job->library);
+    differences += differing_file("library.file", library_text(*then.job), library_text(*now.job));
   }
   // The canvas of other keys is another one anyway.
   if (then.canvas_digest != now.canvas_digest && differences.find("; canvas.") == std::string::npos) {

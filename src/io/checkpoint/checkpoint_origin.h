@@ -7,7 +7,7 @@
 #include "core/field/canvas.h"
 #include "io/checkpoint/checkpoint_file.h"
 #include "io/job/job_file.h"
-#include "io/library/library_file.h"
+#include "io/library/shape_library.h"
 
 namespace tessera::io {
 
@@ -21,7 +21,7 @@ struct CheckpointOrigin {
 /// A digest of what is to be filled.
 std::uint64_t canvas_digest(const Canvas& canvas);
 
-CheckpointOrigin make_origin(const Job& job, const LibraryFile& library, const Canvas& canvas);
+CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, const Canvas& canvas);
 
 Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state);
 

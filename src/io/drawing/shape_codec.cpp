@@ -110,6 +110,7 @@ void pass(Codec& codec, AShape& shape) {
     codec(level.samples);
   }
   codec(shape.mean_lab);
+  codec(shape.colour_spread);
   codec(shape.artwork.path);
   codec(shape.artwork.sha256);
   codec(shape.artwork.width_px);

@@ -5,7 +5,8 @@
 
 #include "core/base/error.h"
 #include "io/job/job_value.h"
-#include "io/job/nearest_name.h"
+#include "io/job/palette.h"
+#include "io/nearest_name.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -128,6 +129,12 @@ void apply_entry(const JobEntry& entry, Job& job) {
   }
   if (key->kind == JobKind::file && !value->text.empty()) {
     value->text = (entry.base / value->text).lexically_normal().string();
+  }
+  if (key->kind == JobKind::files) {
+    for (std::string& path : value->texts) path = (entry.base / path).lexically_normal().string();
+  }
+  if (key->kind == JobKind::palette && is_palette_file(value->texts)) {
+    value->texts[0] = (entry.base / value->texts[0]).lexically_normal().string();
   }
   key->set(job, *value);
 }

@@ -28,6 +28,11 @@ struct OutputSpec {
   std::string background = "#f3f0ec";  // of the canvas region; outside it is white
 };
 
+struct ColourSpec {
+  std::string pieces = "auto";                // "artwork", "palette", or "auto": as the library is
+  std::vector<std::string> palette = {"dusk"};  // colours "#rrggbb"; or alone: a built-in name, a file's absolute path
+};
+
 struct CheckpointSpec {
   double every_s = 60;  // 0 = only at the end, and where the run is interrupted
 };
@@ -50,10 +55,14 @@ using JobRow = std::map<std::string, JobValue>;
 
 struct Job {
   std::string path;      // the file it came from
-  std::string library;   // absolute path
+  std::string library;   // absolute path; empty: library_files
+  std::vector<std::string> library_files;    // absolute paths
+  std::vector<std::string> library_include;  // patterns of names (io/library/name_globs.h); empty: all shapes
+  std::vector<std::string> library_exclude;
   CanvasSpec canvas;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
   int devices_per_worker = 0;   // 0 = each worker of a node uses all of them
+  ColourSpec colour;
   OutputSpec output;
   CheckpointSpec checkpoint;
   CommSpec comm;

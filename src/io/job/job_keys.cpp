@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/collage/objective.h"
+#include "io/job/palette.h"
 
 namespace tessera::io {
 namespace {
@@ -76,6 +77,14 @@ JobKey with_word(JobKey key, Field field) {
   return key;
 }
 
+template <class Field>
+JobKey with_texts(JobKey key, Field field) {
+  key.get = [field](const Job& job) { return JobValue{{}, {}, field(job)}; };
+  key.set = [field](Job& job, const JobValue& value) { field(job) = value.texts;
+  };
+  return key;
+}
+
 #define FIELD(member) [](auto& job) -> auto& { return job.member; }
 
 // 2^53 - 1: beyond it a whole number is not exact in every reader of TOML and JSON.
@@ -92,6 +101,15 @@ void add_input_keys(std::vector<JobKey>& keys) {
                             "the library of shapes, made by `tessera library build`"},
                            FIELD(library)));
   keys.back().required = true;
+  keys.back().or_list = "files";
+  keys.push_back(with_texts({"library", "files", files, "", 0, 0, {}, "several libraries as one, instead of `file`"},
+                            FIELD(library_files)));
+  keys.push_back(with_texts({"library", "include", texts, "", 0, 0, {},
+                             "patterns of the names of shapes to use; empty = all"},
+                            FIELD(library_include)));
+  keys.push_back(with_texts({"library", "exclude", texts, "", 0, 0, {},
+                             "patterns of the names of shapes to leave out"},
+                            FIELD(library_exclude)));
   keys.push_back(with_pair({"canvas", "size_px", size, "px", 16, 20000, {},
                             "width and height of the rectangle, or of the box that the mask in `file` is scaled into"},
                            FIELD(canvas.width_px), FIELD(canvas.height_px)));
@@ -229,6 +247,20 @@ void add_comm_keys(std::vector<JobKey>& keys) {
   keys.back().in_result = false;
 }
 
+/// One-colour silhouettes, black as a rule, make a black mass: they are told apart by colours of a palette.
+void add_colour_keys(std::vector<JobKey>& keys) {
+  using enum JobKind;
+  keys.push_back(with_text({"colour", "pieces", word, "", 0, 0, {"auto", "artwork", "palette"},
+                            "`artwork`: as drawn; `palette`: silhouettes in colours of the palette; `auto`: `palette` "
+                            "for a library of silhouettes in one colour, else `artwork`"},
+                           FIELD(colour.pieces)));
+  keys.back().decides = false;
+  keys.push_back(with_texts({"colour", "palette", palette, "", 0, 0, built_in_palettes(),
+                             "the colours of silhouettes: a built-in palette, a palette file, or a list of colours"},
+                            FIELD(colour.palette)));
+  keys.back().decides = false;
+}
+
 /// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
 void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
@@ -272,6 +304,7 @@ const std::vector<JobKey>& job_keys() {
     add_stop_keys(all);
     add_checkpoint_keys(all);
     add_comm_keys(all);
+    add_colour_keys(all);
     add_machine_and_output_keys(all);
     return all;
   }();

@@ -22,6 +22,9 @@ enum class JobKind {
   name,             // a text
   names,            // one or more texts
   file,             // a path
+  texts,            // a list of texts
+  files,            // a list of paths
+  palette,          // one of JobKey::words, a path, or a list of colours
   colour,           // "#rrggbb"
   devices,          // "all", "cpu", "gpu", indices
 };
@@ -40,6 +43,7 @@ struct JobKey {
   std::function<JobValue(const Job&)> get = {};
   std::function<void(Job&, const JobValue&)> set = {};
   bool required = false;  // the default, an empty text, will not do
+  std::string or_list = {};  // a list of the same section that may be given instead, but not beside it
   bool decides = true;    // about the collage; false: may be another one when an interrupted run goes on
   bool in_result = true;  // shows in the files of the result; false: only in its job.toml
 

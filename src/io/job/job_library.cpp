@@ -5,16 +5,28 @@
 
 namespace tessera::io {
 
-LibraryFile open_library_of(const Job& job) {
+std::vector<std::string> library_paths(const Job& job) {
+  return job.library_files.empty() ? std::vector{job.library} : job.library_files;
+}
+
+std::string library_text(const Job& job) {
+  std::string text;
+  for (const std::string& path : library_paths(job)) text += (text.empty() ? "" : ", ") + path;
+  return text;
+}
+
+LibraryView open_library_of(const Job& job) {
   try {
-    return LibraryFile(job.library);
+    return LibraryView({library_paths(job), {job.library_include, job.library_exclude}});
+  } catch (const NamesNotFound& error) {
+    throw InputError(job.path + ": library." + error.what());
   } catch (const InputError& error) {
-    throw InputError(job.path + ": library.file: " + error.what() +
-                     "; allowed: a library made by tessera library build");
+    const char* key = job.library_files.empty() ? ": library.file: " : ": library.files: ";
+    throw InputError(job.path + key + error.what() + "; allowed: a library made by tessera library build");
   }
 }
 
-void resolve_wishes(const LibraryFile& library, Job& job) {
+void resolve_wishes(const ShapeLibrary& library, Job& job) {
   std::vector<std::string> names;
   if (has_shape_wishes(job)) {
     constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};

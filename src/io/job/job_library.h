@@ -1,15 +1,25 @@
 // The library that a job names.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "io/job/job_file.h"
-#include "io/library/library_file.h"
+#include "io/library/library_view.h"
 
 namespace tessera::io {
 
-/// Throws InputError that names the job, the key, the file, what is wrong with it and what is allowed.
-LibraryFile open_library_of(const Job& job);
+/// Absolute paths: `library.file`, or `library.files`.
+std::vector<std::string> library_paths(const Job& job);
+
+/// The same for messages and records, with commas between them.
+std::string library_text(const Job& job);
+
+/// The shapes that the job chooses. Throws InputError that names the job, the key, the file, what is wrong with it and
+/// what is allowed.
+LibraryView open_library_of(const Job& job);
 
 /// Resolves the job's wishes by the names of the library's shapes (wish_resolution.h).
-void resolve_wishes(const LibraryFile& library, Job& job);
+void resolve_wishes(const ShapeLibrary& library, Job& job);
 
 }  // namespace tessera::io

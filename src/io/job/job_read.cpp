@@ -107,8 +107,16 @@ void apply_override(const std::string& text, Job& job) {
 
 void check_required(const Job& job) {
   for (const JobKey& key : job_keys()) {
-    if (key.required && key.get(job).text.empty()) {
+    if (!key.required) continue;
+    const bool missing = key.get(job).text.empty();
+    const JobKey* list = find_job_key(key.section, key.or_list);
+    const bool listed = list && !list->get(job).texts.empty();
+    if (missing && !listed) {
       throw InputError(job.path + ": " + key.full_name() + " is missing; needed: " + key.meaning);
+    }
+    if (!missing && listed) {
+      throw InputError(job.path + ": " + key.full_name() + " and " + list->full_name() +
+                       ": both are given; allowed: one of them, the other empty");
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/base/split_text.h"
+#include "io/job/palette.h"
 
 namespace tessera::io {
 namespace {
@@ -121,6 +122,34 @@ Result read_colour(std::string text) {
   return JobValue{{}, text};
 }
 
+/// One text alone is a list of one, an empty one none: what --set gives needs no brackets.
+Result read_texts(const toml::node& node) {
+  std::vector<std::string> texts;
+  const auto add = [&](const toml::node& item) {
+    const auto* text = item.as_string();
+    if (!text || text->get().empty() || text->get().find('\0') != std::string::npos) return false;
+    texts.push_back(text->get());
+    return true;
+  };
+  if (const auto* text = node.as_string(); text && text->get().empty()) return JobValue{};
+  const toml::array* array = node.as_array();
+  const bool right = array ? std::all_of(array->begin(), array->end(), add) : add(node);
+  return right ? Result(JobValue{{}, {}, std::move(texts)}) : Result();
+}
+
+/// A list holds colours; a text alone may be a name or a path, too.
+Result read_palette(const toml::node& node) {
+  Result value = read_texts(node);
+  if (!value || value->texts.empty()) return {};
+  if (!node.is_array() && value->texts[0][0] != '#') return value;
+  for (std::string& text : value->texts) {
+    const Result colour = read_colour(text);
+    if (!colour) return {};
+    text = colour->text;
+  }
+  return value;
+}
+
 /// "0, 2" -> {0, 2}; nothing where it is no list of whole numbers.
 std::optional<std::vector<double>> split_indices(const std::string& text) {
   std::vector<double> indices;
@@ -228,17 +257,23 @@ std::string listed(const std::vector<std::string>& items) {
   return text + "]";
 }
 
+std::string quoted_list(const std::vector<std::string>& texts) {
+  std::vector<std::string> items;
+  for (const std::string& text : texts) items.push_back(quoted(text));
+  return listed(items);
+}
+
 /// `number(i)` writes value.numbers[i].
 template <class Number>
 std::string value_text(const JobKey& key, const JobValue& value, Number number) {
-  std::vector<std::string> items;
-  if (key.kind == JobKind::names) {
-    for (const std::string& text : value.texts) items.push_back(quoted(text));
-    return listed(items);
+  if (key.kind == JobKind::names || key.kind == JobKind::texts || key.kind == JobKind::files) {
+    return quoted_list(value.texts);
   }
+  if (key.kind == JobKind::palette) return is_colour_list(value.texts) ? quoted_list(value.texts) : quoted(value.texts[0]);
   if (value.numbers.empty()) return quoted(value.text);
   if (value.numbers.size() == 1) return number(0);
   if (key.kind == JobKind::uses && value.numbers[0] == 0) return number(1);
+  std::vector<std::string> items;
   for (std::size_t i = 0; i + 1 < value.numbers.size(); i += 2) items.push_back(listed({number(i), number(i + 1)}));
   return items.size() == 1 ? items.front() : listed(items);
 }
@@ -255,6 +290,9 @@ std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node
     case JobKind::uses: return read_uses(key, node);
     case JobKind::names: return read_names(node);
     case JobKind::devices: return read_devices(key, node);
+    case JobKind::texts:
+    case JobKind::files: return read_texts(node);
+    case JobKind::palette: return read_palette(node);
     default: return read_text(key, node);
   }
 }
@@ -278,6 +316,11 @@ std::string allowed_values(const JobKey& key) {
              number_text(kMaxCanvas_px2 / 1e6) + " million px or less in all";
     case JobKind::word: return quoted_words(key, " or ");
     case JobKind::file: return "a path";
+    case JobKind::texts: return "a list of texts";
+    case JobKind::files: return "a list of paths";
+    case JobKind::palette:
+      return quoted_words(key, ", ") + ", the path of a GIMP palette or of a file with a #rrggbb a line, or a list of "
+             "\"#rrggbb\"";
     case JobKind::colour: return "\"#rrggbb\"";
     case JobKind::devices:
       return quoted_words(key, ", ") + " or distinct indices from " + min + " to " + max + " like \"0,2\" or [0, 2]";

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <string_view>
 
 #include "core/base/error.h"
 #include "io/job/job_keys.h"
-#include "io/job/nearest_name.h"
+#include "io/library/name_globs.h"
+#include "io/nearest_name.h"
 
 namespace tessera::io {
 namespace {
@@ -42,7 +42,6 @@ class Resolution {
         given_rows_(rows_of(job, "given")) {}
 
   Wishes wishes() {
-    for (std::size_t row = 0; row < shape_rows_.size(); ++row) check_names(row);
     for (const JobRow& row : region_rows_) add_region(row);
     if (!shape_rows_.empty()) add_classes();
     for (const JobRow& row : given_rows_) wishes_.given.push_back(given_piece(row));
@@ -52,28 +51,25 @@ class Resolution {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw InputError(job_.path + ": " + what); }
 
-  bool is_about(const JobRow& row, const std::string& name) const {
-    const std::vector<std::string>& patterns = row.at("names").texts;
-    return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return matches_glob(p, name); });
-  }
-
-  void check_names(std::size_t row) const {
-    for (const std::string& pattern : shape_rows_[row].at("names").texts) {
-      if (std::any_of(names_.begin(), names_.end(), [&](const std::string& n) { return matches_glob(pattern, n); })) continue;
-      fail_no_shape("[[shapes]] names", pattern);
+  /// For each shape whether the table is about it.
+  std::vector<bool> chosen_by(const JobRow& row) const {
+    try {
+      return chosen_names(names_, {row.at("names").texts, {}}, "the library");
+    } catch (const NamesNotFound& error) {
+      fail(std::string("[[shapes]] names: ") + error.what());
     }
   }
 
-  [[noreturn]] void fail_no_shape(const std::string& key, const std::string& name) const {
+  [[noreturn]] void fail_no_shape(const std::string& name) const {
     const std::string nearest = nearest_name(name, names_);
-    fail(key + ": the library has no shape \"" + name + "\"" +
+    fail("[[given]] shape: the library has no shape \"" + name + "\"" +
          (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
          "; tessera library info FILE --names lists them");
   }
 
   GivenPiece given_piece(const JobRow& row) const {
     const auto name = std::find(names_.begin(), names_.end(), row.at("shape").text);
-    if (name == names_.end()) fail_no_shape("[[given]] shape", row.at("shape").text);
+    if (name == names_.end()) fail_no_shape(row.at("shape").text);
     const double scale_px = row.at("scale_px").numbers[0];
     const JobValue* turned = cell(row, "rotation_deg");
     const double rotation_rad = turned ? turned->numbers[0] / kDegreesPerRad : 0;
@@ -96,11 +92,13 @@ class Resolution {
 
   /// Shapes that the same tables are about are one class.
   void add_classes() {
+    std::vector<std::vector<bool>> chosen;
+    for (const JobRow& row : shape_rows_) chosen.push_back(chosen_by(row));
     std::map<std::vector<std::size_t>, std::uint32_t> class_of_rows;
-    for (const std::string& name : names_) {
+    for (std::size_t shape = 0; shape < names_.size(); ++shape) {
       std::vector<std::size_t> rows;
-      for (std::size_t row = 0; row < shape_rows_.size(); ++row) {
-        if (is_about(shape_rows_[row], name)) rows.push_back(row);
+      for (std::size_t row = 0; row < chosen.size(); ++row) {
+        if (chosen[row][shape]) rows.push_back(row);
       }
       const auto [at, is_new] = class_of_rows.try_emplace(rows, std::uint32_t(wishes_.classes.size()));
       if (is_new) wishes_.classes.push_back(class_of(rows));
@@ -162,30 +160,6 @@ bool has_shape_wishes(const Job& job) { return !rows_of(job, "shapes").empty() |
 void resolve_wishes(const std::vector<std::string>& shape_names, Job& job) {
   job.settings.wishes = Resolution(shape_names, job).wishes();
   widen_scales(job.settings.pieces, job.settings.wishes);
-}
-
-/// Without recursion: where a star fails to match, it takes one byte more.
-bool matches_glob(std::string_view pattern, std::string_view text) {
-  std::size_t p = 0;
-  std::size_t t = 0;
-  std::size_t star = std::string_view::npos;
-  std::size_t taken = 0;
-  while (t < text.size()) {
-    if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == text[t]) && pattern[p] != '*') {
-      ++p;
-      ++t;
-    } else if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      taken = t;
-    } else if (star != std::string_view::npos) {
-      p = star + 1;
-      t = ++taken;
-    } else {
-      return false;
-    }
-  }
-  while (p < pattern.size() && pattern[p] == '*') ++p;
-  return p == pattern.size();
 }
 
 }  // namespace tessera::io

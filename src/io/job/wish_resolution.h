@@ -15,7 +15,4 @@ bool has_shape_wishes(const Job& job);
 /// InputError where a table names a shape or a region that there is not, or two regions are alike.
 void resolve_wishes(const std::vector<std::string>& shape_names, Job& job);
 
-/// `*` stands for any text, `?` for any byte; capital letters count.
-bool matches_glob(std::string_view pattern, std::string_view text);
-
 }  // namespace tessera::io

@@ -11,6 +11,7 @@
 #include "io/artwork/sha256.h"
 #include "io/library/library_file.h"
 #include "io/library/library_names.h"
+#include "io/library/same_colour.h"
 #include "io/library/skip_reason_text.h"
 #include "io/work_in_order.h"
 
@@ -34,18 +35,10 @@ std::uint64_t silhouette_hash(const Outline& outline) {
 
 /// A shape that was kept.
 struct Variant {
+  std::uint32_t index;
   std::string name;
   std::array<float, 3> mean_lab;
 };
-
-/// Two drawings of one silhouette are kept both where their mean colours differ by more than this distance in CIELAB: a
-/// clear difference beside each other (a just noticeable one is about 2.3). The edge of a drawing that was exported in
-/// another size changes it by less than 1.
-constexpr float kLeastColourDifference = 5;
-
-bool looks_the_same(const std::array<float, 3>& a, const std::array<float, 3>& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) <= kLeastColourDifference;
-}
 
 /// A shape, or why the file gives none.
 using Loaded = std::variant<ArtworkShape, std::string>;
@@ -109,15 +102,16 @@ class Builder {
   void add(const std::string& path, Shape shape) {
     std::vector<Variant>& variants = variants_of_silhouette_[silhouette_hash(shape.outline)];
     const auto same = std::find_if(variants.begin(), variants.end(),
-                                   [&](const Variant& v) { return looks_the_same(v.mean_lab, shape.mean_lab); });
+                                   [&](const Variant& v) { return same_colour(v.mean_lab, shape.mean_lab); });
     if (same != variants.end()) {
       report_.merged.push_back({path, same->name});
       return;
     }
     if (settings_.embed) embed(path, shape.artwork);
     shape.name = names_.unique(shape.name, path);
-    writer_.append(shape);
-    variants.push_back({shape.name, shape.mean_lab});
+    const auto index = std::uint32_t(report_.shapes);
+    writer_.append(shape, variants.empty() ? index : variants.front().index);
+    variants.push_back({index, shape.name, shape.mean_lab});
     ++report_.shapes;
   }
 

@@ -39,6 +39,7 @@ class ShapeCheck {
     require(!shape_.name.empty() && shape_.name.size() < kNameBytes, "its name is empty or too long");
     require(shape_.artwork.path.size() < kPathBytes, "its path is too long");
     require(all_within(shape_.mean_lab.data(), 3, -kMaxLab, kMaxLab), "its colour is out of range");
+    require(all_within(&shape_.colour_spread, 1, -1, kMaxLab), "its colours are out of range");
   }
 
   void check_outline() const {

@@ -5,22 +5,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/shape/shape.h"
+#include "io/library/shape_head.h"
+#include "io/library/shape_library.h"
 
 namespace tessera::io {
-
-/// Which parts of the shapes to read; the others stay empty. Names, perimeters, radii and colours always come.
-struct LibraryParts {
-  bool outline = true;
-  bool field = true;
-  std::uint32_t levels = ~0u;  // bit k: smoothing level k
-  bool artwork = true;         // path, geometry and thumbnail
-  bool original = false;       // the embedded files
-};
 
 /// What `tessera library info` shows. No shapes are read for it.
 struct LibrarySummary {
@@ -34,27 +28,28 @@ struct LibrarySummary {
 
 /// Fields come back within 0.0005 shape units of what was written, everything else to the bit. Not for use by several
 /// threads at once.
-class LibraryFile {
+class LibraryFile : public ShapeLibrary {
  public:
   /// Throws InputError where the file is missing, not HDF5, not a library, of another version, damaged or empty.
   explicit LibraryFile(const std::string& path);
-  ~LibraryFile();
+  ~LibraryFile() override;
   LibraryFile(LibraryFile&&) noexcept;
   LibraryFile& operator=(LibraryFile&&) noexcept;
 
-  const std::string& path() const;
-  std::size_t size() const;
-  PadParameters pad_parameters() const;
+  const std::string& path() const override;
+  std::size_t size() const override;
+  PadParameters pad_parameters() const override;
   /// Throws as read().
   LibrarySummary summary() const;
-  /// A digest of all that decides about a collage: PAD parameters, names, lengths, colours, outlines, fields, smoothing
-  /// levels, in their order; artwork does not count. Two libraries with the same digest give the same collage, wherever
-  /// they lie. It costs some hundred bytes of reading a shape: the digest of a shape's outline, field and levels is
-  /// stored, and read() compares with it all that it reads, so that a digest that lies is found before the part is
-  /// used. Libraries of older versions, which have none stored, are read whole.
-  std::uint64_t content_digest() const;
-  /// Shapes [begin, end). Throws InputError that names the data set where what is read is damaged.
-  std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const;
+  /// It costs some hundred bytes of reading a shape: the digest of a shape's outline, field and levels is stored, and
+  /// read() compares with it all that it reads, so that a digest that lies is found before the part is used. Libraries
+  /// of older versions, which have none stored, are read whole.
+  std::uint64_t content_digest() const override;
+  /// Libraries of older versions know none: each shape is its own.
+  std::vector<std::uint32_t> variant_of() const override;
+  /// What shapes [begin, end) are known by. Throws as read().
+  std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
+  std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;
 
  private:
   struct State;
@@ -67,8 +62,9 @@ class LibraryWriter {
  public:
   LibraryWriter(const std::string& path, const PadParameters& pad);
   ~LibraryWriter();  // unfinished: removes the temporary file
-  /// Throws InputError where the shape breaks a limit of the format (before anything of it is written).
-  void append(const Shape& shape);
+  /// `variant_of`: the first shape of the library with the same silhouette; nothing: this is the first one. Throws
+  /// InputError where the shape breaks a limit of the format (before anything of it is written).
+  void append(const Shape& shape, std::optional<std::uint32_t> variant_of = {});
   void finish();
 
  private:

@@ -106,6 +106,10 @@ Columns library_columns(int pad_levels) {
                              "the artwork's path from the library's folder when the library was built"),
       .artwork_sha256 = {"/artwork/sha256", Element::uint8, 0, {kSha256Bytes}, kNone,
                          "of the artwork's file when the library was built; zeros: unknown"},
+      .variant_of = {"/shapes/variant_of", Element::int32, 0, {}, "shapes",
+                     "the first shape with the same silhouette, itself where there is none before it"},
+      .colour_spread = floats("/shapes/colour_spread", {}, "CIELAB (D65)",
+                              "root mean square distance of the artwork's colours from mean_lab; negative: unknown"),
   };
   for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k)
     c.levels.push_back(level_columns(k, std::size_t(pad_levels)));

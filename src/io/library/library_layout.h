@@ -77,7 +77,8 @@ struct Columns {
   Column artwork_path, artwork_size, artwork_centroid, artwork_unit;
   Column first_thumbnail_byte, thumbnail_bytes, first_original_byte, original_bytes;
   std::vector<LevelColumns> levels;  // one for each of kSmoothingLevels
-  Column part_digest, artwork_beside, artwork_sha256;  // libraries of older versions lack them
+  // Libraries of older versions lack these.
+  Column part_digest, artwork_beside, artwork_sha256, variant_of, colour_spread;
 };
 
 /// The group of smoothing level k.

@@ -8,6 +8,8 @@ namespace tessera::io {
 
 class LibraryNames {
  public:
+  /// Whether the name, which is one of a library, was not given before; it is from now on.
+  bool take(const std::string& name) { return given_.insert(name).second; }
   /// A name not given before: `stem` itself, or "stem (folder)" with the folder of `path`, or "stem (folder) 2" and so
   /// on. Bytes that are not UTF-8 and control characters become '_'; long names are cut.
   std::string unique(const std::string& stem, const std::string& path);

@@ -97,13 +97,24 @@ HeadReader::HeadReader(hid_t file, const layout::Columns& columns)
     : name_(file, columns.name),
       perimeter_(file, columns.perimeter),
       radius_(file, columns.radius),
-      mean_lab_(file, columns.mean_lab) {}
+      mean_lab_(file, columns.mean_lab),
+      colour_spread_(ColumnReader::if_present(file, columns.colour_spread)) {}
+
+std::vector<const ColumnReader*> HeadReader::columns() const {
+  std::vector<const ColumnReader*> all{&name_, &perimeter_, &radius_, &mean_lab_};
+  if (colour_spread_) all.push_back(&*colour_spread_);
+  return all;
+}
 
 void HeadReader::read(const ShapeBatch& range) const {
   const auto name = read_texts(name_, range.begin, range.end);
   const auto perimeter = read_lengths(perimeter_, range.begin, range.end);
   const auto radius = read_lengths(radius_, range.begin, range.end);
   const auto lab = read_floats(mean_lab_, range.begin, range.end, -layout::kMaxLab, layout::kMaxLab);
+  if (colour_spread_) {
+    const auto spread = read_floats(*colour_spread_, range.begin, range.end, -1, layout::kMaxLab);
+    for (std::size_t i = 0; i < range.count(); ++i) range.shapes[i].colour_spread = spread[i];
+  }
   for (std::size_t i = 0; i < range.count(); ++i) {
     Shape& shape = range.shapes[i];
     if (name[i].empty()) out_of_range(name_);

@@ -29,10 +29,11 @@ class HeadReader {
   HeadReader(hid_t file, const layout::Columns& columns);
   void read(const ShapeBatch& range) const;
   std::size_t shapes() const { return name_.rows(); }
-  std::vector<const ColumnReader*> columns() const { return {&name_, &perimeter_, &radius_, &mean_lab_}; }
+  std::vector<const ColumnReader*> columns() const;
 
  private:
   ColumnReader name_, perimeter_, radius_, mean_lab_;
+  std::optional<ColumnReader> colour_spread_;
 };
 
 class OutlineReader {

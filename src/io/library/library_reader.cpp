@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 
-#include "core/base/digest.h"
 #include "core/base/error.h"
 #include "io/library/hdf5_trial.h"
 #include "io/library/library_file.h"
@@ -15,8 +13,6 @@ namespace tessera::io {
 namespace {
 
 constexpr std::size_t kBatchShapes = 64;  // bounds what is held twice while reading
-
-using PartDigests = std::array<std::uint64_t, layout::kPartDigests>;
 
 bool is_one_of(const std::string& path, std::initializer_list<const layout::Column*> columns) {
   return std::any_of(columns.begin(), columns.end(), [&](const layout::Column* c) { return c->path == path; });
@@ -46,7 +42,8 @@ struct LibraryFile::State {
         field(file.get(), format),
         artwork(file.get(), format, std::filesystem::absolute(file_path).parent_path()),
         original(file.get(), format.first_original_byte, format.original_bytes, layout::kMaxOriginalBytes),
-        part_digest(ColumnReader::if_present(file.get(), format.part_digest)) {
+        part_digest(ColumnReader::if_present(file.get(), format.part_digest)),
+        variant_of(ColumnReader::if_present(file.get(), format.variant_of)) {
     for (std::size_t k = 0; k < format.levels.size(); ++k) levels.emplace_back(file.get(), format.levels[k], k);
     check_rows();
     check_declared_bytes();
@@ -57,7 +54,8 @@ struct LibraryFile::State {
   void check_declared_bytes() const;
   std::vector<PartDigests> stored_digests(std::size_t begin, std::size_t end) const;
   std::vector<PartDigests> digests(std::size_t begin, std::size_t end) const;
-  std::uint64_t content_digest() const;
+  std::vector<std::uint32_t> variants(std::size_t begin, std::size_t end) const;
+  std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
   LibrarySummary summary() const;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const;
   /// Returns the digests of what was read, which agree with those that are stored.
@@ -72,7 +70,7 @@ struct LibraryFile::State {
   FieldReader field;
   ArtworkReader artwork;
   BytesReader original;
-  std::optional<ColumnReader> part_digest;
+  std::optional<ColumnReader> part_digest, variant_of;
   std::vector<LevelReader> levels;
 };
 
@@ -82,7 +80,9 @@ std::vector<const ColumnReader*> LibraryFile::State::columns() const {
     all.insert(all.end(), some.begin(), some.end());
   };
   add(head.columns());
-  if (part_digest) all.push_back(&*part_digest);
+  for (const auto* column : {&part_digest, &variant_of}) {
+    if (*column) all.push_back(&**column);
+  }
   add(outline.columns());
   add(field.columns());
   add(artwork.columns());
@@ -150,17 +150,31 @@ std::vector<PartDigests> LibraryFile::State::digests(std::size_t begin, std::siz
                     {.outline = true, .field = true, .levels = ~0u, .artwork = false, .original = false});
 }
 
-std::uint64_t LibraryFile::State::content_digest() const {
-  Digest digest;
-  digest.add(head.shapes());
-  digest.add(std::uint64_t(pad.levels));
-  digest.add(std::bit_cast<std::uint32_t>(pad.delta_tau));
-  for (std::size_t at = 0; at < head.shapes(); at += kBatchShapes) {
-    const std::size_t end = std::min(head.shapes(), at + kBatchShapes);
-    for (const ColumnReader* column : head.columns()) digest.add_all(std::span<const char>(column->read<char>(at, end)));
-    digest.add_all(std::span<const PartDigests>(digests(at, end)));
+/// The first of a silhouette is its own, and lies before the others.
+std::vector<std::uint32_t> LibraryFile::State::variants(std::size_t begin, std::size_t end) const {
+  std::vector<std::uint32_t> variants(end - begin);
+  std::iota(variants.begin(), variants.end(), std::uint32_t(begin));
+  if (!variant_of) return variants;
+  const std::vector<std::int32_t> stored = variant_of->read<std::int32_t>(begin, end);
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    if (stored[i] < 0 || std::size_t(stored[i]) > begin + i)
+      throw Hdf5Error("data set " + format.variant_of.path + ": a value is out of range");
+    variants[i] = std::uint32_t(stored[i]);
   }
-  return digest.value();
+  return variants;
+}
+
+std::vector<ShapeHead> LibraryFile::State::heads(std::size_t begin, std::size_t end) const {
+  std::vector<Shape> shapes(end - begin);
+  head.read({begin, end, shapes.data()});
+  const std::vector<PartDigests> digest = digests(begin, end);
+  const std::vector<std::uint32_t> variant = variants(begin, end);
+  std::vector<ShapeHead> heads;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    Shape& shape = shapes[i];
+    heads.push_back({std::move(shape.name), shape.perimeter, shape.radius, shape.mean_lab, digest[i], variant[i]});
+  }
+  return heads;
 }
 
 LibraryFile::LibraryFile(const std::string& path)
@@ -208,7 +222,22 @@ LibrarySummary LibraryFile::summary() const {
 }
 
 std::uint64_t LibraryFile::content_digest() const {
-  return naming_the_file(path(), [&] { return state_->content_digest(); });
+  return digest_of_heads(pad_parameters(), size(),
+                         [&](std::size_t begin, std::size_t end) { return heads(begin, end); });
+}
+
+std::vector<std::uint32_t> LibraryFile::variant_of() const {
+  return naming_the_file(path(), [&] {
+    const std::vector<std::uint32_t> variants = state_->variants(0, size());
+    for (const std::uint32_t first : variants) {
+      if (variants[first] != first) throw Hdf5Error("damaged: a variant of a shape that is a variant itself");
+    }
+    return variants;
+  });
+}
+
+std::vector<ShapeHead> LibraryFile::heads(std::size_t begin, std::size_t end) const {
+  return naming_the_file(path(), [&] { return state_->heads(begin, end); });
 }
 
 std::vector<Shape> LibraryFile::read(std::size_t begin, std::size_t end, const LibraryParts& parts) const {

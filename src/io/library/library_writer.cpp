@@ -70,6 +70,26 @@ class RaggedWriter {
   ColumnWriter first_, data_;
 };
 
+bool are_multiples(const std::vector<float>& distances, float step) {
+  return std::all_of(distances.begin(), distances.end(), [&](float d) { return std::round(d / step) * step == d; });
+}
+
+/// What one step of the field's 16 bits is worth. The largest distance of a field that came from a library is rounded:
+/// its step is the one nearby that gives all its distances, so that a copy has the bits of what it was copied from.
+float step_of(const ShapeField& field) {
+  constexpr int kRoundings = 4;
+  const std::vector<float>& distances = field.distance.data();
+  float largest = 1e-3f;
+  for (const float d : distances) largest = std::max(largest, std::abs(d));
+  const float step = largest / kLargestStep;
+  float candidate = step;
+  for (int i = 0; i < kRoundings / 2; ++i) candidate = std::nextafter(candidate, 0.f);
+  for (int i = 0; i <= kRoundings; ++i, candidate = std::nextafter(candidate, largest)) {
+    if (are_multiples(distances, candidate)) return candidate;
+  }
+  return step;
+}
+
 class FieldWriter {
  public:
   FieldWriter(hid_t file, const layout::Columns& columns)
@@ -79,9 +99,7 @@ class FieldWriter {
 
   /// 16 bits, with a step for each shape: a step is about a ten-thousandth of a shape unit.
   std::uint64_t append(const ShapeField& field) {
-    float largest = 1e-3f;
-    for (const float d : field.distance.data()) largest = std::max(largest, std::abs(d));
-    const float step = largest / kLargestStep;
+    const float step = step_of(field);
     std::vector<std::int16_t> quantised;
     quantised.reserve(field.distance.data().size());
     for (const float d : field.distance.data()) {
@@ -129,7 +147,8 @@ class ArtworkWriter {
   void append(const Artwork& artwork) {
     const std::int32_t size[2] = {artwork.width_px, artwork.height_px};
     path_.append(artwork.path);
-    beside_.append(path_from_library(artwork.path));
+    // Of a copied shape the artwork may lie where its library was moved to.
+    beside_.append(path_from_library(artwork.path_beside_library.empty() ? artwork.path : artwork.path_beside_library));
     sha256_.append(artwork.sha256.value_or(Sha256{}).data(), 1);
     size_.append(size, 1);
     centroid_.append(&artwork.centroid_px, 1);
@@ -191,19 +210,21 @@ struct LibraryWriter::State {
           perimeter(file, columns.perimeter),
           radius(file, columns.radius),
           mean_lab(file, columns.mean_lab),
+          colour_spread(file, columns.colour_spread),
           outline(file, columns),
           field(file, columns),
           artwork(file, columns, folder),
-          part_digest(file, columns.part_digest) {
+          part_digest(file, columns.part_digest),
+          variant_of(file, columns.variant_of) {
       for (const layout::LevelColumns& level : columns.levels) levels.emplace_back(file, level);
     }
 
     TextWriter name;
-    ColumnWriter perimeter, radius, mean_lab;
+    ColumnWriter perimeter, radius, mean_lab, colour_spread;
     OutlineWriter outline;
     FieldWriter field;
     ArtworkWriter artwork;
-    ColumnWriter part_digest;
+    ColumnWriter part_digest, variant_of;
     std::vector<LevelWriter> levels;
   };
 
@@ -246,7 +267,7 @@ LibraryWriter::~LibraryWriter() {
   if (!state_->finished) state_->remove_temporary();
 }
 
-void LibraryWriter::append(const Shape& shape) {
+void LibraryWriter::append(const Shape& shape, std::optional<std::uint32_t> variant_of) {
   const Hdf5Silence silence;
   check_fits_library(shape);
   try {
@@ -255,10 +276,13 @@ void LibraryWriter::append(const Shape& shape) {
     to.perimeter.append(&shape.perimeter, 1);
     to.radius.append(&shape.radius, 1);
     to.mean_lab.append(shape.mean_lab.data(), 1);
+    to.colour_spread.append(&shape.colour_spread, 1);
     std::vector<std::uint64_t> digests{to.outline.append(shape.outline), to.field.append(shape.field)};
     for (std::size_t k = 0; k < to.levels.size(); ++k)
       digests.push_back(to.levels[k].append(shape.levels[k], state_->pad.levels));
+    const auto first = std::int32_t(variant_of.value_or(std::uint32_t(to.variant_of.rows())));
     to.part_digest.append(digests.data(), 1);
+    to.variant_of.append(&first, 1);
     to.artwork.append(shape.artwork);
   } catch (const Hdf5Error& error) {
     throw write_error(state_->path, error);

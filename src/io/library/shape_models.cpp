@@ -17,7 +17,7 @@ LibraryParts parts_for(const std::vector<int>& levels) {
 
 }  // namespace
 
-std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange& range,
+std::vector<ShapeModel> read_models(const ShapeLibrary& library, const ShapeRange& range,
                                     const MatchingContext& context) {
   std::vector<ShapeModel> models;
   for (std::size_t begin = range.begin; begin < range.end; begin += kShapesAtATime) {
@@ -29,7 +29,7 @@ std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange
   return models;
 }
 
-ModelSource models_of(const LibraryFile& library, const MatchingContext& context) {
+ModelSource models_of(const ShapeLibrary& library, const MatchingContext& context) {
   return [&](const ShapeRange& range) { return read_models(library, range, context); };
 }
 

@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "core/matching/model_source.h"
-#include "io/library/library_file.h"
+#include "io/library/shape_library.h"
 
 namespace tessera::io {
 
 /// The models with the levels that the context uses. A few shapes at a time are read whole, as the models need a
 /// twentieth of their memory.
-std::vector<ShapeModel> read_models(const LibraryFile& library, const ShapeRange& range,
+std::vector<ShapeModel> read_models(const ShapeLibrary& library, const ShapeRange& range,
                                     const MatchingContext& context);
 
 /// Reads when it is asked; library and context outlive it.
-ModelSource models_of(const LibraryFile& library, const MatchingContext& context);
+ModelSource models_of(const ShapeLibrary& library, const MatchingContext& context);
 
 }  // namespace tessera::io

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/collage/quality.h"
 #include "io/atomic_file.h"
+#include "io/job/job_library.h"
 #include "io/result/card_output.h"
 #include "io/result/geojson_output.h"
 #include "io/result/result_manifest.h"
@@ -97,10 +98,11 @@ std::string publish_result(const std::string& dir, const CollageReport& report, 
   manifest.finished = finished;
   manifest.pieces_digest = digest_text(pieces);
   manifest.job_digest = digest_text(job);
-  manifest.library = report.job->library;
+  manifest.library = library_text(*report.job);
   manifest.library_digest = origin.library_digest;
   manifest.canvas_digest = origin.canvas_digest;
   for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
+  manifest.colours = report.colours;
   write_manifest(dir, manifest);
   return card;
 }

@@ -24,6 +24,7 @@ struct CollageReport {
   std::vector<Placement> placements;
   std::vector<ShapeId> shape_ids;
   std::vector<Shape> shapes;
+  std::vector<std::string> colours;  // of the placements, "#rrggbb": silhouettes are drawn; empty: the artwork is
   RunStatistics statistics;
   RankStatistics ranks;
   RunRecord record;

@@ -14,15 +14,16 @@ bool touches(const Canvas& canvas, const Outline& clip, const Similarity& canvas
 
 }  // namespace
 
-std::vector<Placement> drawn_pieces(const CollageReport& report, const ShapeArtworks& artworks) {
+std::vector<DrawnPiece> drawn_pieces(const CollageReport& report, const ShapeArtworks& artworks) {
   const Canvas& canvas = *report.canvas;
-  std::vector<Placement> drawn;
-  for (const Placement& placement : report.placements) {
+  std::vector<DrawnPiece> drawn;
+  for (std::size_t piece = 0; piece < report.placements.size(); ++piece) {
+    const Placement& placement = report.placements[piece];
     const Outline& clip = artworks.clip(report.slot_of(placement.shape));
     for (const Vec2 offset : canvas.period.offsets()) {
       Placement image = placement;
       image.canvas_from_shape = moved(placement.canvas_from_shape, offset);
-      if (offset == Vec2{} || touches(canvas, clip, image.canvas_from_shape)) drawn.push_back(image);
+      if (offset == Vec2{} || touches(canvas, clip, image.canvas_from_shape)) drawn.push_back({image, piece});
     }
   }
   return drawn;

@@ -1,6 +1,7 @@
 // The pieces of a collage as its pictures show them: on a seamless canvas one that crosses a seam is seen at both ends.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "io/result/collage_files.h"
@@ -8,7 +9,12 @@
 
 namespace tessera::io {
 
+struct DrawnPiece {
+  Placement placement;
+  std::size_t piece = 0;  // among the collage's
+};
+
 /// The placements in their order, each at all of its images that touch the canvas, one after the other.
-std::vector<Placement> drawn_pieces(const CollageReport& report, const ShapeArtworks& artworks);
+std::vector<DrawnPiece> drawn_pieces(const CollageReport& report, const ShapeArtworks& artworks);
 
 }  // namespace tessera::io

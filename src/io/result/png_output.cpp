@@ -20,6 +20,16 @@ cv::Vec3b parse_colour(const std::string& hex) {
   return {std::uint8_t(rgb), std::uint8_t(rgb >> 8), std::uint8_t(rgb >> 16)};
 }
 
+/// Premultiplied: what is drawn, all of it in this colour.
+void tint(cv::Mat& bgra, cv::Vec3b colour) {
+  for (int y = 0; y < bgra.rows; ++y) {
+    cv::Vec4b* row = bgra.ptr<cv::Vec4b>(y);
+    for (int x = 0; x < bgra.cols; ++x) {
+      for (int c = 0; c < 3; ++c) row[x][c] = std::uint8_t((colour[c] * row[x][3] + 127) / 255);
+    }
+  }
+}
+
 /// A part of a piece that is drawn: rows of its box from `top` on.
 struct Tile {
   int top = 0;
@@ -39,7 +49,8 @@ class PictureBands {
         picture_px_(double(size_.width) / report.canvas->width_px),
         background_(parse_colour(report.job->output.background)),
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
-    for (const Placement& placement : drawn_pieces(report, artworks)) {
+    for (const auto& [placement, piece] : drawn_pieces(report, artworks)) {
+      if (!report.colours.empty()) tints_.push_back(parse_colour(report.colours[piece]));
       const std::size_t slot = report.slot_of(placement.shape);
       pieces_.push_back(make_piece_drawing(placement, slot, report.shapes[slot], artworks.clip(slot), picture_px_, size_));
     }
@@ -95,6 +106,7 @@ class PictureBands {
       const PieceDrawing& piece = pieces_[missing[k]];
       const auto sprite = sprites_.get(piece.slot, piece.sprite_side_px);
       tile.bgra = draw_rows(piece, *sprite, tile.top, ends[k]);
+      if (!tints_.empty()) tint(tile.bgra, tints_[missing[k]]);
     });
   }
 
@@ -139,6 +151,7 @@ class PictureBands {
   const cv::Vec3b background_;
   SpriteCache sprites_;
   std::vector<PieceDrawing> pieces_;
+  std::vector<cv::Vec3b> tints_;  // of the pieces; empty: their own colours
   std::vector<KeptTile> tiles_;  // of the pieces
   std::size_t tile_bytes_ = 0;
 };

@@ -28,11 +28,17 @@ Job job_of(const WholeResult& result, const DrawingRequest& request) {
   Job job = result.job;
   if (request.width_px > 0) job.output.width_px = request.width_px;
   if (!request.background.empty()) job.output.background = request.background;
-  if (!request.library.empty()) job.library = request.library;
+  if (request.library.size() == 1) {
+    job.library = request.library.front();
+    job.library_files.clear();
+  } else if (!request.library.empty()) {
+    job.library.clear();
+    job.library_files = request.library;
+  }
   return job;
 }
 
-LibraryFile opened_library(const Job& job) {
+LibraryView opened_library(const Job& job) {
   try {
     return open_library_of(job);
   } catch (const InputError& error) {
@@ -40,10 +46,11 @@ LibraryFile opened_library(const Job& job) {
   }
 }
 
-LibraryFile library_of(const Job& job, const ResultManifest& manifest) {
-  LibraryFile library = opened_library(job);
+LibraryView library_of(const Job& job, const ResultManifest& manifest) {
+  LibraryView library = opened_library(job);
   if (library.content_digest() == manifest.library_digest) return library;
-  throw InputError(job.library + ": not the library that the collage was made from; --library FILE says where that is");
+  throw InputError(library.path() +
+                   ": not the library that the collage was made from; --library FILE says where that is");
 }
 
 Canvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver& observer) {
@@ -71,7 +78,7 @@ std::vector<Placement> placements_of(const std::string& dir, const ResultManifes
 }
 
 /// Of the shapes that were placed, all that drawing needs.
-void add_shapes(const LibraryFile& library, const StopWatcher& stop, CollageReport& report) {
+void add_shapes(const ShapeLibrary& library, const StopWatcher& stop, CollageReport& report) {
   std::set<ShapeId> placed;
   for (const Placement& placement : report.placements) placed.insert(placement.shape);
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
@@ -171,7 +178,7 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   Drawers drawers({.processes = available_cores()});
   const StopWatcher stop(observer, drawers);
   stop.check();
-  const LibraryFile library = library_of(job, manifest);
+  const LibraryView library = library_of(job, manifest);
   stop.check();
   const Canvas canvas = canvas_of(job, manifest, observer);
   check_picture_height(job.output, canvas);
@@ -180,6 +187,7 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   report.canvas = &canvas;
   report.placements = placements_of(dir, manifest, library.size());
   add_shapes(library, stop, report);
+  report.colours = manifest.colours;
   ResultPictures pictures(dir, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
   if (request.png) pictures.png();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/result/drawing_notes.h"
 #include "io/result/stop_watcher.h"
@@ -13,7 +14,7 @@ namespace tessera::io {
 struct DrawingRequest {
   int width_px = 0;        // 0: output.width_px
   std::string background;  // "#rrggbb"; empty: output.background
-  std::string library;     // where it is now; empty: library.file
+  std::vector<std::string> library;  // where its files are now; empty: as in the job
   bool png = false;
   bool svg = false;
   bool pdf = false;

@@ -31,6 +31,15 @@ std::uint64_t number(const std::string& hex_digits) {
   return value;
 }
 
+void check_colours(const ResultManifest& manifest) {
+  if (manifest.colours.empty()) return;
+  if (manifest.colours.size() != manifest.shapes.size()) throw InputError("not as many colours as pieces");
+  for (const std::string& text : manifest.colours) {
+    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdef", 1) != text.npos)
+      throw InputError("found the colour \"" + text.substr(0, 20) + "\", allowed: #rrggbb");
+  }
+}
+
 ResultManifest from_json(const Json& json) {
   if (json.at("format") != kFormat) throw InputError("another format than " + std::to_string(kFormat));
   ResultManifest manifest;
@@ -41,6 +50,8 @@ ResultManifest from_json(const Json& json) {
   manifest.library = json.at("library").at("file");
   manifest.library_digest = number(json.at("library").at("digest"));
   manifest.canvas_digest = number(json.at("canvas").at("digest"));
+  if (json.contains("colours")) manifest.colours = json.at("colours").get<std::vector<std::string>>();
+  check_colours(manifest);
   for (const Json& picture : json.at("pictures")) {
     manifest.pictures.push_back({picture.at("file"), picture.at("width_px"), picture.at("background")});
   }
@@ -77,13 +88,14 @@ void write_manifest(const std::string& dir, const ResultManifest& manifest) {
   for (const DrawnPicture& picture : manifest.pictures) {
     pictures.push_back({{"file", picture.file}, {"width_px", picture.width_px}, {"background", picture.background}});
   }
-  const Json json{{"format", kFormat},
-                  {"state", manifest.finished ? "finished" : "unfinished"},
-                  {"pieces", {{"digest", manifest.pieces_digest}, {"shapes", manifest.shapes}}},
-                  {"job", {{"digest", manifest.job_digest}}},
-                  {"library", {{"file", manifest.library}, {"digest", hex(manifest.library_digest)}}},
-                  {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
-                  {"pictures", pictures}};
+  Json json{{"format", kFormat},
+            {"state", manifest.finished ? "finished" : "unfinished"},
+            {"pieces", {{"digest", manifest.pieces_digest}, {"shapes", manifest.shapes}}},
+            {"job", {{"digest", manifest.job_digest}}},
+            {"library", {{"file", manifest.library}, {"digest", hex(manifest.library_digest)}}},
+            {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
+            {"pictures", pictures}};
+  if (!manifest.colours.empty()) json["colours"] = manifest.colours;
   write_file_atomically(path_in_result(dir, kManifestName),
                         json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }

@@ -29,6 +29,7 @@ struct ResultManifest {
   std::uint64_t library_digest = 0;
   std::uint64_t canvas_digest = 0;
   std::vector<ShapeId> shapes;  // of the pieces, in order of placement
+  std::vector<std::string> colours;  // of the pieces, "#rrggbb"; empty: they are drawn as their artwork
   std::vector<DrawnPicture> pictures;
 
   friend bool operator==(const ResultManifest&, const ResultManifest&) = default;

@@ -51,6 +51,14 @@ std::string reason_of(const InputError& error, const std::string& path) {
   return text.starts_with(path) ? text.substr(std::min(text.size(), path.size() + 2)) : text;
 }
 
+/// Takes the colour of what uses it.
+SvgSymbol plain_symbol(const Shape& shape, const std::string& id) {
+  XmlWriter writer;
+  writer.start("path").attribute("id", id).attribute("fill-rule", "evenodd");
+  writer.attribute("d", svg_path(shape.outline.curves, artwork_from_shape(shape.artwork)));
+  return {writer.finish(), 1};
+}
+
 SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
   XmlWriter writer;
   writer.start("path").attribute("id", id).attribute("fill", hex_colour(mean_bgr(shape))).attribute("fill-rule", "evenodd");
@@ -71,6 +79,7 @@ ShapeArtworks::ShapeArtworks(const CollageReport& report, Drawers& drawers, cons
 Sprite ShapeArtworks::sprite(std::size_t slot, int side_px) {
   stop_.check();
   const Shape& shape = report_.shapes[slot];
+  if (!report_.colours.empty()) return sprite_of_silhouette(shape, side_px);
   const cv::Mat bgra = drawn(slot, source_of(slot), side_px);
   return bgra.empty() ? sprite_of_silhouette(shape, side_px) : sprite_of_drawing(bgra, shape, clips_[slot]);
 }
@@ -79,6 +88,7 @@ SvgSymbol ShapeArtworks::symbol(std::size_t slot, const std::string& id) {
   stop_.check();
   const Shape& shape = report_.shapes[slot];
   const Artwork& artwork = shape.artwork;
+  if (!report_.colours.empty()) return plain_symbol(shape, id);
   const Source source = source_of(slot);
   try {
     if (source.bytes.empty()) return silhouette_symbol(shape, id);

@@ -32,7 +32,8 @@ class ShapeArtworks {
   /// The arguments must outlive it.
   ShapeArtworks(const CollageReport& report, Drawers& drawers, const StopWatcher& stop);
 
-  /// The original where it can be had; else the library's thumbnail; else, and where the drawing is bad, the silhouette
+  /// Where the report has colours the silhouette, in whichever colour: who draws the piece gives it its own. Otherwise
+  /// the original where it can be had; else the library's thumbnail; else, and where the drawing is bad, the silhouette
   /// in its mean colour. `slot` is the shape's in the report. The page's longest side is `side_px` long or less. Throws
   /// DrawingStopped.
   Sprite sprite(std::size_t slot, int side_px);

@@ -76,10 +76,11 @@ void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip
 
 void write_pieces(const CollageReport& report, const ShapeArtworks& artworks, const std::vector<SvgSymbol>& symbols,
                   XmlWriter& svg) {
-  for (const Placement& placement : drawn_pieces(report, artworks)) {
+  for (const auto& [placement, piece] : drawn_pieces(report, artworks)) {
     const std::size_t slot = report.slot_of(placement.shape);
     svg.raw("\n").start("use").attribute("xlink:href", "#" + symbol_id(slot));
     svg.attribute("clip-path", "url(#" + clip_id(slot) + ")");
+    if (!report.colours.empty()) svg.attribute("fill", report.colours[piece]);
     svg.attribute("transform",
                   matrix_text(placement, report.shapes[slot].artwork, symbols[slot].artwork_px_per_unit));
     svg.end();

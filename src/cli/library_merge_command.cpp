@@ -1,0 +1,45 @@
+#include "cli/library_merge_command.h"
+
+#include <memory>
+#include <string>
+
+#include "cli/library_output.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr char kExamples[] =
+    "Examples:\n"
+    "  tessera library merge animals.h5 birds.h5 -o zoo.h5\n"
+    "Nothing is traced again. A shape with outline and colour of an earlier one is left out and told; shapes of one\n"
+    "outline in other colours are variants of the first. A name that is there already gets the folder of its artwork:\n"
+    "\"cat (birds)\". The libraries must have been built with the same --pad-levels and --delta-tau. A job can also read\n"
+    "several libraries without merging them: library.files in docs/job-format.md.";
+
+struct CopyArguments {
+  io::LibraryChoice choice;
+  std::string output;
+};
+
+int run(const CopyArguments& arguments) {
+  copy_to_library(arguments.choice, arguments.output);
+  return 0;
+}
+
+}  // namespace
+
+void add_library_merge_command(CLI::App& library, Command& selected) {
+  const auto arguments = std::make_shared<CopyArguments>();
+  CLI::App* merge = library.add_subcommand("merge", "Make one library of several");
+  merge->footer(kExamples);
+  merge->add_option("LIBRARY", arguments->choice.files, "The libraries, two or more, in the order of their shapes")
+      ->required()
+      ->expected(2, -1)
+      ->type_name("LIB.h5");
+  merge->add_option("-o,--output", arguments->output, "The library file to write, replaced if it exists")
+      ->required()
+      ->type_name("OUT.h5");
+  merge->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace tessera::cli

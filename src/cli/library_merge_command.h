@@ -1,0 +1,12 @@
+// tessera library merge: the shapes of several libraries as one library file.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.h"
+
+namespace tessera::cli {
+
+void add_library_merge_command(CLI::App& library, Command& selected);
+
+}  // namespace tessera::cli

@@ -1,0 +1,65 @@
+#include "cli/library_output.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/build_summary.h"
+#include "cli/progress_bar.h"
+#include "comm/stop_signals.h"
+#include "core/base/error.h"
+#include "io/library/left_out_list.h"
+#include "io/library/library_copy.h"
+#include "io/output_lock.h"
+
+namespace tessera::cli {
+namespace {
+
+void check_is_no_source(const io::LibraryChoice& choice, const std::string& output) {
+  for (const std::string& file : choice.files) {
+    std::error_code error;
+    if (std::filesystem::equivalent(file, output, error))
+      throw InputError("--output: found " + output + ", which is read; allowed: another file");
+  }
+}
+
+io::LibraryBuildReport report_of(const io::LibraryView& library) {
+  io::LibraryBuildReport report;
+  report.written = true;
+  report.shapes = library.size();
+  for (const io::LibraryView::Twin& twin : library.twins())
+    report.merged.push_back({twin.path + "/" + twin.name, twin.kept});
+  report.files = report.shapes + report.merged.size();
+  return report;
+}
+
+}  // namespace
+
+void check_replaceable(const std::string& output) {
+  std::error_code error;
+  if (!std::filesystem::exists(output, error)) return;
+  try {
+    const io::LibraryFile library(output);
+  } catch (const InputError&) {
+    throw InputError(output + ": is there and is no library; give another name, or remove it");
+  }
+}
+
+void copy_to_library(const io::LibraryChoice& choice, const std::string& output) {
+  check_is_no_source(choice, output);
+  const io::LibraryView library(choice);
+  check_replaceable(output);
+  const io::OutputLock lock(output + ".lock", output);
+  comm::install_stop_handlers();  // the half library is removed
+  {
+    ProgressBar bar("library", library.size());
+    io::copy_library(library, output, [&](std::size_t done) { bar.update(done); }, comm::stop_signalled);
+  }
+  const io::LibraryBuildReport report = report_of(library);
+  io::write_left_out_list(output, report);
+  std::fputs(build_summary(report).c_str(), stdout);
+  if (!report.merged.empty()) std::printf("all that was left out: %s\n", io::left_out_path(output).c_str());
+  std::printf("%s, %.1f MB, %zu %s\n", output.c_str(), double(std::filesystem::file_size(output)) * 1e-6, report.shapes,
+              report.shapes == 1 ? "shape" : "shapes");
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,186 @@
+#include "io/library/library_view.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "core/base/error.h"
+#include "io/library/library_names.h"
+#include "io/library/same_colour.h"
+#include "io/number_text.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr std::size_t kBatchShapes = 1024;  // heads read at a time, some 400 bytes each
+
+constexpr LibraryParts kArtwork{.outline = false, .field = false, .levels = 0, .artwork = true, .original = false};
+
+std::string parameters_text(const PadParameters& pad) {
+  return "--pad-levels " + std::to_string(pad.levels) + " --delta-tau " + fixed(pad.delta_tau, 6);
+}
+
+void check_built_alike(const std::vector<LibraryFile>& files) {
+  const LibraryFile& first = files.front();
+  for (const LibraryFile& file : files) {
+    if (file.pad_parameters() == first.pad_parameters()) continue;
+    throw InputError(file.path() + ": built with " + parameters_text(file.pad_parameters()) + ", but " + first.path() +
+                     " with " + parameters_text(first.pad_parameters()) +
+                     "; allowed: libraries built alike (tessera library build)");
+  }
+}
+
+template <class Take>
+void for_each_head(const LibraryFile& file, Take take) {
+  for (std::size_t at = 0; at < file.size(); at += kBatchShapes) {
+    std::size_t index = at;
+    for (ShapeHead& head : file.heads(at, std::min(file.size(), at + kBatchShapes))) take(index++, std::move(head));
+  }
+}
+
+std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std::string& path,
+                                const NameGlobs& globs) {
+  std::vector<std::string> names;
+  for (const LibraryFile& file : files)
+    for_each_head(file, [&](std::size_t, ShapeHead head) { names.push_back(std::move(head.name)); });
+  return chosen_names(names, globs, path);
+}
+
+}  // namespace
+
+/// Gathers the entries one by one.
+class LibraryView::Gathering {
+ public:
+  explicit Gathering(LibraryView& view) : view_(view) {}
+
+  void add(std::uint32_t file, std::uint32_t index, const ShapeHead& head) {
+    const std::size_t family = family_of(file, head);
+    std::vector<Member>& members = families_[family];
+    const auto twin = std::find_if(members.begin(), members.end(),
+                                   [&](const Member& m) { return same_colour(m.mean_lab, head.mean_lab); });
+    if (several_files() && twin != members.end()) {
+      view_.twins_.push_back({view_.files_[file].path(), head.name, twin->name});
+      return;
+    }
+    const std::string name = unique_name(file, index, head.name);
+    const auto own = std::uint32_t(view_.entries_.size());
+    members.push_back({own, head.mean_lab, name});
+    view_.entries_.push_back({file, index, members.front().entry, name == head.name ? std::string() : name});
+  }
+
+ private:
+  /// Shapes of one outline.
+  struct Member {
+    std::uint32_t entry;
+    std::array<float, 3> mean_lab;
+    std::string name;
+  };
+
+  bool several_files() const { return view_.files_.size() > 1; }
+
+  /// Within a file by what it says, across files by equal outlines.
+  std::size_t family_of(std::uint32_t file, const ShapeHead& head) {
+    const std::pair source(file, head.variant_of);
+    std::size_t family = families_.size();
+    if (const auto known = of_source_.find(source); known != of_source_.end()) {
+      family = known->second;
+    } else if (const auto equal = of_outline_.find(head.outline_digest()); equal != of_outline_.end()) {
+      family = equal->second;
+    }
+    if (family == families_.size()) families_.emplace_back();
+    of_source_.try_emplace(source, family);
+    if (several_files()) of_outline_.try_emplace(head.outline_digest(), family);
+    return family;
+  }
+
+  std::string unique_name(std::uint32_t file, std::uint32_t index, const std::string& name) {
+    if (names_.take(name)) return name;
+    const Shape shape = std::move(view_.files_[file].read(index, index + 1, kArtwork).front());
+    return names_.unique(name, shape.artwork.path);
+  }
+
+  LibraryView& view_;
+  LibraryNames names_;
+  std::vector<std::vector<Member>> families_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> of_source_;  // by file and first shape in it
+  std::unordered_map<std::uint64_t, std::size_t> of_outline_;
+};
+
+LibraryView::LibraryView(const LibraryChoice& choice) {
+  for (const std::string& file : choice.files) {
+    files_.emplace_back(file);
+    path_ += (path_.empty() ? "" : ", ") + file;
+  }
+  check_built_alike(files_);
+  if (files_.size() == 1 && choice.names.empty()) return;
+  const std::vector<bool> chosen = chosen_shapes(files_, path_, choice.names);
+  if (chosen.size() > layout::kMaxShapes) throw InputError(path_ + ": too many shapes");
+  Gathering gathering(*this);
+  std::size_t at = 0;
+  for (std::uint32_t file = 0; file < files_.size(); ++file) {
+    for_each_head(files_[file], [&](std::size_t index, const ShapeHead& head) {
+      if (chosen[at++]) gathering.add(file, std::uint32_t(index), head);
+    });
+  }
+}
+
+std::uint64_t LibraryView::content_digest() const {
+  if (whole_file()) return files_.front().content_digest();
+  return digest_of_heads(pad_parameters(), size(),
+                         [&](std::size_t begin, std::size_t end) { return heads(begin, end); });
+}
+
+std::vector<std::uint32_t> LibraryView::variant_of() const {
+  if (whole_file()) return files_.front().variant_of();
+  std::vector<std::uint32_t> variants;
+  for (const Entry& entry : entries_) variants.push_back(entry.variant_of);
+  return variants;
+}
+
+/// The end of the entries from `begin` on that follow each other in one file, `end` at most.
+std::size_t LibraryView::run_end(std::size_t begin, std::size_t end) const {
+  std::size_t at = begin + 1;
+  while (at < end && entries_[at].file == entries_[begin].file &&
+         entries_[at].index == entries_[begin].index + (at - begin)) {
+    ++at;
+  }
+  return at;
+}
+
+std::vector<ShapeHead> LibraryView::heads(std::size_t begin, std::size_t end) const {
+  std::vector<ShapeHead> heads;
+  for (std::size_t at = begin, next = at; at < end; at = next) {
+    next = run_end(at, end);
+    const std::uint32_t first = entries_[at].index;
+    std::vector<ShapeHead> run = files_[entries_[at].file].heads(first, first + (next - at));
+    std::move(run.begin(), run.end(), std::back_inserter(heads));
+  }
+  for (std::size_t i = 0; i < heads.size(); ++i) {
+    const Entry& entry = entries_[begin + i];
+    if (!entry.new_name.empty()) heads[i].name = entry.new_name;
+    heads[i].variant_of = entry.variant_of;
+  }
+  return heads;
+}
+
+std::vector<Shape> LibraryView::read(std::size_t begin, std::size_t end, const LibraryParts& parts) const {
+  if (whole_file()) return files_.front().read(begin, end, parts);
+  end = std::min(end, size());
+  std::vector<Shape> shapes;
+  for (std::size_t at = begin, next = at; at < end; at = next) {
+    next = run_end(at, end);
+    const std::uint32_t first = entries_[at].index;
+    std::vector<Shape> run = files_[entries_[at].file].read(first, first + (next - at), parts);
+    std::move(run.begin(), run.end(), std::back_inserter(shapes));
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Entry& entry = entries_[begin + i];
+    if (!entry.new_name.empty()) shapes[i].name = entry.new_name;
+  }
+  return shapes;
+}
+
+}  // namespace tessera::io

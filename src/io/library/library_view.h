@@ -1,0 +1,64 @@
+// Several library files as one library, or a choice of their shapes: nothing is copied.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/library/library_file.h"
+#include "io/library/name_globs.h"
+#include "io/library/shape_library.h"
+
+namespace tessera::io {
+
+struct LibraryChoice {
+  std::vector<std::string> files;  // one at least
+  NameGlobs names;                 // as they are in the files
+};
+
+/// The shapes come in the order of the files, and in a file's order. Of several files those shapes are left
+/// out that have outline and colour of an earlier one, as `tessera library build` does; shapes of one outline in other
+/// colours are variants of the first. A name that was there already gets the folder of the artwork, and a number.
+class LibraryView : public ShapeLibrary {
+ public:
+  struct Twin {
+    std::string path;  // of the file
+    std::string name;  // in it
+    std::string kept;  // the name of the shape that stands for it
+  };
+
+  /// Throws InputError as LibraryFile does; where the files were built with different parameters; and where the choice
+  /// is empty.
+  explicit LibraryView(const LibraryChoice& choice);
+
+  const std::string& path() const override { return path_; }
+  std::size_t size() const override { return whole_file() ? files_.front().size() : entries_.size(); }
+  PadParameters pad_parameters() const override { return files_.front().pad_parameters(); }
+  std::uint64_t content_digest() const override;
+  std::vector<std::uint32_t> variant_of() const override;
+  std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;
+
+  /// What was left out for being there already.
+  const std::vector<Twin>& twins() const { return twins_; }
+
+ private:
+  struct Entry {
+    std::uint32_t file;
+    std::uint32_t index;  // in the file
+    std::uint32_t variant_of;
+    std::string new_name;  // empty: as in the file
+  };
+  class Gathering;
+
+  bool whole_file() const { return entries_.empty(); }
+  std::size_t run_end(std::size_t begin, std::size_t end) const;
+  std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
+
+  std::vector<LibraryFile> files_;
+  std::string path_;
+  std::vector<Entry> entries_;  // empty: all of the only file
+  std::vector<Twin> twins_;
+};
+
+}  // namespace tessera::io

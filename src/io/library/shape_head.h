@@ -1,0 +1,34 @@
+// The little that a shape of a library is known by, and the digest of a library made of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/pad/pad.h"
+#include "io/library/library_layout.h"
+
+namespace tessera::io {
+
+/// Digests of a shape's outline, field and smoothing levels (part_digest.h).
+using PartDigests = std::array<std::uint64_t, layout::kPartDigests>;
+
+struct ShapeHead {
+  std::string name;
+  float perimeter = 0;  // shape units
+  float radius = 0;     // shape units
+  std::array<float, 3> mean_lab{};
+  PartDigests part_digest{};
+  std::uint32_t variant_of = 0;  // the first shape of the library with the same silhouette
+
+  std::uint64_t outline_digest() const { return part_digest[0]; }
+};
+
+/// ShapeLibrary::content_digest() of so many shapes; `heads` gives those of any range. Where every shape is its own
+/// variant nothing is added for that, so that a library has the digest which it had before there were variants.
+std::uint64_t digest_of_heads(const PadParameters& pad, std::size_t shapes,
+                              const std::function<std::vector<ShapeHead>(std::size_t begin, std::size_t end)>& heads);
+
+}  // namespace tessera::io

@@ -1,0 +1,17 @@
+// Which colour of a palette each piece of a collage gets.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/result/collage_files.h"
+
+namespace tessera::io {
+
+/// A colour for each placement. What the shape and its pose draw by lot comes first; a colour that an earlier neighbour
+/// has is passed over, so that neighbours differ wherever the palette has a colour left (else it is the one that the
+/// fewest of them have). It depends on the piece and on its earlier neighbours alone: pieces placed later change
+/// nothing, and taking one away changes at most those that lay beside it and came later. The shapes have their fields.
+std::vector<std::string> piece_colours(const CollageReport& report, const std::vector<std::string>& palette);
+
+}  // namespace tessera::io

@@ -1,0 +1,202 @@
+// Several libraries as one, chosen shapes, and copies of them: the same shapes under the same digests, each once.
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "io/library/library_copy.h"
+#include "io/library/library_view.h"
+#include "random_shape.h"
+#include "scratch_folder.h"
+#include "support/input_error.h"
+
+namespace tessera::io {
+namespace {
+
+using test::message_of;
+using test::RandomShape;
+
+using Variants = std::vector<std::uint32_t>;
+
+const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
+
+/// Seeds tell silhouettes apart.
+Shape make_shape(const std::string& name, std::uint64_t seed, float lightness = 50) {
+  Shape shape = RandomShape(seed, 5).make();
+  shape.name = name;
+  shape.mean_lab = {lightness, 0, 0};
+  shape.artwork.path = "/drawings/" + name + ".svg";
+  return shape;
+}
+
+class LibraryViews : public testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::vector<Shape>& shapes, const PadParameters& pad = {},
+                    const Variants& variant_of = {}) const {
+    LibraryWriter writer(folder_.path(name), pad);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      writer.append(shapes[i], variant_of.empty() ? std::uint32_t(i) : variant_of[i]);
+    writer.finish();
+    return folder_.path(name);
+  }
+
+  std::string copied(const ShapeLibrary& library, const std::string& name) const {
+    copy_library(library, folder_.path(name), [](std::size_t) {}, [] { return false; });
+    return folder_.path(name);
+  }
+
+  static std::vector<std::string> names(const ShapeLibrary& library) {
+    std::vector<std::string> names;
+    for (const Shape& shape : library.read(0, library.size(), kEverything)) names.push_back(shape.name);
+    return names;
+  }
+
+  test::ScratchFolder folder_;
+  const std::vector<Shape> animals_{make_shape("cat", 1), make_shape("cow", 2), make_shape("dog", 3),
+                                    make_shape("Cat", 4)};
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(LibraryViews, OfOneWholeFileIsTheFile) {
+  const std::string path = write("a.h5", animals_);
+  const LibraryFile file(path);
+  const LibraryView view({{path}, {}});
+  EXPECT_EQ(view.size(), 4u);
+  EXPECT_EQ(view.path(), path);
+  EXPECT_EQ(view.content_digest(), file.content_digest());
+  EXPECT_EQ(names(view), names(file));
+  EXPECT_EQ(LibraryView({{path}, {{"*"}, {}}}).content_digest(), file.content_digest());
+}
+
+TEST_F(LibraryViews, ChooseByName) {
+  const std::string path = write("a.h5", animals_);
+  EXPECT_EQ(names(LibraryView({{path}, {{"c*"}, {}}})), (Names{"cat", "cow"}));
+  EXPECT_EQ(names(LibraryView({{path}, {{"d?g", "[cC]at"}, {}}})), (Names{"cat", "dog", "Cat"}));
+  EXPECT_EQ(names(LibraryView({{path}, {{}, {"c*", "x*"}}})), (Names{"dog", "Cat"}));
+  EXPECT_EQ(names(LibraryView({{path}, {{"?at"}, {"C*"}}})), (Names{"cat"}));
+  const LibraryView two({{path}, {{"cat", "dog"}, {}}});
+  EXPECT_NE(two.content_digest(), LibraryView({{path}, {{"cat", "cow"}, {}}}).content_digest());
+  EXPECT_EQ(two.read(1, 9, kEverything).at(0).outline, animals_[2].outline);
+  EXPECT_EQ(two.read(1, 9, kEverything).size(), 1u);
+}
+
+TEST_F(LibraryViews, SayWhatNamesAreNear) {
+  const std::string path = write("a.h5", animals_);
+  EXPECT_EQ(message_of([&] { LibraryView({{path}, {{"cat", "DOG*"}, {}}}); }),
+            "include: no shape of " + path + " has a name like \"DOG*\"; near it are: dog, Cat, cat, cow");
+  EXPECT_EQ(message_of([&] { LibraryView({{path}, {{}, {"*"}}}); }), "exclude: nothing is left of the 4 shapes of " + path);
+}
+
+TEST_F(LibraryViews, JoinFilesInOrderAndLeaveTwinsOut) {
+  const std::string a = write("a.h5", animals_);
+  const std::string b = write("b.h5", {make_shape("hen", 5), make_shape("kitty", 1, 52), make_shape("cow", 6),
+                                       make_shape("pale", 1, 90)});
+  const LibraryView view({{a, b}, {}});
+  EXPECT_EQ(names(view), (Names{"cat", "cow", "dog", "Cat", "hen", "cow (drawings)", "pale"}));
+  ASSERT_EQ(view.twins().size(), 1u);
+  EXPECT_EQ(view.twins()[0].path + " " + view.twins()[0].name + " " + view.twins()[0].kept, b + " kitty cat");
+  EXPECT_EQ(view.variant_of(), (Variants{0, 1, 2, 3, 4, 5, 0}));
+  EXPECT_EQ(view.path(), a + ", " + b);
+  const std::vector<Shape> across = view.read(3, 6, kEverything);
+  EXPECT_EQ(across[0].outline, animals_[3].outline);
+  EXPECT_EQ(across[1].outline, make_shape("hen", 5).outline);
+  EXPECT_EQ(across[2].outline, make_shape("cow", 6).outline);
+  EXPECT_NE(view.content_digest(), LibraryView({{b, a}, {}}).content_digest());
+}
+
+TEST_F(LibraryViews, ChoosePatternsInAllFiles) {
+  const std::string a = write("a.h5", animals_), b = write("b.h5", {make_shape("hen", 5), make_shape("cow", 6)});
+  EXPECT_EQ(names(LibraryView({{a, b}, {{"hen", "dog"}, {}}})), (Names{"dog", "hen"}));
+}
+
+TEST_F(LibraryViews, KeepVariantsOfWhatIsNotChosen) {
+  const std::string path = write("a.h5", {make_shape("red", 1, 10), make_shape("dog", 2), make_shape("blue", 1, 40),
+                                          make_shape("green", 1, 70)}, {}, {0, 1, 0, 0});
+  EXPECT_EQ(LibraryFile(path).variant_of(), (Variants{0, 1, 0, 0}));
+  EXPECT_EQ(LibraryView({{path}, {}}).variant_of(), (Variants{0, 1, 0, 0}));
+  EXPECT_EQ(LibraryView({{path}, {{}, {"red"}}}).variant_of(), (Variants{0, 1, 1}));
+}
+
+/// Copied are the columns: what was rounded once is not rounded again.
+TEST_F(LibraryViews, AreCopiedToTheBit) {
+  std::vector<Shape> many;
+  Variants variant_of;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    many.push_back(make_shape("shape " + std::to_string(i), i / 2, i % 2 ? 20 : 80));
+    variant_of.push_back(i / 2 * 2);
+  }
+  const std::string a = write("a.h5", many, {}, variant_of), b = write("b.h5", animals_);
+  for (const LibraryChoice& choice : {LibraryChoice{{a}, {}}, LibraryChoice{{a}, {{"*[37]"}, {}}},
+                                      LibraryChoice{{b, a}, {}}}) {
+    const LibraryView view(choice);
+    const LibraryFile copy(copied(view, "copy.h5"));
+    EXPECT_EQ(copy.content_digest(), view.content_digest());
+    EXPECT_EQ(copy.variant_of(), view.variant_of());
+    EXPECT_EQ(names(copy), names(view));
+    const std::vector<Shape> from = view.read(0, view.size(), kEverything), to = copy.read(0, copy.size(), kEverything);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      EXPECT_EQ(from[i].field.distance.data(), to[i].field.distance.data());
+      EXPECT_EQ(from[i].artwork.path, to[i].artwork.path);
+      EXPECT_EQ(from[i].artwork.sha256, to[i].artwork.sha256);
+      EXPECT_EQ(from[i].artwork.thumbnail_png, to[i].artwork.thumbnail_png);
+      EXPECT_EQ(from[i].artwork.original, to[i].artwork.original);
+    }
+  }
+}
+
+TEST_F(LibraryViews, CopiesFindArtworkThatMovedWithItsLibrary) {
+  Shape shape = make_shape("cat", 1);
+  shape.artwork.path = folder_.path("old/art/cat.svg");
+  std::filesystem::create_directories(folder_.path("old"));
+  std::filesystem::create_directories(folder_.path("copies"));
+  write("old/a.h5", {shape});
+  std::filesystem::rename(folder_.path("old"), folder_.path("new"));
+  const LibraryFile copy(copied(LibraryFile(folder_.path("new/a.h5")), "copies/copy.h5"));
+  const Artwork artwork = copy.read(0, 1, kEverything)[0].artwork;
+  EXPECT_EQ(artwork.path, folder_.path("old/art/cat.svg"));
+  EXPECT_EQ(artwork.path_beside_library, folder_.path("new/art/cat.svg"));
+}
+
+TEST_F(LibraryViews, AnInterruptedCopyLeavesNothing) {
+  const LibraryFile file(write("a.h5", animals_));
+  std::size_t copied = 0;
+  EXPECT_THROW(copy_library(file, folder_.path("copy.h5"), [&](std::size_t done) { copied = done; },
+                            [&] { return copied == 2; }),
+               EnvironmentError);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("copy.h5")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("copy.h5.tmp")));
+}
+
+TEST_F(LibraryViews, AreOfLibrariesBuiltAlike) {
+  const std::string a = write("a.h5", animals_), b = write("b.h5", animals_, {5, 0.25f});
+  EXPECT_EQ(message_of([&] { LibraryView({{a, b}, {}}); }),
+            b + ": built with --pad-levels 5 --delta-tau 0.250000, but " + a +
+                " with --pad-levels 5 --delta-tau 0.200000; allowed: libraries built alike (tessera library build)");
+}
+
+TEST_F(LibraryViews, VariantsDecideAboutACollageAndCountInTheDigest) {
+  const LibraryFile apart(write("a.h5", animals_)), family(write("b.h5", animals_, {}, {0, 0, 2, 3}));
+  EXPECT_NE(apart.content_digest(), family.content_digest());
+}
+
+TEST_F(LibraryViews, OfOlderLibrariesKnowNoVariants) {
+  const std::string path = write("a.h5", animals_, {}, {0, 0, 0, 0});
+  const std::string apart = write("b.h5", animals_);
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  H5Ldelete(file, "/shapes/variant_of", H5P_DEFAULT);
+  H5Fclose(file);
+  EXPECT_EQ(LibraryFile(path).variant_of(), (Variants{0, 1, 2, 3}));
+  EXPECT_EQ(LibraryFile(path).content_digest(), LibraryFile(apart).content_digest());
+}
+
+TEST_F(LibraryViews, RefuseAFamilyWithoutAHead) {
+  for (const Variants& variants : {Variants{0, 0, 1, 3}, Variants{0, 2, 2, 3}}) {
+    const std::string path = write("a.h5", animals_, {}, variants);
+    EXPECT_NE(message_of([&] { (void)LibraryFile(path).variant_of(); }), "");
+  }
+}
+
+}  // namespace
+}  // namespace tessera::io
