@@ -88,7 +88,27 @@ TEST(SvgOutput, IdsAreUnique) {
     const std::string id = svg.substr(begin, svg.find('"', begin) - begin);
     EXPECT_TRUE(ids.insert(id).second) << id;
   }
-  EXPECT_EQ(ids.size(), 6u);  // two artworks, an id of each, two clips
+  EXPECT_EQ(ids.size(), 12u);  // two artworks, an id of each, two clips, two layers, four pieces
+}
+
+TEST(SvgOutput, InkscapeShowsLayersAndWhatThePiecesAre) {
+  TwoFaces sample;
+  sample.report.shapes[0].name = "bear & \"cub\" No. 3/\xc3\xa4\x01";
+  const std::string svg = drawn_svg(sample.report);
+  EXPECT_EQ(count(svg, "inkscape:groupmode=\"layer\""), 2u);
+  const auto canvas = svg.find("<g id=\"layer-canvas\" inkscape:groupmode=\"layer\" inkscape:label=\"Canvas\">");
+  const auto pieces = svg.find("<g id=\"layer-pieces\" inkscape:groupmode=\"layer\" inkscape:label=\"Pieces\">");
+  const auto background = svg.find(sample.job.output.background);
+  ASSERT_NE(canvas, std::string::npos);
+  ASSERT_NE(pieces, std::string::npos);
+  EXPECT_LT(canvas, background);
+  EXPECT_LT(background, pieces);
+  EXPECT_LT(pieces, svg.find("<use "));
+  EXPECT_EQ(count(svg, "id=\"piece-1-ring\""), 1u);
+  EXPECT_EQ(count(svg, "id=\"piece-0-bear____cub__No__3____\""), 1u);
+  EXPECT_EQ(count(svg, "id=\"piece-3-bear____cub__No__3____\""), 1u);
+  EXPECT_EQ(count(svg, "<title>bear &amp; &quot;cub&quot; No. 3/\xc3\xa4_</title>"), 3u);
+  EXPECT_EQ(drawn(svg, 400).size(), cv::Size(400, 200));
 }
 
 TEST(SvgOutput, ReadsTheOriginalFromItsPlace) {

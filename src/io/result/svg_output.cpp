@@ -8,7 +8,9 @@
 #include "io/number_text.h"
 #include "io/parallel_for.h"
 #include "io/result/artwork_original.h"
+#include "io/result/svg_layers.h"
 #include "io/result/svg_path.h"
+#include "io/utf8_text.h"
 #include "io/xml_writer.h"
 
 namespace tessera::io {
@@ -35,8 +37,16 @@ std::vector<std::vector<Vec2>> region_curves(const CanvasField& distance) {
   return contours(raised, kRaise);
 }
 
+void start_layer(const SvgLayer& layer, XmlWriter& svg) {
+  svg.start("g").attribute("id", layer.id);
+  svg.attribute("inkscape:groupmode", "layer").attribute("inkscape:label", layer.label);
+}
+
+const SvgLayer kCanvasLayer{.id = "layer-canvas", .label = "Canvas", .pieces = {}};
+
 void write_canvas(const CollageReport& report, XmlWriter& svg) {
   const std::string& background = report.job->output.background;
+  start_layer(kCanvasLayer, svg);
   svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", "#ffffff").end();
   if (report.job->canvas.file.empty()) {
     svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", background).end();
@@ -46,6 +56,7 @@ void write_canvas(const CollageReport& report, XmlWriter& svg) {
     svg.start("path").attribute("fill", background).attribute("fill-rule", "evenodd");
     svg.attribute("d", svg_path(region_curves(distance), canvas_from_grid)).end();
   }
+  svg.end();
 }
 
 /// Canvas px from the symbol's units.
@@ -73,13 +84,26 @@ void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip
   svg.end();
 }
 
+/// A group of its own, so that what belongs to a piece moves with it.
+void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symbols, std::size_t piece, XmlWriter& svg) {
+  const Placement& placement = report.placements[piece];
+  const std::size_t slot = report.slot_of(placement.shape);
+  const Shape& shape = report.shapes[slot];
+  const std::string title = printable_utf8(shape.name);
+  svg.raw("\n").start("g").attribute("id", svg_piece_id(piece, shape.name)).attribute("inkscape:label", title);
+  svg.attribute("transform", matrix_text(placement, shape.artwork, symbols[slot].artwork_px_per_unit));
+  svg.start("title").text(title).end();
+  svg.start("use").attribute("xlink:href", "#" + symbol_id(slot));
+  svg.attribute("clip-path", "url(#" + clip_id(slot) + ")").end();
+  svg.end();
+}
+
+/// Layer by layer, in the order of their first pieces; within a layer in order of placement.
 void write_pieces(const CollageReport& report, const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
-  for (const Placement& placement : report.placements) {
-    const std::size_t slot = report.slot_of(placement.shape);
-    svg.raw("\n").start("use").attribute("xlink:href", "#" + symbol_id(slot));
-    svg.attribute("clip-path", "url(#" + clip_id(slot) + ")");
-    svg.attribute("transform",
-                  matrix_text(placement, report.shapes[slot].artwork, symbols[slot].artwork_px_per_unit));
+  for (const SvgLayer& layer : piece_layers(report.placements)) {
+    svg.raw("\n");
+    start_layer(layer, svg);
+    for (const std::size_t piece : layer.pieces) write_piece(report, symbols, piece, svg);
     svg.end();
   }
 }
@@ -93,6 +117,7 @@ std::string collage_svg(const CollageReport& report, ShapeArtworks& artworks, co
   XmlWriter svg;
   svg.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n").start("svg").attribute("xmlns", "http://www.w3.org/2000/svg");
   svg.attribute("xmlns:xlink", "http://www.w3.org/1999/xlink").attribute("version", "1.1");
+  svg.attribute("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape");
   svg.attribute("width", std::to_string(report.job->output.width_px));
   svg.attribute("height", std::to_string(std::lround(report.canvas->height_px * picture_px)));
   svg.attribute("viewBox", "0 0 " + size);
