@@ -98,15 +98,16 @@ TEST(Png, SmallPiecesAreAveragedNotSampled) {
 
 TEST(Png, OutsideOfTheRegionIsWhiteWithASmoothEdge) {
   SampleCollage sample;
-  Grid<float> mask(400, 200, 0.f);
-  for (int y = 0; y < 200; ++y) std::fill(mask.row(y) + 100, mask.row(y) + 301, 1.f);
-  sample.canvas = make_mask_canvas(mask);
+  sample.report.canvas_edge = {{{50.125f, 0}, {150, 0}, {150, 100}, {50.125f, 100}}};
   sample.report.placements.clear();
   const cv::Mat picture = drawn_picture(sample.report);
   EXPECT_EQ(at(picture, 50, 100), cv::Vec3b(255, 255, 255));
   EXPECT_EQ(at(picture, 200, 100), kBackground);
-  EXPECT_EQ(at(picture, 103, 100), kBackground);
-  EXPECT_EQ(at(picture, 304, 100), cv::Vec3b(255, 255, 255));
+  EXPECT_EQ(at(picture, 99, 100), cv::Vec3b(255, 255, 255));
+  EXPECT_NEAR(at(picture, 100, 100)[0], 255 - 0.75 * (255 - kBackground[0]), 2);
+  EXPECT_EQ(at(picture, 101, 100), kBackground);
+  EXPECT_EQ(at(picture, 299, 100), kBackground);
+  EXPECT_EQ(at(picture, 300, 100), cv::Vec3b(255, 255, 255));
 }
 
 TEST(Png, WithoutAnyArtworkTheOutlineIsFilled) {
@@ -208,6 +209,7 @@ class OneCore {
 TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   OneSquare sample(0.2f);
   sample.job.output.width_px = 1500;
+  sample.report.canvas_edge = {{{3.3f, 7.1f}, {190.7f, 2.2f}, {120.4f, 98.6f}}};
   for (int i = 0; i < 12; ++i) sample.place(ShapeId{7}, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));
   test::DrawnCollage drawn(sample.report);
   const cv::Mat expected = drawn.picture();

@@ -15,6 +15,8 @@ namespace {
 constexpr int kMinCanvas_px = 16;
 constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;  // the mask is drawn at twice the canvas' resolution
 
+}  // namespace
+
 std::vector<std::uint8_t> read_canvas_file(const std::string& path) {
   try {
     return read_artwork_file(path);
@@ -24,7 +26,7 @@ std::vector<std::uint8_t> read_canvas_file(const std::string& path) {
 }
 
 /// The largest page with the artwork's aspect that fits into twice the spec's box.
-cv::Mat render_into_box(const CanvasSpec& spec, Drawers& drawers) {
+cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers) {
   const auto bytes = read_canvas_file(spec.file);
   const int box_width = 2 * spec.width_px;
   const int box_height = 2 * spec.height_px;
@@ -33,6 +35,8 @@ cv::Mat render_into_box(const CanvasSpec& spec, Drawers& drawers) {
   const double fit = std::min(double(box_width) / page.cols, double(box_height) / page.rows);
   return fit >= 1 ? page : drawers.render(bytes, spec.file, std::max(1, int(fit * side)));
 }
+
+namespace {
 
 /// Half transparent or more somewhere, the rim apart: drawing blurs the edge of an opaque page.
 bool has_transparency(const cv::Mat& alpha) {
@@ -83,7 +87,7 @@ void check_picture_height(const OutputSpec& output, const Canvas& canvas) {
 /// A page of the largest size may take three times its pixels.
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds) {
   constexpr std::size_t kMebibyte = std::size_t(1) << 20;
-  const std::size_t side_px = 2 * std::size_t(std::max(spec.width_px, spec.height_px));
+  const std::size_t side_px = std::size_t(std::max({2 * spec.width_px, 2 * spec.height_px, kEdgeSide_px}));
   return {.seconds_per_drawing = seconds,
           .bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * 4 * side_px * side_px)};
 }
@@ -96,7 +100,7 @@ Canvas load_canvas(const CanvasSpec& spec, double seconds) {
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
   if (spec.file.empty()) return make_rectangle_canvas(spec.width_px, spec.height_px);
   check_box(spec);
-  const Grid<float> coverage = mask_coverage(render_into_box(spec, drawers));
+  const Grid<float> coverage = mask_coverage(canvas_page(spec, drawers));
   if (std::min(coverage.width(), coverage.height()) < 2 * kMinCanvas_px) {
     throw InputError("canvas file " + spec.file + ": only " + std::to_string(coverage.width() / 2) + " x " +
                      std::to_string(coverage.height() / 2) + " px in the box of canvas.size_px, allowed: " +

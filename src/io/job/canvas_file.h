@@ -1,7 +1,10 @@
 // The canvas of a job: a rectangle, or the silhouette in an SVG or image file.
 #pragma once
 
+#include <cstdint>
 #include <opencv2/core.hpp>
+#include <string>
+#include <vector>
 
 #include "core/field/canvas.h"
 #include "core/geometry/grid.h"
@@ -19,6 +22,15 @@ Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.sec
 /// The same, drawn by the caller's drawers, which the caller may stop.
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
+
+/// The bytes of canvas.file. Throws InputError.
+std::vector<std::uint8_t> read_canvas_file(const std::string& path);
+
+/// The longest side that the page is drawn with for its edge (canvas_edge.h), where the canvas does not ask for more.
+inline constexpr int kEdgeSide_px = 4096;
+
+/// The page of the spec's file as load_canvas sees it: straight BGRA at twice the canvas' resolution. Errors as load_canvas.
+cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers);
 
 /// Throws InputError where a picture of that width would become higher than the widest one may be.
 void check_picture_height(const OutputSpec& output, const Canvas& canvas);

@@ -5,8 +5,8 @@
 #include <future>
 #include <utility>
 
-#include "core/field/field_lookup.h"
 #include "io/parallel_for.h"
+#include "io/result/cairo_paint.h"
 #include "io/result/piece_drawing.h"
 #include "io/result/png_stream.h"
 #include "io/result/sprite_cache.h"
@@ -111,13 +111,19 @@ class PictureBands {
   }
 
   void draw_canvas(int top, cv::Mat& strip) const {
-    const FieldView distance(report_.canvas->distance);
+    if (report_.canvas_edge.empty()) {
+      strip.setTo(cv::Scalar(background_[0], background_[1], background_[2]));
+      return;
+    }
+    const cv::Mat coverage = filled_coverage(report_.canvas_edge, {float(picture_px_), 0, 0, 0},
+                                             {0, top, strip.cols, strip.rows});
     for (int y = 0; y < strip.rows; ++y) {
       cv::Vec3b* row = strip.ptr<cv::Vec3b>(y);
+      const std::uint8_t* inside = coverage.ptr(y);
       for (int x = 0; x < strip.cols; ++x) {
-        const Vec2 p{float((x + 0.5) / picture_px_), float((top + y + 0.5) / picture_px_)};
-        const double inside = std::clamp(double(field_value(distance, p)) * picture_px_ + 0.5, 0., 1.);
-        for (int c = 0; c < 3; ++c) row[x][c] = std::uint8_t(std::lround(255 + (background_[c] - 255) * inside));
+        for (int c = 0; c < 3; ++c) {
+          row[x][c] = std::uint8_t((255 * (255 - inside[x]) + background_[c] * inside[x] + 127) / 255);
+        }
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -11,6 +12,7 @@
 #include "io/available_cores.h"
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/drawing/drawers.h"
+#include "io/job/canvas_edge.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
 #include "io/result/card_drawing.h"
@@ -46,11 +48,16 @@ LibraryFile library_of(const Job& job, const ResultManifest& manifest) {
   throw InputError(job.library + ": not the library that the collage was made from; --library FILE says where that is");
 }
 
-Canvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver& observer) {
+struct DrawnCanvas {
+  Canvas canvas;
+  std::vector<std::vector<Vec2>> edge;
+};
+
+DrawnCanvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver& observer) {
   Drawers drawers(canvas_drawer_settings(job.canvas));
   const StopWatcher stop(observer, drawers);
   Canvas canvas = load_canvas(job.canvas, drawers);
-  if (canvas_digest(canvas) == manifest.canvas_digest) return canvas;
+  if (canvas_digest(canvas) == manifest.canvas_digest) return {std::move(canvas), canvas_edge(job.canvas, drawers)};
   throw InputError(job.canvas.file + ": another content than when the collage was made; put the file back to draw it");
 }
 
@@ -173,11 +180,12 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   stop.check();
   const LibraryFile library = library_of(job, manifest);
   stop.check();
-  const Canvas canvas = canvas_of(job, manifest, observer);
-  check_picture_height(job.output, canvas);
+  DrawnCanvas canvas = canvas_of(job, manifest, observer);
+  check_picture_height(job.output, canvas.canvas);
   CollageReport report;
   report.job = &job;
-  report.canvas = &canvas;
+  report.canvas = &canvas.canvas;
+  report.canvas_edge = std::move(canvas.edge);
   report.placements = placements_of(dir, manifest, library.size());
   add_shapes(library, stop, report);
   ResultPictures pictures(dir, report, manifest, drawers, stop, observer);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/contour.h"
 #include "core/geometry/rasterise.h"
 #include "io/number_text.h"
 #include "io/parallel_for.h"
@@ -28,15 +27,6 @@ std::vector<SvgSymbol> make_symbols(const CollageReport& report, ShapeArtworks& 
   return symbols;
 }
 
-/// The region's boundary where the distance is zero. contours() takes what lies beyond the grid as 0 and wants a
-/// positive level, so everything is raised.
-std::vector<std::vector<Vec2>> region_curves(const CanvasField& distance) {
-  constexpr float kRaise = 100;
-  Grid<float> raised = distance.value;
-  for (float& v : raised.data()) v = std::max(0.f, v + kRaise);
-  return contours(raised, kRaise);
-}
-
 void start_layer(const SvgLayer& layer, XmlWriter& svg) {
   svg.start("g").attribute("id", layer.id);
   svg.attribute("inkscape:groupmode", "layer").attribute("inkscape:label", layer.label);
@@ -48,13 +38,11 @@ void write_canvas(const CollageReport& report, XmlWriter& svg) {
   const std::string& background = report.job->output.background;
   start_layer(kCanvasLayer, svg);
   svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", "#ffffff").end();
-  if (report.job->canvas.file.empty()) {
+  if (report.canvas_edge.empty()) {
     svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", background).end();
   } else {
-    const CanvasField& distance = report.canvas->distance;
-    const Similarity canvas_from_grid{1, 0, distance.origin.x, distance.origin.y};
     svg.start("path").attribute("fill", background).attribute("fill-rule", "evenodd");
-    svg.attribute("d", svg_path(region_curves(distance), canvas_from_grid)).end();
+    svg.attribute("d", svg_path(report.canvas_edge, {1, 0, 0, 0})).end();
   }
   svg.end();
 }
