@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "io/job/canvas_file.h"
+#include "io/job/picture_size.h"
 #include "io/job/job_library.h"
 #include "io/result/collage_files.h"
 
@@ -18,7 +19,7 @@ Start start_of(const CollageArguments& arguments, const io::EarlierResult& earli
 
 Canvas checked_canvas(const io::Job& job) {
   Canvas canvas = io::load_canvas(job.canvas);
-  io::check_picture_height(job.output, canvas);
+  io::check_picture_size(job.output, canvas);
   return canvas;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/plan_text.h"
 #include "core/base/error.h"
 #include "io/job/canvas_file.h"
+#include "io/job/picture_size.h"
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
 
@@ -36,11 +37,11 @@ PlanInput plan_input(const PlanArguments& arguments) {
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
   const io::LibraryFile library = io::open_library_of(job);
   const Canvas canvas = io::load_canvas(job.canvas);
-  const double width_px = job.output.width_px;
+  io::check_picture_size(job.output, canvas);
   return {.settings = job.settings,
           .canvas_px2 = canvas.area_px2,
           .canvas_nodes = double(canvas.width_px) * canvas.height_px,
-          .picture_px2 = width_px * width_px * canvas.height_px / canvas.width_px,
+          .picture_px2 = double(io::picture_size_px(job.output, canvas).area()),
           .shapes = library.size(),
           .host_devices = job.devices != "gpu",
           .ranks = arguments.ranks,

@@ -188,11 +188,5 @@ TEST_F(CanvasFile, large_canvases_fit_into_the_memory_of_a_drawing) {
   EXPECT_NEAR(double(canvas.area_px2) / (4096. * 4096), 3.1416 * 20 * 20 / 2500, 0.001);
 }
 
-TEST(PictureHeight, of_narrow_canvases_limits_the_width) {
-  const OutputSpec output{.width_px = 2000, .background = "#000000"};
-  EXPECT_NO_THROW(check_picture_height(output, make_rectangle_canvas(16, 160)));
-  EXPECT_THROW(check_picture_height(output, make_rectangle_canvas(16, 161)), InputError);
-}
-
 }  // namespace
 }  // namespace tessera::io

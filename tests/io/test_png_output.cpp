@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -110,6 +112,27 @@ TEST(Png, OutsideOfTheRegionIsWhiteWithASmoothEdge) {
   EXPECT_EQ(at(picture, 300, 100), cv::Vec3b(255, 255, 255));
 }
 
+TEST(Png, WithoutABackgroundAllButThePiecesIsTransparent) {
+  OneSquare sample(0.3f);
+  const cv::Mat opaque = drawn_picture(sample.report);
+  sample.report.canvas_edge = {{{50, 0}, {150, 0}, {150, 100}, {50, 100}}};
+  sample.job.output.background = kNoColour;
+  const cv::Mat picture = drawn_picture(sample.report);
+  ASSERT_EQ(picture.type(), CV_8UC4);
+  EXPECT_EQ(picture.at<cv::Vec4b>(10, 10), cv::Vec4b());    // outside of the canvas
+  EXPECT_EQ(picture.at<cv::Vec4b>(10, 200), cv::Vec4b());   // and inside
+  EXPECT_EQ(picture.at<cv::Vec4b>(100, 170), cv::Vec4b(0, 0, 255, 255));
+  int mixed = 0;
+  for (int x = 0; x < picture.cols; ++x) {
+    const cv::Vec4b c = picture.at<cv::Vec4b>(100, x);
+    mixed += c[3] > 0 && c[3] < 255;
+    for (int i = 0; i < 3; ++i) {  // straight: laid over the background it is what was there before
+      EXPECT_NEAR((c[i] * c[3] + kBackground[i] * (255 - c[3])) / 255., opaque.at<cv::Vec3b>(100, x)[i], 2) << x;
+    }
+  }
+  EXPECT_GE(mixed, 2);
+}
+
 TEST(Png, WithoutAnyArtworkTheOutlineIsFilled) {
   const SampleCollage sample;
   const cv::Mat picture = drawn_picture(sample.report);
@@ -183,6 +206,37 @@ TEST(Png, TheFileDecodesToThePicture) {
   EXPECT_EQ(rows, 200u);
   EXPECT_EQ(cv::norm(cv::imread(folder.path("collage.png"), cv::IMREAD_UNCHANGED), drawn.picture(), cv::NORM_INF), 0);
   EXPECT_FALSE(std::filesystem::exists(folder.path("collage.png.tmp")));
+}
+
+/// What follows the chunk's name, four bytes each.
+std::uint32_t number_in_chunk(const std::string& png, const std::string& chunk, std::size_t index) {
+  const auto at = png.find(chunk);
+  if (at == std::string::npos) return 0;
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::uint8_t(png.at(at + 4 + 4 * index + i));
+  return value;
+}
+
+TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
+  const test::ScratchFolder folder;
+  OneSquare sample(0.2f);
+  const auto written = [&] {
+    test::DrawnCollage drawn(sample.report);
+    write_collage_png(folder.path("collage.png"), sample.report, drawn.artworks, drawn.stop, [](std::size_t) {});
+    std::ifstream file(folder.path("collage.png"), std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  EXPECT_EQ(written().find("pHYs"), std::string::npos);
+  sample.job.output.width_mm = 50.8;
+  sample.job.output.dpi = 300;
+  sample.job.output.background = kNoColour;
+  const std::string png = written();
+  EXPECT_EQ(number_in_chunk(png, "IHDR", 0), 600u);
+  EXPECT_EQ(number_in_chunk(png, "IHDR", 1), 300u);
+  EXPECT_EQ(number_in_chunk(png, "pHYs", 0), 11811u);  // a metre
+  EXPECT_EQ(number_in_chunk(png, "pHYs", 1), 11811u);
+  const cv::Mat read = cv::imread(folder.path("collage.png"), cv::IMREAD_UNCHANGED);
+  EXPECT_EQ(cv::norm(read, drawn_picture(sample.report), cv::NORM_INF), 0);
 }
 
 /// One core only, while it lives.

@@ -29,5 +29,25 @@ TEST(ResultManifest, of_another_format_is_refused) {
   EXPECT_EQ(test::message_of([&] { read_manifest(dir); }), path + ": another format than 1");
 }
 
+TEST(ResultManifest, keeps_what_was_drawn_and_reads_what_earlier_versions_said) {
+  const test::ScratchFolder scratch;
+  const test::SampleCollage sample;
+  const std::string dir = scratch.path("");
+  publish_result(dir, sample.report, sample.origin(), true);
+  ResultManifest manifest = read_manifest(dir);
+  manifest.pictures = {{"collage.svg", {.width_px = 300, .background = "#102030"}},
+                       {"collage.png", {.width_px = 1181, .width_mm = 100, .background = kNoColour}}};
+  write_manifest(dir, manifest);
+  EXPECT_EQ(read_manifest(dir).pictures, manifest.pictures);
+  std::ifstream file(scratch.path(kManifestName));
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto begin = text.find("{\"file\"", text.find("\"pictures\":"));
+  text.replace(begin, text.find(']', begin) - begin,
+               R"({"file":"collage.svg","width_px":300,"background":"#102030"})");
+  scratch.write(kManifestName, text);
+  ASSERT_EQ(read_manifest(dir).pictures.size(), 1u);
+  EXPECT_EQ(read_manifest(dir).pictures[0], manifest.pictures[0]);
+}
+
 }  // namespace
 }  // namespace tessera::io

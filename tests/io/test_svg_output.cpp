@@ -156,6 +156,30 @@ TEST(SvgOutput, ShapesWithoutArtworkAreSilhouettes) {
   EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.2);
 }
 
+TEST(SvgOutput, WithoutABackgroundNothingLiesUnderThePieces) {
+  SampleCollage sample;
+  sample.report.canvas_edge = {{{50, 10}, {150, 10}, {150, 90}}};
+  sample.job.output.background = kNoColour;
+  const std::string svg = drawn_svg(sample.report);
+  EXPECT_EQ(count(svg, "<rect"), 0u);
+  EXPECT_EQ(count(svg, "layer-canvas"), 0u);
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
+  const cv::Mat vectors = render_artwork(bytes, "collage.svg", 400);
+  const cv::Mat pixels = drawn_picture(sample.report);
+  EXPECT_EQ(vectors.at<cv::Vec4b>(100, 200)[3], 0);
+  cv::Mat alpha[2];
+  cv::extractChannel(vectors, alpha[0], 3);
+  cv::extractChannel(pixels, alpha[1], 3);
+  EXPECT_LT(mean_difference(alpha[0], alpha[1]) * 3, 1.2);
+}
+
+TEST(SvgOutput, IsAsLargeAsThePictureOrAsItIsOnPaper) {
+  SampleCollage sample;
+  EXPECT_EQ(count(drawn_svg(sample.report), " width=\"400\" height=\"200\" viewBox=\"0 0 200 100\""), 1u);
+  sample.job.output.width_mm = 210;
+  EXPECT_EQ(count(drawn_svg(sample.report), " width=\"210.000mm\" height=\"105.000mm\" viewBox=\"0 0 200 100\""), 1u);
+}
+
 TEST(SvgOutput, AMaskedCanvasIsAPath) {
   SampleCollage sample;
   Grid<float> mask(400, 200, 0.f);

@@ -7,7 +7,6 @@
 #include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
 #include "io/artwork/mask.h"
-#include "io/job/job_keys.h"
 
 namespace tessera::io {
 namespace {
@@ -73,15 +72,6 @@ Grid<float> mask_coverage(const cv::Mat& page) {
   Grid<float> coverage(inside.cols + inside.cols % 2, inside.rows + inside.rows % 2, 0.f);
   for (int y = 0; y < inside.rows; ++y) std::copy_n(inside.ptr<float>(y), inside.cols, coverage.row(y));
   return coverage;
-}
-
-void check_picture_height(const OutputSpec& output, const Canvas& canvas) {
-  const double most_px = find_job_key("output", "width_px")->max;
-  const double height_px = double(output.width_px) * canvas.height_px / canvas.width_px;
-  if (height_px <= most_px) return;
-  throw InputError("output.width_px: found " + std::to_string(output.width_px) + ", which makes collage.png " +
-                   std::to_string(std::lround(height_px)) + " px high; allowed for this canvas: " +
-                   std::to_string(int(most_px * canvas.width_px / canvas.height_px)) + " or less");
 }
 
 /// A page of the largest size may take three times its pixels.

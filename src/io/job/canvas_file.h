@@ -32,9 +32,6 @@ inline constexpr int kEdgeSide_px = 4096;
 /// The page of the spec's file as load_canvas sees it: straight BGRA at twice the canvas' resolution. Errors as load_canvas.
 cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers);
 
-/// Throws InputError where a picture of that width would become higher than the widest one may be.
-void check_picture_height(const OutputSpec& output, const Canvas& canvas);
-
 /// The region in a page of straight BGRA, as coverage 0..1 of each pixel, the sizes rounded up to even ones: the alpha
 /// where the page is transparent anywhere, else what differs from the colour that prevails along its edge (mask.h).
 Grid<float> mask_coverage(const cv::Mat& page);

@@ -17,9 +17,17 @@ struct CanvasSpec {
   std::string file;   // SVG or image mask, absolute path; empty = the rectangle
 };
 
+/// What "none" says of a colour.
+inline constexpr const char* kNoColour = "none";
+
+/// How the pictures look. Nothing of it changes where pieces lie.
 struct OutputSpec {
-  int width_px = 2000;        // of collage.png; its height follows from the canvas
-  std::string background = "#f3f0ec";  // of the canvas region; outside it is white
+  int width_px = 2000;  // of collage.png, where no width_mm is given; its height follows from the canvas
+  double width_mm = 0;  // of the canvas on paper; 0 = the pictures have no physical size
+  double dpi = 300;     // px of collage.png per inch of width_mm
+  std::string background = "#f3f0ec";  // of the canvas region, outside it is white; kNoColour: both are transparent
+
+  friend bool operator==(const OutputSpec&, const OutputSpec&) = default;
 };
 
 struct CheckpointSpec {
@@ -46,6 +54,10 @@ struct Job {
 /// the file are relative to its folder, those in `overrides` to the working directory.
 /// Throws InputError that names file and line (or the override), key, what was found and what is allowed.
 Job load_job(const std::string& path, const std::vector<std::string>& overrides);
+
+/// Sets keys of the section [output] alone, which may be others than when the collage was made. Throws InputError as
+/// load_job does, and where the key is of another section.
+void set_output_keys(Job& job, const std::vector<std::string>& overrides);
 
 /// The effective job with every key, readable by load_job, which then gives the same values bit by bit.
 std::string to_toml(const Job& job);

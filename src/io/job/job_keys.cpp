@@ -206,9 +206,16 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
                              FIELD(devices_per_worker)));
   keys.back().in_result = false;
   keys.push_back(with_number({"output", "width_px", integer, "px", 64, 20000, {},
-                              "width of collage.png; its height follows from the canvas"},
+                              "width of collage.png, without `width_mm`; its height follows from the canvas"},
                              FIELD(output.width_px)));
-  keys.push_back(with_text({"output", "background", colour, "", 0, 0, {}, "colour of the canvas; outside it is white"},
+  keys.push_back(with_number({"output", "width_mm", number, "mm", 0, 20000, {},
+                              "width of the canvas on paper; 0 = the pictures have no size on paper"},
+                             FIELD(output.width_mm)));
+  keys.push_back(with_number({"output", "dpi", number, "px per inch", 1, 4800, {},
+                              "with `width_mm`: how finely collage.png is drawn"},
+                             FIELD(output.dpi)));
+  keys.push_back(with_text({"output", "background", colour, "", 0, 0, {kNoColour},
+                            "colour of the canvas, outside it is white; `none`: transparent, the outside too"},
                            FIELD(output.background)));
   for (std::size_t i = first; i < keys.size(); ++i) keys[i].decides = false;
 }

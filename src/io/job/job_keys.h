@@ -19,7 +19,7 @@ enum class JobKind {
   size,             // [width, height] of whole numbers
   word,             // one of JobKey::words
   file,             // a path
-  colour,           // "#rrggbb"
+  colour,           // "#rrggbb" or one of JobKey::words
   devices,          // "all", "cpu", "gpu", indices
 };
 

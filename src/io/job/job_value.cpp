@@ -107,7 +107,10 @@ Result read_text(const JobKey& key, const toml::node& node) {
   const auto* text = node.as_string();
   if (!text) return {};
   if (key.kind == JobKind::word) return read_word(key, text->get());
-  if (key.kind == JobKind::colour) return read_colour(text->get());
+  if (key.kind == JobKind::colour) {
+    const Result word = read_word(key, text->get());
+    return word ? word : read_colour(text->get());
+  }
   return read_file_name(text->get());
 }
 
@@ -177,7 +180,7 @@ std::string allowed_values(const JobKey& key) {
              number_text(kMaxCanvas_px2 / 1e6) + " million px or less in all";
     case JobKind::word: return quoted_words(key, " or ");
     case JobKind::file: return "a path";
-    case JobKind::colour: return "\"#rrggbb\"";
+    case JobKind::colour: return "\"#rrggbb\"" + (key.words.empty() ? "" : " or " + quoted_words(key, " or "));
     case JobKind::devices:
       return quoted_words(key, ", ") + " or distinct indices from " + min + " to " + max + " like \"0,2\" or [0, 2]";
   }

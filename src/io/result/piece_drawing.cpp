@@ -46,6 +46,21 @@ cv::Matx23d sprite_from_rows(const Similarity& picture_from_artwork, double spri
           b, a,  b * u + a * v + inverse.ty * sprite_px - 0.5};
 }
 
+template <class Pixel>
+void lay_over_pixels(const cv::Mat& bgra, cv::Mat& picture) {
+  for (int y = 0; y < bgra.rows; ++y) {
+    const cv::Vec4b* from = bgra.ptr<cv::Vec4b>(y);
+    Pixel* to = picture.ptr<Pixel>(y);
+    for (int x = 0; x < bgra.cols; ++x) {
+      const int rest = 255 - from[x][3];
+      if (rest == 255) continue;
+      for (int c = 0; c < Pixel::channels; ++c) {
+        to[x][c] = std::uint8_t(std::min(255, from[x][c] + (to[x][c] * rest + 127) / 255));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, const Shape& shape, const Outline& clip,
@@ -76,14 +91,10 @@ cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, in
 }
 
 void lay_over(const cv::Mat& bgra, cv::Mat picture) {
-  for (int y = 0; y < bgra.rows; ++y) {
-    const cv::Vec4b* from = bgra.ptr<cv::Vec4b>(y);
-    cv::Vec3b* to = picture.ptr<cv::Vec3b>(y);
-    for (int x = 0; x < bgra.cols; ++x) {
-      const int rest = 255 - from[x][3];
-      if (rest == 255) continue;
-      for (int c = 0; c < 3; ++c) to[x][c] = std::uint8_t(std::min(255, from[x][c] + (to[x][c] * rest + 127) / 255));
-    }
+  if (picture.channels() == 4) {
+    lay_over_pixels<cv::Vec4b>(bgra, picture);
+  } else {
+    lay_over_pixels<cv::Vec3b>(bgra, picture);
   }
 }
 

@@ -31,7 +31,7 @@ PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, co
 /// Premultiplied BGRA, as wide as the box.
 cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, int end);
 
-/// Lays premultiplied BGRA over a part of the picture (BGR) of the same size.
+/// Lays premultiplied BGRA over a part of the picture of the same size: BGR, or premultiplied BGRA.
 void lay_over(const cv::Mat& bgra, cv::Mat picture);
 
 }  // namespace tessera::io

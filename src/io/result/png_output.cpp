@@ -5,6 +5,8 @@
 #include <future>
 #include <utility>
 
+#include "io/artwork/alpha.h"
+#include "io/job/picture_size.h"
 #include "io/parallel_for.h"
 #include "io/result/cairo_paint.h"
 #include "io/result/piece_drawing.h"
@@ -34,9 +36,10 @@ class PictureBands {
   PictureBands(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits)
       : report_(report),
         limits_(limits),
-        size_(picture_size(report)),
+        size_(picture_size_px(report.job->output, *report.canvas)),
         picture_px_(double(size_.width) / report.canvas->width_px),
-        background_(parse_colour(report.job->output.background)),
+        opaque_(report.job->output.background != kNoColour),
+        background_(opaque_ ? parse_colour(report.job->output.background) : cv::Vec3b()),
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }),
         tiles_(report.placements.size()) {
     for (const Placement& placement : report.placements) {
@@ -51,7 +54,7 @@ class PictureBands {
     const int bottom = std::min(top + limits_.band_rows, size_.height);
     const std::vector<std::size_t> reaching = pieces_between(top, bottom);
     draw_tiles(reaching, top, bottom);
-    cv::Mat picture(bottom - top, size_.width, CV_8UC3);
+    cv::Mat picture(bottom - top, size_.width, opaque_ ? CV_8UC3 : CV_8UC4);
     const int strips = (picture.rows + kStripRows - 1) / kStripRows;
     parallel_for(std::size_t(strips), [&](std::size_t strip) {
       const int begin = int(strip) * kStripRows;
@@ -97,9 +100,12 @@ class PictureBands {
     });
   }
 
-  /// The background colour fades over one pixel of the picture at the canvas' edge.
   void draw_strip(const std::vector<std::size_t>& reaching, int top, cv::Mat strip) const {
-    draw_canvas(top, strip);
+    if (opaque_) {
+      draw_canvas(top, strip);
+    } else {
+      strip.setTo(cv::Scalar::all(0));
+    }
     for (const std::size_t i : reaching) {
       const Tile& tile = tiles_[i];
       const int begin = std::max(top, tile.top), end = std::min(top + strip.rows, tile.bottom());
@@ -108,8 +114,10 @@ class PictureBands {
       lay_over(tile.bgra.rowRange(begin - tile.top, end - tile.top),
                strip(cv::Rect(box.x, begin - top, box.width, end - begin)));
     }
+    if (!opaque_) straighten(strip);
   }
 
+  /// The background colour fades over one pixel of the picture at the canvas' edge.
   void draw_canvas(int top, cv::Mat& strip) const {
     if (report_.canvas_edge.empty()) {
       strip.setTo(cv::Scalar(background_[0], background_[1], background_[2]));
@@ -141,6 +149,7 @@ class PictureBands {
   const PictureLimits limits_;
   const cv::Size size_;
   const double picture_px_;  // picture px of a canvas px
+  const bool opaque_;
   const cv::Vec3b background_;
   SpriteCache sprites_;
   std::vector<PieceDrawing> pieces_;
@@ -149,12 +158,6 @@ class PictureBands {
 };
 
 }  // namespace
-
-cv::Size picture_size(const CollageReport& report) {
-  const int width_px = report.job->output.width_px;
-  const double px = double(width_px) / report.canvas->width_px;
-  return {width_px, std::max(1, cvRound(report.canvas->height_px * px))};
-}
 
 void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
                   const std::function<void(const cv::Mat& rows)>& take) {
@@ -170,7 +173,10 @@ void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const Pi
 
 void write_collage_png(const std::string& path, const CollageReport& report, ShapeArtworks& artworks,
                        const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed) {
-  PngStream png(path, picture_size(report));
+  const OutputSpec& output = report.job->output;
+  PngStream png(path, {.size = picture_size_px(output, *report.canvas),
+                       .alpha = output.background == kNoColour,
+                       .dpi = output.width_mm == 0 ? 0 : output.dpi});
   std::size_t written = 0;
   draw_picture(report, artworks, {}, [&](const cv::Mat& rows) {
     for (int y = 0; y < rows.rows; y += kStripRows) {

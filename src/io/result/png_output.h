@@ -20,11 +20,9 @@ struct PictureLimits {
   std::size_t tile_bytes = std::size_t(96) << 20;     // of pieces that reach into later bands and wait for them
 };
 
-/// OutputSpec::width_px wide; the height follows from the canvas.
-cv::Size picture_size(const CollageReport& report);
-
-/// Hands out the picture from top to bottom, some rows (BGR, CV_8UC3) at a time: `take` is called from one thread at a
-/// time. The canvas region has the background colour, what lies outside it is white; pieces are drawn in order of
+/// Hands out the picture from top to bottom, some rows at a time: `take` is called from one thread at a time. The canvas
+/// region has the background colour, what lies outside it is white, and the rows are BGR, CV_8UC3; without a background
+/// all that no piece covers is transparent, and the rows are straight BGRA, CV_8UC4. Pieces are drawn in order of
 /// placement and clipped by the picture only. Throws DrawingStopped.
 void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
                   const std::function<void(const cv::Mat& rows)>& take);

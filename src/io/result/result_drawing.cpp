@@ -15,6 +15,7 @@
 #include "io/job/canvas_edge.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
+#include "io/job/picture_size.h"
 #include "io/result/card_drawing.h"
 #include "io/result/finished_result.h"
 #include "io/result/placed_pieces.h"
@@ -28,8 +29,7 @@ namespace {
 
 Job job_of(const WholeResult& result, const DrawingRequest& request) {
   Job job = result.job;
-  if (request.width_px > 0) job.output.width_px = request.width_px;
-  if (!request.background.empty()) job.output.background = request.background;
+  set_output_keys(job, request.output);
   if (!request.library.empty()) job.library = request.library;
   return job;
 }
@@ -114,7 +114,7 @@ class ResultPictures {
 
   void png() {
     begin("collage.png");
-    const std::size_t rows = std::size_t(picture_size(report_).height);
+    const std::size_t rows = std::size_t(picture_size_px(report_.job->output, *report_.canvas).height);
     write_collage_png(path_in_result(dir_, "collage.png"), report_, artworks_, stop_,
                       [&](std::size_t done) { observer_.progressed("collage.png", done, rows); });
     end("collage.png");
@@ -122,12 +122,11 @@ class ResultPictures {
 
   void pdf() {
     begin("collage.pdf");
-    constexpr double kPointsOfPx = 72. / 96;  // CSS
     const std::string svg = drawn_svg("collage.pdf");
     const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
     Drawers drawer(kWholeCollage);
     const StopWatcher stop(observer_, drawer);
-    const std::vector<std::uint8_t> pdf = drawer.pdf_of_svg(bytes, report_.job->output.width_px * kPointsOfPx);
+    const std::vector<std::uint8_t> pdf = drawer.pdf_of_svg(bytes, width_pt());
     stop_.check();
     write_file_atomically(path_in_result(dir_, "collage.pdf"), pdf);
     end("collage.pdf");
@@ -145,9 +144,14 @@ class ResultPictures {
   }
 
   void end(const char* name) {
-    const OutputSpec& output = report_.job->output;
-    manifest_.pictures.push_back({name, output.width_px, output.background});
+    manifest_.pictures.push_back({name, report_.job->output});
     write_manifest(dir_, manifest_);
+  }
+
+  double width_pt() const {
+    constexpr double kPointsPerInch = 72, kPxPerInch = 96;  // CSS
+    const OutputSpec& output = report_.job->output;
+    return kPointsPerInch * (output.width_mm == 0 ? output.width_px / kPxPerInch : output.width_mm / kMmPerInch);
   }
 
   std::string drawn_svg(const char* picture) {
@@ -181,7 +185,7 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   const LibraryFile library = library_of(job, manifest);
   stop.check();
   DrawnCanvas canvas = canvas_of(job, manifest, observer);
-  check_picture_height(job.output, canvas.canvas);
+  check_picture_size(job.output, canvas.canvas);
   CollageReport report;
   report.job = &job;
   report.canvas = &canvas.canvas;

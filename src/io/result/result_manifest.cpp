@@ -8,6 +8,7 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
+#include "io/job/picture_size.h"
 #include "io/result/result_file.h"
 
 namespace tessera::io {
@@ -31,6 +32,25 @@ std::uint64_t number(const std::string& hex_digits) {
   return value;
 }
 
+Json to_json(const DrawnPicture& picture) {
+  const OutputSpec& output = picture.output;
+  return {{"file", picture.file},
+          {"width_px", picture_width_px(output)},
+          {"width_mm", output.width_mm},
+          {"dpi", output.dpi},
+          {"background", output.background}};
+}
+
+/// Results of earlier versions say less: then it is as the defaults are.
+OutputSpec output_from_json(const Json& picture) {
+  OutputSpec output;
+  output.width_px = picture.at("width_px");
+  output.width_mm = picture.value("width_mm", output.width_mm);
+  output.dpi = picture.value("dpi", output.dpi);
+  output.background = picture.at("background");
+  return output;
+}
+
 ResultManifest from_json(const Json& json) {
   if (json.at("format") != kFormat) throw InputError("another format than " + std::to_string(kFormat));
   ResultManifest manifest;
@@ -42,7 +62,7 @@ ResultManifest from_json(const Json& json) {
   manifest.library_digest = number(json.at("library").at("digest"));
   manifest.canvas_digest = number(json.at("canvas").at("digest"));
   for (const Json& picture : json.at("pictures")) {
-    manifest.pictures.push_back({picture.at("file"), picture.at("width_px"), picture.at("background")});
+    manifest.pictures.push_back({picture.at("file"), output_from_json(picture)});
   }
   return manifest;
 }
@@ -75,7 +95,7 @@ std::string digest_text(const std::string& bytes) {
 void write_manifest(const std::string& dir, const ResultManifest& manifest) {
   Json pictures = Json::array();
   for (const DrawnPicture& picture : manifest.pictures) {
-    pictures.push_back({{"file", picture.file}, {"width_px", picture.width_px}, {"background", picture.background}});
+    pictures.push_back(to_json(picture));
   }
   const Json json{{"format", kFormat},
                   {"state", manifest.finished ? "finished" : "unfinished"},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/shape/shape_id.h"
+#include "io/job/job_file.h"
 
 namespace tessera::io {
 
@@ -15,8 +16,7 @@ inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "c
 
 struct DrawnPicture {
   std::string file;  // its name in the folder
-  int width_px = 0;
-  std::string background;
+  OutputSpec output = {};
 
   friend bool operator==(const DrawnPicture&, const DrawnPicture&) = default;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/rasterise.h"
+#include "io/job/picture_size.h"
 #include "io/number_text.h"
 #include "io/parallel_for.h"
 #include "io/result/artwork_original.h"
@@ -36,6 +37,7 @@ const SvgLayer kCanvasLayer{.id = "layer-canvas", .label = "Canvas", .pieces = {
 
 void write_canvas(const CollageReport& report, XmlWriter& svg) {
   const std::string& background = report.job->output.background;
+  if (background == kNoColour) return;
   start_layer(kCanvasLayer, svg);
   svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", "#ffffff").end();
   if (report.canvas_edge.empty()) {
@@ -96,18 +98,27 @@ void write_pieces(const CollageReport& report, const std::vector<SvgSymbol>& sym
   }
 }
 
+void write_size(const CollageReport& report, XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  if (output.width_mm == 0) {
+    const cv::Size size = picture_size_px(output, *report.canvas);
+    svg.attribute("width", std::to_string(size.width)).attribute("height", std::to_string(size.height));
+  } else {
+    const double height_mm = output.width_mm * report.canvas->height_px / report.canvas->width_px;
+    svg.attribute("width", fixed(output.width_mm, 3) + "mm").attribute("height", fixed(height_mm, 3) + "mm");
+  }
+}
+
 }  // namespace
 
 std::string collage_svg(const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done) {
   const std::vector<SvgSymbol> symbols = make_symbols(report, artworks, done);
   const std::string size = std::to_string(report.canvas->width_px) + " " + std::to_string(report.canvas->height_px);
-  const double picture_px = double(report.job->output.width_px) / report.canvas->width_px;
   XmlWriter svg;
   svg.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n").start("svg").attribute("xmlns", "http://www.w3.org/2000/svg");
   svg.attribute("xmlns:xlink", "http://www.w3.org/1999/xlink").attribute("version", "1.1");
   svg.attribute("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape");
-  svg.attribute("width", std::to_string(report.job->output.width_px));
-  svg.attribute("height", std::to_string(std::lround(report.canvas->height_px * picture_px)));
+  write_size(report, svg);
   svg.attribute("viewBox", "0 0 " + size);
   svg.raw("\n").start("defs");
   for (const SvgSymbol& symbol : symbols) svg.raw("\n").raw(symbol.xml);
