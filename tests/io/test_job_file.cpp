@@ -216,7 +216,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "output.width_px = 1e4", "output.background = \"red\"", "output.background = \"#ffff\"",
                     "output.background = \"#gggggg\"", "output.background = 1979-05-27",
                     "output.background = {r = 1}", "output.background = \"None\"", "output.width_mm = -1",
-                    "output.width_mm = 1e6", "output.dpi = 0", "output.dpi = \"300\""));
+                    "output.width_mm = 1e6", "output.dpi = 0", "output.dpi = \"300\"", "output.outline_px = -1", "output.outline_colour = \"none\"",
+                    "output.shadow_strength = 1.1", "output.shadow_offset_px = 3", "output.shadow_offset_px = [1, 2, 3]",
+                    "output.shadow_offset_px = [0, 1e3]", "output.shadow_blur_px = 0", "output.clip = \"box\""));
 
 TEST_F(JobFile, overrides_win_and_the_last_one_most) {
   const Job job = load(minimal_ + "[pieces]\nscale_px = [20, 160]\n",
@@ -238,6 +240,12 @@ TEST_F(JobFile, overrides_need_no_quotes) {
 
 TEST_F(JobFile, a_background_may_be_none) {
   EXPECT_EQ(load(minimal_, {"output.background=none"}).output.background, kNoColour);
+}
+
+TEST_F(JobFile, a_shadow_may_lie_on_any_side) {
+  const Job job = load(minimal_, {"output.shadow_offset_px=[3.5,-200]"});
+  EXPECT_EQ(job.output.shadow_offset_px[0], 3.5);
+  EXPECT_EQ(job.output.shadow_offset_px[1], -200);
 }
 
 TEST_F(JobFile, of_a_result_only_the_output_may_change) {
@@ -280,6 +288,7 @@ JobValue random_value(const JobKey& key) {
     case JobKind::interval: return {{key.min + (number() - key.min) / 2, key.max}, {}};
     case JobKind::proper_interval: return {{key.min + 0.1, key.min + 0.3 + (number() - key.min) / 2}, {}};
     case JobKind::size: return {{double(*rc::gen::inRange(16, 5000)), double(*rc::gen::inRange(16, 20001))}, {}};
+    case JobKind::offset: return {{number(), number()}, {}};
     case JobKind::word: return {{}, *rc::gen::elementOf(key.words)};
     case JobKind::file: return {{}, "/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')) + "x"};
     case JobKind::colour: return {{}, *rc::gen::element<std::string>("#000000", "#12abcf", "#ffffff")};

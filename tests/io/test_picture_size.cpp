@@ -25,13 +25,13 @@ TEST(PictureSize, on_paper_follows_from_the_resolution) {
 }
 
 TEST(PictureSize, has_limits_in_px_either_way) {
-  EXPECT_NO_THROW(check_picture_size({.width_px = 2000}, make_rectangle_canvas(16, 160)));
-  EXPECT_EQ(mistake({.width_px = 2000}, make_rectangle_canvas(16, 161)),
-            "output.width_px: found 2000, which makes collage.png 2000 x 20125 px large; allowed for this canvas: 1987 or "
-            "less");
-  EXPECT_EQ(mistake({.width_mm = 1000, .dpi = 600}, kCanvas),
-            "output.width_mm: found 1000.000 at an output.dpi of 600.000, which makes collage.png 23622 x 15748 px large; "
-            "allowed for this canvas: 846.6 mm or less");
+  EXPECT_NO_THROW(check_picture_size({.width_px = 6000}, make_rectangle_canvas(16, 160)));
+  EXPECT_EQ(mistake({.width_px = 6000}, make_rectangle_canvas(16, 161)),
+            "output.width_px: found 6000, which makes collage.png 6000 x 60375 px large; allowed for this canvas: 5962 "
+            "or less");
+  EXPECT_EQ(mistake({.width_mm = 1000, .dpi = 2400}, kCanvas),
+            "output.width_mm: found 1000.000 at an output.dpi of 2400.000, which makes collage.png 94488 x 62992 px large; "
+            "allowed for this canvas: 635.0 mm or less");
   EXPECT_EQ(mistake({.width_mm = 1, .dpi = 600}, kCanvas),
             "output.width_mm: found 1.000 at an output.dpi of 600.000, which makes collage.png 24 px wide; allowed: 64 px or "
             "more");

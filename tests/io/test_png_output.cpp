@@ -133,6 +133,54 @@ TEST(Png, WithoutABackgroundAllButThePiecesIsTransparent) {
   EXPECT_GE(mixed, 2);
 }
 
+TEST(Png, ALineMayRunAlongTheOutlines) {
+  OneSquare sample(0);  // from 80 to 120 px of the canvas, 160 to 240 of the picture
+  sample.job.output.outline_px = 5;
+  sample.job.output.outline_colour = "#00ff00";
+  const cv::Mat picture = drawn_picture(sample.report);
+  const cv::Vec3b line(0, 255, 0);
+  EXPECT_EQ(at(picture, 153, 100), kBackground);
+  EXPECT_EQ(at(picture, 156, 100), line);  // half of its 10 px beyond the outline
+  EXPECT_EQ(at(picture, 163, 100), line);
+  EXPECT_EQ(at(picture, 166, 100), kRed);
+  EXPECT_EQ(at(picture, 200, 64), line);
+  EXPECT_NE(at(picture, 155, 55), line) << "corners are round";
+}
+
+TEST(Png, PiecesMayCastAShadowOnWhatLiesBelowThem) {
+  OneSquare sample(0);
+  sample.place(ShapeId{7}, 40, {141, 50}, 0);  // beside the first, which lies below it
+  sample.job.output.shadow_strength = 0.5;
+  sample.job.output.shadow_offset_px[0] = 4;
+  sample.job.output.shadow_offset_px[1] = 8;
+  sample.job.output.shadow_blur_px = 0.5;
+  const cv::Mat picture = drawn_picture(sample.report);
+  EXPECT_EQ(at(picture, 157, 100), kBackground);  // to the left of the first
+  EXPECT_EQ(at(picture, 200, 163), kBackground);  // 23 px below it
+  const cv::Vec3b shaded = at(picture, 200, 149);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(shaded[c], kBackground[c] * 0.5, 2);
+  EXPECT_EQ(at(picture, 235, 100), kBlue) << "no piece is darkened, however near to another";
+  EXPECT_EQ(at(picture, 246, 100), kRed);
+  sample.job.output.background = kNoColour;
+  const cv::Mat transparent = drawn_picture(sample.report);
+  EXPECT_EQ(transparent.at<cv::Vec4b>(149, 200), cv::Vec4b(0, 0, 0, 128));
+  EXPECT_EQ(transparent.at<cv::Vec4b>(100, 157), cv::Vec4b());
+}
+
+TEST(Png, ASoftShadowFadesAsAGaussianHoweverCoarselyItIsMade) {
+  OneSquare sample(0);
+  sample.job.output.width_px = 1600;  // the square's right side at 960, and a blur of 32 px
+  sample.job.output.shadow_strength = 1;
+  sample.job.output.shadow_offset_px[0] = sample.job.output.shadow_offset_px[1] = 0;
+  sample.job.output.shadow_blur_px = 4;
+  sample.job.output.background = kNoColour;
+  const cv::Mat picture = drawn_picture(sample.report);
+  for (const int beyond : {8, 20, 40, 70, 90}) {
+    const double expected = 255 * 0.5 * std::erfc((beyond + 0.5) / 32 / std::numbers::sqrt2);
+    EXPECT_NEAR(picture.at<cv::Vec4b>(400, 960 + beyond)[3], expected, 4) << beyond;
+  }
+}
+
 TEST(Png, WithoutAnyArtworkTheOutlineIsFilled) {
   const SampleCollage sample;
   const cv::Mat picture = drawn_picture(sample.report);
@@ -264,12 +312,15 @@ TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   OneSquare sample(0.2f);
   sample.job.output.width_px = 1500;
   sample.report.canvas_edge = {{{3.3f, 7.1f}, {190.7f, 2.2f}, {120.4f, 98.6f}}};
+  sample.job.output.outline_px = 0.7;
+  sample.job.output.shadow_strength = 0.6;
   for (int i = 0; i < 12; ++i) sample.place(ShapeId{7}, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));
   test::DrawnCollage drawn(sample.report);
   const cv::Mat expected = drawn.picture();
   ASSERT_EQ(expected.size(), cv::Size(1500, 750));
   for (const PictureLimits& limits : {PictureLimits{64, 1, 0}, PictureLimits{64, 1 << 20, 300'000},
-                                      PictureLimits{192, std::size_t(1) << 30, std::size_t(1) << 30}}) {
+                                      PictureLimits{192, std::size_t(1) << 30, std::size_t(1) << 30},
+                                      PictureLimits{.band_bytes = 1'000'000}}) {
     EXPECT_EQ(cv::norm(drawn.picture(limits), expected, cv::NORM_INF), 0) << limits.band_rows;
   }
   const OneCore one;

@@ -130,11 +130,15 @@ TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
   test::embed_artwork(sample.report.shapes[0], std::string(png.begin(), png.end()), 300, 200, 106);
   sample.report.placements = {sample.report.placements[1]};
   sample.report.placements[0].shape = sample.report.shape_ids[0];
+  const int outside = 280 + int(2 * 60 * (0.5642 + 0.06));  // a disc of area 1 has this radius
   for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
     EXPECT_GT(picture.at<cv::Vec3b>(100, 280)[2], 200) << "inside";
     EXPECT_LT(picture.at<cv::Vec3b>(100, 280)[0], 50) << "inside";
-    const int outside = 280 + int(2 * 60 * (0.5642 + 0.06));  // a disc of area 1 has this radius
     EXPECT_GT(picture.at<cv::Vec3b>(100, outside)[0], 150) << "outside: the background";
+  }
+  sample.job.output.clip = kNoClip;
+  for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
+    EXPECT_LT(picture.at<cv::Vec3b>(100, outside)[0], 50) << "outside: what the artwork has there";
   }
 }
 
@@ -178,6 +182,28 @@ TEST(SvgOutput, IsAsLargeAsThePictureOrAsItIsOnPaper) {
   EXPECT_EQ(count(drawn_svg(sample.report), " width=\"400\" height=\"200\" viewBox=\"0 0 200 100\""), 1u);
   sample.job.output.width_mm = 210;
   EXPECT_EQ(count(drawn_svg(sample.report), " width=\"210.000mm\" height=\"105.000mm\" viewBox=\"0 0 200 100\""), 1u);
+}
+
+TEST(SvgOutput, OutlinesAndShadowsAreThoseOfThePng) {
+  TwoFaces sample;
+  EXPECT_EQ(count(drawn_svg(sample.report), "filter"), 0u);
+  EXPECT_EQ(count(drawn_svg(sample.report), "id=\"o"), 0u);
+  const cv::Mat plain = drawn_picture(sample.report);
+  OutputSpec& output = sample.job.output;
+  output.outline_px = 3;
+  output.outline_colour = "#108040";
+  EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.2);
+  EXPECT_EQ(count(drawn_svg(sample.report), "filter"), 0u);
+  output.outline_px = 0;
+  output.shadow_strength = 0.7;
+  output.shadow_offset_px[0] = -3;
+  output.shadow_offset_px[1] = 6;
+  output.shadow_blur_px = 3;
+  EXPECT_GT(mean_difference(plain, drawn_picture(sample.report)), 10);  // there is much to be the same
+  EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.6);
+  const std::string svg = drawn_svg(sample.report);
+  EXPECT_LT(svg.find("layer-canvas"), svg.find("layer-shadow"));
+  EXPECT_LT(svg.find("layer-shadow"), svg.find("layer-pieces"));
 }
 
 TEST(SvgOutput, AMaskedCanvasIsAPath) {

@@ -20,12 +20,21 @@ struct CanvasSpec {
 /// What "none" says of a colour.
 inline constexpr const char* kNoColour = "none";
 
+/// OutputSpec::clip of artwork that is drawn whole.
+inline constexpr const char* kNoClip = "none";
+
 /// How the pictures look. Nothing of it changes where pieces lie.
 struct OutputSpec {
   int width_px = 2000;  // of collage.png, where no width_mm is given; its height follows from the canvas
   double width_mm = 0;  // of the canvas on paper; 0 = the pictures have no physical size
   double dpi = 300;     // px of collage.png per inch of width_mm
   std::string background = "#f3f0ec";  // of the canvas region, outside it is white; kNoColour: both are transparent
+  double outline_px = 0;  // width of a line round every piece, px of the canvas; 0 = none
+  std::string outline_colour = "#000000";
+  double shadow_strength = 0;    // 0 = none, 1 = black
+  double shadow_offset_px[2] = {1.5, 2.5};  // to the right and down, px of the canvas
+  double shadow_blur_px = 2.5;   // standard deviation, px of the canvas
+  std::string clip = "outline";  // artwork is cut off beside its outline; kNoClip: it is drawn whole
 
   friend bool operator==(const OutputSpec&, const OutputSpec&) = default;
 };

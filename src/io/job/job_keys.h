@@ -17,6 +17,7 @@ enum class JobKind {
   interval,         // [min, max] of numbers, min <= max
   proper_interval,  // [min, max] of numbers, min < max
   size,             // [width, height] of whole numbers
+  offset,           // [x, y] of numbers
   word,             // one of JobKey::words
   file,             // a path
   colour,           // "#rrggbb" or one of JobKey::words

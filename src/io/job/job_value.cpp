@@ -161,6 +161,7 @@ std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node
     case JobKind::integer: return read_one(key, node);
     case JobKind::interval:
     case JobKind::proper_interval:
+    case JobKind::offset:
     case JobKind::size: return read_two(key, node);
     case JobKind::devices: return read_devices(key, node);
     default: return read_text(key, node);
@@ -178,6 +179,7 @@ std::string allowed_values(const JobKey& key) {
     case JobKind::size:
       return with_unit(key, "[width, height], whole numbers from " + min + " to " + max) + ", " +
              number_text(kMaxCanvas_px2 / 1e6) + " million px or less in all";
+    case JobKind::offset: return with_unit(key, "[x, y], numbers from " + min + " to " + max);
     case JobKind::word: return quoted_words(key, " or ");
     case JobKind::file: return "a path";
     case JobKind::colour: return "\"#rrggbb\"" + (key.words.empty() ? "" : " or " + quoted_words(key, " or "));

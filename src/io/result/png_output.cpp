@@ -11,6 +11,7 @@
 #include "io/result/cairo_paint.h"
 #include "io/result/piece_drawing.h"
 #include "io/result/png_stream.h"
+#include "io/result/shadow.h"
 #include "io/result/sprite_cache.h"
 
 namespace tessera::io {
@@ -40,18 +41,25 @@ class PictureBands {
         picture_px_(double(size_.width) / report.canvas->width_px),
         opaque_(report.job->output.background != kNoColour),
         background_(opaque_ ? parse_colour(report.job->output.background) : cv::Vec3b()),
+        line_colour_(parse_colour(report.job->output.outline_colour)),
+        shadow_(report, size_),
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }),
         tiles_(report.placements.size()) {
     for (const Placement& placement : report.placements) {
       const std::size_t slot = report.slot_of(placement.shape);
-      pieces_.push_back(make_piece_drawing(placement, slot, report.shapes[slot], artworks.clip(slot), picture_px_, size_));
+      pieces_.push_back(
+          make_piece_drawing(placement, slot, report.shapes[slot], artworks.clip(slot), line_px(), picture_px_, size_));
     }
   }
 
   int rows() const { return size_.height; }
+  int rows_in_band() const {
+    const std::size_t strip_bytes = std::size_t(kStripRows) * std::size_t(size_.width) * (opaque_ ? 3 : 4);
+    return std::clamp(int(limits_.band_bytes / strip_bytes) * kStripRows, kStripRows, limits_.band_rows);
+  }
 
   cv::Mat band(int top) {
-    const int bottom = std::min(top + limits_.band_rows, size_.height);
+    const int bottom = std::min(top + rows_in_band(), size_.height);
     const std::vector<std::size_t> reaching = pieces_between(top, bottom);
     draw_tiles(reaching, top, bottom);
     cv::Mat picture(bottom - top, size_.width, opaque_ ? CV_8UC3 : CV_8UC4);
@@ -67,6 +75,9 @@ class PictureBands {
   }
 
  private:
+  /// Along the outlines, px of the picture.
+  double line_px() const { return report_.job->output.outline_px * picture_px_; }
+
   std::vector<std::size_t> pieces_between(int top, int bottom) const {
     std::vector<std::size_t> reaching;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -97,6 +108,7 @@ class PictureBands {
       const PieceDrawing& piece = pieces_[missing[k]];
       const auto sprite = sprites_.get(piece.slot, piece.sprite_side_px);
       tile.bgra = draw_rows(piece, *sprite, tile.top, ends[k]);
+      if (line_px() > 0) draw_line(piece.outline, line_px(), line_colour_, {piece.box.x, tile.top}, tile.bgra);
     });
   }
 
@@ -106,6 +118,7 @@ class PictureBands {
     } else {
       strip.setTo(cv::Scalar::all(0));
     }
+    shadow_.draw(top, strip);
     for (const std::size_t i : reaching) {
       const Tile& tile = tiles_[i];
       const int begin = std::max(top, tile.top), end = std::min(top + strip.rows, tile.bottom());
@@ -151,6 +164,8 @@ class PictureBands {
   const double picture_px_;  // picture px of a canvas px
   const bool opaque_;
   const cv::Vec3b background_;
+  const cv::Vec3b line_colour_;
+  const Shadow shadow_;
   SpriteCache sprites_;
   std::vector<PieceDrawing> pieces_;
   std::vector<KeptTile> tiles_;  // of the pieces
@@ -163,7 +178,7 @@ void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const Pi
                   const std::function<void(const cv::Mat& rows)>& take) {
   PictureBands bands(report, artworks, limits);
   std::future<void> taken;  // the band before, while this one is drawn; its destructor waits
-  for (int top = 0; top < bands.rows(); top += limits.band_rows) {
+  for (int top = 0; top < bands.rows(); top += bands.rows_in_band()) {
     cv::Mat band = bands.band(top);
     if (taken.valid()) taken.get();
     taken = std::async(std::launch::async, [&take, band = std::move(band)] { take(band); });

@@ -15,9 +15,10 @@ namespace tessera::io {
 
 /// How much memory drawing may take. The picture's bytes do not depend on it.
 struct PictureLimits {
-  int band_rows = 512;  // drawn at a time; a multiple of kStripRows (piece_drawing.h)
+  int band_rows = 512;  // drawn at a time at most; a multiple of kStripRows (piece_drawing.h)
   std::size_t sprite_bytes = std::size_t(320) << 20;  // as SpriteCache counts them
   std::size_t tile_bytes = std::size_t(96) << 20;     // of pieces that reach into later bands and wait for them
+  std::size_t band_bytes = std::size_t(48) << 20;     // of a band, where kStripRows rows have no more; two are there
 };
 
 /// Hands out the picture from top to bottom, some rows at a time: `take` is called from one thread at a time. The canvas

@@ -38,7 +38,13 @@ Json to_json(const DrawnPicture& picture) {
           {"width_px", picture_width_px(output)},
           {"width_mm", output.width_mm},
           {"dpi", output.dpi},
-          {"background", output.background}};
+          {"background", output.background},
+          {"outline_px", output.outline_px},
+          {"outline_colour", output.outline_colour},
+          {"shadow_strength", output.shadow_strength},
+          {"shadow_offset_px", output.shadow_offset_px},
+          {"shadow_blur_px", output.shadow_blur_px},
+          {"clip", output.clip}};
 }
 
 /// Results of earlier versions say less: then it is as the defaults are.
@@ -48,6 +54,12 @@ OutputSpec output_from_json(const Json& picture) {
   output.width_mm = picture.value("width_mm", output.width_mm);
   output.dpi = picture.value("dpi", output.dpi);
   output.background = picture.at("background");
+  output.outline_px = picture.value("outline_px", output.outline_px);
+  output.outline_colour = picture.value("outline_colour", output.outline_colour);
+  output.shadow_strength = picture.value("shadow_strength", output.shadow_strength);
+  if (picture.contains("shadow_offset_px")) picture.at("shadow_offset_px").get_to(output.shadow_offset_px);
+  output.shadow_blur_px = picture.value("shadow_blur_px", output.shadow_blur_px);
+  output.clip = picture.value("clip", output.clip);
   return output;
 }
 

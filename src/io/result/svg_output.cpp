@@ -18,6 +18,10 @@ namespace {
 
 std::string symbol_id(std::size_t slot) { return "a" + std::to_string(slot); }
 std::string clip_id(std::size_t slot) { return "c" + std::to_string(slot); }
+std::string outline_id(std::size_t slot) { return "o" + std::to_string(slot); }
+
+bool has_shadow(const OutputSpec& output) { return output.shadow_strength > 0; }
+bool has_outlines(const OutputSpec& output) { return output.outline_px > 0 || has_shadow(output); }
 
 std::vector<SvgSymbol> make_symbols(const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done) {
   std::vector<SvgSymbol> symbols(report.shapes.size());
@@ -34,6 +38,7 @@ void start_layer(const SvgLayer& layer, XmlWriter& svg) {
 }
 
 const SvgLayer kCanvasLayer{.id = "layer-canvas", .label = "Canvas", .pieces = {}};
+const SvgLayer kShadowLayer{.id = "layer-shadow", .label = "Shadow", .pieces = {}};
 
 void write_canvas(const CollageReport& report, XmlWriter& svg) {
   const std::string& background = report.job->output.background;
@@ -65,13 +70,76 @@ std::string matrix_text(const Placement& placement, const Artwork& artwork, doub
   return text;
 }
 
+Similarity symbol_from_shape(const Shape& shape, const SvgSymbol& symbol) {
+  return scaled(artwork_from_shape(shape.artwork), float(1 / symbol.artwork_px_per_unit));
+}
+
 /// In the units of the shape's symbol.
 void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip, std::size_t slot, XmlWriter& svg) {
-  const Similarity symbol_from_shape = scaled(artwork_from_shape(shape.artwork), float(1 / symbol.artwork_px_per_unit));
   svg.raw("\n").start("clipPath").attribute("id", clip_id(slot));
   svg.start("path").attribute("clip-rule", "evenodd");
-  svg.attribute("d", svg_path(clip.curves, symbol_from_shape)).end();
+  svg.attribute("d", svg_path(clip.curves, symbol_from_shape(shape, symbol))).end();
   svg.end();
+}
+
+/// Over the canvas and as far around it as what lies there darkens it.
+void write_shadow_filter(const CollageReport& report, XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  const double around_px = 3 * output.shadow_blur_px;
+  svg.raw("\n").start("filter").attribute("id", "shadow").attribute("filterUnits", "userSpaceOnUse");
+  svg.attribute("x", fixed(-around_px, 3)).attribute("y", fixed(-around_px, 3));
+  svg.attribute("width", fixed(report.canvas->width_px + 2 * around_px, 3));
+  svg.attribute("height", fixed(report.canvas->height_px + 2 * around_px, 3));
+  svg.start("feGaussianBlur").attribute("stdDeviation", fixed(output.shadow_blur_px, 3)).end();
+  svg.end();
+}
+
+/// The same of the outline, without a colour of its own.
+void write_outline(const Shape& shape, const SvgSymbol& symbol, std::size_t slot, XmlWriter& svg) {
+  svg.raw("\n").start("path").attribute("id", outline_id(slot));
+  svg.attribute("d", svg_path(shape.outline.curves, symbol_from_shape(shape, symbol))).end();
+}
+
+void write_definitions(const CollageReport& report, const ShapeArtworks& artworks, const std::vector<SvgSymbol>& symbols,
+                       XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  svg.raw("\n").start("defs");
+  for (const SvgSymbol& symbol : symbols) svg.raw("\n").raw(symbol.xml);
+  for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
+    if (output.clip != kNoClip) write_clip(report.shapes[slot], symbols[slot], artworks.clip(slot), slot, svg);
+    if (has_outlines(output)) write_outline(report.shapes[slot], symbols[slot], slot, svg);
+  }
+  if (has_shadow(output)) write_shadow_filter(report, svg);
+  svg.end().raw("\n");
+}
+
+/// All shadows together, so that where two meet it is no darker.
+void write_shadow(const CollageReport& report, const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  if (!has_shadow(output)) return;
+  start_layer(kShadowLayer, svg);
+  svg.start("g").attribute("filter", "url(#shadow)").attribute("opacity", fixed(output.shadow_strength, 3));
+  svg.start("g").attribute("fill-rule", "evenodd");
+  svg.attribute("transform", "translate(" + fixed(output.shadow_offset_px[0], 3) + " " +
+                                 fixed(output.shadow_offset_px[1], 3) + ")");
+  for (const Placement& placement : report.placements) {
+    const std::size_t slot = report.slot_of(placement.shape);
+    svg.raw("\n").start("use").attribute("xlink:href", "#" + outline_id(slot));
+    svg.attribute("transform", matrix_text(placement, report.shapes[slot].artwork, symbols[slot].artwork_px_per_unit));
+    svg.end();
+  }
+  svg.end().end().end();
+}
+
+/// Along the piece's outline, in the units of its symbol.
+void write_line(const CollageReport& report, const Placement& placement, std::size_t slot, const SvgSymbol& symbol,
+                XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  const double canvas_px = double(placement.canvas_from_shape.scale()) / double(report.shapes[slot].artwork.unit_px) *
+                           symbol.artwork_px_per_unit;  // of a unit
+  svg.start("use").attribute("xlink:href", "#" + outline_id(slot)).attribute("fill", "none");
+  svg.attribute("stroke", output.outline_colour).attribute("stroke-width", fixed(output.outline_px / canvas_px, 4));
+  svg.attribute("stroke-linejoin", "round").end();
 }
 
 /// A group of its own, so that what belongs to a piece moves with it.
@@ -84,7 +152,10 @@ void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symb
   svg.attribute("transform", matrix_text(placement, shape.artwork, symbols[slot].artwork_px_per_unit));
   svg.start("title").text(title).end();
   svg.start("use").attribute("xlink:href", "#" + symbol_id(slot));
-  svg.attribute("clip-path", "url(#" + clip_id(slot) + ")").end();
+  const OutputSpec& output = report.job->output;
+  if (output.clip != kNoClip) svg.attribute("clip-path", "url(#" + clip_id(slot) + ")");
+  svg.end();
+  if (output.outline_px > 0) write_line(report, placement, slot, symbols[slot], svg);
   svg.end();
 }
 
@@ -120,13 +191,9 @@ std::string collage_svg(const CollageReport& report, ShapeArtworks& artworks, co
   svg.attribute("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape");
   write_size(report, svg);
   svg.attribute("viewBox", "0 0 " + size);
-  svg.raw("\n").start("defs");
-  for (const SvgSymbol& symbol : symbols) svg.raw("\n").raw(symbol.xml);
-  for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
-    write_clip(report.shapes[slot], symbols[slot], artworks.clip(slot), slot, svg);
-  }
-  svg.end().raw("\n");
+  write_definitions(report, artworks, symbols, svg);
   write_canvas(report, svg);
+  write_shadow(report, symbols, svg);
   write_pieces(report, symbols, svg);
   return svg.raw("\n").finish();
 }
