@@ -21,6 +21,7 @@ constexpr const char* kExamples =
     "  tessera draw out/animals                           collage.svg and collage.png again, as the job says\n"
     "  tessera draw out/animals --width 12000 --png       the picture alone, for print\n"
     "  tessera draw out/animals --pdf                     collage.pdf, vectors and all\n"
+    "  tessera draw out/animals --width 60000 --tiff      for viewers of large pictures\n"
     "  tessera draw out/animals --background none         on nothing: transparent between the pieces\n"
     "  tessera draw out/animals --set output.width_mm=420 --set output.dpi=300     42 cm wide on paper\n"
     "  tessera draw out/animals --library moved.h5        where the library has another name now\n"
@@ -60,7 +61,7 @@ void check_is_result(const std::string& folder) {
 
 int run(DrawArguments arguments) {
   io::DrawingRequest& wanted = arguments.request;
-  if (!wanted.png && !wanted.svg && !wanted.pdf) wanted.png = wanted.svg = true;
+  if (!wanted.png && !wanted.svg && !wanted.pdf && !wanted.tiff) wanted.png = wanted.svg = true;
   wanted.output = output_keys(arguments);
   check_is_result(arguments.folder);  // no lock is left where there is no result
   const io::OutputLock lock(io::folder_lock_path(arguments.folder), arguments.folder);
@@ -95,9 +96,10 @@ void add_draw_command(CLI::App& app, Command& selected) {
                    "Of the pictures, which then have no size in mm; default: as the result's job says")
       ->type_name("PX")
       ->check(width_range());
-  draw->add_flag("--svg", arguments->request.svg, "Draw collage.svg; without any of the three: SVG and PNG");
+  draw->add_flag("--svg", arguments->request.svg, "Draw collage.svg; without any of the four: SVG and PNG");
   draw->add_flag("--png", arguments->request.png, "Draw collage.png");
   draw->add_flag("--pdf", arguments->request.pdf, "Draw collage.pdf");
+  draw->add_flag("--tiff", arguments->request.tiff, "Draw collage.tiff: the PNG's picture in tiles and at all sizes");
   draw->add_option("--background", arguments->background, "Of the canvas, or none; default: output.background")
       ->type_name("#RRGGBB")
       ->check(not_a_colour);

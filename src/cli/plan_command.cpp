@@ -38,10 +38,11 @@ PlanInput plan_input(const PlanArguments& arguments) {
   const io::LibraryFile library = io::open_library_of(job);
   const Canvas canvas = io::load_canvas(job.canvas);
   io::check_picture_size(job.output, canvas);
+  const cv::Size picture_px = io::picture_size_px(job.output, canvas);
   return {.settings = job.settings,
           .canvas_px2 = canvas.area_px2,
           .canvas_nodes = double(canvas.width_px) * canvas.height_px,
-          .picture_px2 = double(io::picture_size_px(job.output, canvas).area()),
+          .picture_px2 = double(picture_px.width) * picture_px.height,
           .shapes = library.size(),
           .host_devices = job.devices != "gpu",
           .ranks = arguments.ranks,

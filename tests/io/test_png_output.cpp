@@ -15,6 +15,8 @@
 #include "drawn_collage.h"
 #include "io/available_cores.h"
 #include "io/result/drawing_notes.h"
+#include "io/result/png_stream.h"
+#include "io/result/tiff_pyramid.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 
@@ -249,8 +251,8 @@ TEST(Png, TheFileDecodesToThePicture) {
   const OneSquare sample(0.2f);
   test::DrawnCollage drawn(sample.report);
   std::size_t rows = 0;
-  write_collage_png(folder.path("collage.png"), sample.report, drawn.artworks, drawn.stop,
-                    [&](std::size_t done) { rows = done; });
+  PngStream png(folder.path("collage.png"), picture_format(sample.report));
+  write_picture(sample.report, drawn.artworks, {&png}, drawn.stop, [&](std::size_t done) { rows = done; });
   EXPECT_EQ(rows, 200u);
   EXPECT_EQ(cv::norm(cv::imread(folder.path("collage.png"), cv::IMREAD_UNCHANGED), drawn.picture(), cv::NORM_INF), 0);
   EXPECT_FALSE(std::filesystem::exists(folder.path("collage.png.tmp")));
@@ -270,7 +272,8 @@ TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
   OneSquare sample(0.2f);
   const auto written = [&] {
     test::DrawnCollage drawn(sample.report);
-    write_collage_png(folder.path("collage.png"), sample.report, drawn.artworks, drawn.stop, [](std::size_t) {});
+    PngStream png(folder.path("collage.png"), picture_format(sample.report));
+    write_picture(sample.report, drawn.artworks, {&png}, drawn.stop, [](std::size_t) {});
     std::ifstream file(folder.path("collage.png"), std::ios::binary);
     return std::string{std::istreambuf_iterator<char>(file), {}};
   };
@@ -343,8 +346,11 @@ TEST(Png, AStopLeavesNoFile) {
   const StopWatcher stop(observer, drawers);
   ShapeArtworks artworks(sample.report, drawers, stop);
   observer.stop = true;
-  EXPECT_THROW(write_collage_png(folder.path("collage.png"), sample.report, artworks, stop, [](std::size_t) {}),
-               DrawingStopped);
+  {
+    PngStream png(folder.path("collage.png"), picture_format(sample.report));
+    TiffPyramid tiff(folder.path("collage.tiff"), picture_format(sample.report));
+    EXPECT_THROW(write_picture(sample.report, artworks, {&png, &tiff}, stop, [](std::size_t) {}), DrawingStopped);
+  }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path("")));
 }
 

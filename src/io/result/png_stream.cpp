@@ -33,7 +33,7 @@ struct PngStream::Encoder {
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
-  bool begin(std::FILE* file, const PngFormat& format) {
+  bool begin(std::FILE* file, const PictureFormat& format) {
     if (!png || !info || setjmp(png_jmpbuf(png))) return false;
     png_init_io(png, file);
     png_set_IHDR(png, info, png_uint_32(format.size.width), png_uint_32(format.size.height), 8,
@@ -66,7 +66,7 @@ struct PngStream::Encoder {
   png_infop info = nullptr;
 };
 
-PngStream::PngStream(const std::string& path, const PngFormat& format)
+PngStream::PngStream(const std::string& path, const PictureFormat& format)
     : path_(path), file_(std::fopen(temporary_path(path).c_str(), "wbe")), encoder_(std::make_unique<Encoder>()) {
   errno = file_ ? 0 : errno;
   if (!file_ || !encoder_->begin(file_, format)) fail(errno);

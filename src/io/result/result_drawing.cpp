@@ -1,6 +1,7 @@
 #include "io/result/result_drawing.h"
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <span>
@@ -19,10 +20,12 @@
 #include "io/result/card_drawing.h"
 #include "io/result/finished_result.h"
 #include "io/result/placed_pieces.h"
-#include "io/result/png_output.h"
+#include "io/result/picture_drawing.h"
+#include "io/result/png_stream.h"
 #include "io/result/result_file.h"
 #include "io/result/result_manifest.h"
 #include "io/result/svg_output.h"
+#include "io/result/tiff_pyramid.h"
 
 namespace tessera::io {
 namespace {
@@ -112,12 +115,22 @@ class ResultPictures {
     end("collage.svg");
   }
 
-  void png() {
-    begin("collage.png");
+  /// Drawn once for both.
+  void pixels(bool png, bool tiff) {
+    std::vector<const char*> names;
+    if (png) names.push_back("collage.png");
+    if (tiff) names.push_back("collage.tiff");
+    for (const char* name : names) begin(name);
     const std::size_t rows = std::size_t(picture_size_px(report_.job->output, *report_.canvas).height);
-    write_collage_png(path_in_result(dir_, "collage.png"), report_, artworks_, stop_,
-                      [&](std::size_t done) { observer_.progressed("collage.png", done, rows); });
-    end("collage.png");
+    const PictureFormat format = picture_format(report_);
+    std::vector<std::unique_ptr<PictureFile>> owned;
+    if (png) owned.push_back(std::make_unique<PngStream>(path_in_result(dir_, "collage.png"), format));
+    if (tiff) owned.push_back(std::make_unique<TiffPyramid>(path_in_result(dir_, "collage.tiff"), format));
+    std::vector<PictureFile*> files;
+    for (const auto& file : owned) files.push_back(file.get());
+    write_picture(report_, artworks_, files, stop_,
+                  [&](std::size_t done) { observer_.progressed(names.front(), done, rows); });
+    for (const char* name : names) end(name);
   }
 
   void pdf() {
@@ -194,7 +207,7 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   add_shapes(library, stop, report);
   ResultPictures pictures(dir, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
-  if (request.png) pictures.png();
+  if (request.png || request.tiff) pictures.pixels(request.png, request.tiff);
   if (request.pdf) pictures.pdf();
   DrawingNotes notes = pictures.notes();
   notes.layers = drawers.layers();

@@ -17,9 +17,10 @@ struct DrawingRequest {
   bool png = false;
   bool svg = false;
   bool pdf = false;
+  bool tiff = false;
 };
 
-/// Draws collage.svg, collage.png and collage.pdf, as many as are wanted, into `dir`, and writes into the cards and the
+/// Draws collage.svg, collage.png, collage.pdf and collage.tiff, as many as are wanted, into `dir`, and writes into the cards and the
 /// manifest what was drawn. Each picture appears whole or not at all; the same result gives the same bytes. A finished
 /// and an unfinished result are drawn alike. Throws InputError where `dir` holds no result, or where library or canvas
 /// are not those that it was made with, or where a key is wrong; EnvironmentError; DrawingStopped (drawers.h): then the pictures done so far are

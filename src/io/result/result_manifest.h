@@ -12,7 +12,7 @@
 namespace tessera::io {
 
 inline constexpr const char* kManifestName = "manifest.json";
-inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "collage.pdf"};
+inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "collage.pdf", "collage.tiff"};
 
 struct DrawnPicture {
   std::string file;  // its name in the folder

@@ -1,4 +1,4 @@
-#include "io/result/png_output.h"
+#include "io/result/picture_drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "io/parallel_for.h"
 #include "io/result/cairo_paint.h"
 #include "io/result/piece_drawing.h"
-#include "io/result/png_stream.h"
 #include "io/result/shadow.h"
 #include "io/result/sprite_cache.h"
 
@@ -186,22 +185,25 @@ void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const Pi
   if (taken.valid()) taken.get();
 }
 
-void write_collage_png(const std::string& path, const CollageReport& report, ShapeArtworks& artworks,
-                       const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed) {
+PictureFormat picture_format(const CollageReport& report) {
   const OutputSpec& output = report.job->output;
-  PngStream png(path, {.size = picture_size_px(output, *report.canvas),
-                       .alpha = output.background == kNoColour,
-                       .dpi = output.width_mm == 0 ? 0 : output.dpi});
+  return {.size = picture_size_px(output, *report.canvas),
+          .alpha = output.background == kNoColour,
+          .dpi = output.width_mm == 0 ? 0 : output.dpi};
+}
+
+void write_picture(const CollageReport& report, ShapeArtworks& artworks, const std::vector<PictureFile*>& files,
+                   const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed) {
   std::size_t written = 0;
   draw_picture(report, artworks, {}, [&](const cv::Mat& rows) {
     for (int y = 0; y < rows.rows; y += kStripRows) {
       stop.check();
-      png.write(rows.rowRange(y, std::min(y + kStripRows, rows.rows)));
+      for (PictureFile* file : files) file->write(rows.rowRange(y, std::min(y + kStripRows, rows.rows)));
     }
     progressed(written += std::size_t(rows.rows));
   });
   stop.check();
-  png.finish();
+  for (PictureFile* file : files) file->finish();
 }
 
 }  // namespace tessera::io

@@ -1,13 +1,14 @@
-// collage.png: the artworks as placed, on the canvas. It is drawn in bands of rows, so that memory does not grow with
+// The picture in pixels, for collage.png and collage.tiff: the artworks as placed, on the canvas. It is drawn in bands of rows, so that memory does not grow with
 // the picture, on all cores.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <opencv2/core.hpp>
-#include <string>
+#include <vector>
 
 #include "io/result/collage_files.h"
+#include "io/result/picture_file.h"
 #include "io/result/shape_artworks.h"
 #include "io/result/stop_watcher.h"
 
@@ -28,9 +29,12 @@ struct PictureLimits {
 void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
                   const std::function<void(const cv::Mat& rows)>& take);
 
-/// Writes the same as a PNG file; `progressed(rows)` tells how many are written. Throws EnvironmentError and
-/// DrawingStopped; the file is then absent, or the one that was there before.
-void write_collage_png(const std::string& path, const CollageReport& report, ShapeArtworks& artworks,
-                       const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed);
+/// What the files of that picture are made with.
+PictureFormat picture_format(const CollageReport& report);
+
+/// Writes it into each of the files and finishes them; `progressed(rows)` tells how many are written. Throws
+/// EnvironmentError and DrawingStopped.
+void write_picture(const CollageReport& report, ShapeArtworks& artworks, const std::vector<PictureFile*>& files,
+                   const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed);
 
 }  // namespace tessera::io
