@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # agreement_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER RENDERER...: collage.svg of Debian's clip art looks like
-# collage.png in each of the renderers: rsvg, inkscape, chromium. Exit code 77: one of them, or the clip art, is not there.
+# collage.png in each of the renderers: rsvg, inkscape, chromium; and so does collage.pdf: pdf. Exit code 77: one of them, or
+# the clip art, is not there.
 #
-# The bounds are means over the picture, of 255; measured were 0.77 to 1.09. A collage with many gradients differs by more in
+# The bounds are means over the picture, of 255; measured were 0.77 to 1.09, and for the PDF, whose
+# hair lines poppler makes a pixel wide, 0.94 to 1.49. A collage with many gradients differs by more in
 # librsvg (2.54 of Debian 12): it stretches those that follow the box of their object where that is rotated, as pieces are.
 # In the PNG they are right, since drawings are rotated as pixels there.
 set -uo pipefail
@@ -10,8 +12,8 @@ tessera=$1
 difference=$2
 folder=$3
 shift 3
-declare -A most=([rsvg]=1.5 [inkscape]=1.5 [chromium]=1.5)
-declare -A program=([rsvg]=rsvg-convert [inkscape]=inkscape [chromium]=chromium)
+declare -A most=([rsvg]=1.5 [inkscape]=1.5 [chromium]=1.5 [pdf]=1.9)
+declare -A program=([rsvg]=rsvg-convert [inkscape]=inkscape [chromium]=chromium [pdf]=pdftocairo)
 
 fail() {
   echo "FAILED $*"
@@ -46,15 +48,25 @@ scale_px = [20, 120]
 width_px = 1200
 END_OF_JOB
 "$tessera" collage job.toml --out plain --quiet >output 2>&1 || fail "$(cat output)"
+decoration='--set output.outline_px=1 --set output.outline_colour=#402010 --set output.shadow_strength=0.6'
 cp -r plain decorated
-"$tessera" draw decorated --quiet --set output.outline_px=1 --set output.outline_colour=#402010 \
-  --set output.shadow_strength=0.6 --set output.clip=none >output 2>&1 || fail "$(cat output)"
 cp -r plain transparent
-"$tessera" draw transparent --quiet --background none >output 2>&1 || fail "$(cat output)"
+echo >plain/keys
+echo "$decoration --set output.clip=none" >decorated/keys
+echo '--background none' >transparent/keys
+for result in decorated transparent; do
+  # shellcheck disable=SC2046  # options, one a word
+  "$tessera" draw "$result" --quiet $(cat "$result/keys") >output 2>&1 || fail "$(cat output)"
+done
 
 rendered() { # RENDERER SVG PNG
   case $1 in
     rsvg) rsvg-convert --unlimited "$2" -o "$3" ;;
+    pdf)
+      # shellcheck disable=SC2046
+      "$tessera" draw "${2%/*}" --pdf --quiet $(cat "${2%/*}/keys") &&
+        pdftocairo -png -transp -singlefile -scale-to-x 1200 -scale-to-y 800 "${2%.svg}.pdf" "${3%.png}"
+      ;;
     inkscape) timeout 300 inkscape "$2" --export-type=png --export-filename="$3" ;;
     chromium)
       timeout 300 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir="$folder/home/chromium" \
