@@ -32,7 +32,7 @@ std::string collage(const std::string& transform) {
          R"~( viewBox="0 0 200 100"><defs><g id="a0"><svg width="100" height="20"><linearGradient id="a0-g">)~"
          R"~(<stop offset=".2" stop-color="#f00"/><stop offset=".2" stop-color="#00f"/></linearGradient>)~"
          R"~(<rect width="100" height="20" fill="url(#a0-g)" fill-opacity=".5"/></svg></g>)~"
-         R"~(<clipPath id="c0"><path d="M0 0H100V15H0Z"/></clipPath></defs>)~"
+         R"~(<clipPath id="c0"><path d="M0 0L100 0L100.000 15.000L0 15Z"/></clipPath></defs>)~"
          R"~(<g id="layer-canvas"><rect width="100%" height="100%" fill="#0f0"/></g>)~"
          R"~(<g id="layer-pieces"><g id="piece-0-bar" transform=")~" +
          transform + R"~("><title>bar</title><use xlink:href="#a0" clip-path="url(#c0)"/></g></g></svg>)~";

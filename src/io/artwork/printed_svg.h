@@ -15,9 +15,9 @@ namespace tessera::io {
 
 class PrintedSvg {
  public:
-  /// `path` stands in messages. Any SVG will do. Throws InputError where it is none or is damaged; svg_page.h tells about
+  /// `path` stands in messages. Any SVG will do; without `pieces_apart` it is drawn by librsvg alone. Throws InputError where it is none or is damaged; svg_page.h tells about
   /// hostile files.
-  PrintedSvg(std::span<const std::uint8_t> svg, const std::string& path);
+  PrintedSvg(std::span<const std::uint8_t> svg, const std::string& path, bool pieces_apart = true);
 
   /// Of its page; only the ratio matters.
   cv::Size2d size() const { return ground_.size(); }

@@ -17,8 +17,9 @@ cairo_status_t append_bytes(void* closure, const unsigned char* from, unsigned c
 
 }  // namespace
 
-std::vector<std::uint8_t> pdf_of_svg(std::span<const std::uint8_t> svg, const std::string& path, double width_pt) {
-  const PrintedSvg document(svg, path);
+std::vector<std::uint8_t> pdf_of_svg(std::span<const std::uint8_t> svg, const std::string& path, double width_pt,
+                                     bool pieces_apart) {
+  const PrintedSvg document(svg, path, pieces_apart);
   const double height_pt = width_pt * document.size().height / document.size().width;
   std::vector<std::uint8_t> bytes;
   const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, width_pt, height_pt));

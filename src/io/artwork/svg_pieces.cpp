@@ -74,17 +74,42 @@ std::vector<xmlNode*> pieces_of(xmlNode* root) {
   return pieces;
 }
 
-SvgPiece piece_of(xmlNode* node, const std::map<std::string, cv::Size2d>& pages) {
-  SvgPiece piece{.id = attribute(node, "id"), .document_from_piece = {}, .page = {kOtherPage, kOtherPage}};
-  cairo_matrix_t& m = piece.document_from_piece;
-  const std::string transform = attribute(node, "transform");
-  if (std::sscanf(transform.c_str(), "matrix(%lf %lf %lf %lf %lf %lf)", &m.xx, &m.yx, &m.xy, &m.yy, &m.x0, &m.y0) != 6) {
-    throw InputError(piece.id + ": transform: found \"" + transform + "\", allowed: a matrix");
+/// The paths of the pieces' clips, by their ids.
+std::map<std::string, std::string> clips_of(xmlNode* root) {
+  std::map<std::string, std::string> clips;
+  xmlNode* definitions = first_element(root, "defs");
+  for (xmlNode* node = definitions ? xmlFirstElementChild(definitions) : nullptr; node; node = xmlNextElementSibling(node)) {
+    xmlNode* path = name_of(node) == "clipPath" ? first_element(node, "path") : nullptr;
+    if (path) clips["url(#" + attribute(node, "id") + ")"] = attribute(path, "d");
   }
-  if (xmlNode* use = first_element(node, "use")) {
-    if (const auto page = pages.find(reference(use)); page != pages.end()) piece.page = page->second;
+  return clips;
+}
+
+cairo_matrix_t matrix_of(xmlNode* piece) {
+  cairo_matrix_t m;
+  const std::string text = attribute(piece, "transform");
+  if (std::sscanf(text.c_str(), "matrix(%lf %lf %lf %lf %lf %lf)", &m.xx, &m.yx, &m.xy, &m.yy, &m.x0, &m.y0) == 6) return m;
+  throw InputError(attribute(piece, "id") + ": transform: found \"" + text + "\", allowed: a matrix");
+}
+
+/// Lays the piece's parts at the origin, without their clips, and lists them.
+void take_apart(xmlNode* piece, const std::map<std::string, cv::Size2d>& pages,
+                const std::map<std::string, std::string>& clips, std::vector<SvgPiece>& list) {
+  const cairo_matrix_t matrix = matrix_of(piece);
+  int number = 0;
+  for (xmlNode* use = xmlFirstElementChild(piece); use; use = xmlNextElementSibling(use)) {
+    if (name_of(use) != "use") continue;
+    const std::string id = attribute(piece, "id") + "-" + std::to_string(number++);
+    const auto page = pages.find(reference(use));
+    const auto clip = clips.find(attribute(use, "clip-path"));
+    list.push_back({.id = id,
+                    .document_from_piece = matrix,
+                    .page = page == pages.end() ? cv::Size2d(kOtherPage, kOtherPage) : page->second,
+                    .clip = clip == clips.end() ? "" : clip->second});
+    xmlSetProp(use, xml("id"), xml(id.c_str()));
+    xmlUnsetProp(use, xml("clip-path"));
   }
-  return piece;
+  xmlUnsetProp(piece, xml("transform"));
 }
 
 DocPtr parsed(std::span<const std::uint8_t> svg, const std::string& path) {
@@ -101,8 +126,7 @@ void remove_pieces(xmlNode* root) {
   }
 }
 
-void lay_pieces_at_origin(xmlNode* root) {
-  for (xmlNode* piece : pieces_of(root)) xmlUnsetProp(piece, xml("transform"));
+void remove_page(xmlNode* root) {
   for (const char* name : {"viewBox", "width", "height"}) xmlUnsetProp(root, xml(name));
   xmlSetProp(root, xml("overflow"), xml("visible"));
 }
@@ -114,12 +138,13 @@ DividedSvg divided_svg(std::span<const std::uint8_t> svg, const std::string& pat
   xmlNode* root = xmlDocGetRootElement(doc.get());
   DividedSvg divided;
   std::sscanf(attribute(root, "viewBox").c_str(), "%*f %*f %lf", &divided.width);
-  const auto pages = pages_of(root);
-  for (xmlNode* piece : pieces_of(root)) divided.list.push_back(piece_of(piece, pages));
   const DocPtr ground(xmlCopyDoc(doc.get(), 1));
   remove_pieces(xmlDocGetRootElement(ground.get()));
   divided.ground = text_of(ground.get());
-  lay_pieces_at_origin(root);
+  const auto pages = pages_of(root);
+  const auto clips = clips_of(root);
+  for (xmlNode* piece : pieces_of(root)) take_apart(piece, pages, clips, divided.list);
+  remove_page(root);
   divided.pieces = text_of(doc.get());
   return divided;
 }

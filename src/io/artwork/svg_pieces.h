@@ -11,16 +11,17 @@
 
 namespace tessera::io {
 
-/// A group of a layer, as collage.svg has them (docs/result-format.md).
+/// What a piece of collage.svg uses (docs/result-format.md): its drawing, or its outline as a line.
 struct SvgPiece {
   std::string id;
   cairo_matrix_t document_from_piece;
-  cv::Size2d page;  // of its drawing, in units of the piece
+  cv::Size2d page;   // of the drawing, in units of the piece
+  std::string clip;  // data of a path in these units, lines only, even-odd; empty: not clipped
 };
 
 struct DividedSvg {
   std::string ground;  // the document without its pieces
-  std::string pieces;  // the document with the pieces where their own units are px, and without a page
+  std::string pieces;  // the document with the pieces unclipped, where their own units are px, and without a page
   std::vector<SvgPiece> list;  // in the order in which they are drawn
   double width = 0;    // of the document, in its own units
 };
