@@ -17,6 +17,7 @@ pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 find_package(LibXml2 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(PNG REQUIRED)
+find_package(TIFF REQUIRED)
 
 # Debian keeps OpenCV's CMake files in libopencv-dev, which pulls in every module and half a desktop; the three modules
 # that are used come in packages of their own, without them.

@@ -4,6 +4,7 @@
 
 #include "core/matching/sized_settings.h"
 #include "io/job/canvas_file.h"
+#include "io/job/picture_size.h"
 #include "io/job/job_library.h"
 #include "io/job/palette.h"
 #include "io/result/collage_files.h"
@@ -28,7 +29,7 @@ io::LibraryView library_for(io::Job& job) {
 /// With the factor of the sizes, which goes by the canvas' area.
 Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job) {
   Canvas canvas = io::load_canvas(job.canvas);
-  io::check_picture_height(job.output, canvas);
+  io::check_picture_size(job.output, canvas);
   if (job.settings.pieces.fit_all) {
     job.size_factor = first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2);
   }

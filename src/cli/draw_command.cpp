@@ -1,5 +1,7 @@
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cli/collage_run.h"
 #include "cli/commands.h"
@@ -19,15 +21,32 @@ constexpr const char* kExamples =
     "  tessera draw out/animals                           collage.svg and collage.png again, as the job says\n"
     "  tessera draw out/animals --width 12000 --png       the picture alone, for print\n"
     "  tessera draw out/animals --pdf                     collage.pdf, vectors and all\n"
+    "  tessera draw out/animals --width 60000 --tiff      for viewers of large pictures\n"
+    "  tessera draw out/animals --background none         on nothing: transparent between the pieces\n"
+    "  tessera draw out/animals --set output.width_mm=420 --set output.dpi=300     42 cm wide on paper\n"
     "  tessera draw out/animals --library moved.h5        where the library has another name now\n"
     "Nothing is computed: the pictures are made from the files in RESULT, of an unfinished collage too. Ctrl-C ends\n"
     "drawing within two seconds with exit code 75 and leaves no half-written picture.";
 
 struct DrawArguments {
   std::string folder;
+  int width_px = 0;        // 0: not given
+  std::string background;  // empty: not given
+  std::vector<std::string> settings;
   io::DrawingRequest request;
   bool quiet = false;
 };
+
+/// --width and --background are short for keys, and --set wins.
+std::vector<std::string> output_keys(const DrawArguments& arguments) {
+  std::vector<std::string> keys;
+  if (arguments.width_px > 0) {
+    keys = {"output.width_mm=0", "output.width_px=" + std::to_string(arguments.width_px)};
+  }
+  if (!arguments.background.empty()) keys.push_back("output.background=" + arguments.background);
+  keys.insert(keys.end(), arguments.settings.begin(), arguments.settings.end());
+  return keys;
+}
 
 void check_is_result(const std::string& folder) {
   try {
@@ -42,7 +61,8 @@ void check_is_result(const std::string& folder) {
 
 int run(DrawArguments arguments) {
   io::DrawingRequest& wanted = arguments.request;
-  if (!wanted.png && !wanted.svg && !wanted.pdf) wanted.png = wanted.svg = true;
+  if (!wanted.png && !wanted.svg && !wanted.pdf && !wanted.tiff) wanted.png = wanted.svg = true;
+  wanted.output = output_keys(arguments);
   check_is_result(arguments.folder);  // no lock is left where there is no result
   const io::OutputLock lock(io::folder_lock_path(arguments.folder), arguments.folder);
   comm::install_stop_handlers();
@@ -62,7 +82,7 @@ CLI::Range width_range() {
 std::string not_a_colour(const std::string& text) {
   const bool is_one =
       text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
-  return is_one ? "" : "found " + text + ", allowed: #rrggbb";
+  return is_one || text == io::kNoColour ? "" : "found " + text + ", allowed: #rrggbb or none";
 }
 
 }  // namespace
@@ -72,16 +92,21 @@ void add_draw_command(CLI::App& app, Command& selected) {
   CLI::App* draw = app.add_subcommand("draw", "Draw the pictures of a result, at any size");
   draw->footer(kExamples);
   draw->add_option("RESULT", arguments->folder, "The folder of the result")->required()->type_name("DIR");
-  draw->add_option("--width", arguments->request.width_px,
-                   "Of the pictures; default: output.width_px of the result's job")
+  draw->add_option("--width", arguments->width_px,
+                   "Of the pictures, which then have no size in mm; default: as the result's job says")
       ->type_name("PX")
       ->check(width_range());
-  draw->add_flag("--svg", arguments->request.svg, "Draw collage.svg; without any of the three: SVG and PNG");
+  draw->add_flag("--svg", arguments->request.svg, "Draw collage.svg; without any of the four: SVG and PNG");
   draw->add_flag("--png", arguments->request.png, "Draw collage.png");
   draw->add_flag("--pdf", arguments->request.pdf, "Draw collage.pdf");
-  draw->add_option("--background", arguments->request.background, "Of the canvas; default: output.background")
+  draw->add_flag("--tiff", arguments->request.tiff, "Draw collage.tiff: the PNG's picture in tiles and at all sizes");
+  draw->add_option("--background", arguments->background, "Of the canvas, or none; default: output.background")
       ->type_name("#RRGGBB")
       ->check(not_a_colour);
+  draw->add_option("--set", arguments->settings, "Another value for a key of [output] of the job; may be repeated")
+      ->type_name("output.KEY=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
   draw->add_option("--library", arguments->request.library,
                    "The library, where it is not at its place any more; of several, each with an option of its own")
       ->type_name("FILE")

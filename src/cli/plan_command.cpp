@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/field/free_field.h"
 #include "io/job/canvas_file.h"
+#include "io/job/picture_size.h"
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
 
@@ -37,13 +38,14 @@ PlanInput plan_input(const PlanArguments& arguments) {
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
   const io::LibraryView library = io::open_library_of(job);
   const Canvas canvas = io::load_canvas(job.canvas);
+  io::check_picture_size(job.output, canvas);
   io::check_images(canvas, job.settings.pieces);
   const Window nodes = free_field_grid(canvas, job.settings.pieces).nodes();
-  const double width_px = job.output.width_px;
+  const cv::Size picture_px = io::picture_size_px(job.output, canvas);
   return {.settings = job.settings,
           .canvas_px2 = canvas.area_px2,
           .canvas_nodes = double(nodes.width()) * nodes.height(),
-          .picture_px2 = width_px * width_px * canvas.height_px / canvas.width_px,
+          .picture_px2 = double(picture_px.width) * picture_px.height,
           .shapes = library.size(),
           .host_devices = job.devices != "gpu",
           .ranks = arguments.ranks,

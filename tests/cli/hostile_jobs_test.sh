@@ -42,7 +42,7 @@ echo "ok pipes, devices and folders"
 
 refused canvas.size_px plan job.toml --set 'canvas.size_px=[1, 1]'
 refused canvas.size_px plan job.toml --set 'canvas.size_px=[20000, 20000]'
-refused output.width_px "${collage[@]}" --set output.width_px=20001
+refused output.width_px "${collage[@]}" --set output.width_px=60001
 refused output.width_px "${collage[@]}" --set 'canvas.size_px=[16, 20000]' --set output.width_px=64
 refused pieces.scale_px plan job.toml --set 'pieces.scale_px=[40, 14]'
 echo "ok refused sizes"

@@ -66,7 +66,7 @@ echo "ok draw"
 [[ $(od -An -tu1 -j16 -N8 USR2/collage.png | xargs) == "0 0 1 244 0 0 1 119" ]] || fail "not 500 x 375"
 [[ $(head -c 5 USR2/collage.pdf) == %PDF- ]] || fail "no PDF"
 cmp expected/collage.svg USR2/collage.svg || fail "the SVG was not asked for"
-grep -qF '{"file":"collage.png","width_px":500,"background":"#102030"}' USR2/manifest.json || fail "manifest"
+grep -qF '{"file":"collage.png","width_px":500,"width_mm":0.0,"dpi":300.0,"background":"#102030"' USR2/manifest.json || fail "manifest"
 mv own.h5 moved.h5
 expect_refused() { # TEXT ARGUMENT...
   local text=$1

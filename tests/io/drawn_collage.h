@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/drawing/drawers.h"
-#include "io/result/png_output.h"
+#include "io/result/picture_drawing.h"
 #include "io/result/shape_artworks.h"
 #include "io/result/stop_watcher.h"
 #include "io/result/svg_output.h"

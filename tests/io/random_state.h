@@ -15,9 +15,6 @@ class RandomState {
   CheckpointState make() {
     CheckpointState state;
     state.improving = below(2) == 1;
-  state.region = below(3);
-  state.given = below(3);
-  state.attempt = below(3);
     state.empty_passes = int(below(3));
     for (std::uint32_t i = below(20); i > 0; --i) {
       state.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});
@@ -28,6 +25,9 @@ class RandomState {
     for (const SampleId id : ascending()) state.matched.push_back(pad(id));
     fill(state.statistics);
     state.rebuilt_digest = std::uint64_t(random_()) << 32 | random_();
+    state.region = below(3);
+    state.given = below(3);
+    state.attempt = below(3);
     return state;
   }
 

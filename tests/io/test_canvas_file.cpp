@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "io/job/canvas_edge.h"
 #include "io/job/canvas_file.h"
 #include "scratch_folder.h"
 
@@ -111,6 +114,46 @@ TEST_F(CanvasFile, heart_of_the_example_job_has_area) {
   EXPECT_GT(canvas.area_px2, 0.5 * 300 * 270);
 }
 
+std::vector<std::vector<Vec2>> edge_of(const CanvasSpec& spec) {
+  Drawers drawers(canvas_drawer_settings(spec));
+  return canvas_edge(spec, drawers);
+}
+
+TEST_F(CanvasFile, the_edge_for_pictures_is_the_drawings_own) {
+  const auto edge = edge_of({.width_px = 200, .height_px = 300,
+                             .file = svg("<path fill-rule=\"evenodd\" "
+                                         "d=\"M10 5h80v40h-80z M38 25a12 12 0 0 0 24 0a12 12 0 0 0 -24 0z\"/>")});
+  ASSERT_EQ(edge.size(), 2u);  // the rectangle and the hole in it
+  double farthest = 0;
+  for (std::size_t i = 0; i < edge[1].size(); ++i) {
+    const Vec2 p = edge[1][i];
+    const Vec2 next = edge[1][(i + 1) % edge[1].size()];
+    farthest = std::max(farthest, std::abs(std::hypot(p.x - 100., p.y - 50.) - 24));
+    farthest = std::max(farthest, std::abs(std::hypot((p.x + next.x) / 2 - 100., (p.y + next.y) / 2 - 50.) - 24));
+  }
+  EXPECT_LT(farthest, 0.01);  // canvas px: a tenth of a px of a picture that is ten times as large
+  for (const Vec2 p : edge[0]) {
+    const bool at_side = std::min(std::abs(p.x - 20), std::abs(p.x - 180)) < 0.1f;
+    const bool above_or_below = std::min(std::abs(p.y - 10), std::abs(p.y - 90)) < 0.1f;
+    EXPECT_TRUE(at_side || above_or_below) << p.x << " " << p.y;
+  }
+}
+
+TEST_F(CanvasFile, the_edge_ends_at_the_page) {
+  const auto edge = edge_of({.width_px = 40, .height_px = 40, .file = svg("<rect width=\"50\" height=\"50\"/>")});
+  ASSERT_EQ(edge.size(), 1u);
+  float left = 99, right = 0, top = 99, bottom = 0;
+  for (const Vec2 p : edge[0]) {
+    left = std::min(left, p.x), right = std::max(right, p.x), top = std::min(top, p.y), bottom = std::max(bottom, p.y);
+  }
+  EXPECT_NEAR(left, 0, 0.01);
+  EXPECT_NEAR(right, 20, 0.01);
+  EXPECT_NEAR(top, 0, 0.01);
+  EXPECT_NEAR(bottom, 20, 0.01);
+}
+
+TEST_F(CanvasFile, a_rectangle_has_no_edge_of_its_own) { EXPECT_TRUE(edge_of({}).empty()); }
+
 TEST_F(CanvasFile, nothing_to_fill_is_a_mistake) {
   const CanvasSpec empty{.width_px = 100, .height_px = 100, .file = svg("")};
   EXPECT_NE(mistake(empty).find("no area to fill"), std::string::npos);
@@ -169,26 +212,6 @@ TEST(SeamlessCanvas, with_its_images_is_no_larger_than_a_canvas_may_be) {
   EXPECT_NO_THROW(check_images(make_seamless_canvas(9000, 9000, true, true), pieces));
   EXPECT_THROW(check_images(make_seamless_canvas(9900, 9900, true, true), pieces), InputError);
   EXPECT_NO_THROW(check_images(make_rectangle_canvas(10000, 10000), pieces));
-}
-
-TEST(PictureHeight, of_canvases_that_go_on_downwards_is_whole) {
-  const OutputSpec output{.width_px = 1000, .background = "#000000"};
-  EXPECT_NO_THROW(check_picture_height(output, make_seamless_canvas(1200, 600, true, true)));
-  EXPECT_NO_THROW(check_picture_height(output, make_seamless_canvas(1200, 500, true, false)));
-  try {
-    check_picture_height(output, make_seamless_canvas(1200, 500, false, true));
-    FAIL() << "416.67 px";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "output.width_px: found 1000, which makes collage.png 416.67 px high; allowed for a canvas that is "
-                 "seamless from top to bottom: a multiple of 12");
-  }
-}
-
-TEST(PictureHeight, of_narrow_canvases_limits_the_width) {
-  const OutputSpec output{.width_px = 2000, .background = "#000000"};
-  EXPECT_NO_THROW(check_picture_height(output, make_rectangle_canvas(16, 160)));
-  EXPECT_THROW(check_picture_height(output, make_rectangle_canvas(16, 161)), InputError);
 }
 
 }  // namespace

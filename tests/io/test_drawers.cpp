@@ -116,6 +116,13 @@ TEST(Drawers, MakePdfsWithoutTimeStamps) {
   EXPECT_THROW(drawers.pdf_of_svg(Bytes(10, 'x'), 200), InputError);
 }
 
+TEST(Drawers, APdfThatCannotBeMadePieceByPieceIsMadeAsAWhole) {
+  Drawers drawers(kTwo);
+  const std::string odd = "<g id=\"layer-pieces\"><g id=\"piece-0-a\" transform=\"scale(2)\">" + std::string(kDisc) + "</g></g>";
+  const Bytes pdf = drawers.pdf_of_svg(svg(odd), 200);
+  EXPECT_TRUE(std::string(pdf.begin(), pdf.end()).starts_with("%PDF-"));
+}
+
 TEST(Drawers, NameTheFileAndTheReason) {
   Drawers drawers(kTwo);
   EXPECT_TRUE(mistake(drawers, Bytes(1000, '<')).starts_with("some/file.svg: not a readable SVG file"));

@@ -109,7 +109,7 @@ TEST_F(FinishedResult, has_pictures_when_the_manifest_says_so_and_they_are_there
   const std::string dir = write_result(true);
   EXPECT_FALSE(read_result(dir).drawn);
   ResultManifest manifest = read_manifest(dir);
-  manifest.pictures = {{"collage.svg", 400, "#ffffff"}, {"collage.png", 400, "#ffffff"}};
+  manifest.pictures = {{"collage.svg"}, {"collage.png"}};
   write_manifest(dir, manifest);
   EXPECT_FALSE(read_result(dir).drawn);
   scratch_.write("out/collage.svg", "");

@@ -10,6 +10,7 @@
 #include "io/job/job_file.h"
 #include "io/job/job_tables.h"
 #include "scratch_folder.h"
+#include "support/input_error.h"
 
 namespace tessera::io {
 namespace {
@@ -130,9 +131,9 @@ TEST_F(JobFile, names_the_nearest_key) {
   EXPECT_EQ(mistake("[pieces]\n\nscale = [20, 160]"),
             "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); "
             "allowed in [pieces]: scale_px, rotation_deg, uses, fit, padding_px");
-  EXPECT_EQ(mistake("[output]\nuses = 3"),
-            "job.toml:2: unknown key output.uses (did you mean pieces.uses?); "
-            "allowed in [output]: width_px, background");
+  EXPECT_EQ(mistake("[checkpoint]\nuses = 3"),
+            "job.toml:2: unknown key checkpoint.uses (did you mean pieces.uses?); "
+            "allowed in [checkpoint]: every_s");
   EXPECT_EQ(mistake("uses = 3"),
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
@@ -218,7 +219,10 @@ INSTANTIATE_TEST_SUITE_P(
                     "devices.use = [0.5]", "devices.use = -1", "devices.use = \"0,99\"", "output.width_px = 63",
                     "output.width_px = 1e4", "output.background = \"red\"", "output.background = \"#ffff\"",
                     "output.background = \"#gggggg\"", "output.background = 1979-05-27",
-                    "output.background = {r = 1}"));
+                    "output.background = {r = 1}", "output.background = \"None\"", "output.width_mm = -1",
+                    "output.width_mm = 1e6", "output.dpi = 0", "output.dpi = \"300\"", "output.outline_px = -1", "output.outline_colour = \"none\"",
+                    "output.shadow_strength = 1.1", "output.shadow_offset_px = 3", "output.shadow_offset_px = [1, 2, 3]",
+                    "output.shadow_offset_px = [0, 1e3]", "output.shadow_blur_px = 0", "output.clip = \"box\""));
 
 TEST_F(JobFile, intervals_may_be_several_or_one_value) {
   using Pairs = std::vector<double>;
@@ -280,6 +284,27 @@ TEST_F(JobFile, overrides_need_no_quotes) {
   EXPECT_EQ(job.settings.objective.kind, Objective::paper);
   EXPECT_EQ(job.canvas.seamless, Seamless::y);
   EXPECT_EQ(job.library, std::filesystem::current_path() / "a b.h5");
+}
+
+TEST_F(JobFile, a_background_may_be_none) {
+  EXPECT_EQ(load(minimal_, {"output.background=none"}).output.background, kNoColour);
+}
+
+TEST_F(JobFile, a_shadow_may_lie_on_any_side) {
+  const Job job = load(minimal_, {"output.shadow_offset_px=[3.5,-200]"});
+  EXPECT_EQ(job.output.shadow_offset_px[0], 3.5);
+  EXPECT_EQ(job.output.shadow_offset_px[1], -200);
+}
+
+TEST_F(JobFile, of_a_result_only_the_output_may_change) {
+  Job job = load(minimal_, {});
+  set_output_keys(job, {"output.width_mm=100", "output.width_mm = 200", "output.background=none"});
+  EXPECT_EQ(job.output.width_mm, 200);
+  EXPECT_EQ(job.output.background, kNoColour);
+  EXPECT_EQ(test::message_of([&] { set_output_keys(job, {"seed=2"}); }),
+            "--set seed=2: allowed where a result is drawn: output.key=value");
+  EXPECT_EQ(test::message_of([&] { set_output_keys(job, {"output.dpi=x"}); }),
+            "--set output.dpi=x: output.dpi: found \"x\", allowed: a number from 1 to 4800 px per inch");
 }
 
 TEST_F(JobFile, override_mistakes_name_the_argument) {

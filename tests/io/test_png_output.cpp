@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -13,6 +15,8 @@
 #include "drawn_collage.h"
 #include "io/available_cores.h"
 #include "io/result/drawing_notes.h"
+#include "io/result/png_stream.h"
+#include "io/result/tiff_pyramid.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 
@@ -127,15 +131,85 @@ TEST(Png, SmallPiecesAreAveragedNotSampled) {
 
 TEST(Png, OutsideOfTheRegionIsWhiteWithASmoothEdge) {
   SampleCollage sample;
-  Grid<float> mask(400, 200, 0.f);
-  for (int y = 0; y < 200; ++y) std::fill(mask.row(y) + 100, mask.row(y) + 301, 1.f);
-  sample.canvas = make_mask_canvas(mask);
+  sample.report.canvas_edge = {{{50.125f, 0}, {150, 0}, {150, 100}, {50.125f, 100}}};
   sample.report.placements.clear();
   const cv::Mat picture = drawn_picture(sample.report);
   EXPECT_EQ(at(picture, 50, 100), cv::Vec3b(255, 255, 255));
   EXPECT_EQ(at(picture, 200, 100), kBackground);
-  EXPECT_EQ(at(picture, 103, 100), kBackground);
-  EXPECT_EQ(at(picture, 304, 100), cv::Vec3b(255, 255, 255));
+  EXPECT_EQ(at(picture, 99, 100), cv::Vec3b(255, 255, 255));
+  EXPECT_NEAR(at(picture, 100, 100)[0], 255 - 0.75 * (255 - kBackground[0]), 2);
+  EXPECT_EQ(at(picture, 101, 100), kBackground);
+  EXPECT_EQ(at(picture, 299, 100), kBackground);
+  EXPECT_EQ(at(picture, 300, 100), cv::Vec3b(255, 255, 255));
+}
+
+TEST(Png, WithoutABackgroundAllButThePiecesIsTransparent) {
+  OneSquare sample(0.3f);
+  const cv::Mat opaque = drawn_picture(sample.report);
+  sample.report.canvas_edge = {{{50, 0}, {150, 0}, {150, 100}, {50, 100}}};
+  sample.job.output.background = kNoColour;
+  const cv::Mat picture = drawn_picture(sample.report);
+  ASSERT_EQ(picture.type(), CV_8UC4);
+  EXPECT_EQ(picture.at<cv::Vec4b>(10, 10), cv::Vec4b());    // outside of the canvas
+  EXPECT_EQ(picture.at<cv::Vec4b>(10, 200), cv::Vec4b());   // and inside
+  EXPECT_EQ(picture.at<cv::Vec4b>(100, 170), cv::Vec4b(0, 0, 255, 255));
+  int mixed = 0;
+  for (int x = 0; x < picture.cols; ++x) {
+    const cv::Vec4b c = picture.at<cv::Vec4b>(100, x);
+    mixed += c[3] > 0 && c[3] < 255;
+    for (int i = 0; i < 3; ++i) {  // straight: laid over the background it is what was there before
+      EXPECT_NEAR((c[i] * c[3] + kBackground[i] * (255 - c[3])) / 255., opaque.at<cv::Vec3b>(100, x)[i], 2) << x;
+    }
+  }
+  EXPECT_GE(mixed, 2);
+}
+
+TEST(Png, ALineMayRunAlongTheOutlines) {
+  OneSquare sample(0);  // from 80 to 120 px of the canvas, 160 to 240 of the picture
+  sample.job.output.outline_px = 5;
+  sample.job.output.outline_colour = "#00ff00";
+  const cv::Mat picture = drawn_picture(sample.report);
+  const cv::Vec3b line(0, 255, 0);
+  EXPECT_EQ(at(picture, 153, 100), kBackground);
+  EXPECT_EQ(at(picture, 156, 100), line);  // half of its 10 px beyond the outline
+  EXPECT_EQ(at(picture, 163, 100), line);
+  EXPECT_EQ(at(picture, 166, 100), kRed);
+  EXPECT_EQ(at(picture, 200, 64), line);
+  EXPECT_NE(at(picture, 155, 55), line) << "corners are round";
+}
+
+TEST(Png, PiecesMayCastAShadowOnWhatLiesBelowThem) {
+  OneSquare sample(0);
+  sample.place(ShapeId{7}, 40, {141, 50}, 0);  // beside the first, which lies below it
+  sample.job.output.shadow_strength = 0.5;
+  sample.job.output.shadow_offset_px[0] = 4;
+  sample.job.output.shadow_offset_px[1] = 8;
+  sample.job.output.shadow_blur_px = 0.5;
+  const cv::Mat picture = drawn_picture(sample.report);
+  EXPECT_EQ(at(picture, 157, 100), kBackground);  // to the left of the first
+  EXPECT_EQ(at(picture, 200, 163), kBackground);  // 23 px below it
+  const cv::Vec3b shaded = at(picture, 200, 149);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(shaded[c], kBackground[c] * 0.5, 2);
+  EXPECT_EQ(at(picture, 235, 100), kBlue) << "no piece is darkened, however near to another";
+  EXPECT_EQ(at(picture, 246, 100), kRed);
+  sample.job.output.background = kNoColour;
+  const cv::Mat transparent = drawn_picture(sample.report);
+  EXPECT_EQ(transparent.at<cv::Vec4b>(149, 200), cv::Vec4b(0, 0, 0, 128));
+  EXPECT_EQ(transparent.at<cv::Vec4b>(100, 157), cv::Vec4b());
+}
+
+TEST(Png, ASoftShadowFadesAsAGaussianHoweverCoarselyItIsMade) {
+  OneSquare sample(0);
+  sample.job.output.width_px = 1600;  // the square's right side at 960, and a blur of 32 px
+  sample.job.output.shadow_strength = 1;
+  sample.job.output.shadow_offset_px[0] = sample.job.output.shadow_offset_px[1] = 0;
+  sample.job.output.shadow_blur_px = 4;
+  sample.job.output.background = kNoColour;
+  const cv::Mat picture = drawn_picture(sample.report);
+  for (const int beyond : {8, 20, 40, 70, 90}) {
+    const double expected = 255 * 0.5 * std::erfc((beyond + 0.5) / 32 / std::numbers::sqrt2);
+    EXPECT_NEAR(picture.at<cv::Vec4b>(400, 960 + beyond)[3], expected, 4) << beyond;
+  }
 }
 
 TEST(Png, WithoutAnyArtworkTheOutlineIsFilled) {
@@ -206,11 +280,43 @@ TEST(Png, TheFileDecodesToThePicture) {
   const OneSquare sample(0.2f);
   test::DrawnCollage drawn(sample.report);
   std::size_t rows = 0;
-  write_collage_png(folder.path("collage.png"), sample.report, drawn.artworks, drawn.stop,
-                    [&](std::size_t done) { rows = done; });
+  PngStream png(folder.path("collage.png"), picture_format(sample.report));
+  write_picture(sample.report, drawn.artworks, {&png}, drawn.stop, [&](std::size_t done) { rows = done; });
   EXPECT_EQ(rows, 200u);
   EXPECT_EQ(cv::norm(cv::imread(folder.path("collage.png"), cv::IMREAD_UNCHANGED), drawn.picture(), cv::NORM_INF), 0);
   EXPECT_FALSE(std::filesystem::exists(folder.path("collage.png.tmp")));
+}
+
+/// What follows the chunk's name, four bytes each.
+std::uint32_t number_in_chunk(const std::string& png, const std::string& chunk, std::size_t index) {
+  const auto at = png.find(chunk);
+  if (at == std::string::npos) return 0;
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | std::uint8_t(png.at(at + 4 + 4 * index + i));
+  return value;
+}
+
+TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
+  const test::ScratchFolder folder;
+  OneSquare sample(0.2f);
+  const auto written = [&] {
+    test::DrawnCollage drawn(sample.report);
+    PngStream png(folder.path("collage.png"), picture_format(sample.report));
+    write_picture(sample.report, drawn.artworks, {&png}, drawn.stop, [](std::size_t) {});
+    std::ifstream file(folder.path("collage.png"), std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  EXPECT_EQ(written().find("pHYs"), std::string::npos);
+  sample.job.output.width_mm = 50.8;
+  sample.job.output.dpi = 300;
+  sample.job.output.background = kNoColour;
+  const std::string png = written();
+  EXPECT_EQ(number_in_chunk(png, "IHDR", 0), 600u);
+  EXPECT_EQ(number_in_chunk(png, "IHDR", 1), 300u);
+  EXPECT_EQ(number_in_chunk(png, "pHYs", 0), 11811u);  // a metre
+  EXPECT_EQ(number_in_chunk(png, "pHYs", 1), 11811u);
+  const cv::Mat read = cv::imread(folder.path("collage.png"), cv::IMREAD_UNCHANGED);
+  EXPECT_EQ(cv::norm(read, drawn_picture(sample.report), cv::NORM_INF), 0);
 }
 
 /// One core only, while it lives.
@@ -237,12 +343,16 @@ class OneCore {
 TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   OneSquare sample(0.2f);
   sample.job.output.width_px = 1500;
+  sample.report.canvas_edge = {{{3.3f, 7.1f}, {190.7f, 2.2f}, {120.4f, 98.6f}}};
+  sample.job.output.outline_px = 0.7;
+  sample.job.output.shadow_strength = 0.6;
   for (int i = 0; i < 12; ++i) sample.place(ShapeId{7}, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));
   test::DrawnCollage drawn(sample.report);
   const cv::Mat expected = drawn.picture();
   ASSERT_EQ(expected.size(), cv::Size(1500, 750));
   for (const PictureLimits& limits : {PictureLimits{64, 1, 0}, PictureLimits{64, 1 << 20, 300'000},
-                                      PictureLimits{192, std::size_t(1) << 30, std::size_t(1) << 30}}) {
+                                      PictureLimits{192, std::size_t(1) << 30, std::size_t(1) << 30},
+                                      PictureLimits{.band_bytes = 1'000'000}}) {
     EXPECT_EQ(cv::norm(drawn.picture(limits), expected, cv::NORM_INF), 0) << limits.band_rows;
   }
   const OneCore one;
@@ -265,8 +375,11 @@ TEST(Png, AStopLeavesNoFile) {
   const StopWatcher stop(observer, drawers);
   ShapeArtworks artworks(sample.report, drawers, stop);
   observer.stop = true;
-  EXPECT_THROW(write_collage_png(folder.path("collage.png"), sample.report, artworks, stop, [](std::size_t) {}),
-               DrawingStopped);
+  {
+    PngStream png(folder.path("collage.png"), picture_format(sample.report));
+    TiffPyramid tiff(folder.path("collage.tiff"), picture_format(sample.report));
+    EXPECT_THROW(write_picture(sample.report, artworks, {&png, &tiff}, stop, [](std::size_t) {}), DrawingStopped);
+  }
   EXPECT_TRUE(std::filesystem::is_empty(folder.path("")));
 }
 

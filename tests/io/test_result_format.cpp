@@ -85,7 +85,7 @@ TEST(ResultFormat, has_every_property_of_a_piece) {
 
 TEST(ResultFormat, has_every_file) {
   for (const char* name : {"pieces.geojson", "card.json", "card.txt", "job.toml", "manifest.json", "collage.svg",
-                           "collage.png", "collage.pdf", "run.log"}) {
+                           "collage.png", "collage.pdf", "collage.tiff", "run.log"}) {
     EXPECT_TRUE(names(documented_section("# The result"), name)) << name;
   }
 }

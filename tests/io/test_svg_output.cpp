@@ -88,7 +88,27 @@ TEST(SvgOutput, IdsAreUnique) {
     const std::string id = svg.substr(begin, svg.find('"', begin) - begin);
     EXPECT_TRUE(ids.insert(id).second) << id;
   }
-  EXPECT_EQ(ids.size(), 6u);  // two artworks, an id of each, two clips
+  EXPECT_EQ(ids.size(), 12u);  // two artworks, an id of each, two clips, two layers, four pieces
+}
+
+TEST(SvgOutput, InkscapeShowsLayersAndWhatThePiecesAre) {
+  TwoFaces sample;
+  sample.report.shapes[0].name = "bear & \"cub\" No. 3/\xc3\xa4\x01";
+  const std::string svg = drawn_svg(sample.report);
+  EXPECT_EQ(count(svg, "inkscape:groupmode=\"layer\""), 2u);
+  const auto canvas = svg.find("<g id=\"layer-canvas\" inkscape:groupmode=\"layer\" inkscape:label=\"Canvas\">");
+  const auto pieces = svg.find("<g id=\"layer-pieces\" inkscape:groupmode=\"layer\" inkscape:label=\"Pieces\">");
+  const auto background = svg.find(sample.job.output.background);
+  ASSERT_NE(canvas, std::string::npos);
+  ASSERT_NE(pieces, std::string::npos);
+  EXPECT_LT(canvas, background);
+  EXPECT_LT(background, pieces);
+  EXPECT_LT(pieces, svg.find("<use "));
+  EXPECT_EQ(count(svg, "id=\"piece-1-ring\""), 1u);
+  EXPECT_EQ(count(svg, "id=\"piece-0-bear____cub__No__3____\""), 1u);
+  EXPECT_EQ(count(svg, "id=\"piece-3-bear____cub__No__3____\""), 1u);
+  EXPECT_EQ(count(svg, "<title>bear &amp; &quot;cub&quot; No. 3/\xc3\xa4_</title>"), 3u);
+  EXPECT_EQ(drawn(svg, 400).size(), cv::Size(400, 200));
 }
 
 TEST(SvgOutput, ReadsTheOriginalFromItsPlace) {
@@ -110,11 +130,15 @@ TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
   test::embed_artwork(sample.report.shapes[0], std::string(png.begin(), png.end()), 300, 200, 106);
   sample.report.placements = {sample.report.placements[1]};
   sample.report.placements[0].shape = sample.report.shape_ids[0];
+  const int outside = 280 + int(2 * 60 * (0.5642 + 0.06));  // a disc of area 1 has this radius
   for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
     EXPECT_GT(picture.at<cv::Vec3b>(100, 280)[2], 200) << "inside";
     EXPECT_LT(picture.at<cv::Vec3b>(100, 280)[0], 50) << "inside";
-    const int outside = 280 + int(2 * 60 * (0.5642 + 0.06));  // a disc of area 1 has this radius
     EXPECT_GT(picture.at<cv::Vec3b>(100, outside)[0], 150) << "outside: the background";
+  }
+  sample.job.output.clip = kNoClip;
+  for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
+    EXPECT_LT(picture.at<cv::Vec3b>(100, outside)[0], 50) << "outside: what the artwork has there";
   }
 }
 
@@ -136,12 +160,58 @@ TEST(SvgOutput, ShapesWithoutArtworkAreSilhouettes) {
   EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.2);
 }
 
+TEST(SvgOutput, WithoutABackgroundNothingLiesUnderThePieces) {
+  SampleCollage sample;
+  sample.report.canvas_edge = {{{50, 10}, {150, 10}, {150, 90}}};
+  sample.job.output.background = kNoColour;
+  const std::string svg = drawn_svg(sample.report);
+  EXPECT_EQ(count(svg, "<rect"), 0u);
+  EXPECT_EQ(count(svg, "layer-canvas"), 0u);
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
+  const cv::Mat vectors = render_artwork(bytes, "collage.svg", 400);
+  const cv::Mat pixels = drawn_picture(sample.report);
+  EXPECT_EQ(vectors.at<cv::Vec4b>(100, 200)[3], 0);
+  cv::Mat alpha[2];
+  cv::extractChannel(vectors, alpha[0], 3);
+  cv::extractChannel(pixels, alpha[1], 3);
+  EXPECT_LT(mean_difference(alpha[0], alpha[1]) * 3, 1.2);
+}
+
+TEST(SvgOutput, IsAsLargeAsThePictureOrAsItIsOnPaper) {
+  SampleCollage sample;
+  EXPECT_EQ(count(drawn_svg(sample.report), " width=\"400\" height=\"200\" viewBox=\"0 0 200 100\""), 1u);
+  sample.job.output.width_mm = 210;
+  EXPECT_EQ(count(drawn_svg(sample.report), " width=\"210.000mm\" height=\"105.000mm\" viewBox=\"0 0 200 100\""), 1u);
+}
+
+TEST(SvgOutput, OutlinesAndShadowsAreThoseOfThePng) {
+  TwoFaces sample;
+  EXPECT_EQ(count(drawn_svg(sample.report), "filter"), 0u);
+  EXPECT_EQ(count(drawn_svg(sample.report), "id=\"o"), 0u);
+  const cv::Mat plain = drawn_picture(sample.report);
+  OutputSpec& output = sample.job.output;
+  output.outline_px = 3;
+  output.outline_colour = "#108040";
+  EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.2);
+  EXPECT_EQ(count(drawn_svg(sample.report), "filter"), 0u);
+  output.outline_px = 0;
+  output.shadow_strength = 0.7;
+  output.shadow_offset_px[0] = -3;
+  output.shadow_offset_px[1] = 6;
+  output.shadow_blur_px = 3;
+  EXPECT_GT(mean_difference(plain, drawn_picture(sample.report)), 10);  // there is much to be the same
+  EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.6);
+  const std::string svg = drawn_svg(sample.report);
+  EXPECT_LT(svg.find("layer-canvas"), svg.find("layer-shadow"));
+  EXPECT_LT(svg.find("layer-shadow"), svg.find("layer-pieces"));
+}
+
 TEST(SvgOutput, AMaskedCanvasIsAPath) {
   SampleCollage sample;
   Grid<float> mask(400, 200, 0.f);
   for (int y = 20; y < 180; ++y) std::fill(mask.row(y) + 100, mask.row(y) + 300, 1.f);
   sample.canvas = make_mask_canvas(mask);
-  sample.job.canvas.file = "mask.png";
+  sample.report.canvas_edge = {{{50, 10}, {150, 10}, {150, 90}, {50, 90}}, {{60, 20}, {90, 20}, {90.3f, 41}}};
   EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.2);
 }
 

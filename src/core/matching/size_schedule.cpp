@@ -36,7 +36,9 @@ float most_scale_px(double free_px2, const std::vector<Interval>& left) {
 
 double size_factor(double area_px2, double part, const std::vector<Interval>& shapes) {
   double needed = 0;
-  for (const Interval& s : shapes) needed += mean_square_px2(s.min, s.max);
+  for (const Interval& s : shapes) {
+    needed += mean_square_px2(s.min, s.max) * (s.max < s.min * kNearlyOneSize ? 1 : kNearTheTop);
+  }
   return needed > 0 ? std::sqrt(part * area_px2 / needed) : 1;
 }
 

@@ -12,31 +12,6 @@ namespace {
 /// Below this difference (of 255) image and background are one: noise of a JPEG.
 constexpr double kLeastContrast = 24;
 
-/// Mean of the fullest of 16 x 16 x 16 colour bins along the edge.
-cv::Vec3d prevailing_edge_colour(const cv::Mat& bgr) {
-  struct Bin {
-    cv::Vec3d sum{0, 0, 0};
-    int count = 0;
-  };
-  std::vector<Bin> bins(16 * 16 * 16);
-  const auto add = [&](int x, int y) {
-    const cv::Vec3b c = bgr.at<cv::Vec3b>(y, x);
-    Bin& bin = bins[std::size_t(c[0] >> 4 << 8 | c[1] >> 4 << 4 | c[2] >> 4)];
-    bin.sum += cv::Vec3d(c);
-    ++bin.count;
-  };
-  for (int x = 0; x < bgr.cols; ++x) {
-    add(x, 0);
-    add(x, bgr.rows - 1);
-  }
-  for (int y = 0; y < bgr.rows; ++y) {
-    add(0, y);
-    add(bgr.cols - 1, y);
-  }
-  const Bin& best = *std::max_element(bins.begin(), bins.end(), [](auto& a, auto& b) { return a.count < b.count; });
-  return best.sum / best.count;
-}
-
 /// Largest difference of the three colours, CV_8U.
 cv::Mat difference_from(const cv::Mat& bgr, const cv::Vec3d& colour) {
   cv::Mat difference;
@@ -64,6 +39,31 @@ std::uint8_t unmixed(double seen, double background, int alpha) {
 }
 
 }  // namespace
+
+/// Mean of the fullest of 16 x 16 x 16 colour bins along the edge.
+cv::Vec3d prevailing_edge_colour(const cv::Mat& bgr) {
+  struct Bin {
+    cv::Vec3d sum{0, 0, 0};
+    int count = 0;
+  };
+  std::vector<Bin> bins(16 * 16 * 16);
+  const auto add = [&](int x, int y) {
+    const cv::Vec3b c = bgr.at<cv::Vec3b>(y, x);
+    Bin& bin = bins[std::size_t(c[0] >> 4 << 8 | c[1] >> 4 << 4 | c[2] >> 4)];
+    bin.sum += cv::Vec3d(c);
+    ++bin.count;
+  };
+  for (int x = 0; x < bgr.cols; ++x) {
+    add(x, 0);
+    add(x, bgr.rows - 1);
+  }
+  for (int y = 0; y < bgr.rows; ++y) {
+    add(0, y);
+    add(bgr.cols - 1, y);
+  }
+  const Bin& best = *std::max_element(bins.begin(), bins.end(), [](auto& a, auto& b) { return a.count < b.count; });
+  return best.sum / best.count;
+}
 
 cv::Mat cut_from_background(const cv::Mat& bgr) {
   const cv::Vec3d background = prevailing_edge_colour(bgr);

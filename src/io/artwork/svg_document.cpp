@@ -70,4 +70,12 @@ void SvgDocument::draw(cairo_t* cairo, double scale) const {
   }
 }
 
+void SvgDocument::draw_element(cairo_t* cairo, const std::string& id, const cv::Size2d& page) const {
+  const RsvgRectangle viewport{0, 0, page.width, page.height};
+  GError* error = nullptr;
+  if (!rsvg_handle_render_layer(handle_.get(), cairo, ("#" + id).c_str(), &viewport, &error)) {
+    throw_input_error(path_, id + " cannot be drawn", error);
+  }
+}
+
 }  // namespace tessera::io

@@ -27,6 +27,8 @@ class SvgDocument {
   cv::Size2d size() const { return size_; }
   /// Draws the page at (0, 0), `scale` times as large. Throws InputError where librsvg cannot.
   void draw(cairo_t* cairo, double scale) const;
+  /// Draws one element with what is in it, as if the page had the size `page`. Throws InputError where librsvg cannot.
+  void draw_element(cairo_t* cairo, const std::string& id, const cv::Size2d& page) const;
 
  private:
   std::string path_;

@@ -3,7 +3,7 @@
 #include <cairo-pdf.h>
 
 #include "core/base/error.h"
-#include "io/artwork/svg_document.h"
+#include "io/artwork/printed_svg.h"
 #include "io/cairo_objects.h"
 
 namespace tessera::io {
@@ -17,16 +17,15 @@ cairo_status_t append_bytes(void* closure, const unsigned char* from, unsigned c
 
 }  // namespace
 
-std::vector<std::uint8_t> pdf_of_svg(std::span<const std::uint8_t> svg, const std::string& path, double width_pt) {
-  // A whole collage has more than librsvg allows a drawing by itself; this process has limits of its own.
-  const SvgDocument document(svg, path, RSVG_HANDLE_FLAG_UNLIMITED);
-  const double scale = width_pt / document.size().width;
+std::vector<std::uint8_t> pdf_of_svg(std::span<const std::uint8_t> svg, const std::string& path, double width_pt,
+                                     bool pieces_apart) {
+  const PrintedSvg document(svg, path, pieces_apart);
+  const double height_pt = width_pt * document.size().height / document.size().width;
   std::vector<std::uint8_t> bytes;
-  const CairoSurface surface(
-      cairo_pdf_surface_create_for_stream(append_bytes, &bytes, width_pt, document.size().height * scale));
+  const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, width_pt, height_pt));
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   const CairoContext cairo(cairo_create(surface.get()));
-  document.draw(cairo.get(), scale);
+  document.draw(cairo.get(), width_pt);
   cairo_surface_finish(surface.get());
   const cairo_status_t status = cairo_surface_status(surface.get());
   if (status != CAIRO_STATUS_SUCCESS) throw InputError(path + ": cannot be drawn: " + cairo_status_to_string(status));

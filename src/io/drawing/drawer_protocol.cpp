@@ -17,7 +17,8 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
     case DrawingKind::natural_size: return 2 * sizeof(double);
     case DrawingKind::svg_import: return 64 * kMebibyte;
     case DrawingKind::shape: return 16 * kMebibyte;
-    case DrawingKind::pdf: return 512 * kMebibyte;
+    case DrawingKind::pdf:
+    case DrawingKind::plain_pdf: return 512 * kMebibyte;
   }
   return 0;
 }

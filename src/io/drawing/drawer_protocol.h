@@ -38,12 +38,12 @@ struct DrawerGreeting {
 
 DrawerBuild this_build();
 
-enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf };
+enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf, plain_pdf };
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
   int longest_side_px = 0;                   // of page and png
-  double width_pt = 0;                       // of pdf
+  double width_pt = 0;                       // of the PDFs
   PadParameters pad = {};                    // of shape
   std::string path = {};                     // stands in messages; a shape's name
   std::string scope_id = {};                 // of svg_import

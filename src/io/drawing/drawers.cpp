@@ -235,9 +235,15 @@ std::variant<ArtworkShape, SkipReason> Drawers::shape(std::span<const std::uint8
 }
 
 std::vector<std::uint8_t> Drawers::pdf_of_svg(std::span<const std::uint8_t> svg, double width_pt) {
-  const DrawingAnswer answer =
-      crew_->draw({.kind = DrawingKind::pdf, .width_pt = width_pt, .path = "the collage", .bytes = svg});
-  return {answer.bytes().begin(), answer.bytes().end()};
+  const auto drawn = [&](DrawingKind kind) -> std::vector<std::uint8_t> {
+    const DrawingAnswer answer = crew_->draw({.kind = kind, .width_pt = width_pt, .path = "the collage", .bytes = svg});
+    return {answer.bytes().begin(), answer.bytes().end()};
+  };
+  try {
+    return drawn(DrawingKind::pdf);
+  } catch (const InputError&) {  // cairo 1.16 asserts more of what it recorded than holds of every drawing
+    return drawn(DrawingKind::plain_pdf);
+  }
 }
 
 }  // namespace tessera::io

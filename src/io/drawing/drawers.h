@@ -63,7 +63,7 @@ class Drawers {
                                                const PadParameters& pad);
 
   /// A PDF file with one page, the SVG's, `width_pt` points of 1/72 inch wide. Vectors stay vectors. The same SVG gives
-  /// the same bytes.
+  /// the same bytes. See printed_svg.h; where that is too much for cairo, librsvg alone draws it.
   std::vector<std::uint8_t> pdf_of_svg(std::span<const std::uint8_t> svg, double width_pt);
 
   /// Ends all processes at once. Calls under way and later ones throw DrawingStopped.

@@ -67,7 +67,8 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
     case DrawingKind::svg_import:
       return text_answer(import_svg(bytes, path, scope_id, open_artwork_page(bytes, path)->natural_size()));
     case DrawingKind::shape: return bytes_answer(encode_shape_answer(shape_from_artwork(bytes, path, pad)));
-    case DrawingKind::pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt));
+    case DrawingKind::pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, true));
+    case DrawingKind::plain_pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, false));
   }
   throw std::logic_error("no such kind of drawing");
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
@@ -19,6 +18,8 @@ namespace {
 constexpr int kMinCanvas_px = 16;
 constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;  // the mask is drawn at twice the canvas' resolution
 
+}  // namespace
+
 std::vector<std::uint8_t> read_canvas_file(const std::string& path) {
   try {
     return read_artwork_file(path);
@@ -28,7 +29,7 @@ std::vector<std::uint8_t> read_canvas_file(const std::string& path) {
 }
 
 /// The largest page with the artwork's aspect that fits into twice the spec's box.
-cv::Mat render_into_box(const CanvasSpec& spec, Drawers& drawers) {
+cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers) {
   const auto bytes = read_canvas_file(spec.file);
   const int box_width = 2 * spec.width_px;
   const int box_height = 2 * spec.height_px;
@@ -37,6 +38,8 @@ cv::Mat render_into_box(const CanvasSpec& spec, Drawers& drawers) {
   const double fit = std::min(double(box_width) / page.cols, double(box_height) / page.rows);
   return fit >= 1 ? page : drawers.render(bytes, spec.file, std::max(1, int(fit * side)));
 }
+
+namespace {
 
 /// Half transparent or more somewhere, the rim apart: drawing blurs the edge of an opaque page.
 bool has_transparency(const cv::Mat& alpha) {
@@ -66,16 +69,6 @@ void check_box(const CanvasSpec& spec) {
                    "], allowed with a canvas.file: " + std::to_string(kMaxMaskCanvas_px) + " px or less each");
 }
 
-/// Else copies one below the other would not meet.
-void check_whole_height(const OutputSpec& output, const Canvas& canvas) {
-  const long long rows = (long long)(output.width_px) * canvas.height_px;
-  if (canvas.period.y_px == 0 || rows % canvas.width_px == 0) return;
-  const int step = canvas.width_px / std::gcd(canvas.width_px, canvas.height_px);
-  throw InputError("output.width_px: found " + std::to_string(output.width_px) + ", which makes collage.png " +
-                   fixed(double(rows) / canvas.width_px, 2) + " px high; allowed for a canvas that is seamless from " +
-                   "top to bottom: a multiple of " + std::to_string(step));
-}
-
 void check_no_file(const CanvasSpec& spec) {
   if (spec.seamless == Seamless::none) return;
   const std::string& found = find_job_key("canvas", "seamless")->words[std::size_t(spec.seamless)];
@@ -92,16 +85,6 @@ Grid<float> mask_coverage(const cv::Mat& page) {
   return coverage;
 }
 
-void check_picture_height(const OutputSpec& output, const Canvas& canvas) {
-  const double most_px = find_job_key("output", "width_px")->max;
-  const double height_px = double(output.width_px) * canvas.height_px / canvas.width_px;
-  check_whole_height(output, canvas);
-  if (height_px <= most_px) return;
-  throw InputError("output.width_px: found " + std::to_string(output.width_px) + ", which makes collage.png " +
-                   std::to_string(std::lround(height_px)) + " px high; allowed for this canvas: " +
-                   std::to_string(int(most_px * canvas.width_px / canvas.height_px)) + " or less");
-}
-
 void check_images(const Canvas& canvas, const PieceSettings& pieces) {
   if (!canvas.period.repeats()) return;
   const Window nodes = free_field_grid(canvas, pieces).nodes();
@@ -111,10 +94,14 @@ void check_images(const Canvas& canvas, const PieceSettings& pieces) {
                    "pieces of pieces.scale_px reach; allowed: " + fixed(kMaxCanvas_px2 / 1e6, 0) + " million");
 }
 
+Grid<float> canvas_coverage(const cv::Mat& page, const CanvasSpec& spec) {
+  return spec.region_colours.empty() ? mask_coverage(page) : region_coverage(page, spec);
+}
+
 /// A page of the largest size may take three times its pixels.
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds) {
   constexpr std::size_t kMebibyte = std::size_t(1) << 20;
-  const std::size_t side_px = 2 * std::size_t(std::max(spec.width_px, spec.height_px));
+  const std::size_t side_px = std::size_t(std::max({2 * spec.width_px, 2 * spec.height_px, kEdgeSide_px}));
   return {.seconds_per_drawing = seconds,
           .bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * 4 * side_px * side_px)};
 }
@@ -132,8 +119,8 @@ Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
   }
   check_no_file(spec);
   check_box(spec);
-  const cv::Mat page = render_into_box(spec, drawers);
-  const Grid<float> coverage = mask_coverage(page);
+  const cv::Mat page = canvas_page(spec, drawers);
+  const Grid<float> coverage = canvas_coverage(page, spec);
   if (std::min(coverage.width(), coverage.height()) < 2 * kMinCanvas_px) {
     throw InputError("canvas file " + spec.file + ": only " + std::to_string(coverage.width() / 2) + " x " +
                      std::to_string(coverage.height() / 2) + " px in the box of canvas.size_px, allowed: " +
@@ -144,7 +131,7 @@ Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
     throw InputError("canvas file " + spec.file + ": no area to fill; needed: an opaque silhouette on a transparent " +
                      "page or a plain background");
   }
-  canvas.regions = region_distances(page, coverage, spec);
+  canvas.regions = region_distances(page, spec);
   return canvas;
 }
 

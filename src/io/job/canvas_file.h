@@ -1,7 +1,10 @@
 // The canvas of a job: a rectangle, or the silhouette in an SVG or image file.
 #pragma once
 
+#include <cstdint>
 #include <opencv2/core.hpp>
+#include <string>
+#include <vector>
 
 #include "core/field/canvas.h"
 #include "core/geometry/grid.h"
@@ -20,9 +23,14 @@ Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.sec
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
 
-/// Throws InputError where a picture of that width would become higher than the widest one may be, or, on a canvas that
-/// is seamless from top to bottom, not a whole number of px high.
-void check_picture_height(const OutputSpec& output, const Canvas& canvas);
+/// The bytes of canvas.file. Throws InputError.
+std::vector<std::uint8_t> read_canvas_file(const std::string& path);
+
+/// The longest side that the page is drawn with for its edge (canvas_edge.h), where the canvas does not ask for more.
+inline constexpr int kEdgeSide_px = 4096;
+
+/// The page of the spec's file as load_canvas sees it: straight BGRA at twice the canvas' resolution. Errors as load_canvas.
+cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers);
 
 /// Throws InputError where the images beside a seamless canvas make it larger than a canvas may be.
 void check_images(const Canvas& canvas, const PieceSettings& pieces);
@@ -30,5 +38,8 @@ void check_images(const Canvas& canvas, const PieceSettings& pieces);
 /// The region in a page of straight BGRA, as coverage 0..1 of each pixel, the sizes rounded up to even ones: the alpha
 /// where the page is transparent anywhere, else what differs from the colour that prevails along its edge (mask.h).
 Grid<float> mask_coverage(const cv::Mat& page);
+
+/// What of the page is the canvas of this spec: by the colours of its regions, or as mask_coverage says.
+Grid<float> canvas_coverage(const cv::Mat& page, const CanvasSpec& spec);
 
 }  // namespace tessera::io

@@ -9,8 +9,12 @@
 
 namespace tessera::io {
 
-/// The distance to the edge of each region of the spec, in their order; none where the spec has none. `page`: straight
-/// BGRA, `coverage` as mask_coverage gives it. Throws InputError where a region has no place in the file.
-std::vector<CanvasField> region_distances(const cv::Mat& page, const Grid<float>& coverage, const CanvasSpec& spec);
+/// The places of a page (straight BGRA) that belong to a region, as coverage 0..1 of each pixel, the sizes rounded up to
+/// even ones. On an opaque page the colour that prevails along its edge is the background, unless it is a region's.
+Grid<float> region_coverage(const cv::Mat& page, const CanvasSpec& spec);
+
+/// The distance to the edge of each region of the spec, in their order; none where the spec has none. Throws InputError
+/// where a region has no place in the page.
+std::vector<CanvasField> region_distances(const cv::Mat& page, const CanvasSpec& spec);
 
 }  // namespace tessera::io

@@ -261,6 +261,28 @@ void add_colour_keys(std::vector<JobKey>& keys) {
   keys.back().decides = false;
 }
 
+/// A piece as its drawing is, cut out along its outline, is the collage of the paper.
+void add_piece_drawing_keys(std::vector<JobKey>& keys) {
+  using enum JobKind;
+  keys.push_back(with_number({"output", "outline_px", number, "px", 0, 100, {},
+                              "width of a line along the outline of every piece, in px of the canvas; 0 = none"},
+                             FIELD(output.outline_px)));
+  keys.push_back(with_text({"output", "outline_colour", colour, "", 0, 0, {}, "its colour"},
+                           FIELD(output.outline_colour)));
+  keys.push_back(with_number({"output", "shadow_strength", number, "", 0, 1, {},
+                              "of the pieces' shadow on what lies below all of them: 0 = none, 1 = black"},
+                             FIELD(output.shadow_strength)));
+  keys.push_back(with_pair({"output", "shadow_offset_px", point, "px", -200, 200, {},
+                            "how far the shadow lies to the right and down, in px of the canvas"},
+                           FIELD(output.shadow_offset_px[0]), FIELD(output.shadow_offset_px[1])));
+  keys.push_back(with_number({"output", "shadow_blur_px", number, "px", 0.5, 100, {},
+                              "how soft it is: the standard deviation of its blur, in px of the canvas"},
+                             FIELD(output.shadow_blur_px)));
+  keys.push_back(with_text({"output", "clip", word, "", 0, 0, {"outline", kNoClip},
+                            "`outline`: drawings are cut off beside their outline; `none`: they are drawn whole"},
+                           FIELD(output.clip)));
+}
+
 /// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
 void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
@@ -273,11 +295,19 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
                               "devices that each worker of a node takes for itself; 0 = all, shared with the others"},
                              FIELD(devices_per_worker)));
   keys.back().in_result = false;
-  keys.push_back(with_number({"output", "width_px", integer, "px", 64, 20000, {},
-                              "width of collage.png; its height follows from the canvas"},
+  keys.push_back(with_number({"output", "width_px", integer, "px", 64, 60000, {},
+                              "width of collage.png, without `width_mm`; its height follows from the canvas"},
                              FIELD(output.width_px)));
-  keys.push_back(with_text({"output", "background", colour, "", 0, 0, {}, "colour of the canvas; outside it is white"},
+  keys.push_back(with_number({"output", "width_mm", number, "mm", 0, 20000, {},
+                              "width of the canvas on paper; 0 = the pictures have no size on paper"},
+                             FIELD(output.width_mm)));
+  keys.push_back(with_number({"output", "dpi", number, "px per inch", 1, 4800, {},
+                              "with `width_mm`: how finely collage.png is drawn"},
+                             FIELD(output.dpi)));
+  keys.push_back(with_text({"output", "background", colour, "", 0, 0, {kNoColour},
+                            "colour of the canvas, outside it is white; `none`: transparent, the outside too"},
                            FIELD(output.background)));
+  add_piece_drawing_keys(keys);
   for (std::size_t i = first; i < keys.size(); ++i) keys[i].decides = false;
 }
 

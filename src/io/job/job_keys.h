@@ -25,7 +25,7 @@ enum class JobKind {
   texts,            // a list of texts
   files,            // a list of paths
   palette,          // one of JobKey::words, a path, or a list of colours
-  colour,           // "#rrggbb"
+  colour,           // "#rrggbb" or one of JobKey::words
   devices,          // "all", "cpu", "gpu", indices
 };
 

@@ -88,8 +88,10 @@ std::string without_blanks(std::string text) {
   return text;
 }
 
+std::string place_of(const std::string& override) { return "--set " + printable(override); }
+
 void apply_override(const std::string& text, Job& job) {
-  const std::string where = "--set " + printable(text);
+  const std::string where = place_of(text);
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0) throw InputError(where + ": allowed: section.key=value");
   if (text.size() > kMaxJobBytes) throw InputError(where + ": longer than " + std::to_string(kMaxJobBytes) + " bytes");
@@ -145,6 +147,15 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
 
 Job load_job(const std::string& path, const std::vector<std::string>& overrides) {
   return read_job(read_bytes(path), path, overrides);
+}
+
+void set_output_keys(Job& job, const std::vector<std::string>& overrides) {
+  for (const std::string& override : overrides) {
+    if (!without_blanks(override).starts_with("output.")) {
+      throw InputError(place_of(override) + ": allowed where a result is drawn: output.key=value");
+    }
+    apply_override(override, job);
+  }
 }
 
 Job job_from_toml(const std::string& text, const std::string& path) { return read_job(text, path, {}); }

@@ -200,8 +200,11 @@ Result read_text(const JobKey& key, const toml::node& node) {
   const auto* text = node.as_string();
   if (!text) return {};
   if (key.kind == JobKind::word) return read_word(key, text->get());
-  if (key.kind == JobKind::colour) return read_colour(text->get());
   if (key.kind == JobKind::name) return is_name(text->get()) ? Result(JobValue{{}, text->get()}) : Result();
+  if (key.kind == JobKind::colour) {
+    const Result word = read_word(key, text->get());
+    return word ? word : read_colour(text->get());
+  }
   return read_file_name(text->get());
 }
 
@@ -321,7 +324,7 @@ std::string allowed_values(const JobKey& key) {
     case JobKind::palette:
       return quoted_words(key, ", ") + ", the path of a GIMP palette or of a file with a #rrggbb a line, or a list of "
              "\"#rrggbb\"";
-    case JobKind::colour: return "\"#rrggbb\"";
+    case JobKind::colour: return "\"#rrggbb\"" + (key.words.empty() ? "" : " or " + quoted_words(key, " or "));
     case JobKind::devices:
       return quoted_words(key, ", ") + " or distinct indices from " + min + " to " + max + " like \"0,2\" or [0, 2]";
   }

@@ -1,6 +1,7 @@
 #include "io/result/artwork_clip.h"
 
 #include "core/geometry/contour.h"
+#include "io/result/artwork_original.h"
 
 namespace tessera::io {
 namespace {
@@ -21,6 +22,15 @@ Outline artwork_clip(const Shape& shape) {
     for (Vec2& p : curve) p = p * unit - Vec2{shape.field.extent, shape.field.extent};
   }
   return clip;
+}
+
+Outline artwork_page_outline(const Shape& shape) {
+  const Similarity shape_from_artwork = artwork_from_shape(shape.artwork).inverse();
+  const float width = float(shape.artwork.width_px), height = float(shape.artwork.height_px);
+  Outline page;
+  page.curves.push_back({{0, 0}, {width, 0}, {width, height}, {0, height}});
+  for (Vec2& p : page.curves[0]) p = shape_from_artwork.apply(p);
+  return page;
 }
 
 }  // namespace tessera::io

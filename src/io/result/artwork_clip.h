@@ -9,4 +9,7 @@ namespace tessera::io {
 /// The shape's outline, wider by a fiftieth of its size; shape frame, for even-odd filling.
 Outline artwork_clip(const Shape& shape);
 
+/// The whole page of the artwork, for who wants all of it.
+Outline artwork_page_outline(const Shape& shape);
+
 }  // namespace tessera::io

@@ -75,7 +75,9 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
   }
   constexpr const char* kOurs[] = {kManifestName, "run.log", "card.json", "checkpoint.h5", "checkpoint.previous.h5"};
   if (std::any_of(std::begin(kOurs), std::end(kOurs), is_there)) return;
-  for (const char* name : {"pieces.geojson", "card.txt", "job.toml", "collage.svg", "collage.png", "collage.pdf"}) {
+  std::vector<const char*> names = {"pieces.geojson", "card.txt", "job.toml"};
+  names.insert(names.end(), std::begin(kPictureNames), std::end(kPictureNames));
+  for (const char* name : names) {
     if (!is_there(name)) continue;
     throw InputError(in_directory(dir, name) + ": is there, and no run of tessera left it; give another --out, or remove it");
   }

@@ -21,6 +21,7 @@ namespace tessera::io {
 struct CollageReport {
   const Job* job = nullptr;
   const Canvas* canvas = nullptr;
+  std::vector<std::vector<Vec2>> canvas_edge;  // for pictures (canvas_edge.h); empty: the whole rectangle
   std::vector<Placement> placements;
   std::vector<ShapeId> shape_ids;
   std::vector<Shape> shapes;

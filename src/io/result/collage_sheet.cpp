@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "io/artwork/alpha.h"
 #include "io/atomic_file.h"
 #include "io/drawing/drawers.h"
 #include "io/number_text.h"
@@ -25,11 +26,11 @@ constexpr std::size_t kMostPictureBytes = std::size_t(512) << 20;
 /// A picture of 20,000 x 20,000 px decoded, and the file.
 constexpr DrawerSettings kDrawers{.bytes_per_process = std::size_t(2) << 30};
 
-/// The picture shrunk into a cell, as cairo wants it (BGRX); empty where there is none.
+/// The picture shrunk into a cell, as cairo wants it (premultiplied BGRA); empty where there is none.
 cv::Mat picture(Drawers& drawers, const std::string& folder) {
   const std::string path = fs::path(folder) / "collage.png";
   try {
-    return drawers.decode_png(read_regular_file(path, kMostPictureBytes), path, kCell_px);
+    return premultiplied(drawers.decode_png(read_regular_file(path, kMostPictureBytes), path, kCell_px));
   } catch (const InputError&) {
     return {};
   }
@@ -49,13 +50,13 @@ SheetLayout layout_for(const std::vector<cv::Mat>& pictures) {
   return make_sheet_layout(pictures.size(), kCell_px, height_px, kCaption_px, kMaxColumns);
 }
 
-void draw_picture(const Sheet& sheet, std::size_t cell, const cv::Mat& bgrx) {
+void draw_picture(const Sheet& sheet, std::size_t cell, const cv::Mat& bgra) {
   const SheetLayout& layout = sheet.layout();
-  const int x_px = layout.x_px(cell) + (layout.cell_width_px - bgrx.cols) / 2;
-  const int y_px = layout.y_px(cell) + (layout.cell_height_px - bgrx.rows) / 2;
-  cv::Mat pixels = bgrx;  // shared; cairo only reads them
+  const int x_px = layout.x_px(cell) + (layout.cell_width_px - bgra.cols) / 2;
+  const int y_px = layout.y_px(cell) + (layout.cell_height_px - bgra.rows) / 2;
+  cv::Mat pixels = bgra;  // shared; cairo only reads them
   const CairoSurface surface(
-      cairo_image_surface_create_for_data(pixels.data, CAIRO_FORMAT_RGB24, pixels.cols, pixels.rows, int(pixels.step)));
+      cairo_image_surface_create_for_data(pixels.data, CAIRO_FORMAT_ARGB32, pixels.cols, pixels.rows, int(pixels.step)));
   cairo_set_source_surface(sheet.cairo(), surface.get(), x_px, y_px);
   cairo_paint(sheet.cairo());
   cairo_set_source_rgb(sheet.cairo(), 0, 0, 0);  // lets go of the surface

@@ -27,6 +27,8 @@ Similarity picture_from_artwork(const Placement& placement, const Artwork& artwo
   return m;
 }
 
+cv::Rect rect_of(const Window& w) { return {w.x0, w.y0, w.width(), w.height()}; }
+
 int sprite_side(const Artwork& artwork, double picture_px_per_artwork_px) {
   const double wanted = kSupersampling * picture_px_per_artwork_px * std::max(artwork.width_px, artwork.height_px);
   int side = kLeastSprite_px;
@@ -46,16 +48,36 @@ cv::Matx23d sprite_from_rows(const Similarity& picture_from_artwork, double spri
           b, a,  b * u + a * v + inverse.ty * sprite_px - 0.5};
 }
 
+template <class Pixel>
+void lay_over_pixels(const cv::Mat& bgra, cv::Mat& picture) {
+  for (int y = 0; y < bgra.rows; ++y) {
+    const cv::Vec4b* from = bgra.ptr<cv::Vec4b>(y);
+    Pixel* to = picture.ptr<Pixel>(y);
+    for (int x = 0; x < bgra.cols; ++x) {
+      const int rest = 255 - from[x][3];
+      if (rest == 255) continue;
+      for (int c = 0; c < Pixel::channels; ++c) {
+        to[x][c] = std::uint8_t(std::min(255, from[x][c] + (to[x][c] * rest + 127) / 255));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, const Shape& shape, const Outline& clip,
-                                double picture_px, cv::Size picture) {
+                                double line_px, double picture_px, cv::Size picture) {
   if (clip.curves.empty()) return {};
-  const Window reach = bounding_window(clip, scaled(placement.canvas_from_shape, float(picture_px))).grown(1);
+  const Similarity picture_from_shape = scaled(placement.canvas_from_shape, float(picture_px));
+  cv::Rect reach = rect_of(bounding_window(clip, picture_from_shape).grown(1));
+  if (line_px > 0) {
+    reach |= rect_of(bounding_window(shape.outline, picture_from_shape).grown(1 + int(std::ceil(line_px / 2))));
+  }
   PieceDrawing piece;
+  piece.outline = {&shape.outline.curves, picture_from_shape};
   piece.slot = slot;
   piece.picture_from_artwork = picture_from_artwork(placement, shape.artwork, picture_px);
-  piece.box = cv::Rect(reach.x0, reach.y0, reach.width(), reach.height()) & cv::Rect({0, 0}, picture);
+  piece.box = reach & cv::Rect({0, 0}, picture);
   piece.sprite_side_px = sprite_side(shape.artwork, double(piece.picture_from_artwork.scale()));
   return piece;
 }
@@ -76,14 +98,10 @@ cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, in
 }
 
 void lay_over(const cv::Mat& bgra, cv::Mat picture) {
-  for (int y = 0; y < bgra.rows; ++y) {
-    const cv::Vec4b* from = bgra.ptr<cv::Vec4b>(y);
-    cv::Vec3b* to = picture.ptr<cv::Vec3b>(y);
-    for (int x = 0; x < bgra.cols; ++x) {
-      const int rest = 255 - from[x][3];
-      if (rest == 255) continue;
-      for (int c = 0; c < 3; ++c) to[x][c] = std::uint8_t(std::min(255, from[x][c] + (to[x][c] * rest + 127) / 255));
-    }
+  if (picture.channels() == 4) {
+    lay_over_pixels<cv::Vec4b>(bgra, picture);
+  } else {
+    lay_over_pixels<cv::Vec3b>(bgra, picture);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "core/geometry/polygon.h"
 #include "core/geometry/similarity.h"
 #include "core/shape/shape.h"
+#include "io/result/cairo_paint.h"
 #include "io/result/sprite.h"
 
 namespace tessera::io {
@@ -19,19 +20,21 @@ inline constexpr int kStripRows = 64;
 struct PieceDrawing {
   std::size_t slot = 0;             // the shape's
   Similarity picture_from_artwork;  // px
+  PlacedCurves outline;             // the shape's
   cv::Rect box;                     // of the picture; empty: the piece lies beside it
   int sprite_side_px = 0;           // wanted
 };
 
-/// `picture_px`: px of the picture for one of the canvas.
+/// `line_px` is the width of the line along the outline, px of the picture, of which `picture_px` are one px of the canvas.
+/// `shape` must outlive what is returned.
 PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, const Shape& shape, const Outline& clip,
-                                double picture_px, cv::Size picture);
+                                double line_px, double picture_px, cv::Size picture);
 
-/// Rows [begin, end) of the box, counted in the picture; both are multiples of kStripRows or an end of the box.
+/// The artwork in rows [begin, end) of the box, counted in the picture; both are multiples of kStripRows or an end of the box.
 /// Premultiplied BGRA, as wide as the box.
 cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, int end);
 
-/// Lays premultiplied BGRA over a part of the picture (BGR) of the same size.
+/// Lays premultiplied BGRA over a part of the picture of the same size: BGR, or premultiplied BGRA.
 void lay_over(const cv::Mat& bgra, cv::Mat picture);
 
 }  // namespace tessera::io

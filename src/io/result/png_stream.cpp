@@ -3,12 +3,14 @@
 #include <png.h>
 
 #include <cerrno>
+#include <cmath>
 #include <csetjmp>
 #include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
 #include "io/atomic_file.h"
+#include "io/job/picture_size.h"
 
 namespace tessera::io {
 namespace {
@@ -31,11 +33,16 @@ struct PngStream::Encoder {
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;
 
-  bool begin(std::FILE* file, cv::Size size) {
+  bool begin(std::FILE* file, const PictureFormat& format) {
     if (!png || !info || setjmp(png_jmpbuf(png))) return false;
     png_init_io(png, file);
-    png_set_IHDR(png, info, png_uint_32(size.width), png_uint_32(size.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+    png_set_IHDR(png, info, png_uint_32(format.size.width), png_uint_32(format.size.height), 8,
+                 format.alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (format.dpi > 0) {
+      const auto per_metre = png_uint_32(std::lround(format.dpi * 1000 / kMmPerInch));
+      png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
+    }
     png_set_filter(png, PNG_FILTER_TYPE_BASE, kFilter);
     png_set_compression_level(png, kCompression);
     png_write_info(png, info);
@@ -43,9 +50,9 @@ struct PngStream::Encoder {
     return true;
   }
 
-  bool write(const cv::Mat& bgr) {
+  bool write(const cv::Mat& rows) {
     if (setjmp(png_jmpbuf(png))) return false;
-    for (int y = 0; y < bgr.rows; ++y) png_write_row(png, bgr.ptr(y));
+    for (int y = 0; y < rows.rows; ++y) png_write_row(png, rows.ptr(y));
     return true;
   }
 
@@ -59,10 +66,10 @@ struct PngStream::Encoder {
   png_infop info = nullptr;
 };
 
-PngStream::PngStream(const std::string& path, cv::Size size)
+PngStream::PngStream(const std::string& path, const PictureFormat& format)
     : path_(path), file_(std::fopen(temporary_path(path).c_str(), "wbe")), encoder_(std::make_unique<Encoder>()) {
   errno = file_ ? 0 : errno;
-  if (!file_ || !encoder_->begin(file_, size)) fail(errno);
+  if (!file_ || !encoder_->begin(file_, format)) fail(errno);
 }
 
 PngStream::~PngStream() {
@@ -71,9 +78,9 @@ PngStream::~PngStream() {
   std::remove(temporary_path(path_).c_str());
 }
 
-void PngStream::write(const cv::Mat& bgr) {
+void PngStream::write(const cv::Mat& rows) {
   errno = 0;
-  if (!encoder_->write(bgr)) fail(errno);
+  if (!encoder_->write(rows)) fail(errno);
 }
 
 void PngStream::finish() {

@@ -1,4 +1,4 @@
-// A PNG file that is written row by row, so that a picture need not be in memory as a whole.
+// A PNG file that is written row by row.
 #pragma once
 
 #include <cstdio>
@@ -6,21 +6,19 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "io/result/picture_file.h"
+
 namespace tessera::io {
 
-/// 8-bit RGB. The file appears at `path` when it is finished, whole or not at all (atomic_file.h).
-class PngStream {
+class PngStream : public PictureFile {
  public:
-  /// Throws EnvironmentError where the file cannot be written, here and below.
-  PngStream(const std::string& path, cv::Size size);
-  ~PngStream();  // unfinished: removes the temporary file
+  PngStream(const std::string& path, const PictureFormat& format);
+  ~PngStream() override;
   PngStream(const PngStream&) = delete;
   PngStream& operator=(const PngStream&) = delete;
 
-  /// The next rows, BGR (CV_8UC3), as wide as the picture.
-  void write(const cv::Mat& bgr);
-  /// To be called after the last row.
-  void finish();
+  void write(const cv::Mat& rows) override;
+  void finish() override;
 
  private:
   struct Encoder;  // libpng's

@@ -1,9 +1,11 @@
 #include "io/result/result_drawing.h"
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -11,23 +13,26 @@
 #include "io/available_cores.h"
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/drawing/drawers.h"
+#include "io/job/canvas_edge.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
+#include "io/job/picture_size.h"
 #include "io/result/card_drawing.h"
 #include "io/result/finished_result.h"
 #include "io/result/placed_pieces.h"
-#include "io/result/png_output.h"
+#include "io/result/picture_drawing.h"
+#include "io/result/png_stream.h"
 #include "io/result/result_file.h"
 #include "io/result/result_manifest.h"
 #include "io/result/svg_output.h"
+#include "io/result/tiff_pyramid.h"
 
 namespace tessera::io {
 namespace {
 
 Job job_of(const WholeResult& result, const DrawingRequest& request) {
   Job job = result.job;
-  if (request.width_px > 0) job.output.width_px = request.width_px;
-  if (!request.background.empty()) job.output.background = request.background;
+  set_output_keys(job, request.output);
   if (request.library.size() == 1) {
     job.library = request.library.front();
     job.library_files.clear();
@@ -53,11 +58,16 @@ LibraryView library_of(const Job& job, const ResultManifest& manifest) {
                    ": not the library that the collage was made from; --library FILE says where that is");
 }
 
-Canvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver& observer) {
+struct DrawnCanvas {
+  Canvas canvas;
+  std::vector<std::vector<Vec2>> edge;
+};
+
+DrawnCanvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver& observer) {
   Drawers drawers(canvas_drawer_settings(job.canvas));
   const StopWatcher stop(observer, drawers);
   Canvas canvas = load_canvas(job.canvas, drawers);
-  if (canvas_digest(canvas) == manifest.canvas_digest) return canvas;
+  if (canvas_digest(canvas) == manifest.canvas_digest) return {std::move(canvas), canvas_edge(job.canvas, drawers)};
   throw InputError(job.canvas.file + ": another content than when the collage was made; put the file back to draw it");
 }
 
@@ -112,22 +122,31 @@ class ResultPictures {
     end("collage.svg");
   }
 
-  void png() {
-    begin("collage.png");
-    const std::size_t rows = std::size_t(picture_size(report_).height);
-    write_collage_png(path_in_result(dir_, "collage.png"), report_, artworks_, stop_,
-                      [&](std::size_t done) { observer_.progressed("collage.png", done, rows); });
-    end("collage.png");
+  /// Drawn once for both.
+  void pixels(bool png, bool tiff) {
+    std::vector<const char*> names;
+    if (png) names.push_back("collage.png");
+    if (tiff) names.push_back("collage.tiff");
+    for (const char* name : names) begin(name);
+    const std::size_t rows = std::size_t(picture_size_px(report_.job->output, *report_.canvas).height);
+    const PictureFormat format = picture_format(report_);
+    std::vector<std::unique_ptr<PictureFile>> owned;
+    if (png) owned.push_back(std::make_unique<PngStream>(path_in_result(dir_, "collage.png"), format));
+    if (tiff) owned.push_back(std::make_unique<TiffPyramid>(path_in_result(dir_, "collage.tiff"), format));
+    std::vector<PictureFile*> files;
+    for (const auto& file : owned) files.push_back(file.get());
+    write_picture(report_, artworks_, files, stop_,
+                  [&](std::size_t done) { observer_.progressed(names.front(), done, rows); });
+    for (const char* name : names) end(name);
   }
 
   void pdf() {
     begin("collage.pdf");
-    constexpr double kPointsOfPx = 72. / 96;  // CSS
     const std::string svg = drawn_svg("collage.pdf");
     const std::span bytes(reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size());
     Drawers drawer(kWholeCollage);
     const StopWatcher stop(observer_, drawer);
-    const std::vector<std::uint8_t> pdf = drawer.pdf_of_svg(bytes, report_.job->output.width_px * kPointsOfPx);
+    const std::vector<std::uint8_t> pdf = drawer.pdf_of_svg(bytes, width_pt());
     stop_.check();
     write_file_atomically(path_in_result(dir_, "collage.pdf"), pdf);
     end("collage.pdf");
@@ -145,9 +164,14 @@ class ResultPictures {
   }
 
   void end(const char* name) {
-    const OutputSpec& output = report_.job->output;
-    manifest_.pictures.push_back({name, output.width_px, output.background});
+    manifest_.pictures.push_back({name, report_.job->output});
     write_manifest(dir_, manifest_);
+  }
+
+  double width_pt() const {
+    constexpr double kPointsPerInch = 72, kPxPerInch = 96;  // CSS
+    const OutputSpec& output = report_.job->output;
+    return kPointsPerInch * (output.width_mm == 0 ? output.width_px / kPxPerInch : output.width_mm / kMmPerInch);
   }
 
   std::string drawn_svg(const char* picture) {
@@ -180,17 +204,18 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   stop.check();
   const LibraryView library = library_of(job, manifest);
   stop.check();
-  const Canvas canvas = canvas_of(job, manifest, observer);
-  check_picture_height(job.output, canvas);
+  DrawnCanvas canvas = canvas_of(job, manifest, observer);
+  check_picture_size(job.output, canvas.canvas);
   CollageReport report;
   report.job = &job;
-  report.canvas = &canvas;
+  report.canvas = &canvas.canvas;
+  report.canvas_edge = std::move(canvas.edge);
   report.placements = placements_of(dir, manifest, library.size());
   add_shapes(library, stop, report);
   report.colours = manifest.colours;
   ResultPictures pictures(dir, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
-  if (request.png) pictures.png();
+  if (request.png || request.tiff) pictures.pixels(request.png, request.tiff);
   if (request.pdf) pictures.pdf();
   DrawingNotes notes = pictures.notes();
   notes.layers = drawers.layers();

@@ -12,18 +12,18 @@ namespace tessera::io {
 
 /// What is not given is as the result's job says.
 struct DrawingRequest {
-  int width_px = 0;        // 0: output.width_px
-  std::string background;  // "#rrggbb"; empty: output.background
+  std::vector<std::string> output;   // "output.key=value", a later one wins
   std::vector<std::string> library;  // where its files are now; empty: as in the job
   bool png = false;
   bool svg = false;
   bool pdf = false;
+  bool tiff = false;
 };
 
-/// Draws collage.svg, collage.png and collage.pdf, as many as are wanted, into `dir`, and writes into the cards and the
+/// Draws collage.svg, collage.png, collage.pdf and collage.tiff, as many as are wanted, into `dir`, and writes into the cards and the
 /// manifest what was drawn. Each picture appears whole or not at all; the same result gives the same bytes. A finished
 /// and an unfinished result are drawn alike. Throws InputError where `dir` holds no result, or where library or canvas
-/// are not those that it was made with; EnvironmentError; DrawingStopped (drawers.h): then the pictures done so far are
+/// are not those that it was made with, or where a key is wrong; EnvironmentError; DrawingStopped (drawers.h): then the pictures done so far are
 /// there.
 DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, DrawingObserver& observer);
 

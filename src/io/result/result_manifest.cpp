@@ -8,6 +8,7 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
+#include "io/job/picture_size.h"
 #include "io/result/result_file.h"
 
 namespace tessera::io {
@@ -40,6 +41,37 @@ void check_colours(const ResultManifest& manifest) {
   }
 }
 
+Json to_json(const DrawnPicture& picture) {
+  const OutputSpec& output = picture.output;
+  return {{"file", picture.file},
+          {"width_px", picture_width_px(output)},
+          {"width_mm", output.width_mm},
+          {"dpi", output.dpi},
+          {"background", output.background},
+          {"outline_px", output.outline_px},
+          {"outline_colour", output.outline_colour},
+          {"shadow_strength", output.shadow_strength},
+          {"shadow_offset_px", output.shadow_offset_px},
+          {"shadow_blur_px", output.shadow_blur_px},
+          {"clip", output.clip}};
+}
+
+/// Results of earlier versions say less: then it is as the defaults are.
+OutputSpec output_from_json(const Json& picture) {
+  OutputSpec output;
+  output.width_px = picture.at("width_px");
+  output.width_mm = picture.value("width_mm", output.width_mm);
+  output.dpi = picture.value("dpi", output.dpi);
+  output.background = picture.at("background");
+  output.outline_px = picture.value("outline_px", output.outline_px);
+  output.outline_colour = picture.value("outline_colour", output.outline_colour);
+  output.shadow_strength = picture.value("shadow_strength", output.shadow_strength);
+  if (picture.contains("shadow_offset_px")) picture.at("shadow_offset_px").get_to(output.shadow_offset_px);
+  output.shadow_blur_px = picture.value("shadow_blur_px", output.shadow_blur_px);
+  output.clip = picture.value("clip", output.clip);
+  return output;
+}
+
 ResultManifest from_json(const Json& json) {
   if (json.at("format") != kFormat) throw InputError("another format than " + std::to_string(kFormat));
   ResultManifest manifest;
@@ -53,7 +85,7 @@ ResultManifest from_json(const Json& json) {
   if (json.contains("colours")) manifest.colours = json.at("colours").get<std::vector<std::string>>();
   check_colours(manifest);
   for (const Json& picture : json.at("pictures")) {
-    manifest.pictures.push_back({picture.at("file"), picture.at("width_px"), picture.at("background")});
+    manifest.pictures.push_back({picture.at("file"), output_from_json(picture)});
   }
   return manifest;
 }
@@ -86,7 +118,7 @@ std::string digest_text(const std::string& bytes) {
 void write_manifest(const std::string& dir, const ResultManifest& manifest) {
   Json pictures = Json::array();
   for (const DrawnPicture& picture : manifest.pictures) {
-    pictures.push_back({{"file", picture.file}, {"width_px", picture.width_px}, {"background", picture.background}});
+    pictures.push_back(to_json(picture));
   }
   Json json{{"format", kFormat},
             {"state", manifest.finished ? "finished" : "unfinished"},

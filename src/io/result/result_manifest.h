@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "core/shape/shape_id.h"
+#include "io/job/job_file.h"
 
 namespace tessera::io {
 
 inline constexpr const char* kManifestName = "manifest.json";
-inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "collage.pdf"};
+inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "collage.pdf", "collage.tiff"};
 
 struct DrawnPicture {
   std::string file;  // its name in the folder
-  int width_px = 0;
-  std::string background;
+  OutputSpec output = {};
 
   friend bool operator==(const DrawnPicture&, const DrawnPicture&) = default;
 };

@@ -70,9 +70,10 @@ SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
 
 ShapeArtworks::ShapeArtworks(const CollageReport& report, Drawers& drawers, const StopWatcher& stop)
     : report_(report), drawers_(drawers), stop_(stop) {
+  const bool whole = report.job->output.clip == kNoClip;
   for (const Shape& shape : report.shapes) {
     stop.check();
-    clips_.push_back(artwork_clip(shape));
+    clips_.push_back(whole ? artwork_page_outline(shape) : artwork_clip(shape));
   }
 }
 

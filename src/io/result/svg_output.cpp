@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/contour.h"
 #include "core/geometry/rasterise.h"
+#include "io/job/picture_size.h"
 #include "io/number_text.h"
 #include "io/parallel_for.h"
 #include "io/result/artwork_original.h"
 #include "io/result/drawn_pieces.h"
+#include "io/result/svg_layers.h"
 #include "io/result/svg_path.h"
+#include "io/utf8_text.h"
 #include "io/xml_writer.h"
 
 namespace tessera::io {
@@ -17,6 +19,10 @@ namespace {
 
 std::string symbol_id(std::size_t slot) { return "a" + std::to_string(slot); }
 std::string clip_id(std::size_t slot) { return "c" + std::to_string(slot); }
+std::string outline_id(std::size_t slot) { return "o" + std::to_string(slot); }
+
+bool has_shadow(const OutputSpec& output) { return output.shadow_strength > 0; }
+bool has_outlines(const OutputSpec& output) { return output.outline_px > 0 || has_shadow(output); }
 
 std::vector<SvgSymbol> make_symbols(const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done) {
   std::vector<SvgSymbol> symbols(report.shapes.size());
@@ -27,26 +33,26 @@ std::vector<SvgSymbol> make_symbols(const CollageReport& report, ShapeArtworks& 
   return symbols;
 }
 
-/// The region's boundary where the distance is zero. contours() takes what lies beyond the grid as 0 and wants a
-/// positive level, so everything is raised.
-std::vector<std::vector<Vec2>> region_curves(const CanvasField& distance) {
-  constexpr float kRaise = 100;
-  Grid<float> raised = distance.value;
-  for (float& v : raised.data()) v = std::max(0.f, v + kRaise);
-  return contours(raised, kRaise);
+void start_layer(const SvgLayer& layer, XmlWriter& svg) {
+  svg.start("g").attribute("id", layer.id);
+  svg.attribute("inkscape:groupmode", "layer").attribute("inkscape:label", layer.label);
 }
+
+const SvgLayer kCanvasLayer{.id = "layer-canvas", .label = "Canvas", .pieces = {}};
+const SvgLayer kShadowLayer{.id = "layer-shadow", .label = "Shadow", .pieces = {}};
 
 void write_canvas(const CollageReport& report, XmlWriter& svg) {
   const std::string& background = report.job->output.background;
+  if (background == kNoColour) return;
+  start_layer(kCanvasLayer, svg);
   svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", "#ffffff").end();
-  if (report.job->canvas.file.empty()) {
+  if (report.canvas_edge.empty()) {
     svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", background).end();
   } else {
-    const CanvasField& distance = report.canvas->distance;
-    const Similarity canvas_from_grid{1, 0, distance.origin.x, distance.origin.y};
     svg.start("path").attribute("fill", background).attribute("fill-rule", "evenodd");
-    svg.attribute("d", svg_path(region_curves(distance), canvas_from_grid)).end();
+    svg.attribute("d", svg_path(report.canvas_edge, {1, 0, 0, 0})).end();
   }
+  svg.end();
 }
 
 /// Canvas px from the symbol's units.
@@ -65,25 +71,125 @@ std::string matrix_text(const Placement& placement, const Artwork& artwork, doub
   return text;
 }
 
+Similarity symbol_from_shape(const Shape& shape, const SvgSymbol& symbol) {
+  return scaled(artwork_from_shape(shape.artwork), float(1 / symbol.artwork_px_per_unit));
+}
+
 /// In the units of the shape's symbol.
 void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip, std::size_t slot, XmlWriter& svg) {
-  const Similarity symbol_from_shape = scaled(artwork_from_shape(shape.artwork), float(1 / symbol.artwork_px_per_unit));
   svg.raw("\n").start("clipPath").attribute("id", clip_id(slot));
   svg.start("path").attribute("clip-rule", "evenodd");
-  svg.attribute("d", svg_path(clip.curves, symbol_from_shape)).end();
+  svg.attribute("d", svg_path(clip.curves, symbol_from_shape(shape, symbol))).end();
   svg.end();
 }
 
-void write_pieces(const CollageReport& report, const ShapeArtworks& artworks, const std::vector<SvgSymbol>& symbols,
-                  XmlWriter& svg) {
-  for (const auto& [placement, piece] : drawn_pieces(report, artworks)) {
+/// Over the canvas and as far around it as what lies there darkens it.
+void write_shadow_filter(const CollageReport& report, XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  const double around_px = 3 * output.shadow_blur_px;
+  svg.raw("\n").start("filter").attribute("id", "shadow").attribute("filterUnits", "userSpaceOnUse");
+  svg.attribute("x", fixed(-around_px, 3)).attribute("y", fixed(-around_px, 3));
+  svg.attribute("width", fixed(report.canvas->width_px + 2 * around_px, 3));
+  svg.attribute("height", fixed(report.canvas->height_px + 2 * around_px, 3));
+  svg.start("feGaussianBlur").attribute("stdDeviation", fixed(output.shadow_blur_px, 3)).end();
+  svg.end();
+}
+
+/// The same of the outline, without a colour of its own.
+void write_outline(const Shape& shape, const SvgSymbol& symbol, std::size_t slot, XmlWriter& svg) {
+  svg.raw("\n").start("path").attribute("id", outline_id(slot));
+  svg.attribute("d", svg_path(shape.outline.curves, symbol_from_shape(shape, symbol))).end();
+}
+
+void write_definitions(const CollageReport& report, const ShapeArtworks& artworks, const std::vector<SvgSymbol>& symbols,
+                       XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  svg.raw("\n").start("defs");
+  for (const SvgSymbol& symbol : symbols) svg.raw("\n").raw(symbol.xml);
+  for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
+    if (output.clip != kNoClip) write_clip(report.shapes[slot], symbols[slot], artworks.clip(slot), slot, svg);
+    if (has_outlines(output)) write_outline(report.shapes[slot], symbols[slot], slot, svg);
+  }
+  if (has_shadow(output)) write_shadow_filter(report, svg);
+  svg.end().raw("\n");
+}
+
+/// All shadows together, so that where two meet it is no darker.
+void write_shadow(const CollageReport& report, const std::vector<DrawnPiece>& drawn,
+                  const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  if (!has_shadow(output)) return;
+  start_layer(kShadowLayer, svg);
+  svg.start("g").attribute("filter", "url(#shadow)").attribute("opacity", fixed(output.shadow_strength, 3));
+  svg.start("g").attribute("fill-rule", "evenodd");
+  svg.attribute("transform", "translate(" + fixed(output.shadow_offset_px[0], 3) + " " +
+                                 fixed(output.shadow_offset_px[1], 3) + ")");
+  for (const auto& [placement, piece] : drawn) {
     const std::size_t slot = report.slot_of(placement.shape);
-    svg.raw("\n").start("use").attribute("xlink:href", "#" + symbol_id(slot));
-    svg.attribute("clip-path", "url(#" + clip_id(slot) + ")");
-    if (!report.colours.empty()) svg.attribute("fill", report.colours[piece]);
-    svg.attribute("transform",
-                  matrix_text(placement, report.shapes[slot].artwork, symbols[slot].artwork_px_per_unit));
+    svg.raw("\n").start("use").attribute("xlink:href", "#" + outline_id(slot));
+    svg.attribute("transform", matrix_text(placement, report.shapes[slot].artwork, symbols[slot].artwork_px_per_unit));
     svg.end();
+  }
+  svg.end().end().end();
+}
+
+/// Along the piece's outline, in the units of its symbol.
+void write_line(const CollageReport& report, const Placement& placement, std::size_t slot, const SvgSymbol& symbol,
+                XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  const double canvas_px = double(placement.canvas_from_shape.scale()) / double(report.shapes[slot].artwork.unit_px) *
+                           symbol.artwork_px_per_unit;  // of a unit
+  svg.start("use").attribute("xlink:href", "#" + outline_id(slot)).attribute("fill", "none");
+  svg.attribute("stroke", output.outline_colour).attribute("stroke-width", fixed(output.outline_px / canvas_px, 4));
+  svg.attribute("stroke-linejoin", "round").end();
+}
+
+/// A group of its own, so that what belongs to a piece moves with it. `again`: another image of a piece that has one.
+void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symbols, const DrawnPiece& drawn, bool again,
+                 XmlWriter& svg) {
+  const Placement& placement = drawn.placement;
+  const std::size_t slot = report.slot_of(placement.shape);
+  const Shape& shape = report.shapes[slot];
+  const std::string title = printable_utf8(shape.name);
+  svg.raw("\n").start("g");
+  if (!again) svg.attribute("id", svg_piece_id(drawn.piece, shape.name));
+  svg.attribute("inkscape:label", title);
+  svg.attribute("transform", matrix_text(placement, shape.artwork, symbols[slot].artwork_px_per_unit));
+  svg.start("title").text(title).end();
+  svg.start("use").attribute("xlink:href", "#" + symbol_id(slot));
+  const OutputSpec& output = report.job->output;
+  if (output.clip != kNoClip) svg.attribute("clip-path", "url(#" + clip_id(slot) + ")");
+  if (!report.colours.empty()) svg.attribute("fill", report.colours[drawn.piece]);
+  svg.end();
+  if (output.outline_px > 0) write_line(report, placement, slot, symbols[slot], svg);
+  svg.end();
+}
+
+/// Layer by layer, in the order of their first pieces; within a layer in order of placement.
+void write_pieces(const CollageReport& report, const std::vector<DrawnPiece>& drawn,
+                  const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
+  const auto by_piece = [](const DrawnPiece& a, std::size_t piece) { return a.piece < piece; };
+  for (const SvgLayer& layer : piece_layers(report.placements)) {
+    svg.raw("\n");
+    start_layer(layer, svg);
+    for (const std::size_t piece : layer.pieces) {
+      const auto first = std::lower_bound(drawn.begin(), drawn.end(), piece, by_piece);
+      for (auto image = first; image != drawn.end() && image->piece == piece; ++image) {
+        write_piece(report, symbols, *image, image != first, svg);
+      }
+    }
+    svg.end();
+  }
+}
+
+void write_size(const CollageReport& report, XmlWriter& svg) {
+  const OutputSpec& output = report.job->output;
+  if (output.width_mm == 0) {
+    const cv::Size size = picture_size_px(output, *report.canvas);
+    svg.attribute("width", std::to_string(size.width)).attribute("height", std::to_string(size.height));
+  } else {
+    const double height_mm = output.width_mm * report.canvas->height_px / report.canvas->width_px;
+    svg.attribute("width", fixed(output.width_mm, 3) + "mm").attribute("height", fixed(height_mm, 3) + "mm");
   }
 }
 
@@ -92,21 +198,17 @@ void write_pieces(const CollageReport& report, const ShapeArtworks& artworks, co
 std::string collage_svg(const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done) {
   const std::vector<SvgSymbol> symbols = make_symbols(report, artworks, done);
   const std::string size = std::to_string(report.canvas->width_px) + " " + std::to_string(report.canvas->height_px);
-  const double picture_px = double(report.job->output.width_px) / report.canvas->width_px;
   XmlWriter svg;
   svg.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n").start("svg").attribute("xmlns", "http://www.w3.org/2000/svg");
   svg.attribute("xmlns:xlink", "http://www.w3.org/1999/xlink").attribute("version", "1.1");
-  svg.attribute("width", std::to_string(report.job->output.width_px));
-  svg.attribute("height", std::to_string(std::lround(report.canvas->height_px * picture_px)));
+  svg.attribute("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape");
+  write_size(report, svg);
   svg.attribute("viewBox", "0 0 " + size);
-  svg.raw("\n").start("defs");
-  for (const SvgSymbol& symbol : symbols) svg.raw("\n").raw(symbol.xml);
-  for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
-    write_clip(report.shapes[slot], symbols[slot], artworks.clip(slot), slot, svg);
-  }
-  svg.end().raw("\n");
+  write_definitions(report, artworks, symbols, svg);
   write_canvas(report, svg);
-  write_pieces(report, artworks, symbols, svg);
+  const std::vector<DrawnPiece> drawn = drawn_pieces(report, artworks);
+  write_shadow(report, drawn, symbols, svg);
+  write_pieces(report, drawn, symbols, svg);
   return svg.raw("\n").finish();
 }
 

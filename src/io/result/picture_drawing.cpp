@@ -1,15 +1,17 @@
-#include "io/result/png_output.h"
+#include "io/result/picture_drawing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <future>
 #include <utility>
 
-#include "core/field/field_lookup.h"
+#include "io/artwork/alpha.h"
+#include "io/job/picture_size.h"
 #include "io/parallel_for.h"
+#include "io/result/cairo_paint.h"
 #include "io/result/drawn_pieces.h"
 #include "io/result/piece_drawing.h"
-#include "io/result/png_stream.h"
+#include "io/result/shadow.h"
 #include "io/result/sprite_cache.h"
 
 namespace tessera::io {
@@ -45,25 +47,33 @@ class PictureBands {
   PictureBands(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits)
       : report_(report),
         limits_(limits),
-        size_(picture_size(report)),
+        size_(picture_size_px(report.job->output, *report.canvas)),
         picture_px_(double(size_.width) / report.canvas->width_px),
-        background_(parse_colour(report.job->output.background)),
+        opaque_(report.job->output.background != kNoColour),
+        background_(opaque_ ? parse_colour(report.job->output.background) : cv::Vec3b()),
+        line_colour_(parse_colour(report.job->output.outline_colour)),
+        shadow_(report, size_),
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
     for (const auto& [placement, piece] : drawn_pieces(report, artworks)) {
       if (!report.colours.empty()) tints_.push_back(parse_colour(report.colours[piece]));
       const std::size_t slot = report.slot_of(placement.shape);
-      pieces_.push_back(make_piece_drawing(placement, slot, report.shapes[slot], artworks.clip(slot), picture_px_, size_));
+      pieces_.push_back(
+          make_piece_drawing(placement, slot, report.shapes[slot], artworks.clip(slot), line_px(), picture_px_, size_));
     }
     tiles_.resize(pieces_.size());
   }
 
   int rows() const { return size_.height; }
+  int rows_in_band() const {
+    const std::size_t strip_bytes = std::size_t(kStripRows) * std::size_t(size_.width) * (opaque_ ? 3 : 4);
+    return std::clamp(int(limits_.band_bytes / strip_bytes) * kStripRows, kStripRows, limits_.band_rows);
+  }
 
   cv::Mat band(int top) {
-    const int bottom = std::min(top + limits_.band_rows, size_.height);
+    const int bottom = std::min(top + rows_in_band(), size_.height);
     const std::vector<std::size_t> reaching = pieces_between(top, bottom);
     draw_tiles(reaching, top, bottom);
-    cv::Mat picture(bottom - top, size_.width, CV_8UC3);
+    cv::Mat picture(bottom - top, size_.width, opaque_ ? CV_8UC3 : CV_8UC4);
     const int strips = (picture.rows + kStripRows - 1) / kStripRows;
     parallel_for(std::size_t(strips), [&](std::size_t strip) {
       const int begin = int(strip) * kStripRows;
@@ -76,6 +86,9 @@ class PictureBands {
   }
 
  private:
+  /// Along the outlines, px of the picture.
+  double line_px() const { return report_.job->output.outline_px * picture_px_; }
+
   std::vector<std::size_t> pieces_between(int top, int bottom) const {
     std::vector<std::size_t> reaching;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -107,12 +120,17 @@ class PictureBands {
       const auto sprite = sprites_.get(piece.slot, piece.sprite_side_px);
       tile.bgra = draw_rows(piece, *sprite, tile.top, ends[k]);
       if (!tints_.empty()) tint(tile.bgra, tints_[missing[k]]);
+      if (line_px() > 0) draw_line(piece.outline, line_px(), line_colour_, {piece.box.x, tile.top}, tile.bgra);
     });
   }
 
-  /// The background colour fades over one pixel of the picture at the canvas' edge.
   void draw_strip(const std::vector<std::size_t>& reaching, int top, cv::Mat strip) const {
-    draw_canvas(top, strip);
+    if (opaque_) {
+      draw_canvas(top, strip);
+    } else {
+      strip.setTo(cv::Scalar::all(0));
+    }
+    shadow_.draw(top, strip);
     for (const std::size_t i : reaching) {
       const Tile& tile = tiles_[i];
       const int begin = std::max(top, tile.top), end = std::min(top + strip.rows, tile.bottom());
@@ -121,16 +139,24 @@ class PictureBands {
       lay_over(tile.bgra.rowRange(begin - tile.top, end - tile.top),
                strip(cv::Rect(box.x, begin - top, box.width, end - begin)));
     }
+    if (!opaque_) straighten(strip);
   }
 
+  /// The background colour fades over one pixel of the picture at the canvas' edge.
   void draw_canvas(int top, cv::Mat& strip) const {
-    const FieldView distance(report_.canvas->distance);
+    if (report_.canvas_edge.empty()) {
+      strip.setTo(cv::Scalar(background_[0], background_[1], background_[2]));
+      return;
+    }
+    const cv::Mat coverage = filled_coverage(report_.canvas_edge, {float(picture_px_), 0, 0, 0},
+                                             {0, top, strip.cols, strip.rows});
     for (int y = 0; y < strip.rows; ++y) {
       cv::Vec3b* row = strip.ptr<cv::Vec3b>(y);
+      const std::uint8_t* inside = coverage.ptr(y);
       for (int x = 0; x < strip.cols; ++x) {
-        const Vec2 p{float((x + 0.5) / picture_px_), float((top + y + 0.5) / picture_px_)};
-        const double inside = std::clamp(double(field_value(distance, p)) * picture_px_ + 0.5, 0., 1.);
-        for (int c = 0; c < 3; ++c) row[x][c] = std::uint8_t(std::lround(255 + (background_[c] - 255) * inside));
+        for (int c = 0; c < 3; ++c) {
+          row[x][c] = std::uint8_t((255 * (255 - inside[x]) + background_[c] * inside[x] + 127) / 255);
+        }
       }
     }
   }
@@ -148,7 +174,10 @@ class PictureBands {
   const PictureLimits limits_;
   const cv::Size size_;
   const double picture_px_;  // picture px of a canvas px
+  const bool opaque_;
   const cv::Vec3b background_;
+  const cv::Vec3b line_colour_;
+  const Shadow shadow_;
   SpriteCache sprites_;
   std::vector<PieceDrawing> pieces_;
   std::vector<cv::Vec3b> tints_;  // of the pieces; empty: their own colours
@@ -158,17 +187,11 @@ class PictureBands {
 
 }  // namespace
 
-cv::Size picture_size(const CollageReport& report) {
-  const int width_px = report.job->output.width_px;
-  const double px = double(width_px) / report.canvas->width_px;
-  return {width_px, std::max(1, cvRound(report.canvas->height_px * px))};
-}
-
 void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
                   const std::function<void(const cv::Mat& rows)>& take) {
   PictureBands bands(report, artworks, limits);
   std::future<void> taken;  // the band before, while this one is drawn; its destructor waits
-  for (int top = 0; top < bands.rows(); top += limits.band_rows) {
+  for (int top = 0; top < bands.rows(); top += bands.rows_in_band()) {
     cv::Mat band = bands.band(top);
     if (taken.valid()) taken.get();
     taken = std::async(std::launch::async, [&take, band = std::move(band)] { take(band); });
@@ -176,19 +199,25 @@ void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const Pi
   if (taken.valid()) taken.get();
 }
 
-void write_collage_png(const std::string& path, const CollageReport& report, ShapeArtworks& artworks,
-                       const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed) {
-  PngStream png(path, picture_size(report));
+PictureFormat picture_format(const CollageReport& report) {
+  const OutputSpec& output = report.job->output;
+  return {.size = picture_size_px(output, *report.canvas),
+          .alpha = output.background == kNoColour,
+          .dpi = output.width_mm == 0 ? 0 : output.dpi};
+}
+
+void write_picture(const CollageReport& report, ShapeArtworks& artworks, const std::vector<PictureFile*>& files,
+                   const StopWatcher& stop, const std::function<void(std::size_t rows)>& progressed) {
   std::size_t written = 0;
   draw_picture(report, artworks, {}, [&](const cv::Mat& rows) {
     for (int y = 0; y < rows.rows; y += kStripRows) {
       stop.check();
-      png.write(rows.rowRange(y, std::min(y + kStripRows, rows.rows)));
+      for (PictureFile* file : files) file->write(rows.rowRange(y, std::min(y + kStripRows, rows.rows)));
     }
     progressed(written += std::size_t(rows.rows));
   });
   stop.check();
-  png.finish();
+  for (PictureFile* file : files) file->finish();
 }
 
 }  // namespace tessera::io

@@ -1,0 +1,21 @@
+// How large the pictures of a collage are: in px, and on paper.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "core/field/canvas.h"
+#include "io/job/job_file.h"
+
+namespace tessera::io {
+
+inline constexpr double kMmPerInch = 25.4;
+
+/// Of collage.png: width_mm at its dpi where it is given, else width_px.
+int picture_width_px(const OutputSpec& output);
+cv::Size picture_size_px(const OutputSpec& output, const Canvas& canvas);
+
+/// Throws InputError, which names the key, where that size has less than 64 px in width or more than the widest picture
+/// (output.width_px) in width or height.
+void check_picture_size(const OutputSpec& output, const Canvas& canvas);
+
+}  // namespace tessera::io

@@ -1,0 +1,26 @@
+// A picture that goes to a file some rows at a time, so that it need not be in memory as a whole.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace tessera::io {
+
+struct PictureFormat {
+  cv::Size size;       // px
+  bool alpha = false;  // 8-bit RGBA with straight alpha, else RGB
+  double dpi = 0;      // said in the file; 0 = nothing said
+};
+
+/// The file appears under its name when it is finished, whole or not at all (atomic_file.h). All members throw
+/// EnvironmentError where it cannot be written.
+class PictureFile {
+ public:
+  virtual ~PictureFile() = default;  // unfinished: nothing is left of it
+
+  /// The next rows, BGR (CV_8UC3) or with alpha straight BGRA (CV_8UC4), as wide as the picture.
+  virtual void write(const cv::Mat& rows) = 0;
+  /// To be called after the last row.
+  virtual void finish() = 0;
+};
+
+}  // namespace tessera::io
