@@ -1,5 +1,6 @@
 #include "cli/collage_warnings.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "io/job/job_keys.h"
@@ -49,6 +50,19 @@ std::string empty_result_warning(const std::string& folder, const io::Job& job, 
            " ended it before the first piece";
   }
   return folder + ": the collage is empty: nothing fits; try " + what_to_try(job);
+}
+
+std::string used_up_warning(const io::Job& job, const master::CollageResult& result, double covered) {
+  constexpr double kFilled = 0.85;  // of the canvas, by a library that fits it
+  if (result.statistics.stopped_by != "used_up" || covered <= 0 || covered >= kFilled - 0.1) return "";
+  const double factor = std::sqrt(kFilled / covered);
+  const PieceSettings& pieces = job.settings.pieces;
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "the library is used up with %.0f %% of the canvas covered; pieces %.1f times as large would fill it: "
+                "pieces.scale_px = [%.0f, %.0f], or pieces.fit = \"all\"; so would more uses (pieces.uses)",
+                100 * covered, factor, factor * double(pieces.min_scale_px), factor * double(pieces.max_scale_px));
+  return text;
 }
 
 void print_warning(const std::string& warning) {

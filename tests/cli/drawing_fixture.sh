@@ -4,6 +4,7 @@
 make_drawn_job() { # TRIALS WIDTH_PX
   make_job "$1"
   sed -i "s/width_px = 240/width_px = $2/" job.toml
+  printf '[colour]\npieces = "artwork"\n' >>job.toml  # not silhouettes, though all drawings have one colour
   run_ms=$(date +%s%3N)
   start 1 expected --set checkpoint.every_s=0
   expect_end 0 "the undisturbed run"

@@ -38,5 +38,19 @@ TEST(EmptyResultWarning, is_none_where_there_are_pieces_or_may_be_later) {
   EXPECT_EQ(empty_result_warning("out/a", io::Job(), result), "");
 }
 
+TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
+  io::Job job;
+  job.settings.pieces.min_scale_px = 20;
+  job.settings.pieces.max_scale_px = 100;
+  master::CollageResult result;
+  result.statistics.stopped_by = "full";
+  EXPECT_EQ(used_up_warning(job, result, 0.2125), "");
+  result.statistics.stopped_by = "used_up";
+  EXPECT_EQ(used_up_warning(job, result, 0.2125),
+            "the library is used up with 21 % of the canvas covered; pieces 2.0 times as large would fill it: "
+            "pieces.scale_px = [40, 200], or pieces.fit = \"all\"; so would more uses (pieces.uses)");
+  EXPECT_EQ(used_up_warning(job, result, 0.8), "") << "hardly more is to be had";
+}
+
 }  // namespace
 }  // namespace tessera::cli

@@ -91,7 +91,7 @@ TEST(ResultFormat, has_every_file) {
 }
 
 TEST(ResultFormat, has_every_reason_for_the_end) {
-  for (const char* reason : {"full", "pieces", "coverage", "seconds", "signal", "time_limit"}) {
+  for (const char* reason : {"full", "used_up", "pieces", "coverage", "seconds", "signal", "time_limit"}) {
     EXPECT_NE(documented_section("### run").find("\n| `" + std::string(reason) + "` | "), std::string::npos) << reason;
   }
 }

@@ -143,7 +143,8 @@ std::string improvement_text(const RunStatistics& run) {
 std::string end_text(const RunStatistics& run, const ImproveSettings& improve) {
   if (run.trials == 0) return run.stopped_by;
   const std::string limit = improve.trials > 0 ? " of " + grouped(std::uint64_t(improve.trials)) : "";
-  return run.stopped_by + (run.stopped_by == "full" ? ", then " : " after ") + grouped(run.trials) + limit + " trials";
+  const bool then = run.stopped_by == "full" || run.stopped_by == "used_up";
+  return run.stopped_by + (then ? ", then " : " after ") + grouped(run.trials) + limit + " trials";
 }
 
 std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
