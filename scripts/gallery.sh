@@ -16,8 +16,8 @@ if [[ ! $library -nt $tessera ]]; then
   "$tessera" library build "$(dpkg -L openclipart-svg | grep -x '.*/svg/animals')" -o "$library"
 fi
 
-names=("$@")
-[[ $# -gt 0 ]] || names=($(basename -s .toml jobs/*.toml))
+mapfile -t names < <(basename -s .toml jobs/*.toml)
+[[ $# -eq 0 ]] || names=("$@")
 for name in "${names[@]}"; do
   echo "== $name"
   "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
