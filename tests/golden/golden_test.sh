@@ -40,7 +40,7 @@ if [[ $renew == yes ]]; then
   exit
 fi
 expected=$here/digests.txt
-[[ -z $mpirun ]] || { grep -E '^(paper_improved|seamless) ' "$expected" >expected.txt; expected=expected.txt; }
+[[ -z $mpirun ]] || { grep -E '^(fit_all|paper_improved|seamless) ' "$expected" >expected.txt; expected=expected.txt; }
 if ! diff "$expected" found.txt; then
   cat >&2 <<'END'
 FAILED: the jobs of tests/golden give other pieces than before (< before, > now).
