@@ -123,8 +123,7 @@ class HostileJob {
                                             "[" + repeated(end + ", ", 15) + end + "]"});
       case io::JobKind::point: return "[" + end + ", " + end + "]";
       case io::JobKind::uses: return "[" + number_text(key.min) + ", " + end + "]";
-      case io::JobKind::name:
-      case io::JobKind::names: return "\"" + std::string(400, '*') + "\"";
+      case io::JobKind::name: return "\"" + std::string(400, '*') + "\"";
       case io::JobKind::size: return "[16, " + end + "]";
       case io::JobKind::devices:
       case io::JobKind::word: return "\"" + any(key.words) + "\"";

@@ -25,7 +25,8 @@ struct RunStatistics {
   double improve_s = 0;                // of total_s; nothing else here counts what trials do
   double total_s = 0;                  // of the loop, without the set-up of canvas and collage
   double setup_processor_s = 0;        // of this process, before the loop
-  /// "full", "used_up" (no shape may be placed once more), "pieces", "coverage" or "seconds"; of an unfinished run "signal", "time_limit" or "lost_rank".
+  /// "full", "used_up" (no shape may be placed once more), "pieces", "coverage" or "seconds"; of an unfinished run
+  /// "signal", "time_limit" or "lost_rank".
   std::string stopped_by;
 
   double pruned_fraction() const {

@@ -1,5 +1,5 @@
-// Sizes of shapes are intervals: from the smallest to the largest of their stances. How large the next piece may be so that all shapes that are still to come find room: large ones first, ever smaller
-// ones then.
+// How large the next piece may be, so that all shapes that are still to come find room: large ones first, ever smaller
+// ones then. The sizes of a shape are an interval: from the smallest to the largest of its stances.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace tessera {
 /// Of a shape whose sizes are spread evenly over the octaves from `low_px` to `high_px`: the mean of their squares, px².
 double mean_square_px2(double low_px, double high_px);
 
-/// The largest size, of a ladder that leads down from the largest of all, at which the shapes that are left, none of them
-/// larger, would fill no more than kFilledByTheRest of `free_px2`. Never less than one of them needs.
+/// The largest size, of a ladder that leads down from the largest of all, at which the shapes that are left, none of
+/// them larger, would fill no more than kFilledByTheRest of `free_px2`. Never less than one of them needs.
 float most_scale_px(double free_px2, const std::vector<Interval>& left);
 
 /// By what the sizes have to be multiplied so that the shapes fill this part of the area.

@@ -75,7 +75,8 @@ StanceTable::StanceTable(const CollageSettings& settings, std::uint32_t library_
     for (const ShapeWish& shape : classes) {
       const bool may_stand = shape.weight > 0 && (shape.in_region.empty() || shape.in_region[r] != 0);
       const auto scales_px = wished(job.scale_px, shape.poses.scale_px, region.scale_px, common_intervals);
-      const auto rotations_rad = wished(job.rotation_rad, shape.poses.rotation_rad, region.rotation_rad, common_rotations);
+      const auto rotations_rad =
+          wished(job.rotation_rad, shape.poses.rotation_rad, region.rotation_rad, common_rotations);
       lists.push_back(add_list(may_stand ? scales_px : std::vector<Interval>{}, rotations_rad, shape.weight));
     }
     lists.emplace_back();  // of shapes that may not stand

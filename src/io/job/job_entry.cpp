@@ -151,7 +151,7 @@ void add_row(const JobTable& table, const toml::table& row, const std::function<
                        "]]: " + joined(column_names(table)));
     }
     const auto value = read_job_value(*column, node);
-    if (!value) {
+    if (!value || (column->required && *value == JobValue{})) {
       throw InputError(where(node) + ": [[" + table.name + "]] " + text + ": found " + found_text(node) +
                        ", allowed: " + allowed_values(*column));
     }

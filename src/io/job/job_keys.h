@@ -20,9 +20,8 @@ enum class JobKind {
   size,             // [width, height] of whole numbers
   word,             // one of JobKey::words
   name,             // a text
-  names,            // one or more texts
   file,             // a path
-  texts,            // a list of texts
+  texts,            // a text, or a list of texts
   files,            // a list of paths
   palette,          // one of JobKey::words, a path, or a list of colours
   colour,           // "#rrggbb" or one of JobKey::words

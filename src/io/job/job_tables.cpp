@@ -18,37 +18,49 @@ JobKey required(JobKey key) {
   return key;
 }
 
+/// What shapes and regions alike may wish for.
+void add_poses(JobTable& table, const std::string& where) {
+  using enum JobKind;
+  table.columns.push_back(column(table.name, "scale_px", intervals, "px", 2, 5000,
+                                 "sizes" + where + ", instead of those of [pieces]"));
+  table.columns.push_back(column(table.name, "rotation_deg", intervals, "degrees", -360, 360,
+                                 "rotations" + where + ", instead of those of [pieces]"));
+}
+
 JobTable shapes_table() {
   using enum JobKind;
   const std::string t = "shapes";
-  return {t,
-          "wishes of some shapes; where several tables are about a shape, the later one wins, key by key",
-          {required(column(t, "names", names, "", 0, 0, "names of shapes; `*` and `?` stand for any text and character")),
-           column(t, "weight", number, "", 0, 100, "how much they are preferred; 1 = as others, 0 = never placed"),
-           column(t, "uses", uses, "", 0, 1e6, "how often each may be placed, as in [pieces]"),
-           column(t, "scale_px", intervals, "px", 2, 5000, "sizes, instead of those of [pieces]"),
-           column(t, "rotation_deg", intervals, "degrees", -360, 360, "rotations, instead of those of [pieces]"),
-           column(t, "regions", names, "", 0, 0, "names of the regions in which they may stand; default: all")}};
+  JobTable table{t,
+                 "wishes of some shapes; where several tables are about a shape, the later one wins, key by key",
+                 {required(column(t, "names", texts, "", 0, 0, "patterns of names, as in library.include")),
+                  column(t, "weight", number, "", 0, 100, "how much they are preferred; 1 = as others, 0 = never placed"),
+                  column(t, "uses", uses, "", 0, 1e6, "how often each may be placed, as in [pieces]")}};
+  add_poses(table, "");
+  table.columns.push_back(
+      column(t, "regions", texts, "", 0, 0, "names of the regions in which they may stand; default: all"));
+  return table;
 }
 
 JobTable regions_table() {
   using enum JobKind;
   const std::string t = "regions";
-  return {t,
-          "parts of the canvas, by the colours of `canvas.file`; pieces stay within their region",
-          {required(column(t, "name", name, "", 0, 0, "what [[shapes]] call it")),
-           required(column(t, "colour", colour, "", 0, 0, "of this part of `canvas.file`: each place belongs to the nearest")),
-           column(t, "scale_px", intervals, "px", 2, 5000, "sizes there, instead of those of [pieces]"),
-           column(t, "rotation_deg", intervals, "degrees", -360, 360, "rotations there, instead of those of [pieces]")}};
+  const std::string of_the_file = "of this part of `canvas.file`: each place belongs to the nearest";
+  JobTable table{t,
+                 "parts of the canvas, by the colours of `canvas.file`; pieces stay within their region",
+                 {required(column(t, "name", name, "", 0, 0, "what [[shapes]] call it")),
+                  required(column(t, "colour", colour, "", 0, 0, of_the_file))}};
+  add_poses(table, " there");
+  return table;
 }
 
 JobTable given_table() {
   using enum JobKind;
   const std::string t = "given";
+  const std::string middle = "where the middle of its area lies, from the canvas' upper left corner";
   return {t,
           "pieces that stand where you put them, before any other is placed",
           {required(column(t, "shape", name, "", 0, 0, "name of a shape of the library")),
-           required(column(t, "at_px", point, "px", -20000, 40000, "where the middle of its area lies, from the canvas' upper left corner")),
+           required(column(t, "at_px", point, "px", -20000, 40000, middle)),
            required(column(t, "scale_px", number, "px", 2, 20000, "its size: the square root of its area")),
            column(t, "rotation_deg", number, "degrees", -360, 360, "clockwise; default 0")}};
 }

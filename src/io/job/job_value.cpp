@@ -92,19 +92,6 @@ bool is_name(const std::string& text) {
   return !text.empty() && text.size() <= kLongestName && text.find('\0') == std::string::npos;
 }
 
-Result read_names(const toml::node& node) {
-  if (const auto* text = node.as_string()) return is_name(text->get()) ? Result(JobValue{{}, {}, {text->get()}}) : Result();
-  const toml::array* array = node.as_array();
-  if (!array || array->empty()) return {};
-  JobValue value;
-  for (const toml::node& item : *array) {
-    const auto* text = item.as_string();
-    if (!text || !is_name(text->get())) return {};
-    value.texts.push_back(text->get());
-  }
-  return value;
-}
-
 Result read_word(const JobKey& key, const std::string& text) {
   const bool known = std::find(key.words.begin(), key.words.end(), text) != key.words.end();
   return known ? Result(JobValue{{}, text}) : Result();
@@ -269,9 +256,7 @@ std::string quoted_list(const std::vector<std::string>& texts) {
 /// `number(i)` writes value.numbers[i].
 template <class Number>
 std::string value_text(const JobKey& key, const JobValue& value, Number number) {
-  if (key.kind == JobKind::names || key.kind == JobKind::texts || key.kind == JobKind::files) {
-    return quoted_list(value.texts);
-  }
+  if (key.kind == JobKind::texts || key.kind == JobKind::files) return quoted_list(value.texts);
   if (key.kind == JobKind::palette) return is_colour_list(value.texts) ? quoted_list(value.texts) : quoted(value.texts[0]);
   if (value.numbers.empty()) return quoted(value.text);
   if (value.numbers.size() == 1) return number(0);
@@ -291,7 +276,6 @@ std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node
     case JobKind::point:
     case JobKind::size: return read_two(key, node);
     case JobKind::uses: return read_uses(key, node);
-    case JobKind::names: return read_names(node);
     case JobKind::devices: return read_devices(key, node);
     case JobKind::texts:
     case JobKind::files: return read_texts(node);
@@ -313,13 +297,12 @@ std::string allowed_values(const JobKey& key) {
     case JobKind::uses:
       return "a whole number from " + min + " to " + max + ", or [at least, at most] of such; at most 0 = unlimited";
     case JobKind::name: return "a text";
-    case JobKind::names: return "a text, or a list of texts";
     case JobKind::size:
       return with_unit(key, "[width, height], whole numbers from " + min + " to " + max) + ", " +
              number_text(kMaxCanvas_px2 / 1e6) + " million px or less in all";
     case JobKind::word: return quoted_words(key, " or ");
     case JobKind::file: return "a path";
-    case JobKind::texts: return "a list of texts";
+    case JobKind::texts: return "a text, or a list of texts";
     case JobKind::files: return "a list of paths";
     case JobKind::palette:
       return quoted_words(key, ", ") + ", the path of a GIMP palette or of a file with a #rrggbb a line, or a list of "
