@@ -57,6 +57,7 @@ PaperMatcher::PaperMatcher(const CollageSettings& settings, const MatchingContex
                            std::vector<ShapeModel> models)
     : objective_(settings.objective),
       context_(context),
+      all_stances_(context.stances),
       models_(std::move(models)) {}
 
 void PaperMatcher::start_field(int width, int height, Vec2 origin) {

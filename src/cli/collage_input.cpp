@@ -4,9 +4,9 @@
 
 #include "core/matching/sized_settings.h"
 #include "io/job/canvas_file.h"
-#include "io/job/picture_size.h"
 #include "io/job/job_library.h"
 #include "io/job/palette.h"
+#include "io/job/picture_size.h"
 #include "io/result/collage_files.h"
 
 namespace tessera::cli {

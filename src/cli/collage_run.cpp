@@ -88,14 +88,6 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
   return master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints});
 }
 
-double covered_fraction(const Canvas& canvas, const master::CollageResult& result) {
-  double covered_px2 = 0;
-  for (const Placement& piece : result.placements) {
-    covered_px2 += double(piece.canvas_from_shape.scale()) * double(piece.canvas_from_shape.scale());
-  }
-  return covered_px2 / canvas.area_px2;
-}
-
 /// From the empty canvas or a checkpoint to the result without its pictures.
 CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
@@ -115,7 +107,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   const master::CollageResult result = run_loop(arguments, input, limit, *matcher, checkpoints);
   const RankStatistics times = times_of(clock, result);
   journal->warn(empty_result_warning(input.folder, input.job, result));
-  journal->warn(used_up_warning(input.job, result, covered_fraction(input.canvas, result)));
+  journal->warn(used_up_warning(input.job, input.canvas, result));
   journal->keep_warning(checkpoints.warning());
   const io::RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
   if (leaves_older_result(input, result)) {

@@ -31,6 +31,15 @@ std::string what_to_try(const io::Job& job) {
   return text + "; a larger " + with_value(job, "canvas", "size_px");
 }
 
+double covered_fraction(const Canvas& canvas, const master::CollageResult& result) {
+  double covered_px2 = 0;
+  for (const Placement& piece : result.placements) {
+    const double scale_px = piece.canvas_from_shape.scale();
+    covered_px2 += scale_px * scale_px;
+  }
+  return covered_px2 / canvas.area_px2;
+}
+
 }  // namespace
 
 std::string replaced_result_warning(const io::EarlierResult& earlier, const io::Job& job) {
@@ -52,9 +61,11 @@ std::string empty_result_warning(const std::string& folder, const io::Job& job, 
   return folder + ": the collage is empty: nothing fits; try " + what_to_try(job);
 }
 
-std::string used_up_warning(const io::Job& job, const master::CollageResult& result, double covered) {
+std::string used_up_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result) {
   constexpr double kFilled = 0.85;  // of the canvas, by a library that fits it
-  if (result.statistics.stopped_by != "used_up" || covered <= 0 || covered >= kFilled - 0.1) return "";
+  const double covered = covered_fraction(canvas, result);
+  if (result.statistics.stopped_by != "used_up" || job.settings.pieces.fit_all) return "";
+  if (covered <= 0 || covered >= kFilled - 0.1) return "";
   const double factor = std::sqrt(kFilled / covered);
   const PieceSettings& pieces = job.settings.pieces;
   char text[300];

@@ -15,10 +15,11 @@ std::string replaced_result_warning(const io::EarlierResult& earlier, const io::
 /// Empty where there are pieces, or where the run may still go on to some.
 std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result);
 
-/// Prints nothing where the warning is empty.
-/// Where the library was used up with much of the canvas left: the sizes that would fill it. `covered`: fraction.
-std::string used_up_warning(const io::Job& job, const master::CollageResult& result, double covered);
+/// Where the library was used up with much of the canvas left: the sizes that would fill it. Else empty, as where the
+/// program found the sizes itself.
+std::string used_up_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result);
 
+/// Prints nothing where the warning is empty.
 void print_warning(const std::string& warning);
 
 }  // namespace tessera::cli

@@ -10,9 +10,9 @@
 #include "core/base/error.h"
 #include "core/field/free_field.h"
 #include "io/job/canvas_file.h"
-#include "io/job/picture_size.h"
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
+#include "io/job/picture_size.h"
 
 namespace tessera::cli {
 namespace {

@@ -65,6 +65,7 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
     : settings_(settings),
       context_(context),
       all_stances_(context.stances),
+      region_stances_(context.stances),
       shapes_(shapes),
       free_(canvas, settings.pieces),
       opened_(free_, settings.pieces),
@@ -79,10 +80,9 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
 }
 
 void Collage::begin(std::vector<Placement> given, std::uint32_t region, float size_factor) {
-  limits_.region = region;
-  limits_.size_factor = size_factor;
-  limits_changed_ = limits_ != StandingLimits{};
-  context_.stances = all_stances_.limited(limits_);
+  const StandingLimits limits{.region = region, .size_factor = size_factor};
+  region_stances_ = all_stances_.limited(limits);
+  limit(limits);
   given_ = given.size();
   replace_placements(std::move(given));
   mark_stale(free_.field().value.bounds());
@@ -90,18 +90,20 @@ void Collage::begin(std::vector<Placement> given, std::uint32_t region, float si
 
 std::vector<ShapeId> Collage::missing() const {
   if (!scoring_.limits_uses()) return {};
-  const StanceTable table = all_stances_.limited({.region = limits_.region});
   std::vector<ShapeId> missing;
-  for (std::uint32_t i = 0; i < table.open_shapes(); ++i) {
-    if (scoring_.is_missing(table.open_shape(i))) missing.push_back(table.open_shape(i));
+  for (std::uint32_t i = 0; i < region_stances_.open_shapes(); ++i) {
+    const ShapeId shape = region_stances_.open_shape(i);
+    if (scoring_.is_missing(shape)) missing.push_back(shape);
   }
   return missing;
 }
 
 float Collage::most_scale_for(const std::vector<ShapeId>& missing) const {
-  const StanceTable table = all_stances_.limited({.region = limits_.region, .size_factor = limits_.size_factor});
   std::vector<Interval> sizes;
-  for (const ShapeId shape : missing) sizes.push_back({table.list(shape).min_scale_px, table.list(shape).max_scale_px});
+  for (const ShapeId shape : missing) {
+    const StanceList& stances = region_stances_.list(shape);
+    sizes.push_back({stances.min_scale_px, stances.max_scale_px});
+  }
   return most_scale_px(double(free_.free_256ths_px2()) / 256, sizes);
 }
 
@@ -113,10 +115,14 @@ void Collage::update_limits() {
   now.used_up = scoring_.closed_shapes(missing);
   if (settings_.pieces.fit_all && !missing.empty()) now.most_scale_px = most_scale_for(missing);
   if (now == limits_) return;
-  limits_ = now;
-  limits_changed_ = true;
-  context_.stances = all_stances_.limited(limits_);
+  limit(now);
   drop_what_may_not_stand();
+}
+
+void Collage::limit(const StandingLimits& limits) {
+  limits_ = limits;
+  limits_changed_ = true;
+  context_.stances = all_stances_.limited(limits);
 }
 
 Window Collage::take_changed_nodes() {

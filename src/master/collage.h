@@ -37,7 +37,7 @@ class Collage {
 
   /// What may stand for the moment; it follows from the placements.
   const StandingLimits& limits() const { return limits_; }
-  /// Whether limits() changed since the last call; at first: whether there are any.
+  /// Whether limits() changed since the last call; true at first: a matcher may have those of another collage still.
   bool take_limits_change() { return std::exchange(limits_changed_, false); }
   /// The shapes of which fewer stand than are wanted at least, ascending.
   std::vector<ShapeId> missing() const;
@@ -105,6 +105,7 @@ class Collage {
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
   void update_limits();
+  void limit(const StandingLimits& limits);
   float most_scale_for(const std::vector<ShapeId>& missing) const;
   void drop_what_may_not_stand();
   std::vector<SampleId> pooled_near(const Window& changed) const;
@@ -116,10 +117,11 @@ class Collage {
   std::uint64_t rebuilt_digest() const;
 
   CollageSettings settings_;
-  MatchingContext context_;  // with the stances within the limits
-  StanceTable all_stances_;
+  MatchingContext context_;      // with the stances within the limits
+  StanceTable all_stances_;      // of the settings
+  StanceTable region_stances_;   // of the region, at the sizes of this attempt
   StandingLimits limits_;
-  bool limits_changed_ = false;
+  bool limits_changed_ = true;
   std::size_t given_ = 0;
   ShapeSource& shapes_;
   FreeField free_;

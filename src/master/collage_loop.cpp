@@ -1,7 +1,6 @@
 #include "master/collage_loop.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 
@@ -9,6 +8,7 @@
 #include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
 #include "core/base/stopwatch.h"
+#include "core/matching/size_schedule.h"
 #include "core/tuning.h"
 #include "master/collage.h"
 #include "master/filling.h"
@@ -19,7 +19,7 @@ namespace {
 
 Canvas region_of(const Canvas& canvas, std::uint32_t region) {
   Canvas part = canvas;
-  if (!canvas.regions.empty()) part.distance = canvas.regions[region];
+  if (!canvas.regions.empty()) part.distance = canvas.regions[region].distance;
   part.regions.clear();
   return part;
 }
@@ -83,7 +83,7 @@ class Run {
 
   void begin(std::uint32_t region, std::vector<Placement> given) {
     part_ = std::make_unique<Part>(region_of(canvas_, region), settings_, context_, matcher_, shapes_, statistics_);
-    collage().begin(std::move(given), region, float(std::pow(kNextAttempt, attempt_)));
+    collage().begin(std::move(given), region, size_of_attempt(attempt_));
     improving_ = false;
   }
 
@@ -175,10 +175,16 @@ class Run {
            (limits.seconds == 0 || statistics_.improve_s < limits.seconds);
   }
 
-  /// Each region has as many.
+  /// Up to this region; they are divided by area.
   std::uint64_t trials_so_far() const {
-    const std::uint64_t regions = std::max<std::size_t>(1, canvas_.regions.size());
-    return std::uint64_t(settings_.improve.trials) * (collage().limits().region + 1) / regions;
+    double before_px2 = 0;
+    double all_px2 = 0;
+    for (std::size_t r = 0; r < canvas_.regions.size(); ++r) {
+      all_px2 += canvas_.regions[r].area_px2;
+      if (r <= collage().limits().region) before_px2 += canvas_.regions[r].area_px2;
+    }
+    const double trials = settings_.improve.trials;
+    return std::uint64_t(before_px2 == all_px2 ? trials : trials * before_px2 / all_px2);
   }
 
   void after_step() {

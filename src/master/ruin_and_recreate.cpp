@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 #include "core/base/interrupted.h"
 #include "core/base/portable_math.h"
@@ -34,11 +35,12 @@ RuinAndRecreate::RuinAndRecreate(Collage& collage, Filling& filling, const Colla
     : collage_(collage),
       filling_(filling),
       seed_(settings.seed),
-      most_scale_px_(kRuinedScale * settings.pieces.min_scale_px),
+      most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
+                                             : kRuinedScale * settings.pieces.min_scale_px),
       most_pieces_(settings.stop.pieces > 0 ? std::size_t(settings.stop.pieces) : SIZE_MAX) {}
 
-/// The small pieces that are nearest to a gap by a disc of their area, nearest first.
-std::vector<std::size_t> RuinAndRecreate::small_pieces_near(Vec2 gap_px) const {
+/// The pieces that are small enough and nearest to a gap by a disc of their area, nearest first.
+std::vector<std::size_t> RuinAndRecreate::pieces_near(Vec2 gap_px) const {
   constexpr float kDiscRadius = 0.5642f;  // of area 1
   std::vector<std::pair<float, std::size_t>> nearest;
   const std::vector<Placement>& placements = collage_.placements();
@@ -60,7 +62,7 @@ std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
   Vec2 gap_px;
   if (!find_gap(collage_.free(), random, gap_px)) return left;
   std::vector<std::pair<float, std::size_t>> nearest;
-  for (const std::size_t i : small_pieces_near(gap_px)) {
+  for (const std::size_t i : pieces_near(gap_px)) {
     nearest.emplace_back(collage_.distance_px(left[i], gap_px), i);
   }
   std::sort(nearest.begin(), nearest.end());

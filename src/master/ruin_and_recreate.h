@@ -20,7 +20,7 @@ class RuinAndRecreate {
   Trial try_once(std::uint32_t trial, const std::function<bool()>& stopped);
 
  private:
-  std::vector<std::size_t> small_pieces_near(Vec2 gap_px) const;
+  std::vector<std::size_t> pieces_near(Vec2 gap_px) const;
   /// The placements without a few beside a gap; all of them where there is no gap, or no small piece.
   std::vector<Placement> ruined(std::uint64_t random);
 

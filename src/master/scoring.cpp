@@ -100,9 +100,8 @@ float Scoring::score(const Candidate& candidate) const {
 float Scoring::preference(const Candidate& candidate) const {
   const std::vector<Placed>& placed = placed_[silhouette(candidate.shape)];
   if (placed.empty()) return 1;
-  const auto same_colours = std::count_if(placed.begin(), placed.end(),
-                                          [&](const Placed& other) { return other.shape == candidate.shape; });
-  const float uses = float(same_colours) + kUseInOtherColours * float(std::ptrdiff_t(placed.size()) - same_colours);
+  const int same_colours = uses_of(candidate.shape);
+  const float uses = float(same_colours) + kUseInOtherColours * float(int(placed.size()) - same_colours);
   float factor = std::pow(1.f + uses, -objective_.repetition_exponent);
   const float radius = candidate.radius + kNearTwinReach;
   for (const Placed& other : placed) {

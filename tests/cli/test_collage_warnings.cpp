@@ -44,12 +44,20 @@ TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
   job.settings.pieces.max_scale_px = 100;
   master::CollageResult result;
   result.statistics.stopped_by = "full";
-  EXPECT_EQ(used_up_warning(job, result, 0.2125), "");
+  result.placements.push_back({ShapeId{0}, {85, 0, 0, 0}, 0, 0});
+  const auto canvas_px2 = [](double area_px2) {
+    Canvas canvas;
+    canvas.area_px2 = area_px2;
+    return canvas;
+  };
+  EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result), "");
   result.statistics.stopped_by = "used_up";
-  EXPECT_EQ(used_up_warning(job, result, 0.2125),
+  EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result),
             "the library is used up with 21 % of the canvas covered; pieces 2.0 times as large would fill it: "
             "pieces.scale_px = [40, 200], or pieces.fit = \"all\"; so would more uses (pieces.uses)");
-  EXPECT_EQ(used_up_warning(job, result, 0.8), "") << "hardly more is to be had";
+  EXPECT_EQ(used_up_warning(job, canvas_px2(9000), result), "") << "hardly more is to be had";
+  job.settings.pieces.fit_all = true;
+  EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result), "") << "the program found these sizes";
 }
 
 }  // namespace

@@ -344,7 +344,7 @@ TEST_F(JobFile, lists_hold_texts_alone) {
     EXPECT_EQ(mistake("[library]\nfile = \"a.h5\"\ninclude = " + std::string(value)).substr(0, 35),
               "job.toml:3: library.include: found ") << value;
   }
-  EXPECT_NE(mistake(minimal_ + "include = [1]").find("allowed: a list of texts"), std::string::npos);
+  EXPECT_NE(mistake(minimal_ + "include = [1]").find("allowed: a text, or a list of texts"), std::string::npos);
 }
 
 TEST_F(JobFile, takes_one_library_or_a_list) {

@@ -14,7 +14,8 @@ const std::vector<std::string> kNames = {"cat", "cow", "owl", "owl_2"};
 class WishResolution : public testing::Test {
  protected:
   Job resolved(const std::string& tables) {
-    Job job = load_job(folder_.write("job.toml", "[library]\nfile = 'x.h5'\n[canvas]\nfile = 'c.svg'\n[pieces]\nscale_px = [30, 50]\n" + tables), {});
+    const std::string job_text = "[library]\nfile = 'x.h5'\n[canvas]\nfile = 'c.svg'\n[pieces]\nscale_px = [30, 50]\n";
+    Job job = load_job(folder_.write("job.toml", job_text + tables), {});
     resolve_wishes(kNames, job);
     return job;
   }
@@ -97,6 +98,8 @@ TEST_F(WishResolution, NamesThatThereAreNotAreTold) {
             std::string::npos);
   const std::string region = "[[regions]]\nname = 'sea'\ncolour = '#0000ff'\n";
   EXPECT_NE(mistake(region + region).find("two with the name \"sea\""), std::string::npos);
+  EXPECT_NE(mistake("fit = 'all'\n" + region).find("pieces.fit: found \"all\" where there are [[regions]]"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -60,10 +60,11 @@ class KeepLatest : public CheckpointKeeper {
 };
 
 inline CollageResult run(const CollageSettings& s, const Cuts& cuts, Observer& observer,
-                         const Checkpoints& checkpoints = {}, const Canvas& canvas = stopped_collage::canvas()) {
-  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
-  CompositeMatcher matcher = test::divided_matcher(library(), context, cuts);
-  test::VectorShapes shapes(library());
+                         const Checkpoints& checkpoints = {}, const Canvas& canvas = stopped_collage::canvas(),
+                         const std::vector<Shape>& library = stopped_collage::library()) {
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library.size()));
+  CompositeMatcher matcher = test::divided_matcher(library, context, cuts);
+  test::VectorShapes shapes(library);
   return make_collage(canvas, s, matcher, shapes, observer, checkpoints);
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/matching/sized_settings.h"
+#include "stopped_collage.h"
 #include "whole_collage.h"
 
 namespace tessera::master {
@@ -12,29 +13,8 @@ namespace {
 
 using namespace whole_collage;
 
-class StopAfter : public SilentObserver {
- public:
-  explicit StopAfter(std::size_t steps) : left_(steps) {}
-  void progressed(const Progress&) override { --left_; }
-  const char* stop_requested() override { return left_ == 0 ? "signal" : nullptr; }
-
- private:
-  std::size_t left_;
-};
-
-class KeepLatest : public CheckpointKeeper {
- public:
-  bool due() override { return false; }
-  void keep(const CheckpointState& state) override { latest = state; }
-  CheckpointState latest;
-};
-
-CollageResult run_from(const Canvas& canvas, const CollageSettings& s, Observer& observer, const Checkpoints& checkpoints) {
-  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
-  CompositeMatcher matcher = test::divided_matcher(library(), context, {3, 7});
-  test::VectorShapes shapes(library());
-  return make_collage(canvas, s, matcher, shapes, observer, checkpoints);
-}
+using stopped_collage::KeepLatest;
+using stopped_collage::StopAfter;
 
 /// The same pieces on any division of the library, and when the run is interrupted every few steps.
 void expect_repeatable(const Canvas& canvas, const CollageSettings& s, const CollageResult& whole) {
@@ -44,7 +24,7 @@ void expect_repeatable(const Canvas& canvas, const CollageSettings& s, const Col
   CheckpointState from;
   for (int part = 0; part < 200; ++part) {
     StopAfter observer(3);
-    const CollageResult result = run_from(canvas, s, observer, checkpoints);
+    const CollageResult result = stopped_collage::run(s, {3, 7}, observer, checkpoints, canvas, library());
     if (!result.unfinished) {
       EXPECT_GT(part, 2);
       EXPECT_EQ(result.placements, whole.placements);
@@ -62,15 +42,16 @@ std::map<std::uint32_t, int> uses(const std::vector<Placement>& placements) {
   return count;
 }
 
-/// Two regions side by side on a page of 240 x 140.
-Canvas two_regions() {
+/// Two regions side by side on a page of 240 x 140, the left one of this width.
+Canvas two_regions(int left_px = 120) {
   Canvas canvas = make_rectangle_canvas(240, 140);
   for (const bool right : {false, true}) {
     Grid<float> coverage(480, 280, 0.f);
     for (int y = 0; y < 280; ++y) {
-      for (int x = 0; x < 480; ++x) coverage(x, y) = float((x >= 240) == right);
+      for (int x = 0; x < 480; ++x) coverage(x, y) = float((x >= 2 * left_px) == right);
     }
-    canvas.regions.push_back(make_mask_canvas(coverage).distance);
+    const Canvas part = make_mask_canvas(coverage);
+    canvas.regions.push_back({part.distance, part.area_px2});
   }
   return canvas;
 }
@@ -165,6 +146,41 @@ TEST(Wishes, RegionsHaveTheirOwnShapesAndSizes) {
   EXPECT_GT(right, 10);
   EXPECT_LT(quality(canvas, result).overlap, 0.006);
   expect_repeatable(canvas, s, result);
+}
+
+/// Remembers how many trials there had been when pieces were placed again: the next region began.
+class NextRegion : public SilentObserver {
+ public:
+  void progressed(const Progress& now) override {
+    if (now.trials > 0 && now.trials == trials_) began_after = now.trials;
+    trials_ = now.trials;
+  }
+  std::uint64_t began_after = 0;
+
+ private:
+  std::uint64_t trials_ = 0;
+};
+
+TEST(Wishes, TrialsAreDividedAmongRegionsByArea) {
+  CollageSettings s = improved(8);
+  s.wishes.regions.resize(2);
+  NextRegion observer;
+  const CollageResult result = stopped_collage::run(s, {}, observer, {}, two_regions(180), library());
+  EXPECT_EQ(result.statistics.trials, 8u);
+  EXPECT_EQ(observer.began_after, 6u);
+}
+
+TEST(Wishes, WhatACollageLimitsDoesNotReachTheNextOne) {
+  const CollageSettings s = settings();
+  const Canvas canvas = make_rectangle_canvas(160, 120);
+  const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
+  CompositeMatcher matcher = test::divided_matcher(library(), context, {});
+  test::VectorShapes shapes(library());
+  SilentObserver observer;
+  CollageSettings once = s;
+  once.pieces.uses = 1;
+  make_collage(canvas, once, matcher, shapes, observer);
+  EXPECT_EQ(make_collage(canvas, s, matcher, shapes, observer).placements, run(canvas, s).placements);
 }
 
 TEST(Wishes, WithLeastUsesNoShapeComesAgainBeforeAllAreThere) {

@@ -15,14 +15,20 @@ struct CanvasField {
   Vec2 origin;
 };
 
+/// A part of the canvas that is filled for itself.
+struct CanvasRegion {
+  CanvasField distance;
+  double area_px2 = 0;
+};
+
 /// The region to fill, with holes. `distance` is the signed distance to its boundary in px, positive inside, on nodes
-/// at the pixel centres and on a rim of kCanvasMargin nodes around the canvas (negative there). It is a true distance everywhere: who looks for
-/// pieces beyond the edge steps by it.
+/// at the pixel centres and on a rim of kCanvasMargin nodes around the canvas (negative there). It is a true distance
+/// everywhere: who looks for pieces beyond the edge steps by it.
 struct Canvas {
   int width_px = 0;
   int height_px = 0;
   CanvasField distance;
-  std::vector<CanvasField> regions = {};  // the distance of each, where there are several; in the order of filling
+  std::vector<CanvasRegion> regions = {};  // where there are several; in the order of filling
   double area_px2 = 0;
   Period period;  // where it repeats: as wide and high as the canvas, without an edge there
 };

@@ -34,6 +34,12 @@ float most_scale_px(double free_px2, const std::vector<Interval>& left) {
   return std::max(least_px, most_px);
 }
 
+float size_of_attempt(int attempt) {
+  float size = 1;
+  for (int a = 0; a < attempt; ++a) size *= kNextAttempt;
+  return size;
+}
+
 double size_factor(double area_px2, double part, const std::vector<Interval>& shapes) {
   double needed = 0;
   for (const Interval& s : shapes) {

@@ -15,6 +15,9 @@ double mean_square_px2(double low_px, double high_px);
 /// them larger, would fill no more than kFilledByTheRest of `free_px2`. Never less than one of them needs.
 float most_scale_px(double free_px2, const std::vector<Interval>& left);
 
+/// What sizes are multiplied by in this attempt, counted from 0, to give each shape a place. The same bits everywhere.
+float size_of_attempt(int attempt);
+
 /// By what the sizes have to be multiplied so that the shapes fill this part of the area.
 double size_factor(double area_px2, double part, const std::vector<Interval>& shapes);
 

@@ -1,7 +1,6 @@
 #include "core/matching/sized_settings.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/matching/size_schedule.h"
 #include "core/matching/stances.h"
@@ -27,7 +26,7 @@ CollageSettings with_sizes_times(double factor, CollageSettings settings) {
   for (RegionWish& region : settings.wishes.regions) multiply(region.poses.scale_px, float(factor));
   pieces.min_scale_px *= float(factor);
   pieces.max_scale_px *= float(factor);
-  if (pieces.fit_all) pieces.min_scale_px *= float(std::pow(kNextAttempt, kMostAttempts - 1));
+  if (pieces.fit_all) pieces.min_scale_px *= size_of_attempt(kMostAttempts - 1);
   return settings;
 }
 

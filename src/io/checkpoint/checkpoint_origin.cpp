@@ -23,7 +23,9 @@ std::uint64_t canvas_digest(const Canvas& canvas) {
   digest.add(std::uint64_t(canvas.width_px));
   digest.add(std::uint64_t(canvas.height_px));
   digest.add_all(std::span<const float>(canvas.distance.value.data()));
-  for (const CanvasField& region : canvas.regions) digest.add_all(std::span<const float>(region.value.data()));
+  for (const CanvasRegion& region : canvas.regions) {
+    digest.add_all(std::span<const float>(region.distance.value.data()));
+  }
   return digest.value();
 }
 

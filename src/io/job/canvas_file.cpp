@@ -131,7 +131,7 @@ Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
     throw InputError("canvas file " + spec.file + ": no area to fill; needed: an opaque silhouette on a transparent " +
                      "page or a plain background");
   }
-  canvas.regions = region_distances(page, spec);
+  canvas.regions = canvas_regions(page, spec);
   return canvas;
 }
 

@@ -74,18 +74,18 @@ Grid<float> region_coverage(const cv::Mat& page, const CanvasSpec& spec) {
   return coverage_where(page, colours_of(page, spec), [&](std::size_t k) { return k < spec.region_colours.size(); });
 }
 
-std::vector<CanvasField> region_distances(const cv::Mat& page, const CanvasSpec& spec) {
+std::vector<CanvasRegion> canvas_regions(const cv::Mat& page, const CanvasSpec& spec) {
   const std::vector<cv::Vec3i> colours = colours_of(page, spec);
-  std::vector<CanvasField> distances;
+  std::vector<CanvasRegion> regions;
   for (std::size_t region = 0; region < spec.region_colours.size(); ++region) {
     Canvas part = make_mask_canvas(coverage_where(page, colours, [&](std::size_t k) { return k == region; }));
     if (part.area_px2 <= 0) {
       throw InputError("canvas file " + spec.file + ": no place of it is nearest to " + spec.region_colours[region] +
                        ", the colour of one of [[regions]]");
     }
-    distances.push_back(std::move(part.distance));
+    regions.push_back({std::move(part.distance), part.area_px2});
   }
-  return distances;
+  return regions;
 }
 
 }  // namespace tessera::io

@@ -13,8 +13,8 @@ namespace tessera::io {
 /// even ones. On an opaque page the colour that prevails along its edge is the background, unless it is a region's.
 Grid<float> region_coverage(const cv::Mat& page, const CanvasSpec& spec);
 
-/// The distance to the edge of each region of the spec, in their order; none where the spec has none. Throws InputError
-/// where a region has no place in the page.
-std::vector<CanvasField> region_distances(const cv::Mat& page, const CanvasSpec& spec);
+/// The regions of the spec, in their order; none where the spec has none. Throws InputError where a region has no place
+/// in the page.
+std::vector<CanvasRegion> canvas_regions(const cv::Mat& page, const CanvasSpec& spec);
 
 }  // namespace tessera::io

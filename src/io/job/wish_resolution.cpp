@@ -42,6 +42,9 @@ class Resolution {
         given_rows_(rows_of(job, "given")) {}
 
   Wishes wishes() {
+    if (!region_rows_.empty() && job_.settings.pieces.fit_all) {
+      fail("pieces.fit: found \"all\" where there are [[regions]], allowed: \"free\"");
+    }
     for (const JobRow& row : region_rows_) add_region(row);
     if (!shape_rows_.empty()) add_classes();
     for (const JobRow& row : given_rows_) wishes_.given.push_back(given_piece(row));

@@ -12,7 +12,8 @@ namespace tessera::io {
 bool has_shape_wishes(const Job& job);
 
 /// Sets wishes and the whole range of sizes in the job's settings. `shape_names`: of the library, in its order. Throws
-/// InputError where a table names a shape or a region that there is not, or two regions are alike.
+/// InputError where a table names a shape or a region that there is not, two regions are alike, or all shapes are to fit
+/// into several regions.
 void resolve_wishes(const std::vector<std::string>& shape_names, Job& job);
 
 }  // namespace tessera::io
