@@ -48,7 +48,8 @@ std::vector<Column> all_columns() {
                           c.artwork_beside,
                           c.artwork_sha256,
                           c.variant_of,
-                          c.colour_spread};
+                          c.colour_spread,
+                          c.drawn_scale};
   for (const io::layout::LevelColumns& level : c.levels)
     all.insert(all.end(), {level.points, level.perimeter, level.lengths, level.keypoints, level.convexity});
   return all;

@@ -70,6 +70,16 @@ TEST_F(LibraryViews, OfOneWholeFileIsTheFile) {
   EXPECT_EQ(LibraryView({{path}, {{"*"}, {}}}).content_digest(), file.content_digest());
 }
 
+TEST_F(LibraryViews, DrawnSizesCountInTheDigestWhereTheyAreKnown) {
+  const std::uint64_t unknown = LibraryFile(write("a.h5", animals_)).content_digest();
+  std::vector<Shape> drawn = animals_;
+  drawn[1].drawn_scale_px = 30;
+  const std::uint64_t known = LibraryFile(write("b.h5", drawn)).content_digest();
+  EXPECT_NE(known, unknown);
+  drawn[1].drawn_scale_px = 31;
+  EXPECT_NE(LibraryFile(write("c.h5", drawn)).content_digest(), known);
+}
+
 TEST_F(LibraryViews, ChooseByName) {
   const std::string path = write("a.h5", animals_);
   EXPECT_EQ(names(LibraryView({{path}, {{"c*"}, {}}})), (Names{"cat", "cow"}));

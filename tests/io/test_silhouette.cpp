@@ -164,6 +164,14 @@ TEST(ArtworkShape, CarriesNameAndArtwork) {
   EXPECT_NEAR(shape.artwork.centroid_px.y / float(shape.artwork.height_px), 0.5, 2e-3);
 }
 
+TEST(ArtworkShape, KnowsHowLargeItWasDrawn) {
+  const float disc_px = 20 * std::sqrt(float(kPi));
+  EXPECT_NEAR(shape_of(svg(kDisc)).drawn_scale_px, disc_px, 0.01f * disc_px);
+  cv::Mat mask(100, 100, CV_8UC1, cv::Scalar(255));
+  cv::circle(mask, {50, 50}, 40, cv::Scalar(0), cv::FILLED, cv::LINE_8);
+  EXPECT_NEAR(shape_of(encoded(mask, ".png")).drawn_scale_px, 40 * std::sqrt(kPi), 1);
+}
+
 TEST(ArtworkShape, SameSilhouetteGivesTheSameOutline) {
   const Shape red = shape_of(svg(kDisc));
   const Shape blue = shape_of(svg(R"(<circle cx="30" cy="25" r="20" fill="#0000ff"/>)"));

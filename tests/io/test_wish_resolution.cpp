@@ -16,7 +16,7 @@ class WishResolution : public testing::Test {
   Job resolved(const std::string& tables) {
     const std::string job_text = "[library]\nfile = 'x.h5'\n[canvas]\nfile = 'c.svg'\n[pieces]\nscale_px = [30, 50]\n";
     Job job = load_job(folder_.write("job.toml", job_text + tables), {});
-    resolve_wishes(kNames, job);
+    resolve_wishes(kNames, {40, 80, 0, 1.5f}, job);
     return job;
   }
 
@@ -74,6 +74,27 @@ TEST_F(WishResolution, ShapesNameRegions) {
   EXPECT_TRUE(wishes.classes[wishes.class_of_shape[0]].in_region.empty());
   ASSERT_EQ(wishes.regions.size(), 2u);
   EXPECT_EQ(wishes.regions[1].poses.rotation_rad.size(), 1u);
+}
+
+TEST_F(WishResolution, DrawnSizesAreThoseOfTheDrawings) {
+  const Job job = resolved("sizes = 'drawn'\n[[shapes]]\nnames = 'owl*'\nscale_px = [50, 60]\n[[shapes]]\nnames = 'cow'\nuses = 2\n");
+  const Wishes& wishes = job.settings.wishes;
+  const auto sizes = [&](std::size_t shape) { return wishes.classes[wishes.class_of_shape[shape]].poses.scale_px; };
+  EXPECT_EQ(sizes(0), (std::vector<Interval>{{40, 40}}));
+  EXPECT_EQ(sizes(1), (std::vector<Interval>{{80, 80}}));
+  EXPECT_EQ(sizes(2), (std::vector<Interval>{{50, 60}})) << "a table says another, and asks no drawing";
+  EXPECT_EQ(wishes.classes[wishes.class_of_shape[1]].uses, 2);
+  EXPECT_EQ(job.settings.pieces.min_scale_px, 40);
+  EXPECT_EQ(job.settings.pieces.max_scale_px, 80);
+}
+
+TEST_F(WishResolution, DrawnSizesThatAreUnknownOrTooSmallAreTold) {
+  EXPECT_NE(mistake("sizes = 'drawn'\nfit = 'all'").find("pieces.sizes: found \"drawn\", but the shape \"owl\" does not say"),
+            std::string::npos);
+  const std::string but_owl = "[[shapes]]\nnames = 'owl'\nweight = 0\n";
+  EXPECT_NE(mistake("sizes = 'drawn'\n" + but_owl).find("\"owl_2\" was drawn at 1.5 px, allowed: 2 to 5000 px"),
+            std::string::npos);
+  EXPECT_EQ(mistake("sizes = 'drawn'\nfit = 'all'\n" + but_owl), "no mistake") << "sizes count against each other";
 }
 
 TEST_F(WishResolution, GivenPiecesHaveTheirPose) {

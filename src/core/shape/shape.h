@@ -101,6 +101,8 @@ struct Shape {
   std::array<LevelCurve, kSmoothingLevels.size()> levels;
   std::array<float, 3> mean_lab{};  // CIELAB (D65), alpha-weighted mean
   float colour_spread = -1;         // root mean square distance of the artwork's colours from it; negative: unknown
+  /// The scale at which a piece is as large as it was drawn: px of an image, 1/96 inch of an SVG; 0: unknown.
+  float drawn_scale_px = 0;
   Artwork artwork;
 };
 

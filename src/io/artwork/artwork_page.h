@@ -13,7 +13,7 @@ class ArtworkPage {
  public:
   virtual ~ArtworkPage() = default;
 
-  /// The page's size in units of its own; only the ratio matters.
+  /// The page's size in px of its own: of an image, or 1/96 inch.
   virtual cv::Size2d natural_size() const = 0;
   /// Drawing it with a longer side than this costs memory or shows nothing more.
   virtual int finest_side_px() const = 0;

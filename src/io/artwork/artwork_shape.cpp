@@ -7,6 +7,12 @@
 #include "io/artwork/silhouette.h"
 
 namespace tessera::io {
+namespace {
+
+/// Nobody draws beyond these: a page may say anything of its size.
+float drawn_scale_px(float scale_px) { return scale_px >= 1e-3f && scale_px <= 1e6f ? scale_px : 0; }
+
+}  // namespace
 
 std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
                                                           const PadParameters& pad) {
@@ -19,6 +25,7 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
   shape.name = std::filesystem::path(path).stem();
   shape.mean_lab = silhouette.colour.mean_lab;
   shape.colour_spread = silhouette.colour.spread;
+  shape.drawn_scale_px = drawn_scale_px(silhouette.drawn_px * shape.artwork.unit_px);
   shape.artwork.path = std::filesystem::absolute(path);
   shape.artwork.sha256 = sha256_of(bytes);
   shape.artwork.width_px = silhouette.width_px;

@@ -110,6 +110,8 @@ Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::strin
   silhouette.alpha = alpha_grid(drawing.bgra);
   silhouette.origin_px = {float(drawing.part.x), float(drawing.part.y)};
   silhouette.source_px = page->source_px(drawing.longest_side_px);
+  silhouette.drawn_px =
+      float(std::max(page->natural_size().width, page->natural_size().height) / drawing.longest_side_px);
   silhouette.colour = colour_of(thumbnail);
   silhouette.thumbnail_png = png_of(thumbnail);
   return silhouette;

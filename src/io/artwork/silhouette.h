@@ -30,6 +30,7 @@ struct Silhouette {
   Grid<float> alpha;                        // 0..1, of the part of the page that is drawn on
   Vec2 origin_px;                           // upper left corner of alpha's upper left pixel
   float source_px = 0;                      // size of a pixel of the source; 0 for vectors
+  float drawn_px = 0;                       // of the page's own px (1/96 inch of an SVG) for one of the raster
   ArtworkColour colour;
   std::vector<std::uint8_t> thumbnail_png;  // the whole page, RGBA, longest side kThumbnailSide_px
 };

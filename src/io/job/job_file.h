@@ -76,6 +76,7 @@ struct Job {
   std::vector<std::string> library_files;    // absolute paths
   std::vector<std::string> library_include;  // patterns of names (io/library/name_globs.h); empty: all shapes
   std::vector<std::string> library_exclude;
+  bool drawn_sizes = false;  // each shape as large as it was drawn, instead of settings.pieces' sizes
   CanvasSpec canvas;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
   int devices_per_worker = 0;   // 0 = each worker of a node uses all of them

@@ -129,6 +129,9 @@ void add_piece_keys(std::vector<JobKey>& keys) {
                                  "size of the smallest and the largest piece: the square root of its area"},
                                 &PoseWish::scale_px, FIELD(settings.pieces.min_scale_px),
                                 FIELD(settings.pieces.max_scale_px), 1));
+  keys.push_back(with_word({"pieces", "sizes", word, "", 0, 0, {"range", "drawn"},
+                            "`range`: those of `scale_px`; `drawn`: each shape as large as its drawing is"},
+                           FIELD(drawn_sizes)));
   keys.push_back(with_intervals({"pieces", "rotation_deg", intervals, "degrees", -360, 360, {},
                                  "allowed rotations of the artwork, clockwise; -180 to 180 = any"},
                                 &PoseWish::rotation_rad, FIELD(settings.pieces.min_rotation_rad),

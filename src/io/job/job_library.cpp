@@ -28,11 +28,15 @@ LibraryView open_library_of(const Job& job) {
 
 void resolve_wishes(const ShapeLibrary& library, Job& job) {
   std::vector<std::string> names;
+  std::vector<float> drawn_scales_px;
   if (has_shape_wishes(job)) {
     constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
-    for (const Shape& shape : library.read(0, library.size(), kNamesOnly)) names.push_back(shape.name);
+    for (const Shape& shape : library.read(0, library.size(), kNamesOnly)) {
+      names.push_back(shape.name);
+      drawn_scales_px.push_back(shape.drawn_scale_px);
+    }
   }
-  resolve_wishes(names, job);
+  resolve_wishes(names, drawn_scales_px, job);
 }
 
 }  // namespace tessera::io

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "core/base/error.h"
 #include "io/job/job_keys.h"
 #include "io/library/name_globs.h"
 #include "io/nearest_name.h"
+#include "io/number_text.h"
 
 namespace tessera::io {
 namespace {
@@ -34,8 +37,9 @@ void read_poses(const JobRow& row, PoseWish& poses) {
 
 class Resolution {
  public:
-  Resolution(const std::vector<std::string>& shape_names, const Job& job)
+  Resolution(const std::vector<std::string>& shape_names, const std::vector<float>& drawn_scales_px, const Job& job)
       : names_(shape_names),
+        drawn_scales_px_(drawn_scales_px),
         job_(job),
         shape_rows_(rows_of(job, "shapes")),
         region_rows_(rows_of(job, "regions")),
@@ -46,7 +50,7 @@ class Resolution {
       fail("pieces.fit: found \"all\" where there are [[regions]], allowed: \"free\"");
     }
     for (const JobRow& row : region_rows_) add_region(row);
-    if (!shape_rows_.empty()) add_classes();
+    if (!shape_rows_.empty() || job_.drawn_sizes) add_classes();
     for (const JobRow& row : given_rows_) wishes_.given.push_back(given_piece(row));
     return std::move(wishes_);
   }
@@ -93,23 +97,41 @@ class Resolution {
     if (alike > 1) fail("[[regions]]: two with the name \"" + name + "\" or the colour " + row.at("colour").text);
   }
 
-  /// Shapes that the same tables are about are one class.
+  /// One size, unless a table says another. Where all are to fit, sizes count against each other alone.
+  Interval as_drawn(std::size_t shape) const {
+    const JobKey& range = *find_job_key("pieces", "scale_px");
+    const float scale_px = drawn_scales_px_[shape];
+    const std::string sizes = "pieces.sizes: found \"drawn\", but the shape \"" + names_[shape] + "\" ";
+    if (scale_px == 0) fail(sizes + "does not say how large it was drawn; tessera library build makes its library anew");
+    if (!job_.settings.pieces.fit_all && (scale_px < float(range.min) || scale_px > float(range.max))) {
+      fail(sizes + "was drawn at " + fixed(scale_px, 1) + " px, allowed: " + fixed(range.min, 0) + " to " +
+           fixed(range.max, 0) + " px; a scale_px of [[shapes]], or pieces.fit = \"all\"");
+    }
+    return {scale_px, scale_px};
+  }
+
+  /// Shapes of one size that the same tables are about are one class.
   void add_classes() {
     std::vector<std::vector<bool>> chosen;
     for (const JobRow& row : shape_rows_) chosen.push_back(chosen_by(row));
-    std::map<std::vector<std::size_t>, std::uint32_t> class_of_rows;
+    std::map<std::pair<std::vector<std::size_t>, float>, std::uint32_t> class_of;
     for (std::size_t shape = 0; shape < names_.size(); ++shape) {
       std::vector<std::size_t> rows;
       for (std::size_t row = 0; row < chosen.size(); ++row) {
         if (chosen[row][shape]) rows.push_back(row);
       }
-      const auto [at, is_new] = class_of_rows.try_emplace(rows, std::uint32_t(wishes_.classes.size()));
-      if (is_new) wishes_.classes.push_back(class_of(rows));
+      ShapeWish wish = wish_of(rows);
+      if (job_.drawn_sizes && wish.weight > 0 && wish.poses.scale_px.empty()) {
+        wish.poses.scale_px = {as_drawn(shape)};
+      }
+      const float size_px = wish.poses.scale_px.empty() ? 0 : wish.poses.scale_px.front().min;
+      const auto [at, is_new] = class_of.try_emplace({rows, size_px}, std::uint32_t(wishes_.classes.size()));
+      if (is_new) wishes_.classes.push_back(std::move(wish));
       wishes_.class_of_shape.push_back(at->second);
     }
   }
 
-  ShapeWish class_of(const std::vector<std::size_t>& rows) const {
+  ShapeWish wish_of(const std::vector<std::size_t>& rows) const {
     ShapeWish wish;
     for (const std::size_t i : rows) {
       const JobRow& row = shape_rows_[i];
@@ -136,6 +158,7 @@ class Resolution {
   }
 
   const std::vector<std::string>& names_;
+  const std::vector<float>& drawn_scales_px_;
   const Job& job_;
   const std::vector<JobRow>& shape_rows_;
   const std::vector<JobRow>& region_rows_;
@@ -143,26 +166,33 @@ class Resolution {
   Wishes wishes_;
 };
 
-/// Sizes that shapes and regions wish for may lie outside those of [pieces].
-void widen_scales(PieceSettings& pieces, const Wishes& wishes) {
+/// Sizes that shapes and regions wish for may lie outside those of [pieces]; as they were drawn, all sizes do.
+void widen_scales(PieceSettings& pieces, const Wishes& wishes, bool drawn_sizes) {
+  pieces.several.scale_px = pieces.poses().scale_px;
+  const auto has_sizes = [](const ShapeWish& shape) { return !shape.poses.scale_px.empty(); };
+  if (drawn_sizes && std::any_of(wishes.classes.begin(), wishes.classes.end(), has_sizes)) {
+    pieces.min_scale_px = std::numeric_limits<float>::max();
+    pieces.max_scale_px = 0;
+  }
   const auto widen = [&](const PoseWish& poses) {
     for (const Interval& scale_px : poses.scale_px) {
       pieces.min_scale_px = std::min(pieces.min_scale_px, scale_px.min);
       pieces.max_scale_px = std::max(pieces.max_scale_px, scale_px.max);
     }
   };
-  pieces.several.scale_px = pieces.poses().scale_px;
   for (const ShapeWish& shape : wishes.classes) widen(shape.poses);
   for (const RegionWish& region : wishes.regions) widen(region.poses);
 }
 
 }  // namespace
 
-bool has_shape_wishes(const Job& job) { return !rows_of(job, "shapes").empty() || !rows_of(job, "given").empty(); }
+bool has_shape_wishes(const Job& job) {
+  return job.drawn_sizes || !rows_of(job, "shapes").empty() || !rows_of(job, "given").empty();
+}
 
-void resolve_wishes(const std::vector<std::string>& shape_names, Job& job) {
-  job.settings.wishes = Resolution(shape_names, job).wishes();
-  widen_scales(job.settings.pieces, job.settings.wishes);
+void resolve_wishes(const std::vector<std::string>& shape_names, const std::vector<float>& drawn_scales_px, Job& job) {
+  job.settings.wishes = Resolution(shape_names, drawn_scales_px, job).wishes();
+  widen_scales(job.settings.pieces, job.settings.wishes, job.drawn_sizes);
 }
 
 }  // namespace tessera::io

@@ -40,6 +40,7 @@ class ShapeCheck {
     require(shape_.artwork.path.size() < kPathBytes, "its path is too long");
     require(all_within(shape_.mean_lab.data(), 3, -kMaxLab, kMaxLab), "its colour is out of range");
     require(all_within(&shape_.colour_spread, 1, -1, kMaxLab), "its colours are out of range");
+    require(all_within(&shape_.drawn_scale_px, 1, 0, kMaxDrawnScale_px), "its drawn size is out of range");
   }
 
   void check_outline() const {

@@ -110,6 +110,8 @@ Columns library_columns(int pad_levels) {
                      "the first shape with the same silhouette, itself where there is none before it"},
       .colour_spread = floats("/shapes/colour_spread", {}, "CIELAB (D65)",
                               "root mean square distance of the artwork's colours from mean_lab; negative: unknown"),
+      .drawn_scale = floats("/shapes/drawn_scale", {}, "px of an image, 1/96 inch of an SVG",
+                            "the square root of the area that the shape has in the artwork; 0: unknown"),
   };
   for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k)
     c.levels.push_back(level_columns(k, std::size_t(pad_levels)));

@@ -48,6 +48,7 @@ inline constexpr std::uint64_t kMaxInflation = 16;
 inline constexpr float kMaxCoordinate = 1e4f;  // shape units, lengths too; a shape of area 1 that long is a hairline
 inline constexpr float kLeastLength = 1e-6f;
 inline constexpr float kMaxLab = 200;
+inline constexpr float kMaxDrawnScale_px = 1e6f;
 inline constexpr int kMaxArtworkSize_px = 1 << 20;
 
 enum class Element { float32, int16, int32, int64, uint64, uint8, text };
@@ -78,7 +79,7 @@ struct Columns {
   Column first_thumbnail_byte, thumbnail_bytes, first_original_byte, original_bytes;
   std::vector<LevelColumns> levels;  // one for each of kSmoothingLevels
   // Libraries of older versions lack these.
-  Column part_digest, artwork_beside, artwork_sha256, variant_of, colour_spread;
+  Column part_digest, artwork_beside, artwork_sha256, variant_of, colour_spread, drawn_scale;
 };
 
 /// The group of smoothing level k.

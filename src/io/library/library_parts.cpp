@@ -98,11 +98,14 @@ HeadReader::HeadReader(hid_t file, const layout::Columns& columns)
       perimeter_(file, columns.perimeter),
       radius_(file, columns.radius),
       mean_lab_(file, columns.mean_lab),
-      colour_spread_(ColumnReader::if_present(file, columns.colour_spread)) {}
+      colour_spread_(ColumnReader::if_present(file, columns.colour_spread)),
+      drawn_scale_(ColumnReader::if_present(file, columns.drawn_scale)) {}
 
 std::vector<const ColumnReader*> HeadReader::columns() const {
   std::vector<const ColumnReader*> all{&name_, &perimeter_, &radius_, &mean_lab_};
-  if (colour_spread_) all.push_back(&*colour_spread_);
+  for (const auto* column : {&colour_spread_, &drawn_scale_}) {
+    if (*column) all.push_back(&**column);
+  }
   return all;
 }
 
@@ -114,6 +117,10 @@ void HeadReader::read(const ShapeBatch& range) const {
   if (colour_spread_) {
     const auto spread = read_floats(*colour_spread_, range.begin, range.end, -1, layout::kMaxLab);
     for (std::size_t i = 0; i < range.count(); ++i) range.shapes[i].colour_spread = spread[i];
+  }
+  if (drawn_scale_) {
+    const auto scale_px = read_floats(*drawn_scale_, range.begin, range.end, 0, layout::kMaxDrawnScale_px);
+    for (std::size_t i = 0; i < range.count(); ++i) range.shapes[i].drawn_scale_px = scale_px[i];
   }
   for (std::size_t i = 0; i < range.count(); ++i) {
     Shape& shape = range.shapes[i];

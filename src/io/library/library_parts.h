@@ -33,7 +33,7 @@ class HeadReader {
 
  private:
   ColumnReader name_, perimeter_, radius_, mean_lab_;
-  std::optional<ColumnReader> colour_spread_;
+  std::optional<ColumnReader> colour_spread_, drawn_scale_;
 };
 
 class OutlineReader {

@@ -172,7 +172,8 @@ std::vector<ShapeHead> LibraryFile::State::heads(std::size_t begin, std::size_t 
   std::vector<ShapeHead> heads;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     Shape& shape = shapes[i];
-    heads.push_back({std::move(shape.name), shape.perimeter, shape.radius, shape.mean_lab, digest[i], variant[i]});
+    heads.push_back({std::move(shape.name), shape.perimeter, shape.radius, shape.mean_lab, digest[i], variant[i],
+                     shape.drawn_scale_px});
   }
   return heads;
 }

@@ -211,6 +211,7 @@ struct LibraryWriter::State {
           radius(file, columns.radius),
           mean_lab(file, columns.mean_lab),
           colour_spread(file, columns.colour_spread),
+          drawn_scale(file, columns.drawn_scale),
           outline(file, columns),
           field(file, columns),
           artwork(file, columns, folder),
@@ -220,7 +221,7 @@ struct LibraryWriter::State {
     }
 
     TextWriter name;
-    ColumnWriter perimeter, radius, mean_lab, colour_spread;
+    ColumnWriter perimeter, radius, mean_lab, colour_spread, drawn_scale;
     OutlineWriter outline;
     FieldWriter field;
     ArtworkWriter artwork;
@@ -277,6 +278,7 @@ void LibraryWriter::append(const Shape& shape, std::optional<std::uint32_t> vari
     to.radius.append(&shape.radius, 1);
     to.mean_lab.append(shape.mean_lab.data(), 1);
     to.colour_spread.append(&shape.colour_spread, 1);
+    to.drawn_scale.append(&shape.drawn_scale_px, 1);
     std::vector<std::uint64_t> digests{to.outline.append(shape.outline), to.field.append(shape.field)};
     for (std::size_t k = 0; k < to.levels.size(); ++k)
       digests.push_back(to.levels[k].append(shape.levels[k], state_->pad.levels));

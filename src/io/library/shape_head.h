@@ -22,12 +22,14 @@ struct ShapeHead {
   std::array<float, 3> mean_lab{};
   PartDigests part_digest{};
   std::uint32_t variant_of = 0;  // the first shape of the library with the same silhouette
+  float drawn_scale_px = 0;      // 0: unknown
 
   std::uint64_t outline_digest() const { return part_digest[0]; }
 };
 
 /// ShapeLibrary::content_digest() of so many shapes; `heads` gives those of any range. Where every shape is its own
-/// variant nothing is added for that, so that a library has the digest which it had before there were variants.
+/// variant nothing is added for that, nor where no drawn scale is known: so a library has the digest which it had before
+/// there were any.
 std::uint64_t digest_of_heads(const PadParameters& pad, std::size_t shapes,
                               const std::function<std::vector<ShapeHead>(std::size_t begin, std::size_t end)>& heads);
 
