@@ -19,10 +19,6 @@ bool matches(const std::string& glob, const std::string& name, int flags = 0) {
   return ::fnmatch(glob.c_str(), name.c_str(), flags) == 0;
 }
 
-bool matches_any(const std::vector<std::string>& globs, const std::string& name) {
-  return std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) { return matches(glob, name); });
-}
-
 std::string letters_of(std::string glob) {
   std::erase_if(glob, [](char c) { return c == '*' || c == '?' || c == '[' || c == ']' || c == '\\'; });
   return glob;
@@ -46,6 +42,10 @@ std::string near_names(const std::string& glob, const std::vector<std::string>& 
 }
 
 }  // namespace
+
+bool matches_any(const std::vector<std::string>& globs, const std::string& name) {
+  return std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) { return matches(glob, name); });
+}
 
 std::vector<bool> chosen_names(const std::vector<std::string>& names, const NameGlobs& globs,
                                const std::string& library) {
