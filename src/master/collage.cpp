@@ -58,6 +58,12 @@ std::vector<ShapeId> silhouettes_of(const ShapeSource& shapes, std::uint32_t cou
   return silhouettes;
 }
 
+std::vector<ShapeId> drawings_of(const ShapeSource& shapes, std::uint32_t count) {
+  std::vector<ShapeId> drawings;
+  for (std::uint32_t shape = 0; shape < count; ++shape) drawings.push_back(shapes.drawing(ShapeId(shape)));
+  return drawings;
+}
+
 }  // namespace
 
 Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context,
@@ -71,7 +77,9 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       curve_(settings.pieces, settings.match.pad),
       checks_(shapes, free_, opened_, settings_.pieces),
       outlines_(free_, settings.pieces),
-      scoring_(settings, context.stances, silhouettes_of(shapes, context.library_shapes), canvas.period),
+      scoring_(settings, context.stances, silhouettes_of(shapes, context.library_shapes), canvas.period,
+               drawings_of(shapes, context.library_shapes)),
+      apart_(settings, shapes, canvas.period),
       settling_(shapes, free_, outlines_, context_),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
@@ -101,7 +109,10 @@ std::vector<ShapeId> Collage::missing() const {
 float Collage::most_scale_for(const std::vector<ShapeId>& missing) const {
   const StanceTable table = all_stances_.limited({.region = limits_.region, .size_factor = limits_.size_factor});
   std::vector<Interval> sizes;
-  for (const ShapeId shape : missing) sizes.push_back({table.list(shape).min_scale_px, table.list(shape).max_scale_px});
+  for (const ShapeId shape : missing) {
+    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the place of both
+    sizes.push_back({table.list(shape).min_scale_px, table.list(shape).max_scale_px});
+  }
   return most_scale_px(double(free_.free_256ths_px2()) / 256, sizes);
 }
 
@@ -164,7 +175,7 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     candidate.terms = refined.terms;
     candidate.perimeter = refined.perimeter;
     candidate.radius = refined.radius;
-    if (!scoring_.may_use(docking.shape) || !scoring_.acceptable(candidate)) continue;
+    if (!scoring_.may_use(docking.shape) || !scoring_.acceptable(candidate) || !keeps_apart(candidate)) continue;
     if (!fits_into(free_.grid().period(), refined.extent)) continue;
     candidate.score = scoring_.score(candidate);
     candidate.window = nodes_round(refined.extent, free_.field().origin, context_.gap_px + kWindowMargin_px);
@@ -181,10 +192,12 @@ Window Collage::place(const Candidate& candidate) {
   placements_.push_back({candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
   outlines_.add(placements_.back(), shape.outline);
   scoring_.count(placements_.back());
+  apart_.add(placements_.back());
   covered_px2_ += area_px2(placements_.back());
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
   changed_nodes_ = free_.grid().united(changed_nodes_, changed);
   retrace(changed);
+  drop_what_is_too_near_to(placements_.back());
   update_limits();
   return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
                       2 + kept_distance_px(settings_.pieces));
@@ -195,9 +208,11 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   placements_ = std::move(placements);
   outlines_.replace(placements_, shapes_);
   scoring_.forget_placements();
+  apart_.forget_placements();
   covered_px2_ = 0;
   for (const Placement& p : placements_) {
     scoring_.count(p);
+    apart_.add(p);
     covered_px2_ += area_px2(p);
   }
   pool_ = {};
@@ -261,6 +276,17 @@ void Collage::drop_what_may_not_stand() {
   std::vector<SampleId> ids;
   for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
   for (const SampleId id : ids) review(id, may_stand);
+}
+
+bool Collage::keeps_apart(const Candidate& candidate) {
+  return apart_.may_stand(candidate.shape, candidate.canvas_from_shape, candidate.radius);
+}
+
+void Collage::drop_what_is_too_near_to(const Placement& placement) {
+  if (!apart_.concerns(placement.shape)) return;
+  std::vector<SampleId> ids;
+  for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
+  for (const SampleId id : ids) review(id, [&](const Candidate& c) { return keeps_apart(c); });
 }
 
 /// Target samples that may have candidates whose windows overlap an image of `changed`.

@@ -19,6 +19,7 @@
 #include "core/settings.h"
 #include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
+#include "master/kept_apart.h"
 #include "master/scoring.h"
 #include "master/settling.h"
 
@@ -107,6 +108,8 @@ class Collage {
   void update_limits();
   float most_scale_for(const std::vector<ShapeId>& missing) const;
   void drop_what_may_not_stand();
+  bool keeps_apart(const Candidate& candidate);
+  void drop_what_is_too_near_to(const Placement& placement);
   std::vector<SampleId> pooled_near(const Window& changed) const;
   template <class Keep>
   void review(SampleId id, Keep keep);
@@ -133,6 +136,7 @@ class Collage {
   std::vector<Placement> placements_;
   PlacedOutlines outlines_;  // of the placements
   Scoring scoring_;
+  KeptApart apart_;
   Settling settling_;
   double covered_px2_ = 0;
   Window changed_nodes_;
