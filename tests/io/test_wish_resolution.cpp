@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "io/job/shape_group.h"
 #include "io/scratch_folder.h"
 
 namespace tessera::io {
@@ -73,6 +74,28 @@ TEST_F(WishResolution, ShapesNameRegions) {
   EXPECT_TRUE(wishes.classes[wishes.class_of_shape[0]].in_region.empty());
   ASSERT_EQ(wishes.regions.size(), 2u);
   EXPECT_EQ(wishes.regions[1].poses.rotation_rad.size(), 1u);
+}
+
+TEST_F(WishResolution, ATableWithADistanceMakesACompany) {
+  const Wishes wishes = resolved(
+                            "[[shapes]]\nnames = '*'\napart_px = 50\n[[shapes]]\nnames = 'owl*'\napart_px = 120\n"
+                            "[[shapes]]\nnames = 'owl'\nweight = 2\n")
+                            .settings.wishes;
+  const auto of = [&](std::size_t shape) { return wishes.classes[wishes.class_of_shape[shape]].apart.value(); };
+  EXPECT_EQ(of(0), of(1));
+  EXPECT_EQ(of(0).distance_px, 50);
+  EXPECT_EQ(of(2), of(3)) << "of the same company, though not of the same class";
+  EXPECT_EQ(of(2).distance_px, 120);
+  EXPECT_NE(of(2).company, of(0).company);
+}
+
+TEST_F(WishResolution, TheLastTableThatNamesAGroupHolds) {
+  const Job job = resolved(
+      "[[shapes]]\nnames = '*'\ngroup = 'animals'\n[[shapes]]\nnames = 'owl*'\ngroup = 'birds'\n"
+      "[[shapes]]\nnames = 'owl'\nweight = 2\n");
+  EXPECT_EQ(shape_group(job, "cat"), "animals");
+  EXPECT_EQ(shape_group(job, "owl"), "birds");
+  EXPECT_EQ(shape_group(resolved(""), "owl"), "");
 }
 
 TEST_F(WishResolution, GivenPiecesHaveTheirPose) {
