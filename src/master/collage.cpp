@@ -52,6 +52,13 @@ std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placemen
   return result;
 }
 
+/// Of two ascending lists.
+std::vector<ShapeId> joined(const std::vector<ShapeId>& a, const std::vector<ShapeId>& b) {
+  std::vector<ShapeId> both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
 std::vector<ShapeId> silhouettes_of(const ShapeSource& shapes, std::uint32_t count) {
   std::vector<ShapeId> silhouettes;
   for (std::uint32_t shape = 0; shape < count; ++shape) silhouettes.push_back(shapes.silhouette(ShapeId(shape)));
@@ -116,12 +123,26 @@ float Collage::most_scale_for(const std::vector<ShapeId>& missing) const {
   return most_scale_px(double(free_.free_256ths_px2()) / 256, sizes);
 }
 
+bool Collage::may_go_on() const {
+  StandingLimits by_uses = limits_;
+  by_uses.used_up = scoring_.closed_shapes(missing());
+  return all_stances_.limited(by_uses).open_shapes() > 0;
+}
+
+/// By the distances that pieces keep from their like.
+std::vector<ShapeId> Collage::shut_out_shapes() const {
+  if (!apart_.matters()) return {};
+  std::vector<Vec2> boundary_px;
+  for (const SampleId id : curve_.samples()) boundary_px.push_back(curve_.sample(id).position);
+  return apart_.shut_out(context_.library_shapes, boundary_px);
+}
+
 /// They follow from the placements: whatever came and went, the same may stand.
 void Collage::update_limits() {
-  if (!scoring_.limits_uses()) return;
+  if (!scoring_.limits_uses() && !apart_.matters()) return;
   const std::vector<ShapeId> missing = this->missing();
   StandingLimits now{.region = limits_.region, .size_factor = limits_.size_factor};
-  now.used_up = scoring_.closed_shapes(missing);
+  now.used_up = joined(scoring_.closed_shapes(missing), shut_out_shapes());
   if (settings_.pieces.fit_all && !missing.empty()) now.most_scale_px = most_scale_for(missing);
   if (now == limits_) return;
   limits_ = now;

@@ -42,8 +42,8 @@ class Collage {
   bool take_limits_change() { return std::exchange(limits_changed_, false); }
   /// The shapes of which fewer stand than are wanted at least, ascending.
   std::vector<ShapeId> missing() const;
-  /// Whether any shape may still stand.
-  bool may_go_on() const { return context_.stances.open_shapes() > 0; }
+  /// Whether the library is not used up: by its uses some shape may still stand.
+  bool may_go_on() const;
 
   /// The nodes of the free field that changed since the last call; all of them at first. On a seamless canvas this
   /// window, like all those below, stands for all of its images (PeriodicGrid).
@@ -109,6 +109,7 @@ class Collage {
   float most_scale_for(const std::vector<ShapeId>& missing) const;
   void drop_what_may_not_stand();
   bool keeps_apart(const Candidate& candidate);
+  std::vector<ShapeId> shut_out_shapes() const;
   void drop_what_is_too_near_to(const Placement& placement);
   std::vector<SampleId> pooled_near(const Window& changed) const;
   template <class Keep>

@@ -21,6 +21,8 @@ class KeptApart {
   /// `shapes` outlives it. `period` is that of the canvas: across a seam the distance is kept, too.
   KeptApart(const CollageSettings& settings, ShapeSource& shapes, const Period& period);
 
+  /// Whether pieces of any shape keep a distance.
+  bool matters() const { return matters_; }
   /// Whether pieces of this shape keep a distance at all.
   bool concerns(ShapeId shape) const { return company_of(shape).distance_px > 0; }
 
@@ -30,6 +32,10 @@ class KeptApart {
   /// Whether a piece may stand there beside those that were added. Only near its like the shape is looked at; `radius`:
   /// its own, shape units.
   bool may_stand(ShapeId shape, const Similarity& canvas_from_shape, float radius);
+
+  /// Of so many shapes those that could stand at none of these points of a boundary (canvas px), ascending: all of them
+  /// are too near to pieces that were added. Matching need not look for them.
+  std::vector<ShapeId> shut_out(std::uint32_t shapes, const std::vector<Vec2>& boundary_px) const;
 
  private:
   struct Company {
@@ -49,8 +55,10 @@ class KeptApart {
 
   Company company_of(ShapeId shape) const;
   Boundary boundary_of(ShapeId shape, const Similarity& canvas_from_shape);
+  bool any_beyond(float distance_px, const std::vector<Boundary>& pieces, const std::vector<Vec2>& points_px) const;
 
   float job_distance_px_;
+  bool matters_;
   Wishes wishes_;
   ShapeSource& shapes_;
   Period period_;

@@ -1,6 +1,8 @@
 // Wishes in a table beside the library: as spreadsheets write it, and as they should not.
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "io/csv_text.h"
 #include "io/job/job_difference.h"
 #include "io/job/job_file.h"
@@ -144,9 +146,38 @@ TEST_F(WishesFile, NamesThatThereAreNotAreToldWithTheirLine) {
   const std::vector<std::string> names = {"cat", "owl"};
   EXPECT_NE(message_of([&] { resolve_wishes(names, job); }).find("wishes.csv:3: [[shapes]] names: include: no shape of"),
             std::string::npos);
+  EXPECT_NE(message_of([&] { resolve_wishes({"cat", "owl", "cat", "owl"}, job); }).find("near it are: owl, cat"),
+            std::string::npos)
+      << "each name once, though there are mirror images";
   job = job_with("names,uses\ncat,1\n", "[[shapes]]\nnames = 'dog'\nuses = 7\n");
   EXPECT_NE(message_of([&] { resolve_wishes(names, job); }).find("job.toml: [[shapes]] names: include: no shape of"),
             std::string::npos);
+}
+
+/// Tables that nobody should write: each is refused in one short line, or a legal job.
+TEST_F(WishesFile, OfAnyBytesIsRefusedInOneLineOrLegal) {
+  const std::vector<std::string> parts = {"names", "weight", "scale_px", "group", "\"", "\"\"", ",", ",,", ";", "\n", "\r\n",
+                                          "\r", "[", "]", "[[1, 2]", "{a.a.a = 1}", "nan", "1e999", "owl*", "\xff",
+                                          std::string(1, '\0'), "\xef\xbb\xbf", "= 1\nseed", "'''", "#", "true", " ",
+                                          std::string(5000, 'x'), "{" + std::string(4000, '['), "0.5", "-1", "also"};
+  std::mt19937 random(2016);
+  int legal = 0;
+  for (int round = 0; round < 400; ++round) {
+    std::string table = round % 2 ? "names,weight,group\nowl*,1," : "";
+    for (std::uint32_t i = random() % (round % 2 ? 3 : 12); i > 0; --i) table += parts[random() % parts.size()];
+    try {
+      const Job job = job_with(table);
+      EXPECT_EQ(to_toml(job_from_toml(to_toml(job), "again")), to_toml(job)) << table;
+      ++legal;
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      EXPECT_LT(message.size(), 700u);
+      EXPECT_NE(message.find("wishes.csv"), std::string::npos) << message;
+      for (const unsigned char c : message) EXPECT_TRUE(c >= 0x20 && c != 0x7f) << message;
+    }
+  }
+  EXPECT_GT(legal, 20);
+  EXPECT_LT(legal, 200);
 }
 
 /// The parser must not meet keys of many levels: it would use up the stack.

@@ -346,7 +346,24 @@ TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
   EXPECT_LT(least_distance_px(result.placements, [](const Placement& a, const Placement& b) {
               return index_of(a.shape) == 6 && index_of(b.shape) == 6;
             }), 20);
-  expect_repeatable(canvas, s, result);
+}
+
+/// As if each shape might be used once: neither rounds nor matching are spent on what stands already.
+TEST(Wishes, ShapesThatAreShutOutEverywhereCostNothing) {
+  CollageSettings s = settings();
+  s.pieces.max_scale_px = 40;
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  CollageSettings once = s;
+  once.pieces.uses = 1;
+  s.pieces.apart_px = 1000;
+  const CollageResult apart = run(canvas, s);
+  const CollageResult used_once = run(canvas, once);
+  EXPECT_EQ(apart.placements.size(), library().size());
+  EXPECT_EQ(uses(apart.placements).size(), library().size());
+  EXPECT_EQ(apart.statistics.stopped_by, "full");
+  EXPECT_EQ(used_once.statistics.stopped_by, "used_up");
+  EXPECT_LT(apart.statistics.target_samples, 1.2 * double(used_once.statistics.target_samples));
+  expect_repeatable(canvas, s, apart);
 }
 
 TEST(Wishes, AcrossASeamPiecesKeepApartToo) {
