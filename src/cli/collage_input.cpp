@@ -31,7 +31,8 @@ Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job) {
   Canvas canvas = io::load_canvas(job.canvas);
   io::check_picture_size(job.output, canvas);
   if (job.settings.pieces.fit_all) {
-    job.size_factor = first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2);
+    job.size_factor =
+        first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2, library.drawings());
   }
   io::check_images(canvas, with_sizes_times(job.size_factor, job.settings).pieces);
   return canvas;

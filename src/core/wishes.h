@@ -27,12 +27,21 @@ struct PoseWish {
   friend bool operator==(const PoseWish&, const PoseWish&) = default;
 };
 
+/// Pieces of one company keep this distance from each other.
+struct ApartWish {
+  std::uint32_t company = 0;
+  float distance_px = 0;  // between their outlines; 0: any
+
+  friend bool operator==(const ApartWish&, const ApartWish&) = default;
+};
+
 /// Of all shapes of a class.
 struct ShapeWish {
   PoseWish poses;
   float weight = 1;                    // of the score; 0: never
   std::optional<int> uses;             // at most so many of each shape; 0 = no limit; empty: as the job says
   std::optional<int> least_uses;       // at least so many of each, while there is room; empty: as the job says
+  std::optional<ApartWish> apart;      // empty: those of one silhouette, as the job says
   std::vector<std::uint8_t> in_region;  // per region: whether they may stand there; empty = everywhere
 
   friend bool operator==(const ShapeWish&, const ShapeWish&) = default;

@@ -52,10 +52,23 @@ std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placemen
   return result;
 }
 
+/// Of two ascending lists.
+std::vector<ShapeId> joined(const std::vector<ShapeId>& a, const std::vector<ShapeId>& b) {
+  std::vector<ShapeId> both;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  return both;
+}
+
 std::vector<ShapeId> silhouettes_of(const ShapeSource& shapes, std::uint32_t count) {
   std::vector<ShapeId> silhouettes;
   for (std::uint32_t shape = 0; shape < count; ++shape) silhouettes.push_back(shapes.silhouette(ShapeId(shape)));
   return silhouettes;
+}
+
+std::vector<ShapeId> drawings_of(const ShapeSource& shapes, std::uint32_t count) {
+  std::vector<ShapeId> drawings;
+  for (std::uint32_t shape = 0; shape < count; ++shape) drawings.push_back(shapes.drawing(ShapeId(shape)));
+  return drawings;
 }
 
 }  // namespace
@@ -72,7 +85,9 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       curve_(settings.pieces, settings.match.pad),
       checks_(shapes, free_, opened_, settings_.pieces),
       outlines_(free_, settings.pieces),
-      scoring_(settings, context.stances, silhouettes_of(shapes, context.library_shapes), canvas.period),
+      scoring_(settings, context.stances, silhouettes_of(shapes, context.library_shapes), canvas.period,
+               drawings_of(shapes, context.library_shapes)),
+      apart_(settings, shapes, canvas.period),
       settling_(shapes, free_, outlines_, context_),
       changed_nodes_(free_.field().value.bounds()) {
   retrace(changed_nodes_);
@@ -101,18 +116,33 @@ std::vector<ShapeId> Collage::missing() const {
 float Collage::most_scale_for(const std::vector<ShapeId>& missing) const {
   std::vector<Interval> sizes;
   for (const ShapeId shape : missing) {
+    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the place of both
     const StanceList& stances = region_stances_.list(shape);
     sizes.push_back({stances.min_scale_px, stances.max_scale_px});
   }
   return most_scale_px(double(free_.free_256ths_px2()) / 256, sizes);
 }
 
+bool Collage::may_go_on() const {
+  StandingLimits by_uses = limits_;
+  by_uses.used_up = scoring_.closed_shapes(missing());
+  return all_stances_.limited(by_uses).open_shapes() > 0;
+}
+
+/// By the distances that pieces keep from their like.
+std::vector<ShapeId> Collage::shut_out_shapes() const {
+  if (!apart_.matters()) return {};
+  std::vector<Vec2> boundary_px;
+  for (const SampleId id : curve_.samples()) boundary_px.push_back(curve_.sample(id).position);
+  return apart_.shut_out(context_.library_shapes, boundary_px);
+}
+
 /// They follow from the placements: whatever came and went, the same may stand.
 void Collage::update_limits() {
-  if (!scoring_.limits_uses()) return;
+  if (!scoring_.limits_uses() && !apart_.matters()) return;
   const std::vector<ShapeId> missing = this->missing();
   StandingLimits now{.region = limits_.region, .size_factor = limits_.size_factor};
-  now.used_up = scoring_.closed_shapes(missing);
+  now.used_up = joined(scoring_.closed_shapes(missing), shut_out_shapes());
   if (settings_.pieces.fit_all && !missing.empty()) now.most_scale_px = most_scale_for(missing);
   if (now == limits_) return;
   limit(now);
@@ -170,7 +200,7 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     candidate.terms = refined.terms;
     candidate.perimeter = refined.perimeter;
     candidate.radius = refined.radius;
-    if (!scoring_.may_use(docking.shape) || !scoring_.acceptable(candidate)) continue;
+    if (!scoring_.may_use(docking.shape) || !scoring_.acceptable(candidate) || !keeps_apart(candidate)) continue;
     if (!fits_into(free_.grid().period(), refined.extent)) continue;
     candidate.score = scoring_.score(candidate);
     candidate.window = nodes_round(refined.extent, free_.field().origin, context_.gap_px + kWindowMargin_px);
@@ -187,10 +217,12 @@ Window Collage::place(const Candidate& candidate) {
   placements_.push_back({candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
   outlines_.add(placements_.back(), shape.outline);
   scoring_.count(placements_.back());
+  apart_.add(placements_.back());
   covered_px2_ += area_px2(placements_.back());
   const Window changed = free_.stamp(shape, candidate.canvas_from_shape);
   changed_nodes_ = free_.grid().united(changed_nodes_, changed);
   retrace(changed);
+  drop_what_is_too_near_to(placements_.back());
   update_limits();
   return piece_window(shape.outline, candidate.canvas_from_shape, free_.field().origin,
                       2 + kept_distance_px(settings_.pieces));
@@ -201,9 +233,11 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   placements_ = std::move(placements);
   outlines_.replace(placements_, shapes_);
   scoring_.forget_placements();
+  apart_.forget_placements();
   covered_px2_ = 0;
   for (const Placement& p : placements_) {
     scoring_.count(p);
+    apart_.add(p);
     covered_px2_ += area_px2(p);
   }
   pool_ = {};
@@ -267,6 +301,17 @@ void Collage::drop_what_may_not_stand() {
   std::vector<SampleId> ids;
   for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
   for (const SampleId id : ids) review(id, may_stand);
+}
+
+bool Collage::keeps_apart(const Candidate& candidate) {
+  return apart_.may_stand(candidate.shape, candidate.canvas_from_shape, candidate.radius);
+}
+
+void Collage::drop_what_is_too_near_to(const Placement& placement) {
+  if (!apart_.concerns(placement.shape)) return;
+  std::vector<SampleId> ids;
+  for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
+  for (const SampleId id : ids) review(id, [&](const Candidate& c) { return keeps_apart(c); });
 }
 
 /// Target samples that may have candidates whose windows overlap an image of `changed`.

@@ -19,6 +19,7 @@
 #include "core/settings.h"
 #include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
+#include "master/kept_apart.h"
 #include "master/scoring.h"
 #include "master/settling.h"
 
@@ -41,8 +42,8 @@ class Collage {
   bool take_limits_change() { return std::exchange(limits_changed_, false); }
   /// The shapes of which fewer stand than are wanted at least, ascending.
   std::vector<ShapeId> missing() const;
-  /// Whether any shape may still stand.
-  bool may_go_on() const { return context_.stances.open_shapes() > 0; }
+  /// Whether the library is not used up: by its uses some shape may still stand.
+  bool may_go_on() const;
 
   /// The nodes of the free field that changed since the last call; all of them at first. On a seamless canvas this
   /// window, like all those below, stands for all of its images (PeriodicGrid).
@@ -108,6 +109,9 @@ class Collage {
   void limit(const StandingLimits& limits);
   float most_scale_for(const std::vector<ShapeId>& missing) const;
   void drop_what_may_not_stand();
+  bool keeps_apart(const Candidate& candidate);
+  std::vector<ShapeId> shut_out_shapes() const;
+  void drop_what_is_too_near_to(const Placement& placement);
   std::vector<SampleId> pooled_near(const Window& changed) const;
   template <class Keep>
   void review(SampleId id, Keep keep);
@@ -135,6 +139,7 @@ class Collage {
   std::vector<Placement> placements_;
   PlacedOutlines outlines_;  // of the placements
   Scoring scoring_;
+  KeptApart apart_;
   Settling settling_;
   double covered_px2_ = 0;
   Window changed_nodes_;

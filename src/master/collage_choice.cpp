@@ -19,7 +19,7 @@ std::vector<Pool::Ranked> Collage::finalists() {
   const auto worth = [&](const Candidate& c) { return c.score * scoring_.preference(c); };
   pool_.best_first(worth, [&](const Pool::Ranked& ranked, const Candidate& c) {
     const bool repeated = std::any_of(looks.begin(), looks.end(), [&](const Candidate* other) {
-      return scoring_.same_silhouette(other->shape, c.shape) &&
+      return scoring_.look_alike(other->shape, c.shape) &&
              near_copy(other->canvas_from_shape, c.canvas_from_shape, kSameCandidate);
     });
     if (!repeated) {
@@ -54,7 +54,7 @@ bool Collage::settle(Candidate& candidate) {
   candidate.canvas_from_shape = free_.grid().period().wrapped(candidate.canvas_from_shape);
   candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context_);
   const ExactAreas areas = check_exactly(candidate);
-  return scoring_.acceptable(candidate) && scoring_.overlaps_little(candidate, areas);
+  return scoring_.acceptable(candidate) && scoring_.overlaps_little(candidate, areas) && keeps_apart(candidate);
 }
 
 /// Where the canvas repeats both ways there is no boundary until a piece stands: the first is any shape, large and as

@@ -9,18 +9,25 @@
 #include "core/tuning.h"
 
 namespace tessera::master {
+namespace {
+
+/// Each that is not listed is its own.
+std::vector<ShapeId> filled_up(std::vector<ShapeId> listed, std::uint32_t shapes) {
+  for (std::uint32_t shape = std::uint32_t(listed.size()); shape < shapes; ++shape) listed.push_back(ShapeId(shape));
+  return listed;
+}
+
+}  // namespace
 
 Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, std::vector<ShapeId> silhouettes,
-                 const Period& period)
+                 const Period& period, std::vector<ShapeId> drawings)
     : pieces_(settings.pieces),
       wishes_(settings.wishes),
       objective_(settings.objective),
       period_(period),
-      silhouettes_(std::move(silhouettes)),
+      silhouettes_(filled_up(std::move(silhouettes), stances.library_shapes())),
+      drawings_(filled_up(std::move(drawings), stances.library_shapes())),
       placed_(stances.library_shapes()) {
-  for (std::size_t shape = silhouettes_.size(); shape < placed_.size(); ++shape) {
-    silhouettes_.push_back(ShapeId(std::uint32_t(shape)));
-  }
   for (const Stance& stance : stances.stances()) weight_.push_back(stance.weight);
   limits_uses_ = pieces_.fit_all || pieces_.uses > 0 || pieces_.least_uses > 0;
   for (const ShapeWish& wish : wishes_.classes) {
@@ -39,7 +46,8 @@ void Scoring::forget_placements() {
 /// Of this drawing alone: the same outline in other colours is another one.
 int Scoring::uses_of(ShapeId shape) const {
   const std::vector<Placed>& placed = placed_[silhouette(shape)];
-  return int(std::count_if(placed.begin(), placed.end(), [&](const Placed& p) { return p.shape == shape; }));
+  return int(
+      std::count_if(placed.begin(), placed.end(), [&](const Placed& p) { return same_drawing(p.shape, shape); }));
 }
 
 /// Null where nothing is wished.

@@ -16,9 +16,11 @@ namespace tessera::master {
 class Scoring {
  public:
   /// `silhouettes`: for each shape of the library the first one with its silhouette; empty: each is its own. Shapes of
-  /// one silhouette repeat each other. `period` is that of the canvas: copies across a seam are near, too.
+  /// one silhouette repeat each other. `period` is that of the canvas: copies across a seam are near, too. `drawings`:
+  /// for each shape the one that it is the mirror image of, mostly itself; empty: there are no mirror images. Uses are
+  /// those of the drawing, however it stands.
   Scoring(const CollageSettings& settings, const StanceTable& stances, std::vector<ShapeId> silhouettes = {},
-          const Period& period = {});
+          const Period& period = {}, std::vector<ShapeId> drawings = {});
 
   /// A piece of this placement stands from now on.
   void count(const Placement& placement);
@@ -26,7 +28,10 @@ class Scoring {
 
   /// Whether it matters at all how often a shape stands.
   bool limits_uses() const { return limits_uses_; }
-  bool same_silhouette(ShapeId a, ShapeId b) const { return silhouette(a) == silhouette(b); }
+  /// Whether at one pose they cover the same: a silhouette in other colours does, its mirror image does not.
+  bool look_alike(ShapeId a, ShapeId b) const {
+    return silhouette(a) == silhouette(b) && is_mirror_image(a) == is_mirror_image(b);
+  }
   /// Whether another one of the shape may stand.
   bool may_use(ShapeId shape) const;
   /// Whether there are fewer of the shape than are wanted at least.
@@ -51,6 +56,9 @@ class Scoring {
     Similarity canvas_from_shape;
   };
   std::uint32_t silhouette(ShapeId shape) const { return index_of(silhouettes_[index_of(shape)]); }
+  ShapeId drawing(ShapeId shape) const { return drawings_[index_of(shape)]; }
+  bool is_mirror_image(ShapeId shape) const { return drawing(shape) != shape; }
+  bool same_drawing(ShapeId a, ShapeId b) const { return drawing(a) == drawing(b); }
   int uses_of(ShapeId shape) const;
   /// 0 = no limit.
   int most_uses(ShapeId shape) const;
@@ -64,6 +72,7 @@ class Scoring {
   Period period_;
   bool limits_uses_ = false;
   std::vector<ShapeId> silhouettes_;
+  std::vector<ShapeId> drawings_;
   std::vector<std::vector<Placed>> placed_;  // per silhouette
 };
 

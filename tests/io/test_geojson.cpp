@@ -41,6 +41,19 @@ TEST(GeoJson, OneFeatureAPlacementWithItsProperties) {
   EXPECT_EQ(properties["matched_px"], 12.5);
 }
 
+TEST(GeoJson, SaysWhichPiecesAreMirroredAndWhichGroupTheyAreOf) {
+  test::SampleCollage sample;
+  sample.report.shapes[1].artwork.mirrored = true;
+  sample.job.tables["shapes"] = {{{"names", {{}, {}, {"d*"}}}, {"group", {{}, "round \"ones\""}}}};
+  const json collection = json::parse(geojson_text(sample.report));
+  const json& disc = collection["features"][0]["properties"];
+  const json& ring = collection["features"][1]["properties"];
+  EXPECT_EQ(disc["mirrored"], false);
+  EXPECT_EQ(ring["mirrored"], true);
+  EXPECT_EQ(disc["group"], "round \"ones\"");
+  EXPECT_FALSE(ring.contains("group"));
+}
+
 TEST(GeoJson, RingsAreClosedAndTurnAsTheStandardSays) {
   const test::SampleCollage sample;
   const json geometry = json::parse(geojson_text(sample.report))["features"][1]["geometry"];

@@ -179,6 +179,50 @@ TEST_F(LibraryViews, AnInterruptedCopyLeavesNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path("copy.h5.tmp")));
 }
 
+LibraryChoice mirroring(const std::string& path, std::vector<MirroringRule> rules) { return {{path}, {}, rules}; }
+
+TEST_F(LibraryViews, HaveMirrorImagesBehindTheirShapes) {
+  const std::string path = write("a.h5", animals_, {}, {0, 1, 0, 3});
+  const LibraryView view(mirroring(path, {{{"*"}, Mirroring::also}, {{"cow"}, Mirroring::never}}));
+  EXPECT_EQ(names(view), (Names{"cat", "cow", "dog", "Cat", "cat", "dog", "Cat"}));
+  EXPECT_EQ(view.drawings(), (Variants{0, 1, 2, 3, 0, 2, 3}));
+  EXPECT_EQ(view.variant_of(), (Variants{0, 1, 0, 3, 0, 0, 3})) << "with the variants of their shapes";
+  const std::vector<Shape> shapes = view.read(0, view.size(), kEverything);
+  for (const std::size_t own : {4u, 5u, 6u}) {
+    const Shape& shape = shapes[view.drawings()[own]];
+    EXPECT_FALSE(shape.artwork.mirrored);
+    EXPECT_TRUE(shapes[own].artwork.mirrored);
+    EXPECT_EQ(shapes[own].outline.curves[0][0].x, -shape.outline.curves[0][0].x);
+    EXPECT_EQ(shapes[own].artwork.path, shape.artwork.path);
+  }
+  EXPECT_EQ(view.read(5, 6, kEverything).at(0).outline, shapes[5].outline) << "one by one as all together";
+}
+
+TEST_F(LibraryViews, ShapesThatStandMirroredOnlyAreNotThereTwice) {
+  const std::string path = write("a.h5", animals_);
+  const LibraryView view(mirroring(path, {{{"*"}, Mirroring::never}, {{"c*", "dog"}, Mirroring::only}, {{"dog"}, Mirroring::never}}));
+  EXPECT_EQ(names(view), (Names{"cat", "cow", "dog", "Cat"}));
+  EXPECT_EQ(view.drawings(), (Variants{0, 1, 2, 3}));
+  const std::vector<Shape> shapes = view.read(0, 4, kEverything);
+  EXPECT_TRUE(shapes[1].artwork.mirrored);
+  EXPECT_FALSE(shapes[2].artwork.mirrored) << "the last rule holds";
+  EXPECT_FALSE(shapes[3].artwork.mirrored) << "no rule of its own";
+}
+
+TEST_F(LibraryViews, MirrorImagesCountInTheDigest) {
+  const std::string path = write("a.h5", animals_);
+  const auto digest = [&](std::vector<MirroringRule> rules) {
+    return LibraryView(mirroring(path, std::move(rules))).content_digest();
+  };
+  const std::uint64_t plain = LibraryFile(path).content_digest();
+  EXPECT_EQ(digest({{{"*"}, Mirroring::never}}), plain);
+  EXPECT_EQ(digest({{{"nobody"}, Mirroring::also}}), plain);
+  const std::uint64_t only_cat = digest({{{"cat"}, Mirroring::only}});
+  EXPECT_NE(only_cat, plain);
+  EXPECT_NE(digest({{{"cow"}, Mirroring::only}}), only_cat);
+  EXPECT_NE(digest({{{"cat"}, Mirroring::also}}), digest({{{"cow"}, Mirroring::also}}));
+}
+
 TEST_F(LibraryViews, AreOfLibrariesBuiltAlike) {
   const std::string a = write("a.h5", animals_), b = write("b.h5", animals_, {5, 0.25f});
   EXPECT_EQ(message_of([&] { LibraryView({{a, b}, {}}); }),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "io/job/shape_group.h"
 #include "io/scratch_folder.h"
 
 namespace tessera::io {
@@ -95,6 +96,28 @@ TEST_F(WishResolution, DrawnSizesThatAreUnknownOrTooSmallAreTold) {
   EXPECT_NE(mistake("sizes = 'drawn'\n" + but_owl).find("\"owl_2\" was drawn at 1.5 px, allowed: 2 to 5000 px"),
             std::string::npos);
   EXPECT_EQ(mistake("sizes = 'drawn'\nfit = 'all'\n" + but_owl), "no mistake") << "sizes count against each other";
+}
+
+TEST_F(WishResolution, ATableWithADistanceMakesACompany) {
+  const Wishes wishes = resolved(
+                            "[[shapes]]\nnames = '*'\napart_px = 50\n[[shapes]]\nnames = 'owl*'\napart_px = 120\n"
+                            "[[shapes]]\nnames = 'owl'\nweight = 2\n")
+                            .settings.wishes;
+  const auto of = [&](std::size_t shape) { return wishes.classes[wishes.class_of_shape[shape]].apart.value(); };
+  EXPECT_EQ(of(0), of(1));
+  EXPECT_EQ(of(0).distance_px, 50);
+  EXPECT_EQ(of(2), of(3)) << "of the same company, though not of the same class";
+  EXPECT_EQ(of(2).distance_px, 120);
+  EXPECT_NE(of(2).company, of(0).company);
+}
+
+TEST_F(WishResolution, TheLastTableThatNamesAGroupHolds) {
+  const Job job = resolved(
+      "[[shapes]]\nnames = '*'\ngroup = 'animals'\n[[shapes]]\nnames = 'owl*'\ngroup = 'birds'\n"
+      "[[shapes]]\nnames = 'owl'\nweight = 2\n");
+  EXPECT_EQ(shape_group(job, "cat"), "animals");
+  EXPECT_EQ(shape_group(job, "owl"), "birds");
+  EXPECT_EQ(shape_group(resolved(""), "owl"), "");
 }
 
 TEST_F(WishResolution, GivenPiecesHaveTheirPose) {

@@ -112,6 +112,29 @@ TEST(Scoring, VariantsRepeatEachOther) {
   EXPECT_TRUE(scoring.may_use(ShapeId{1}));
 }
 
+/// Shape 4 is the mirror image of shape 2.
+TEST(Scoring, AMirrorImageIsAUseOfItsDrawing) {
+  const std::vector<ShapeId> drawings{ShapeId{0}, ShapeId{1}, ShapeId{2}, ShapeId{3}, ShapeId{2}};
+  Scoring scoring(settings(), StanceTable(settings(), 5), drawings, {}, drawings);
+  Candidate far = candidate_at(20, {500, 500});
+  scoring.count(placement_at(ShapeId{4}, 20, {50, 50}));
+  EXPECT_FLOAT_EQ(scoring.preference(far), 0.5f) << "as if it stood itself";
+  far.shape = ShapeId{4};
+  EXPECT_FLOAT_EQ(scoring.preference(far), 0.5f);
+  scoring.count(placement_at(kShape, 20, {90, 50}));
+  EXPECT_FALSE(scoring.may_use(kShape)) << "two uses";
+  EXPECT_FALSE(scoring.may_use(ShapeId{4}));
+}
+
+TEST(Scoring, AMirrorImageCoversOtherPlaces) {
+  const std::vector<ShapeId> silhouettes{ShapeId{0}, ShapeId{1}, ShapeId{1}, ShapeId{3}, ShapeId{1}};
+  const std::vector<ShapeId> drawings{ShapeId{0}, ShapeId{1}, ShapeId{2}, ShapeId{3}, ShapeId{2}};
+  const Scoring scoring(settings(), StanceTable(settings(), 5), silhouettes, {}, drawings);
+  EXPECT_TRUE(scoring.look_alike(ShapeId{1}, ShapeId{2})) << "in other colours";
+  EXPECT_FALSE(scoring.look_alike(ShapeId{2}, ShapeId{4}));
+  EXPECT_FALSE(scoring.look_alike(ShapeId{0}, ShapeId{3}));
+}
+
 /// Two of radius 1 and 20 px: (1 + kNearTwinReach) 40 px apart.
 TEST(Scoring, NearTwinsCostMore) {
   Scoring scoring = scoring_of(settings());

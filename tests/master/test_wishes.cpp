@@ -4,7 +4,10 @@
 #include <map>
 #include <set>
 
+#include "core/collage/placed_outlines.h"
+#include "core/geometry/polygon_index.h"
 #include "core/matching/sized_settings.h"
+#include "core/shape/mirrored_shape.h"
 #include "stopped_collage.h"
 #include "whole_collage.h"
 
@@ -15,6 +18,57 @@ using namespace whole_collage;
 
 using stopped_collage::KeepLatest;
 using stopped_collage::StopAfter;
+
+/// The library's shapes, and behind them the mirror images of all of them.
+const std::vector<Shape>& mirrored_library() {
+  static const std::vector<Shape> shapes = [] {
+    std::vector<Shape> all = library();
+    for (const Shape& shape : library()) all.push_back(mirror_image(shape, PadParameters{}.levels));
+    return all;
+  }();
+  return shapes;
+}
+
+class MirroredShapes : public test::VectorShapes {
+ public:
+  MirroredShapes() : VectorShapes(mirrored_library()) {}
+  ShapeId silhouette(ShapeId id) const override { return drawing(id); }
+  ShapeId drawing(ShapeId id) const override { return ShapeId(index_of(id) % std::uint32_t(library().size())); }
+};
+
+CollageResult run_mirrored(const Canvas& canvas, const CollageSettings& s, std::vector<std::uint32_t> cuts = {}) {
+  const MatchingContext context = make_matching_context(s, std::uint32_t(mirrored_library().size()));
+  CompositeMatcher matcher = test::divided_matcher(mirrored_library(), context, std::move(cuts));
+  MirroredShapes shapes;
+  SilentObserver silent;
+  return make_collage(canvas, s, matcher, shapes, silent);
+}
+
+/// Between the outlines of two pieces, or of the one and an image of the other.
+float distance_px(const Placement& a, const Placement& b, const Period& period = {}) {
+  const PolygonIndex outline(placed_outline(library()[index_of(a.shape)].outline, a.canvas_from_shape));
+  float nearest_px = 1e6f;
+  for (const Vec2 image : period.offsets()) {
+    const Outline other = placed_outline(library()[index_of(b.shape)].outline, moved(b.canvas_from_shape, image));
+    for (const Vec2 p : other.curves.front()) nearest_px = std::min(nearest_px, outline.approach(p, 1e6f).distance);
+  }
+  return nearest_px;
+}
+
+/// Of all pairs for which count(a, b).
+template <class Count>
+float least_distance_px(const std::vector<Placement>& placements, Count count, const Period& period = {}) {
+  float least_px = 1e6f;
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!count(placements[i], placements[j])) continue;
+      least_px = std::min(least_px, distance_px(placements[i], placements[j], period));
+    }
+  }
+  return least_px;
+}
+
+bool same_shape(const Placement& a, const Placement& b) { return a.shape == b.shape; }
 
 /// The same pieces on any division of the library, and when the run is interrupted every few steps.
 void expect_repeatable(const Canvas& canvas, const CollageSettings& s, const CollageResult& whole) {
@@ -231,6 +285,111 @@ TEST(Wishes, FitAllKeepsTheSizesOfShapesInProportion) {
   EXPECT_EQ(sizes[false].size(), 1u);
   EXPECT_EQ(sizes[true].size(), 1u);
   EXPECT_NEAR(*sizes[true].begin(), 2 * *sizes[false].begin(), 3);
+}
+
+TEST(Wishes, MirrorImagesStandBesideTheirShapesAndCountAsThem) {
+  CollageSettings s = settings();
+  s.pieces.uses = 2;
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const CollageResult result = run_mirrored(canvas, s);
+  std::map<std::uint32_t, int> of_drawing;
+  int mirrored = 0;
+  for (const Placement& p : result.placements) {
+    ++of_drawing[index_of(p.shape) % std::uint32_t(library().size())];
+    mirrored += index_of(p.shape) >= library().size();
+  }
+  for (const auto& [drawing, count] : of_drawing) EXPECT_LE(count, 2) << drawing;
+  EXPECT_GT(mirrored, 3);
+  EXPECT_LT(mirrored, int(result.placements.size()) - 3);
+  EXPECT_EQ(run_mirrored(canvas, s, {3, 14, 20}).placements, result.placements);
+}
+
+TEST(Wishes, FitAllGivesAMirrorImageThePlaceOfItsShape) {
+  CollageSettings s = settings();
+  s.pieces.fit_all = true;
+  s.pieces.uses = 1;
+  const Canvas canvas = make_rectangle_canvas(500, 300);
+  std::vector<std::uint32_t> drawings;
+  for (std::uint32_t i = 0; i < mirrored_library().size(); ++i) drawings.push_back(i % std::uint32_t(library().size()));
+  const auto shapes = std::uint32_t(mirrored_library().size());
+  const double factor = first_size_factor(s, shapes, canvas.area_px2, drawings);
+  EXPECT_EQ(factor, first_size_factor(s, std::uint32_t(library().size()), canvas.area_px2));
+  const CollageResult result = run_mirrored(canvas, with_sizes_times(factor, s));
+  EXPECT_EQ(result.placements.size(), library().size());
+  EXPECT_GT(quality_of(canvas, result.placements, mirrored_library()).coverage, 0.65);
+}
+
+TEST(Wishes, PiecesOfAShapeKeepApart) {
+  CollageSettings s = improved(4);
+  s.pieces.max_scale_px = 40;
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const CollageResult free = run(canvas, s);
+  s.pieces.apart_px = 60;
+  const CollageResult result = run(canvas, s);
+  EXPECT_LT(least_distance_px(free.placements, same_shape), 30) << "there is something to keep";
+  EXPECT_GE(least_distance_px(result.placements, same_shape), 60);
+  EXPECT_LT(least_distance_px(result.placements, same_shape), 66) << "no more than was wished for";
+  EXPECT_GT(uses(result.placements).size(), 8u);
+  EXPECT_GT(quality(canvas, result).coverage, 0.5);
+  expect_repeatable(canvas, s, result);
+}
+
+/// Shapes 3, 4 and 5 are one company, 6 is free of the job's distance.
+TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
+  CollageSettings s = settings();
+  s.pieces.max_scale_px = 40;
+  s.pieces.apart_px = 20;
+  s.wishes.classes.resize(3);
+  s.wishes.classes[1].apart = {7, 80};
+  s.wishes.classes[2].apart = {8, 0};
+  s.wishes.class_of_shape.assign(library().size(), 0);
+  s.wishes.class_of_shape[3] = s.wishes.class_of_shape[4] = s.wishes.class_of_shape[5] = 1;
+  s.wishes.class_of_shape[6] = 2;
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  const CollageResult result = run(canvas, s);
+  const auto in_company = [](const Placement& p) { return index_of(p.shape) >= 3 && index_of(p.shape) <= 5; };
+  const auto both = [&](const Placement& a, const Placement& b) { return in_company(a) && in_company(b); };
+  const auto one = [&](const Placement& a, const Placement& b) { return in_company(a) != in_company(b); };
+  const auto others = [&](const Placement& a, const Placement& b) {
+    return same_shape(a, b) && !in_company(a) && index_of(a.shape) != 6;
+  };
+  const float least_px = least_distance_px(result.placements, both);
+  EXPECT_GE(least_px, 80);
+  EXPECT_LT(least_px, 1e6f) << "more than one of them stands";
+  EXPECT_LT(least_distance_px(result.placements, one), 3) << "with all others they are close";
+  EXPECT_GE(least_distance_px(result.placements, others), 20);
+  EXPECT_LT(least_distance_px(result.placements, others), 30);
+  EXPECT_LT(least_distance_px(result.placements, [](const Placement& a, const Placement& b) {
+              return index_of(a.shape) == 6 && index_of(b.shape) == 6;
+            }), 20);
+}
+
+/// As if each shape might be used once: neither rounds nor matching are spent on what stands already.
+TEST(Wishes, ShapesThatAreShutOutEverywhereCostNothing) {
+  CollageSettings s = settings();
+  s.pieces.max_scale_px = 40;
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  CollageSettings once = s;
+  once.pieces.uses = 1;
+  s.pieces.apart_px = 1000;
+  const CollageResult apart = run(canvas, s);
+  const CollageResult used_once = run(canvas, once);
+  EXPECT_EQ(apart.placements.size(), library().size());
+  EXPECT_EQ(uses(apart.placements).size(), library().size());
+  EXPECT_EQ(apart.statistics.stopped_by, "full");
+  EXPECT_EQ(used_once.statistics.stopped_by, "used_up");
+  EXPECT_LT(apart.statistics.target_samples, 1.2 * double(used_once.statistics.target_samples));
+  expect_repeatable(canvas, s, apart);
+}
+
+TEST(Wishes, AcrossASeamPiecesKeepApartToo) {
+  CollageSettings s = settings();
+  s.pieces.max_scale_px = 40;
+  s.pieces.apart_px = 60;
+  const Canvas canvas = make_seamless_canvas(260, 200, true, true);
+  const CollageResult result = run(canvas, s);
+  ASSERT_GT(result.placements.size(), 12u);
+  EXPECT_GE(least_distance_px(result.placements, same_shape, canvas.period), 60);
 }
 
 TEST(Wishes, ALibraryThatIsUsedUpIsSaidAsSuch) {

@@ -41,8 +41,13 @@ inline CollageSettings improved(int trials) {
   return s;
 }
 
+inline Quality quality_of(const Canvas& canvas, const std::vector<Placement>& placements,
+                          const std::vector<Shape>& shapes) {
+  return measure_quality(canvas, placements, [&](ShapeId id) -> const Shape& { return shapes[index_of(id)]; });
+}
+
 inline Quality quality(const Canvas& canvas, const master::CollageResult& result) {
-  return measure_quality(canvas, result.placements, [](ShapeId id) -> const Shape& { return library()[index_of(id)]; });
+  return quality_of(canvas, result.placements, library());
 }
 
 }  // namespace tessera::whole_collage

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "core/collage/shared_boundary.h"
 #include "core/field/field_lookup.h"
@@ -158,10 +159,12 @@ std::array<double, 5> scale_quantiles(const std::vector<Placement>& placements) 
   return {scales.front(), quantile(scales, 0.1), quantile(scales, 0.5), quantile(scales, 0.9), scales.back()};
 }
 
-std::size_t count_distinct_shapes(const std::vector<Placement>& placements) {
-  std::set<ShapeId> shapes;
-  for (const Placement& p : placements) shapes.insert(p.shape);
-  return shapes.size();
+/// A shape and its mirror image have one name.
+std::size_t count_distinct_shapes(const std::vector<Placement>& placements,
+                                  const std::function<const Shape&(ShapeId)>& shape) {
+  std::set<std::string> names;
+  for (const Placement& p : placements) names.insert(shape(p.shape).name);
+  return names.size();
 }
 
 }  // namespace
@@ -175,7 +178,7 @@ Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& plac
   measure_areas(counts, canvas.area_px2, quality);
   quality.shared_boundary = shared_boundary_fraction(canvas, pieces_px, kSharedWithin_px);
   quality.pieces = placements.size();
-  quality.distinct_shapes = count_distinct_shapes(placements);
+  quality.distinct_shapes = count_distinct_shapes(placements, shape);
   quality.scale_px_quantiles = scale_quantiles(placements);
   quality.largest_gap_px = largest_gap_px(counts, canvas.period);
   return quality;

@@ -30,7 +30,8 @@ CollageSettings with_sizes_times(double factor, CollageSettings settings) {
   return settings;
 }
 
-double first_size_factor(const CollageSettings& settings, std::uint32_t library_shapes, double area_px2) {
+double first_size_factor(const CollageSettings& settings, std::uint32_t library_shapes, double area_px2,
+                         const std::vector<std::uint32_t>& drawings) {
   for (const GivenPiece& piece : settings.wishes.given) {
     const double scale_px = piece.canvas_from_shape.scale();
     area_px2 -= scale_px * scale_px;
@@ -38,7 +39,9 @@ double first_size_factor(const CollageSettings& settings, std::uint32_t library_
   const StanceTable stances(settings, library_shapes);
   std::vector<Interval> sizes;
   for (std::uint32_t i = 0; i < stances.open_shapes(); ++i) {
-    const StanceList& list = stances.list(stances.open_shape(i));
+    const ShapeId shape = stances.open_shape(i);
+    if (!drawings.empty() && drawings[index_of(shape)] != index_of(shape)) continue;  // has the place of its drawing
+    const StanceList& list = stances.list(shape);
     sizes.push_back({list.min_scale_px, list.max_scale_px});
   }
   return size_factor(std::max(area_px2, 1.), kFirstFilling, sizes);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/settings.h"
 
@@ -12,6 +13,8 @@ namespace tessera {
 CollageSettings with_sizes_times(double factor, CollageSettings settings);
 
 /// The factor at which shapes of these sizes, each once, fill kFirstFilling of what `given` pieces leave of the area.
-double first_size_factor(const CollageSettings& settings, std::uint32_t library_shapes, double area_px2);
+/// `drawings`: for each shape the one that it is the mirror image of, mostly itself; empty: there are no mirror images.
+double first_size_factor(const CollageSettings& settings, std::uint32_t library_shapes, double area_px2,
+                         const std::vector<std::uint32_t>& drawings = {});
 
 }  // namespace tessera

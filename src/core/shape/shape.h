@@ -86,6 +86,7 @@ struct Artwork {
   std::optional<Sha256> sha256;            // of the file at build time; none in libraries of older versions
   int width_px = 0;
   int height_px = 0;
+  bool mirrored = false;                   // the shape is the drawing's mirror image: its x runs against the drawing's
   Vec2 centroid_px;                        // shape origin in the artwork frame
   float unit_px = 0;                       // artwork px for one shape unit
   std::vector<std::uint8_t> thumbnail_png; // RGBA PNG, longest side <= 192 px

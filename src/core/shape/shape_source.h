@@ -16,6 +16,8 @@ class ShapeSource {
   virtual const ShapeModel& model(ShapeId id) = 0;
   /// The first shape with this silhouette: shapes that differ by their colours alone repeat each other.
   virtual ShapeId silhouette(ShapeId id) const { return id; }
+  /// The shape that this one is the mirror image of: they are one drawing, and used as one. Mostly itself.
+  virtual ShapeId drawing(ShapeId id) const { return id; }
 };
 
 }  // namespace tessera

@@ -113,6 +113,15 @@ std::string printable(std::string text, std::size_t max_bytes) {
   return text.size() <= max_bytes ? text : cut_utf8(text, max_bytes) + "...";
 }
 
+toml::table parse_value(const std::string& text) {
+  try {
+    toml::table table = toml::parse("value = " + text);
+    if (table.size() == 1 && table.contains("value")) return table;
+  } catch (const toml::parse_error&) {
+  }
+  return toml::table{{"value", text}};
+}
+
 bool is_job_section(const std::string& name) {
   const auto names = section_names();
   return std::find(names.begin(), names.end(), name) != names.end();

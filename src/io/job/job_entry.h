@@ -19,6 +19,9 @@ struct JobEntry {
   std::filesystem::path base;  // what a relative path is relative to
 };
 
+/// "[1, 2]" as TOML, under the name "value"; what is not one TOML value is a string: a path, a colour, "0,2".
+toml::table parse_value(const std::string& text);
+
 /// Sets the key in `job`. Throws InputError: an unknown section or key with the nearest one, or the value found and
 /// what is allowed.
 void apply_entry(const JobEntry& entry, Job& job);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/settings.h"
+#include "io/library/mirroring.h"
 
 namespace tessera::io {
 
@@ -77,6 +78,9 @@ struct Job {
   std::vector<std::string> library_include;  // patterns of names (io/library/name_globs.h); empty: all shapes
   std::vector<std::string> library_exclude;
   bool drawn_sizes = false;  // each shape as large as it was drawn, instead of settings.pieces' sizes
+  std::string wishes;  // absolute path of a table whose rows come before those of [[shapes]]; empty once they are there
+  std::vector<std::string> wishes_places;  // "FILE:LINE" of each row that came from it
+  Mirroring mirrored = Mirroring::never;  // of shapes that no table says otherwise of
   CanvasSpec canvas;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
   int devices_per_worker = 0;   // 0 = each worker of a node uses all of them

@@ -110,6 +110,9 @@ void add_input_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_texts({"library", "exclude", texts, "", 0, 0, {},
                              "patterns of the names of shapes to leave out"},
                             FIELD(library_exclude)));
+  keys.push_back(with_text({"library", "wishes", file, "", 0, 0, {},
+                            "a table (CSV) of wishes, whose rows come before those of [[shapes]]; empty = none"},
+                           FIELD(wishes)));
   keys.push_back(with_pair({"canvas", "size_px", size, "px", 16, 20000, {},
                             "width and height of the rectangle, or of the box that the mask in `file` is scaled into"},
                            FIELD(canvas.width_px), FIELD(canvas.height_px)));
@@ -136,6 +139,9 @@ void add_piece_keys(std::vector<JobKey>& keys) {
                                  "allowed rotations of the artwork, clockwise; -180 to 180 = any"},
                                 &PoseWish::rotation_rad, FIELD(settings.pieces.min_rotation_rad),
                                 FIELD(settings.pieces.max_rotation_rad), kDegreesPerRad));
+  keys.push_back(with_word({"pieces", "mirrored", word, "", 0, 0, mirroring_words(),
+                            "whether shapes may stand as their mirror images: `also`: as drawn and mirrored"},
+                           FIELD(mirrored)));
   keys.push_back(with_pair({"pieces", "uses", uses, "", 0, 1e6, {},
                             "how often one shape may be placed; 0 = unlimited"},
                            FIELD(settings.pieces.least_uses), FIELD(settings.pieces.uses)));
@@ -145,6 +151,9 @@ void add_piece_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"pieces", "padding_px", number, "px", 0, 500, {},
                               "distance kept between pieces, and between pieces and the canvas' edge"},
                              FIELD(settings.pieces.padding_px)));
+  keys.push_back(with_number({"pieces", "apart_px", number, "px", 0, 20000, {},
+                              "distance kept between the outlines of two pieces of one silhouette; 0 = any"},
+                             FIELD(settings.pieces.apart_px)));
 }
 
 /// levels, delta_tau: paper, section 5. top_percent, beta: trial; the paper's beta = 0.4 lets two thirds of all pairs

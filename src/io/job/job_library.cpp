@@ -1,5 +1,7 @@
 #include "io/job/job_library.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "io/job/wish_resolution.h"
 
@@ -15,9 +17,28 @@ std::string library_text(const Job& job) {
   return text;
 }
 
+namespace {
+
+/// The last table that says something of a shape counts.
+std::vector<MirroringRule> mirroring_of(const Job& job) {
+  std::vector<MirroringRule> rules = {{{"*"}, job.mirrored}};
+  const auto rows = job.tables.find("shapes");
+  if (rows == job.tables.end()) return rules;
+  for (const JobRow& row : rows->second) {
+    const auto cell = row.find("mirrored");
+    if (cell == row.end()) continue;
+    const std::vector<std::string>& words = mirroring_words();
+    const auto word = std::find(words.begin(), words.end(), cell->second.text);
+    rules.push_back({row.at("names").texts, Mirroring(word - words.begin())});
+  }
+  return rules;
+}
+
+}  // namespace
+
 LibraryView open_library_of(const Job& job) {
   try {
-    return LibraryView({library_paths(job), {job.library_include, job.library_exclude}});
+    return LibraryView({library_paths(job), {job.library_include, job.library_exclude}, mirroring_of(job)});
   } catch (const NamesNotFound& error) {
     throw InputError(job.path + ": library." + error.what());
   } catch (const InputError& error) {

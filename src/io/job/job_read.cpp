@@ -7,15 +7,19 @@
 #include "core/base/error.h"
 #include "io/job/job_entry.h"
 #include "io/job/job_keys.h"
+#include "io/job/wishes_file.h"
 
 namespace tessera::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-// toml++ 3.3 builds and destroys a dotted key "a.a.a..." by recursion; 32,000 levels overflow a stack of 8 MB. Half a
-// file's bytes is the most that can be dots. A job with every key and comments has 3 kB.
-constexpr std::size_t kMaxJobBytes = 16384;
+// A job with every key and comments has 4 kB, one of a thousand wishes some 100 kB.
+constexpr std::size_t kMaxJobBytes = std::size_t(1) << 20;
+constexpr std::size_t kMaxOverrideBytes = 16384;
+// toml++ 3.3 builds and destroys a dotted key "a.a.a..." by recursion; 32,000 levels overflow a stack of 8 MB.
+constexpr std::size_t kMaxKeyLevels = 8192;
+constexpr std::size_t kMaxNestedValues = 256;  // inline tables and arrays in each other, by toml++'s own limit
 
 std::string read_bytes(const std::string& path) {
   std::error_code error;
@@ -28,6 +32,28 @@ std::string read_bytes(const std::string& path) {
   if (file.gcount() == 0 && !file.eof()) throw InputError("job file " + path + ": cannot be read (no permission?)");
   bytes.resize(std::size_t(file.gcount()));
   return bytes;
+}
+
+/// No key of the text has more levels. Each costs a dot, and a dotted key ends with its line: another one below it lies in
+/// an inline table.
+std::size_t most_key_levels(const std::string& text) {
+  std::size_t all = 0, in_line = 0, most_in_line = 0;
+  for (const char c : text) {
+    if (c == '\n') in_line = 0;
+    if (c != '.') continue;
+    ++all;
+    most_in_line = std::max(most_in_line, ++in_line);
+  }
+  return std::min(all, kMaxNestedValues * most_in_line);
+}
+
+void check_size(const std::string& text, const std::string& path) {
+  if (text.size() > kMaxJobBytes) {
+    throw InputError(path + ": larger than " + std::to_string(kMaxJobBytes) + " bytes, the most allowed of a job");
+  }
+  if (most_key_levels(text) > kMaxKeyLevels) {
+    throw InputError(path + ": more than " + std::to_string(kMaxKeyLevels) + " dots, the most allowed of a job");
+  }
 }
 
 toml::table parse(const std::string& text, const std::string& path) {
@@ -73,16 +99,6 @@ void add_rows(const toml::table& table, const std::string& path, Job& job) {
   }
 }
 
-/// "[1, 2]" as TOML; what is not one TOML value is a string: a path, a colour, "0,2".
-toml::table parse_value(const std::string& text) {
-  try {
-    toml::table table = toml::parse("value = " + text);
-    if (table.size() == 1 && table.contains("value")) return table;
-  } catch (const toml::parse_error&) {
-  }
-  return toml::table{{"value", text}};
-}
-
 std::string without_blanks(std::string text) {
   std::erase(text, ' ');
   return text;
@@ -94,7 +110,9 @@ void apply_override(const std::string& text, Job& job) {
   const std::string where = place_of(text);
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0) throw InputError(where + ": allowed: section.key=value");
-  if (text.size() > kMaxJobBytes) throw InputError(where + ": longer than " + std::to_string(kMaxJobBytes) + " bytes");
+  if (text.size() > kMaxOverrideBytes) {
+    throw InputError(where + ": longer than the allowed " + std::to_string(kMaxOverrideBytes) + " bytes");
+  }
   const std::string name = without_blanks(text.substr(0, equals));
   const auto dot = name.find('.');
   const bool top_level = dot == std::string::npos;
@@ -124,9 +142,7 @@ void check_required(const Job& job) {
 }
 
 Job read_job(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
-  if (text.size() > kMaxJobBytes) {
-    throw InputError(path + ": larger than " + std::to_string(kMaxJobBytes) + " bytes, the most allowed of a job");
-  }
+  check_size(text, path);
   Job job;
   job.path = path;
   const toml::table table = parse(text, path);
@@ -136,6 +152,10 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
     for (const JobRow& region : job.tables["regions"]) job.canvas.region_colours.push_back(region.at("colour").text);
   }
   for (const std::string& override : overrides) apply_override(override, job);
+  if (!job.wishes.empty()) {
+    add_wishes_of_file(job);
+    check_size(to_toml(job), job.path + ": with the rows of library.wishes");
+  }
   check_required(job);
   if (!job.canvas.region_colours.empty() && job.canvas.file.empty()) {
     throw InputError(path + ": [[regions]] are parts of canvas.file, which is missing; needed: an SVG or image with them");

@@ -36,8 +36,14 @@ JobTable shapes_table() {
                   column(t, "weight", number, "", 0, 100, "how much they are preferred; 1 = as others, 0 = never placed"),
                   column(t, "uses", uses, "", 0, 1e6, "how often each may be placed, as in [pieces]")}};
   add_poses(table, "");
+  JobKey mirrored = column(t, "mirrored", word, "", 0, 0, "whether they may stand mirrored, instead of [pieces]");
+  mirrored.words = mirroring_words();
+  table.columns.push_back(mirrored);
   table.columns.push_back(
       column(t, "regions", texts, "", 0, 0, "names of the regions in which they may stand; default: all"));
+  table.columns.push_back(column(t, "apart_px", number, "px", 0, 20000,
+                                 "distance kept between the outlines of any two pieces of these shapes"));
+  table.columns.push_back(column(t, "group", name, "", 0, 0, "name of the SVG layer that their pieces are put in"));
   return table;
 }
 

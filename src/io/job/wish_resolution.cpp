@@ -58,12 +58,18 @@ class Resolution {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw InputError(job_.path + ": " + what); }
 
+  /// What is wrong with a row of [[shapes]]; those of the table beside the library come first.
+  [[noreturn]] void fail_in_row(std::size_t row, const std::string& what) const {
+    const std::vector<std::string>& places = job_.wishes_places;
+    throw InputError((row < places.size() ? places[row] : job_.path) + ": [[shapes]] " + what);
+  }
+
   /// For each shape whether the table is about it.
-  std::vector<bool> chosen_by(const JobRow& row) const {
+  std::vector<bool> chosen_by(std::size_t row) const {
     try {
-      return chosen_names(names_, {row.at("names").texts, {}}, "the library");
+      return chosen_names(names_, {shape_rows_[row].at("names").texts, {}}, "the library");
     } catch (const NamesNotFound& error) {
-      fail(std::string("[[shapes]] names: ") + error.what());
+      fail_in_row(row, std::string("names: ") + error.what());
     }
   }
 
@@ -113,7 +119,7 @@ class Resolution {
   /// Shapes of one size that the same tables are about are one class.
   void add_classes() {
     std::vector<std::vector<bool>> chosen;
-    for (const JobRow& row : shape_rows_) chosen.push_back(chosen_by(row));
+    for (std::size_t row = 0; row < shape_rows_.size(); ++row) chosen.push_back(chosen_by(row));
     std::map<std::pair<std::vector<std::size_t>, float>, std::uint32_t> class_of;
     for (std::size_t shape = 0; shape < names_.size(); ++shape) {
       std::vector<std::size_t> rows;
@@ -141,17 +147,20 @@ class Resolution {
         wish.least_uses = int(value->numbers[0]);
         wish.uses = int(value->numbers[1]);
       }
-      if (const JobValue* value = cell(row, "regions")) wish.in_region = regions_named(value->texts);
+      if (const JobValue* value = cell(row, "apart_px")) wish.apart = {std::uint32_t(i), float(value->numbers[0])};
+      if (const JobValue* value = cell(row, "regions")) wish.in_region = regions_named(value->texts, i);
     }
     return wish;
   }
 
-  std::vector<std::uint8_t> regions_named(const std::vector<std::string>& names) const {
+  std::vector<std::uint8_t> regions_named(const std::vector<std::string>& names, std::size_t shape_row) const {
     std::vector<std::uint8_t> in_region(std::max<std::size_t>(1, region_rows_.size()), 0);
     for (const std::string& name : names) {
       const auto at = std::find_if(region_rows_.begin(), region_rows_.end(),
                                    [&](const JobRow& row) { return row.at("name").text == name; });
-      if (at == region_rows_.end()) fail("[[shapes]] regions: there are no [[regions]] with the name \"" + name + "\"");
+      if (at == region_rows_.end()) {
+        fail_in_row(shape_row, "regions: there are no [[regions]] with the name \"" + name + "\"");
+      }
       in_region[std::size_t(at - region_rows_.begin())] = 1;
     }
     return in_region;

@@ -47,6 +47,8 @@ class LibraryFile : public ShapeLibrary {
   std::uint64_t content_digest() const override;
   /// Libraries of older versions know none: each shape is its own.
   std::vector<std::uint32_t> variant_of() const override;
+  /// A file holds no mirror images.
+  std::vector<std::uint32_t> drawings() const override;
   /// What shapes [begin, end) are known by. Throws as read().
   std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;

@@ -237,6 +237,12 @@ std::vector<std::uint32_t> LibraryFile::variant_of() const {
   });
 }
 
+std::vector<std::uint32_t> LibraryFile::drawings() const {
+  std::vector<std::uint32_t> own(size());
+  std::iota(own.begin(), own.end(), 0u);
+  return own;
+}
+
 std::vector<ShapeHead> LibraryFile::heads(std::size_t begin, std::size_t end) const {
   return naming_the_file(path(), [&] { return state_->heads(begin, end); });
 }

@@ -7,7 +7,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/digest.h"
 #include "core/base/error.h"
+#include "core/shape/mirrored_shape.h"
 #include "io/library/library_names.h"
 #include "io/library/same_colour.h"
 #include "io/number_text.h"
@@ -68,7 +70,7 @@ class LibraryView::Gathering {
     const std::string name = unique_name(file, index, head.name);
     const auto own = std::uint32_t(view_.entries_.size());
     members.push_back({own, head.mean_lab, name});
-    view_.entries_.push_back({file, index, members.front().entry, name == head.name ? std::string() : name});
+    view_.entries_.push_back({file, index, members.front().entry, name == head.name ? std::string() : name, false, own});
   }
 
  private:
@@ -115,8 +117,16 @@ LibraryView::LibraryView(const LibraryChoice& choice) {
     path_ += (path_.empty() ? "" : ", ") + file;
   }
   check_built_alike(files_);
-  if (files_.size() == 1 && choice.names.empty()) return;
-  const std::vector<bool> chosen = chosen_shapes(files_, path_, choice.names);
+  const bool mirrors = std::any_of(choice.mirroring.begin(), choice.mirroring.end(), [](const MirroringRule& rule) {
+    return rule.mirroring != Mirroring::never;
+  });
+  if (files_.size() == 1 && choice.names.empty() && !mirrors) return;
+  gather(choice.names);
+  if (mirrors) add_mirror_images(choice.mirroring);
+}
+
+void LibraryView::gather(const NameGlobs& names) {
+  const std::vector<bool> chosen = chosen_shapes(files_, path_, names);
   if (chosen.size() > layout::kMaxShapes) throw InputError(path_ + ": too many shapes");
   Gathering gathering(*this);
   std::size_t at = 0;
@@ -127,10 +137,43 @@ LibraryView::LibraryView(const LibraryChoice& choice) {
   }
 }
 
+/// Of the entries.
+std::vector<std::string> LibraryView::names() const {
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at < entries_.size(); at += kBatchShapes) {
+    for (ShapeHead& head : heads(at, std::min(entries_.size(), at + kBatchShapes)))
+      names.push_back(std::move(head.name));
+  }
+  return names;
+}
+
+void LibraryView::add_mirror_images(const std::vector<MirroringRule>& rules) {
+  const std::vector<std::string> names = this->names();
+  for (std::uint32_t own = 0; own < names.size(); ++own) {
+    const auto rule = std::find_if(rules.rbegin(), rules.rend(), [&](const MirroringRule& r) {
+      return matches_any(r.names, names[own]);
+    });
+    if (rule == rules.rend() || rule->mirroring == Mirroring::never) continue;
+    Entry image = entries_[own];
+    image.mirrored = true;
+    if (rule->mirroring == Mirroring::only) {
+      entries_[own] = image;
+    } else {
+      entries_.push_back(image);
+    }
+  }
+  if (entries_.size() > layout::kMaxShapes) throw InputError(path_ + ": too many shapes with their mirror images");
+}
+
 std::uint64_t LibraryView::content_digest() const {
   if (whole_file()) return files_.front().content_digest();
-  return digest_of_heads(pad_parameters(), size(),
-                         [&](std::size_t begin, std::size_t end) { return heads(begin, end); });
+  const std::uint64_t shapes = digest_of_heads(
+      pad_parameters(), size(), [&](std::size_t begin, std::size_t end) { return heads(begin, end); });
+  if (std::none_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.mirrored; })) return shapes;
+  Digest digest;
+  digest.add(shapes);
+  for (const Entry& entry : entries_) digest.add(std::uint64_t(entry.mirrored));
+  return digest.value();
 }
 
 std::vector<std::uint32_t> LibraryView::variant_of() const {
@@ -138,6 +181,13 @@ std::vector<std::uint32_t> LibraryView::variant_of() const {
   std::vector<std::uint32_t> variants;
   for (const Entry& entry : entries_) variants.push_back(entry.variant_of);
   return variants;
+}
+
+std::vector<std::uint32_t> LibraryView::drawings() const {
+  if (whole_file()) return files_.front().drawings();
+  std::vector<std::uint32_t> drawings;
+  for (const Entry& entry : entries_) drawings.push_back(entry.drawing);
+  return drawings;
 }
 
 /// The end of the entries from `begin` on that follow each other in one file, `end` at most.
@@ -179,6 +229,7 @@ std::vector<Shape> LibraryView::read(std::size_t begin, std::size_t end, const L
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const Entry& entry = entries_[begin + i];
     if (!entry.new_name.empty()) shapes[i].name = entry.new_name;
+    if (entry.mirrored) shapes[i] = mirror_image(std::move(shapes[i]), pad_parameters().levels);
   }
   return shapes;
 }

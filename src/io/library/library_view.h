@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/library/library_file.h"
+#include "io/library/mirroring.h"
 #include "io/library/name_globs.h"
 #include "io/library/shape_library.h"
 
@@ -15,9 +16,11 @@ namespace tessera::io {
 struct LibraryChoice {
   std::vector<std::string> files;  // one at least
   NameGlobs names;                 // as they are in the files
+  std::vector<MirroringRule> mirroring = {};  // by the names of the view; of several the last one holds; none: never
 };
 
-/// The shapes come in the order of the files, and in a file's order. Of several files those shapes are left
+/// The shapes come in the order of the files, and in a file's order, then mirror images under the names of their shapes.
+/// A shape that may stand mirrored only is its mirror image from the start. Of several files those shapes are left
 /// out that have outline and colour of an earlier one, as `tessera library build` does; shapes of one outline in other
 /// colours are variants of the first. A name that was there already gets the folder of the artwork, and a number.
 class LibraryView : public ShapeLibrary {
@@ -37,6 +40,7 @@ class LibraryView : public ShapeLibrary {
   PadParameters pad_parameters() const override { return files_.front().pad_parameters(); }
   std::uint64_t content_digest() const override;
   std::vector<std::uint32_t> variant_of() const override;
+  std::vector<std::uint32_t> drawings() const override;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;
 
   /// What was left out for being there already.
@@ -48,12 +52,18 @@ class LibraryView : public ShapeLibrary {
     std::uint32_t index;  // in the file
     std::uint32_t variant_of;
     std::string new_name;  // empty: as in the file
+    bool mirrored = false;
+    std::uint32_t drawing = 0;  // the entry that it is the mirror image of, mostly itself
   };
   class Gathering;
+
+  void gather(const NameGlobs& names);
+  void add_mirror_images(const std::vector<MirroringRule>& rules);
 
   bool whole_file() const { return entries_.empty(); }
   std::size_t run_end(std::size_t begin, std::size_t end) const;
   std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
+  std::vector<std::string> names() const;
 
   std::vector<LibraryFile> files_;
   std::string path_;

@@ -19,10 +19,6 @@ bool matches(const std::string& glob, const std::string& name, int flags = 0) {
   return ::fnmatch(glob.c_str(), name.c_str(), flags) == 0;
 }
 
-bool matches_any(const std::vector<std::string>& globs, const std::string& name) {
-  return std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) { return matches(glob, name); });
-}
-
 std::string letters_of(std::string glob) {
   std::erase_if(glob, [](char c) { return c == '*' || c == '?' || c == '[' || c == ']' || c == '\\'; });
   return glob;
@@ -38,14 +34,19 @@ std::string near_names(const std::string& glob, const std::vector<std::string>& 
   const std::string letters = letters_of(glob).substr(0, kLongestCompared);
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string& name : names) near.emplace_back(distance(glob, letters, name), name);
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());  // mirror images have the names of their shapes
   const std::size_t shown = std::min(kNearNames, near.size());
-  std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(shown), near.end());
   std::string text;
   for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + printable_utf8(near[i].second);
   return text;
 }
 
 }  // namespace
+
+bool matches_any(const std::vector<std::string>& globs, const std::string& name) {
+  return std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) { return matches(glob, name); });
+}
 
 std::vector<bool> chosen_names(const std::vector<std::string>& names, const NameGlobs& globs,
                                const std::string& library) {

@@ -23,6 +23,9 @@ class NamesNotFound : public InputError {
   using InputError::InputError;
 };
 
+/// Whether one of the patterns is this name's.
+bool matches_any(const std::vector<std::string>& globs, const std::string& name);
+
 /// Which of the names of `library` are chosen. Throws NamesNotFound where a pattern of `include` matches no name, and
 /// tells names that are near it, or where nothing is left.
 std::vector<bool> chosen_names(const std::vector<std::string>& names, const NameGlobs& globs,

@@ -33,6 +33,8 @@ class ShapeLibrary {
   virtual std::uint64_t content_digest() const = 0;
   /// For each shape the first one with the same silhouette, in other colours; mostly itself. Throws as read().
   virtual std::vector<std::uint32_t> variant_of() const = 0;
+  /// For each shape the one that it is the mirror image of: the same drawing, mirrored. Mostly itself.
+  virtual std::vector<std::uint32_t> drawings() const = 0;
   /// Shapes [begin, end). Throws InputError that names file and data set where what is read is damaged.
   virtual std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const = 0;
 

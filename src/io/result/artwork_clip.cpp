@@ -1,5 +1,7 @@
 #include "io/result/artwork_clip.h"
 
+#include <utility>
+
 #include "core/geometry/contour.h"
 #include "io/result/artwork_original.h"
 
@@ -30,7 +32,7 @@ Outline artwork_page_outline(const Shape& shape) {
   Outline page;
   page.curves.push_back({{0, 0}, {width, 0}, {width, height}, {0, height}});
   for (Vec2& p : page.curves[0]) p = shape_from_artwork.apply(p);
-  return page;
+  return {as_drawn(shape.artwork, std::move(page.curves))};
 }
 
 }  // namespace tessera::io

@@ -41,4 +41,12 @@ Similarity artwork_from_shape(const Artwork& artwork) {
   return {artwork.unit_px, 0, artwork.centroid_px.x, artwork.centroid_px.y};
 }
 
+std::vector<std::vector<Vec2>> as_drawn(const Artwork& artwork, std::vector<std::vector<Vec2>> curves) {
+  if (!artwork.mirrored) return curves;
+  for (std::vector<Vec2>& curve : curves) {
+    for (Vec2& p : curve) p.x = -p.x;
+  }
+  return curves;
+}
+
 }  // namespace tessera::io

@@ -50,6 +50,14 @@ std::size_t CollageReport::slot_of(ShapeId id) const {
   return std::size_t(found - shape_ids.begin());
 }
 
+std::size_t CollageReport::slot_of_drawing(std::size_t slot) const {
+  if (!shapes[slot].artwork.mirrored) return slot;
+  const auto drawn = std::find_if(shapes.begin(), shapes.end(), [&](const Shape& shape) {
+    return !shape.artwork.mirrored && shape.name == shapes[slot].name;
+  });
+  return drawn == shapes.end() ? slot : std::size_t(drawn - shapes.begin());
+}
+
 void create_output_directory(const std::string& dir) {
   std::error_code error;
   fs::create_directories(dir, error);

@@ -33,6 +33,8 @@ struct CollageReport {
   /// The place of the shape in `shapes`. Throws std::out_of_range where it is not.
   std::size_t slot_of(ShapeId id) const;
   const Shape& shape(ShapeId id) const { return shapes[slot_of(id)]; }
+  /// The first place in `shapes` of what has the same drawing: a shape and its mirror image, of one name, have one.
+  std::size_t slot_of_drawing(std::size_t slot) const;
 };
 
 /// Creates the folder with its parents. Throws EnvironmentError.

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "io/job/shape_group.h"
 #include "io/number_text.h"
 
 namespace tessera::io {
@@ -54,26 +55,29 @@ void append_property(const char* key, const std::string& value, std::string& tex
   text += value;
 }
 
-void append_properties(const Placement& placement, std::size_t index, const Shape& shape, std::string& text) {
+void append_properties(const Placement& placement, std::size_t index, const Shape& shape, const std::string& group,
+                       std::string& text) {
   const Similarity& t = placement.canvas_from_shape;
   const double rotation_deg = double(t.rotation_rad()) * 180 / std::numbers::pi;
   text += '{';
   append_property("index", std::to_string(index), text);
   append_property("shape", quoted(shape.name), text);
   append_property("source", quoted(shape.artwork.path), text);
+  if (!group.empty()) append_property("group", quoted(group), text);
   append_property("scale", fixed(t.scale(), kPixelDecimals), text);
   append_property("rotation_deg", fixed(rotation_deg, kPixelDecimals), text);
   append_property("x_px", fixed(t.tx, kPixelDecimals), text);
   append_property("y_px", fixed(t.ty, kPixelDecimals), text);
-  append_property("mirrored", "false", text);
+  append_property("mirrored", shape.artwork.mirrored ? "true" : "false", text);
   append_property("score", fixed(placement.score, kScoreDecimals), text);
   append_property("matched_px", fixed(placement.matched_px, kPixelDecimals), text);
   text += '}';
 }
 
-void append_feature(const Placement& placement, std::size_t index, const Shape& shape, std::string& text) {
+void append_feature(const Placement& placement, std::size_t index, const Shape& shape, const std::string& group,
+                    std::string& text) {
   text += R"({"type":"Feature","properties":)";
-  append_properties(placement, index, shape, text);
+  append_properties(placement, index, shape, group, text);
   text += R"(,"geometry":)";
   append_geometry(shape.outline, placement.canvas_from_shape, text);
   text += '}';
@@ -86,7 +90,8 @@ std::string geojson_text(const CollageReport& report) {
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
     const Placement& placement = report.placements[i];
     text += i ? ",\n" : "\n";
-    append_feature(placement, i, report.shape(placement.shape), text);
+    const Shape& shape = report.shape(placement.shape);
+    append_feature(placement, i, shape, shape_group(*report.job, shape.name), text);
   }
   text += "\n]}\n";
   return text;

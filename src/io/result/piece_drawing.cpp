@@ -38,14 +38,20 @@ int sprite_side(const Artwork& artwork, double picture_px_per_artwork_px) {
 
 /// The affine map that cv::warpAffine wants with WARP_INVERSE_MAP: sprite node from node of the supersampled rows, pixel
 /// centres at whole numbers on both sides.
-cv::Matx23d sprite_from_rows(const Similarity& picture_from_artwork, double sprite_px, cv::Point corner) {
-  const Similarity inverse = picture_from_artwork.inverse();
+cv::Matx23d sprite_from_rows(const PieceDrawing& piece, double sprite_px, cv::Point corner) {
+  const Similarity inverse = piece.picture_from_artwork.inverse();
   const double a = inverse.a * sprite_px / kSupersampling;
   const double b = inverse.b * sprite_px / kSupersampling;
   const double u = corner.x * kSupersampling + 0.5;
   const double v = corner.y * kSupersampling + 0.5;
-  return {a, -b, a * u - b * v + inverse.tx * sprite_px - 0.5,  //
-          b, a,  b * u + a * v + inverse.ty * sprite_px - 0.5};
+  cv::Matx23d map(a, -b, a * u - b * v + inverse.tx * sprite_px - 0.5,  //
+                  b, a, b * u + a * v + inverse.ty * sprite_px - 0.5);
+  if (piece.mirrored_at_px) {
+    const double there_and_back = 2 * *piece.mirrored_at_px * sprite_px - 1;  // x of a node and of its mirror image
+    for (int column = 0; column < 3; ++column) map(0, column) = -map(0, column);
+    map(0, 2) += there_and_back;
+  }
+  return map;
 }
 
 template <class Pixel>
@@ -77,6 +83,7 @@ PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, co
   piece.outline = {&shape.outline.curves, picture_from_shape};
   piece.slot = slot;
   piece.picture_from_artwork = picture_from_artwork(placement, shape.artwork, picture_px);
+  if (shape.artwork.mirrored) piece.mirrored_at_px = shape.artwork.centroid_px.x;
   piece.box = reach & cv::Rect({0, 0}, picture);
   piece.sprite_side_px = sprite_side(shape.artwork, double(piece.picture_from_artwork.scale()));
   return piece;
@@ -89,7 +96,7 @@ cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, in
     next = std::min(end, (top / kStripRows + 1) * kStripRows);
     cv::Mat fine;
     cv::warpAffine(source.bgra, fine,
-                   sprite_from_rows(piece.picture_from_artwork, source.px_per_artwork_px, {piece.box.x, top}),
+                   sprite_from_rows(piece, source.px_per_artwork_px, {piece.box.x, top}),
                    cv::Size(piece.box.width, next - top) * kSupersampling, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
     cv::Mat strip = drawn.rowRange(top - begin, next - begin);
     cv::resize(fine, strip, strip.size(), 0, 0, cv::INTER_AREA);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <opencv2/core.hpp>
 
 #include "core/collage/placement.h"
@@ -18,8 +19,9 @@ namespace tessera::io {
 inline constexpr int kStripRows = 64;
 
 struct PieceDrawing {
-  std::size_t slot = 0;             // the shape's
-  Similarity picture_from_artwork;  // px
+  std::size_t slot = 0;             // of the shape that is drawn
+  Similarity picture_from_artwork;  // px; of the artwork as it stands after it was mirrored
+  std::optional<float> mirrored_at_px;  // x of the artwork's middle, where it is mirrored
   PlacedCurves outline;             // the shape's
   cv::Rect box;                     // of the picture; empty: the piece lies beside it
   int sprite_side_px = 0;           // wanted

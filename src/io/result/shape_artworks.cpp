@@ -55,14 +55,14 @@ std::string reason_of(const InputError& error, const std::string& path) {
 SvgSymbol plain_symbol(const Shape& shape, const std::string& id) {
   XmlWriter writer;
   writer.start("path").attribute("id", id).attribute("fill-rule", "evenodd");
-  writer.attribute("d", svg_path(shape.outline.curves, artwork_from_shape(shape.artwork)));
+  writer.attribute("d", svg_path(as_drawn(shape.artwork, shape.outline.curves), artwork_from_shape(shape.artwork)));
   return {writer.finish(), 1};
 }
 
 SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
   XmlWriter writer;
   writer.start("path").attribute("id", id).attribute("fill", hex_colour(mean_bgr(shape))).attribute("fill-rule", "evenodd");
-  writer.attribute("d", svg_path(shape.outline.curves, artwork_from_shape(shape.artwork)));
+  writer.attribute("d", svg_path(as_drawn(shape.artwork, shape.outline.curves), artwork_from_shape(shape.artwork)));
   return {writer.finish(), 1};
 }
 
@@ -111,14 +111,15 @@ SvgSymbol ShapeArtworks::symbol(std::size_t slot, const std::string& id) {
 }
 
 DrawingNotes ShapeArtworks::notes() const {
-  std::map<ShapeId, std::size_t> uses;
-  for (const Placement& placement : report_.placements) ++uses[placement.shape];
+  std::map<std::size_t, std::size_t> uses;  // of drawings, by slot
+  for (const Placement& placement : report_.placements)
+    ++uses[report_.slot_of_drawing(report_.slot_of(placement.shape))];
   DrawingNotes result;
   result.pieces = report_.placements.size();
   const std::lock_guard lock(mutex_);
   for (const auto& [slot, note] : notes_) {
     result.notes.push_back(
-        {report_.shapes[slot].name, note.first, note.second, uses[report_.shape_ids[slot]]});
+        {report_.shapes[slot].name, note.first, note.second, uses[slot]});
   }
   return result;
 }

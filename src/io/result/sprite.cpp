@@ -19,7 +19,8 @@ Sprite sprite_of_drawing(const cv::Mat& straight_bgra, const Shape& shape, const
   const double scale = double(side) / longest_side(shape.artwork);
   const Similarity sprite_from_shape = scaled(artwork_from_shape(shape.artwork), float(scale));
   cv::Mat bgra(straight_bgra.size(), CV_8UC4, cv::Scalar());
-  for (const Span& span : fill_spans(clip, sprite_from_shape, {0, 0, bgra.cols, bgra.rows})) {
+  const Outline drawn{as_drawn(shape.artwork, clip.curves)};
+  for (const Span& span : fill_spans(drawn, sprite_from_shape, {0, 0, bgra.cols, bgra.rows})) {
     const cv::Rect part(span.x0, span.y, span.x1 - span.x0, 1);
     premultiplied(straight_bgra(part)).copyTo(bgra(part));
   }
@@ -32,7 +33,8 @@ Sprite sprite_of_silhouette(const Shape& shape, int longest_side_px) {
   const cv::Vec3b colour = mean_bgr(shape);
   cv::Mat bgra(std::max(1, int(shape.artwork.height_px * scale + 0.5)),
                std::max(1, int(shape.artwork.width_px * scale + 0.5)), CV_8UC4, cv::Scalar());
-  for (const Span& span : fill_spans(shape.outline, sprite_from_shape, {0, 0, bgra.cols, bgra.rows})) {
+  const Outline drawn{as_drawn(shape.artwork, shape.outline.curves)};
+  for (const Span& span : fill_spans(drawn, sprite_from_shape, {0, 0, bgra.cols, bgra.rows})) {
     cv::Vec4b* row = bgra.ptr<cv::Vec4b>(span.y);
     std::fill(row + span.x0, row + span.x1, cv::Vec4b(colour[0], colour[1], colour[2], 255));
   }

@@ -2,22 +2,32 @@
 
 #include <algorithm>
 #include <cctype>
-#include <utility>
+#include <map>
+
+#include "io/job/shape_group.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
 
-SvgLayer layer_of(const Placement&) { return {.id = "layer-pieces", .label = "Pieces", .pieces = {}}; }
+const SvgLayer kUngrouped{.id = "layer-pieces", .label = "Pieces", .pieces = {}};
+
+/// Ids go by number: groups may have any name.
+SvgLayer layer_of(const std::string& group, std::size_t groups_before) {
+  if (group.empty()) return kUngrouped;
+  return {.id = "layer-group-" + std::to_string(groups_before), .label = printable_utf8(group), .pieces = {}};
+}
 
 }  // namespace
 
-std::vector<SvgLayer> piece_layers(const std::vector<Placement>& placements) {
+std::vector<SvgLayer> piece_layers(const CollageReport& report) {
   std::vector<SvgLayer> layers;
-  for (std::size_t i = 0; i < placements.size(); ++i) {
-    SvgLayer layer = layer_of(placements[i]);
-    auto found = std::find_if(layers.begin(), layers.end(), [&](const SvgLayer& l) { return l.id == layer.id; });
-    if (found == layers.end()) found = layers.insert(layers.end(), std::move(layer));
-    found->pieces.push_back(i);
+  std::map<std::string, std::size_t> layer_of_group;
+  for (std::size_t i = 0; i < report.placements.size(); ++i) {
+    const std::string group = shape_group(*report.job, report.shape(report.placements[i].shape).name);
+    const auto [at, is_new] = layer_of_group.try_emplace(group, layers.size());
+    if (is_new) layers.push_back(layer_of(group, layers.size()));
+    layers[at->second].pieces.push_back(i);
   }
   return layers;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/collage/placement.h"
+#include "io/result/collage_files.h"
 
 namespace tessera::io {
 
@@ -15,9 +15,10 @@ struct SvgLayer {
   std::vector<std::size_t> pieces;  // places in the list of placements, ascending
 };
 
-/// The layers that the pieces lie in, in the order of their first pieces: today one for all. To divide them, say in
-/// layer_of (svg_layers.cpp) where a piece belongs.
-std::vector<SvgLayer> piece_layers(const std::vector<Placement>& placements);
+/// The layers that the pieces lie in, in the order of their first pieces: one for each group of the job that has pieces
+/// (shape_group.h), and one for all others. To divide them otherwise, say in layer_of (svg_layers.cpp) where a piece
+/// belongs.
+std::vector<SvgLayer> piece_layers(const CollageReport& report);
 
 /// "piece-7-bear": the piece's index and its shape's name, with '_' for all but ASCII letters, digits, '-' and
 /// '_'. Unique, since all other ids of the document begin in other ways.

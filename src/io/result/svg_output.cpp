@@ -27,10 +27,21 @@ bool has_outlines(const OutputSpec& output) { return output.outline_px > 0 || ha
 std::vector<SvgSymbol> make_symbols(const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done) {
   std::vector<SvgSymbol> symbols(report.shapes.size());
   parallel_for(symbols.size(), [&](std::size_t slot) {
-    symbols[slot] = artworks.symbol(slot, symbol_id(slot));
+    if (report.slot_of_drawing(slot) == slot) symbols[slot] = artworks.symbol(slot, symbol_id(slot));
     done();
   });
   return symbols;
+}
+
+/// How a piece is drawn: what its shape's drawing is, and which part of the document holds it.
+struct Drawing {
+  std::size_t slot;
+  double artwork_px_per_unit;
+};
+
+Drawing drawing_of(const CollageReport& report, const std::vector<SvgSymbol>& symbols, const Placement& placement) {
+  const std::size_t slot = report.slot_of_drawing(report.slot_of(placement.shape));
+  return {slot, symbols[slot].artwork_px_per_unit};
 }
 
 void start_layer(const SvgLayer& layer, XmlWriter& svg) {
@@ -61,12 +72,13 @@ std::string matrix_text(const Placement& placement, const Artwork& artwork, doub
   const double unit = 1. / double(artwork.unit_px);
   const double a = t.a * unit;
   const double b = t.b * unit;
-  const double x = t.tx - (a * artwork.centroid_px.x - b * artwork.centroid_px.y);
-  const double y = t.ty - (b * artwork.centroid_px.x + a * artwork.centroid_px.y);
+  const double side = artwork.mirrored ? -1 : 1;  // of x, seen from the centroid
+  const double x = t.tx - (side * a * artwork.centroid_px.x - b * artwork.centroid_px.y);
+  const double y = t.ty - (side * b * artwork.centroid_px.x + a * artwork.centroid_px.y);
   const double ak = a * artwork_px_per_unit;
   const double bk = b * artwork_px_per_unit;
   std::string text = "matrix(";
-  for (const double v : {ak, bk, -bk, ak}) text += fixed(v, 7) + " ";
+  for (const double v : {side * ak, side * bk, -bk, ak}) text += fixed(v, 7) + " ";
   text += fixed(x, 3) + " " + fixed(y, 3) + ")";
   return text;
 }
@@ -79,7 +91,7 @@ Similarity symbol_from_shape(const Shape& shape, const SvgSymbol& symbol) {
 void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip, std::size_t slot, XmlWriter& svg) {
   svg.raw("\n").start("clipPath").attribute("id", clip_id(slot));
   svg.start("path").attribute("clip-rule", "evenodd");
-  svg.attribute("d", svg_path(clip.curves, symbol_from_shape(shape, symbol))).end();
+  svg.attribute("d", svg_path(as_drawn(shape.artwork, clip.curves), symbol_from_shape(shape, symbol))).end();
   svg.end();
 }
 
@@ -98,15 +110,18 @@ void write_shadow_filter(const CollageReport& report, XmlWriter& svg) {
 /// The same of the outline, without a colour of its own.
 void write_outline(const Shape& shape, const SvgSymbol& symbol, std::size_t slot, XmlWriter& svg) {
   svg.raw("\n").start("path").attribute("id", outline_id(slot));
-  svg.attribute("d", svg_path(shape.outline.curves, symbol_from_shape(shape, symbol))).end();
+  svg.attribute("d", svg_path(as_drawn(shape.artwork, shape.outline.curves), symbol_from_shape(shape, symbol))).end();
 }
 
 void write_definitions(const CollageReport& report, const ShapeArtworks& artworks, const std::vector<SvgSymbol>& symbols,
                        XmlWriter& svg) {
   const OutputSpec& output = report.job->output;
   svg.raw("\n").start("defs");
-  for (const SvgSymbol& symbol : symbols) svg.raw("\n").raw(symbol.xml);
   for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
+    if (report.slot_of_drawing(slot) == slot) svg.raw("\n").raw(symbols[slot].xml);
+  }
+  for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
+    if (report.slot_of_drawing(slot) != slot) continue;
     if (output.clip != kNoClip) write_clip(report.shapes[slot], symbols[slot], artworks.clip(slot), slot, svg);
     if (has_outlines(output)) write_outline(report.shapes[slot], symbols[slot], slot, svg);
   }
@@ -125,21 +140,22 @@ void write_shadow(const CollageReport& report, const std::vector<DrawnPiece>& dr
   svg.attribute("transform", "translate(" + fixed(output.shadow_offset_px[0], 3) + " " +
                                  fixed(output.shadow_offset_px[1], 3) + ")");
   for (const auto& [placement, piece] : drawn) {
-    const std::size_t slot = report.slot_of(placement.shape);
-    svg.raw("\n").start("use").attribute("xlink:href", "#" + outline_id(slot));
-    svg.attribute("transform", matrix_text(placement, report.shapes[slot].artwork, symbols[slot].artwork_px_per_unit));
+    const Drawing drawing = drawing_of(report, symbols, placement);
+    svg.raw("\n").start("use").attribute("xlink:href", "#" + outline_id(drawing.slot));
+    svg.attribute("transform",
+                  matrix_text(placement, report.shape(placement.shape).artwork, drawing.artwork_px_per_unit));
     svg.end();
   }
   svg.end().end().end();
 }
 
 /// Along the piece's outline, in the units of its symbol.
-void write_line(const CollageReport& report, const Placement& placement, std::size_t slot, const SvgSymbol& symbol,
-                XmlWriter& svg) {
+void write_line(const CollageReport& report, const Placement& placement, const Drawing& drawing, XmlWriter& svg) {
   const OutputSpec& output = report.job->output;
-  const double canvas_px = double(placement.canvas_from_shape.scale()) / double(report.shapes[slot].artwork.unit_px) *
-                           symbol.artwork_px_per_unit;  // of a unit
-  svg.start("use").attribute("xlink:href", "#" + outline_id(slot)).attribute("fill", "none");
+  const Artwork& artwork = report.shapes[drawing.slot].artwork;
+  const double canvas_px = double(placement.canvas_from_shape.scale()) / double(artwork.unit_px) *
+                           drawing.artwork_px_per_unit;  // of a unit
+  svg.start("use").attribute("xlink:href", "#" + outline_id(drawing.slot)).attribute("fill", "none");
   svg.attribute("stroke", output.outline_colour).attribute("stroke-width", fixed(output.outline_px / canvas_px, 4));
   svg.attribute("stroke-linejoin", "round").end();
 }
@@ -148,20 +164,20 @@ void write_line(const CollageReport& report, const Placement& placement, std::si
 void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symbols, const DrawnPiece& drawn, bool again,
                  XmlWriter& svg) {
   const Placement& placement = drawn.placement;
-  const std::size_t slot = report.slot_of(placement.shape);
-  const Shape& shape = report.shapes[slot];
+  const Shape& shape = report.shape(placement.shape);
+  const Drawing drawing = drawing_of(report, symbols, placement);
   const std::string title = printable_utf8(shape.name);
   svg.raw("\n").start("g");
   if (!again) svg.attribute("id", svg_piece_id(drawn.piece, shape.name));
   svg.attribute("inkscape:label", title);
-  svg.attribute("transform", matrix_text(placement, shape.artwork, symbols[slot].artwork_px_per_unit));
+  svg.attribute("transform", matrix_text(placement, shape.artwork, drawing.artwork_px_per_unit));
   svg.start("title").text(title).end();
-  svg.start("use").attribute("xlink:href", "#" + symbol_id(slot));
+  svg.start("use").attribute("xlink:href", "#" + symbol_id(drawing.slot));
   const OutputSpec& output = report.job->output;
-  if (output.clip != kNoClip) svg.attribute("clip-path", "url(#" + clip_id(slot) + ")");
+  if (output.clip != kNoClip) svg.attribute("clip-path", "url(#" + clip_id(drawing.slot) + ")");
   if (!report.colours.empty()) svg.attribute("fill", report.colours[drawn.piece]);
   svg.end();
-  if (output.outline_px > 0) write_line(report, placement, slot, symbols[slot], svg);
+  if (output.outline_px > 0) write_line(report, placement, drawing, svg);
   svg.end();
 }
 
@@ -169,7 +185,7 @@ void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symb
 void write_pieces(const CollageReport& report, const std::vector<DrawnPiece>& drawn,
                   const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
   const auto by_piece = [](const DrawnPiece& a, std::size_t piece) { return a.piece < piece; };
-  for (const SvgLayer& layer : piece_layers(report.placements)) {
+  for (const SvgLayer& layer : piece_layers(report)) {
     svg.raw("\n");
     start_layer(layer, svg);
     for (const std::size_t piece : layer.pieces) {

@@ -1,0 +1,20 @@
+// Tables as texts with commas (RFC 4180), as spreadsheets and scripts write them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tessera::io {
+
+struct CsvRow {
+  std::size_t line = 1;  // where it begins, from 1
+  std::vector<std::string> cells;
+};
+
+/// The rows of the text but for empty lines. A byte order mark and either kind of line end are taken; quotes may hold
+/// commas, line ends and doubled quotes. Throws InputError "LINE: ..." where quotes are not closed or something stands
+/// beside them.
+std::vector<CsvRow> read_csv(const std::string& text);
+
+}  // namespace tessera::io

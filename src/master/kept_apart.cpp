@@ -1,0 +1,100 @@
+#include "master/kept_apart.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace tessera::master {
+namespace {
+
+/// To say that a point is near a piece a few of its points are enough.
+constexpr std::size_t kNearPointStride = 16;
+
+bool nearer_than(float reach_px, const std::vector<Vec2>& a, const std::vector<Vec2>& b, Vec2 b_moved_by) {
+  return std::any_of(b.begin(), b.end(), [&](Vec2 point) {
+    const Vec2 p = point + b_moved_by;
+    return std::any_of(a.begin(), a.end(), [&](Vec2 q) { return dot(p - q, p - q) < reach_px * reach_px; });
+  });
+}
+
+}  // namespace
+
+KeptApart::KeptApart(const CollageSettings& settings, ShapeSource& shapes, const Period& period)
+    : job_distance_px_(settings.pieces.apart_px),
+      matters_(job_distance_px_ > 0 ||
+               std::any_of(settings.wishes.classes.begin(), settings.wishes.classes.end(),
+                           [](const ShapeWish& wish) { return wish.apart && wish.apart->distance_px > 0; })),
+      wishes_(settings.wishes),
+      shapes_(shapes),
+      period_(period) {}
+
+KeptApart::Company KeptApart::company_of(ShapeId shape) const {
+  if (!wishes_.class_of_shape.empty()) {
+    const std::optional<ApartWish>& apart = wishes_.classes[wishes_.class_of_shape[index_of(shape)]].apart;
+    if (apart) return {true, apart->company, apart->distance_px};
+  }
+  return {false, index_of(shapes_.silhouette(shape)), job_distance_px_};
+}
+
+KeptApart::Boundary KeptApart::boundary_of(ShapeId shape, const Similarity& canvas_from_shape) {
+  const ShapeModel& model = shapes_.model(shape);
+  const float scale_px = canvas_from_shape.scale();
+  Boundary boundary{canvas_from_shape.translation(), model.radius * scale_px,
+                    0.5f * model.perimeter * scale_px / float(kBoundaryPoints), {}};
+  for (const Vec2 p : model.boundary) boundary.points_px.push_back(canvas_from_shape.apply(p));
+  return boundary;
+}
+
+void KeptApart::add(const Placement& placement) {
+  if (!concerns(placement.shape)) return;
+  placed_[company_of(placement.shape).key()].push_back(boundary_of(placement.shape, placement.canvas_from_shape));
+}
+
+bool KeptApart::may_stand(ShapeId shape, const Similarity& canvas_from_shape, float radius) {
+  const Company company = company_of(shape);
+  const auto like = placed_.find(company.key());
+  if (company.distance_px == 0 || like == placed_.end()) return true;
+  const Vec2 centre_px = canvas_from_shape.translation();
+  std::optional<Boundary> own;
+  for (const Boundary& other : like->second) {
+    for (const Vec2 image : period_.offsets()) {
+      const Vec2 between = other.centre_px + image - centre_px;
+      const float circles_px = company.distance_px + other.radius_px + radius * canvas_from_shape.scale();
+      if (dot(between, between) >= circles_px * circles_px) continue;
+      if (!own) own = boundary_of(shape, canvas_from_shape);
+      const float reach_px = company.distance_px + own->half_spacing_px + other.half_spacing_px;
+      if (nearer_than(reach_px, own->points_px, other.points_px, image)) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether one of the points is farther from all of the pieces.
+bool KeptApart::any_beyond(float distance_px, const std::vector<Boundary>& pieces,
+                           const std::vector<Vec2>& points_px) const {
+  const auto near_piece = [&](Vec2 point, const Boundary& piece) {
+    for (std::size_t i = 0; i < piece.points_px.size(); i += kNearPointStride) {
+      const Vec2 between = period_.nearest(point, piece.points_px[i]) - piece.points_px[i];
+      if (dot(between, between) < distance_px * distance_px) return true;
+    }
+    return false;
+  };
+  return std::any_of(points_px.begin(), points_px.end(), [&](Vec2 point) {
+    return std::none_of(pieces.begin(), pieces.end(), [&](const Boundary& piece) { return near_piece(point, piece); });
+  });
+}
+
+std::vector<ShapeId> KeptApart::shut_out(std::uint32_t shapes, const std::vector<Vec2>& boundary_px) const {
+  std::map<std::pair<bool, std::uint32_t>, bool> open;  // companies that were looked at
+  std::vector<ShapeId> shut_out;
+  for (std::uint32_t i = 0; i < shapes; ++i) {
+    const Company company = company_of(ShapeId{i});
+    const auto like = placed_.find(company.key());
+    if (company.distance_px == 0 || like == placed_.end()) continue;
+    const auto [known, is_new] = open.try_emplace(company.key(), false);
+    if (is_new) known->second = any_beyond(company.distance_px, like->second, boundary_px);
+    if (!known->second) shut_out.push_back(ShapeId{i});
+  }
+  return shut_out;
+}
+
+}  // namespace tessera::master

@@ -1,0 +1,68 @@
+// Pieces that keep a distance from their like: those of one silhouette (pieces.apart_px), or those that a wish names
+// together.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/collage/placement.h"
+#include "core/geometry/period.h"
+#include "core/settings.h"
+#include "core/shape/shape_source.h"
+
+namespace tessera::master {
+
+/// Distances are those between outlines, which is what is seen; along each outline points are compared, and half of
+/// their spacing is added, so that what stands is as far apart as was wished for, or farther by a 200th of its outline.
+class KeptApart {
+ public:
+  /// `shapes` outlives it. `period` is that of the canvas: across a seam the distance is kept, too.
+  KeptApart(const CollageSettings& settings, ShapeSource& shapes, const Period& period);
+
+  /// Whether pieces of any shape keep a distance.
+  bool matters() const { return matters_; }
+  /// Whether pieces of this shape keep a distance at all.
+  bool concerns(ShapeId shape) const { return company_of(shape).distance_px > 0; }
+
+  void add(const Placement& placement);
+  void forget_placements() { placed_.clear(); }
+
+  /// Whether a piece may stand there beside those that were added. Only near its like the shape is looked at; `radius`:
+  /// its own, shape units.
+  bool may_stand(ShapeId shape, const Similarity& canvas_from_shape, float radius);
+
+  /// Of so many shapes those that could stand at none of these points of a boundary (canvas px), ascending: all of them
+  /// are too near to pieces that were added. Matching need not look for them.
+  std::vector<ShapeId> shut_out(std::uint32_t shapes, const std::vector<Vec2>& boundary_px) const;
+
+ private:
+  struct Company {
+    bool wished = false;   // by name; else: of one silhouette
+    std::uint32_t id = 0;
+    float distance_px = 0;
+
+    auto key() const { return std::pair(wished, id); }
+  };
+  /// Points along a piece's outline, canvas px.
+  struct Boundary {
+    Vec2 centre_px;
+    float radius_px = 0;  // round the centre
+    float half_spacing_px = 0;
+    std::vector<Vec2> points_px;
+  };
+
+  Company company_of(ShapeId shape) const;
+  Boundary boundary_of(ShapeId shape, const Similarity& canvas_from_shape);
+  bool any_beyond(float distance_px, const std::vector<Boundary>& pieces, const std::vector<Vec2>& points_px) const;
+
+  float job_distance_px_;
+  bool matters_;
+  Wishes wishes_;
+  ShapeSource& shapes_;
+  Period period_;
+  std::map<std::pair<bool, std::uint32_t>, std::vector<Boundary>> placed_;  // by company
+};
+
+}  // namespace tessera::master
