@@ -52,7 +52,13 @@ std::vector<Placement> difference(std::vector<Placement> a, std::vector<Placemen
   return result;
 }
 
-/// Of two ascending lists.
+/// Of two ascending lists, like the next.
+std::vector<ShapeId> without(const std::vector<ShapeId>& all, const std::vector<ShapeId>& some) {
+  std::vector<ShapeId> rest;
+  std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
+  return rest;
+}
+
 std::vector<ShapeId> joined(const std::vector<ShapeId>& a, const std::vector<ShapeId>& b) {
   std::vector<ShapeId> both;
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
@@ -140,9 +146,10 @@ std::vector<ShapeId> Collage::shut_out_shapes() const {
 /// They follow from the placements: whatever came and went, the same may stand.
 void Collage::update_limits() {
   if (!scoring_.limits_uses() && !apart_.matters()) return;
-  const std::vector<ShapeId> missing = this->missing();
+  const std::vector<ShapeId> shut_out = shut_out_shapes();
+  const std::vector<ShapeId> missing = without(this->missing(), shut_out);  // nobody waits for what cannot come
   StandingLimits now{.region = limits_.region, .size_factor = limits_.size_factor};
-  now.used_up = joined(scoring_.closed_shapes(missing), shut_out_shapes());
+  now.used_up = joined(scoring_.closed_shapes(missing), shut_out);
   if (settings_.pieces.fit_all && !missing.empty()) now.most_scale_px = most_scale_for(missing);
   if (now == limits_) return;
   limit(now);
@@ -311,7 +318,10 @@ void Collage::drop_what_is_too_near_to(const Placement& placement) {
   if (!apart_.concerns(placement.shape)) return;
   std::vector<SampleId> ids;
   for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
-  for (const SampleId id : ids) review(id, [&](const Candidate& c) { return keeps_apart(c); });
+  const auto may_stay = [&](const Candidate& c) {
+    return !apart_.are_like(c.shape, placement.shape) || keeps_apart(c);
+  };
+  for (const SampleId id : ids) review(id, may_stay);
 }
 
 /// Target samples that may have candidates whose windows overlap an image of `changed`.

@@ -26,6 +26,9 @@ class KeptApart {
   /// Whether pieces of this shape keep a distance at all.
   bool concerns(ShapeId shape) const { return company_of(shape).distance_px > 0; }
 
+  /// Whether it is from each other that they keep one.
+  bool are_like(ShapeId a, ShapeId b) const { return company_of(a).key() == company_of(b).key(); }
+
   void add(const Placement& placement);
   void forget_placements() { placed_.clear(); }
 
@@ -43,7 +46,7 @@ class KeptApart {
     std::uint32_t id = 0;
     float distance_px = 0;
 
-    auto key() const { return std::pair(wished, id); }
+    std::pair<bool, std::uint32_t> key() const { return {wished, id}; }
   };
   /// Points along a piece's outline, canvas px.
   struct Boundary {

@@ -364,6 +364,22 @@ TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
             }), 20);
 }
 
+/// Of shapes 3, 4 and 5 there is room for one alone, though each is wished for: the others need not wait.
+TEST(Wishes, NobodyWaitsForAShapeThatIsShutOut) {
+  CollageSettings s = settings();
+  s.pieces.max_scale_px = 40;
+  s.pieces.least_uses = 1;
+  s.wishes.classes.resize(2);
+  s.wishes.classes[1].apart = {0, 1000};
+  s.wishes.class_of_shape.assign(library().size(), 0);
+  s.wishes.class_of_shape[3] = s.wishes.class_of_shape[4] = s.wishes.class_of_shape[5] = 1;
+  const CollageResult result = run(make_rectangle_canvas(300, 220), s);
+  EXPECT_GT(result.placements.size(), 2 * library().size());
+  std::map<std::uint32_t, int> count = uses(result.placements);
+  EXPECT_EQ(count[3] + count[4] + count[5], 1);
+  EXPECT_EQ(count.size(), library().size()) << "all others stand; counting made entries of the three";
+}
+
 /// As if each shape might be used once: neither rounds nor matching are spent on what stands already.
 TEST(Wishes, ShapesThatAreShutOutEverywhereCostNothing) {
   CollageSettings s = settings();
