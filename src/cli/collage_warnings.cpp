@@ -1,8 +1,10 @@
 #include "cli/collage_warnings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "core/collage/standing_check.h"
 #include "io/job/job_keys.h"
 #include "io/job/job_value.h"
 
@@ -63,6 +65,29 @@ std::string used_up_warning(const io::Job& job, const master::CollageResult& res
                 "pieces.scale_px = [%.0f, %.0f], or pieces.fit = \"all\"; so would more uses (pieces.uses)",
                 100 * covered, factor, factor * double(pieces.min_scale_px), factor * double(pieces.max_scale_px));
   return text;
+}
+
+std::string standing_warning(const io::Job& job, const Canvas& canvas, const std::function<const Shape&(ShapeId)>& shape) {
+  const std::vector<GivenPiece>& pieces = job.settings.wishes.given;
+  const auto rows = job.tables.find("given");
+  const std::size_t first_of_start = rows == job.tables.end() ? 0 : rows->second.size();
+  const auto count = [&](const std::vector<std::size_t>& found, std::size_t from, std::size_t to, const char* where) {
+    const auto counts = [&](std::size_t i) { return i >= from && i < to; };
+    const auto first = std::find_if(found.begin(), found.end(), counts);
+    if (first == found.end()) return std::string();
+    return "; " + std::to_string(std::count_if(found.begin(), found.end(), counts)) + " lie " + where + ", the first is number " +
+           std::to_string(*first - from) + ", \"" + shape(pieces[*first].shape).name + "\"";
+  };
+  const StandingCheck found = check_standing(canvas, pieces, shape);
+  const char* in_a_zone = "in a zone that pieces keep out of";
+  const std::string given = count(found.kept_out, 0, first_of_start, in_a_zone);
+  const std::string start = count(found.kept_out, first_of_start, pieces.size(), in_a_zone) +
+                            count(found.outside, first_of_start, pieces.size(), "outside the canvas") +
+                            count(found.overlapping, first_of_start, pieces.size(), "on pieces before them");
+  std::string text;
+  if (!given.empty()) text = "of [[given]]" + given;
+  if (!start.empty()) text += (text.empty() ? "" : "; ") + ("of start.pieces" + start);
+  return text.empty() ? text : text + "; they stand as they are";
 }
 
 void print_warning(const std::string& warning) {

@@ -1,6 +1,7 @@
 #include "io/job/job_library.h"
 
 #include "core/base/error.h"
+#include "io/job/start_pieces.h"
 #include "io/job/wish_resolution.h"
 
 namespace tessera::io {
@@ -26,13 +27,23 @@ LibraryView open_library_of(const Job& job) {
   }
 }
 
-void resolve_wishes(const ShapeLibrary& library, Job& job) {
+namespace {
+
+std::vector<std::string> names_in(const ShapeLibrary& library) {
+  constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
   std::vector<std::string> names;
-  if (has_shape_wishes(job)) {
-    constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
-    for (const Shape& shape : library.read(0, library.size(), kNamesOnly)) names.push_back(shape.name);
-  }
-  resolve_wishes(names, job);
+  for (const Shape& shape : library.read(0, library.size(), kNamesOnly)) names.push_back(shape.name);
+  return names;
+}
+
+}  // namespace
+
+void resolve_wishes(const ShapeLibrary& library, Job& job) {
+  resolve_wishes(has_shape_wishes(job) ? names_in(library) : std::vector<std::string>(), job);
+}
+
+void add_start_pieces(const ShapeLibrary& library, Job& job) {
+  if (!job.start.pieces.empty()) add_start_pieces(names_in(library), job);
 }
 
 }  // namespace tessera::io
