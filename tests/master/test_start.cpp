@@ -2,10 +2,13 @@
 // each of them after interruptions.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/field/field_lookup.h"
 #include "core/field/keep_out.h"
 #include "core/matching/sized_settings.h"
 #include "interrupted_collage.h"
+#include "master/collage.h"
 #include "master/outward_growth.h"
 #include "support/input_error.h"
 #include "whole_collage.h"
@@ -207,6 +210,66 @@ CollageSettings outward(int pieces) {
   s.start.grow_outward = true;
   s.stop.pieces = pieces;
   return s;
+}
+
+/// As the loop begins a collage.
+struct Beginning {
+  Beginning(const Canvas& canvas, const CollageSettings& s, const std::vector<Placement>& standing)
+      : context(make_matching_context(s, std::uint32_t(library().size()))), collage(canvas, s, context, shapes) {
+    collage.grow_by(OutwardGrowth(canvas, s.pieces, standing, shapes));
+    collage.begin(standing, standing.size(), 0, 1);
+  }
+
+  test::VectorShapes shapes{library()};
+  MatchingContext context;
+  Collage collage;
+};
+
+TEST(OutwardGrowth, TargetSamplesLieOnWhatStandsNeverOnTheEdge) {
+  for (const float padding_px : {0.f, 5.f}) {
+    CollageSettings s = outward(0);
+    s.pieces.padding_px = padding_px;
+    const Canvas canvas = with_title(make_rectangle_canvas(300, 240));
+    Beginning beginning(canvas, s, {{ShapeId{5}, {60, 0, 220, 180}, 0, 0}});
+    int on_zone = 0;
+    int on_piece = 0;
+    for (int pass = 0; pass < 2; ++pass) {
+      for (const TargetSample& sample : beginning.collage.take_stale_samples()) {
+        const Vec2 p = sample.position;
+        EXPECT_GT(std::min({p.x, p.y, 300 - p.x, 240 - p.y}), padding_px + 2);
+        distance_px(kTitle, p) < padding_px + 2 ? ++on_zone : ++on_piece;
+      }
+      beginning.collage.mark_stale({0, 0, 400, 400});
+    }
+    EXPECT_GT(on_zone, 20);
+    EXPECT_GT(on_piece, 20);
+  }
+}
+
+TEST(OutwardGrowth, ZonesAtTheEdgeAreDockedTo) {
+  Canvas canvas = make_rectangle_canvas(300, 240);
+  take_out(distance_to({KeepOutRectangle{{0, 120}, {40, 60}}}, canvas), canvas);
+  test::VectorShapes shapes(library());
+  const OutwardGrowth growth(canvas, settings().pieces, {}, shapes);
+  const FreeField free(canvas, settings().pieces);
+  EXPECT_TRUE(growth.may_dock(free, {40, 120}));
+  EXPECT_TRUE(growth.may_dock(free, {20, 60.5f}));
+  EXPECT_FALSE(growth.may_dock(free, {0.5f, 20}));
+  EXPECT_FALSE(growth.may_dock(free, {299.5f, 120}));
+  EXPECT_TRUE(growth.may_dock(free, {150, 120}));
+}
+
+TEST(OutwardGrowth, TheFirstPieceLiesDeepestInTheCanvas) {
+  Grid<float> coverage(800, 400, 0.f);
+  for (int y = 0; y < 400; ++y) {
+    for (int x = 0; x < 800; ++x) coverage(x, y) = float(x < 300 || (y > 180 && y < 220));  // a square with a long tail
+  }
+  test::VectorShapes shapes(library());
+  const OutwardGrowth growth(make_mask_canvas(coverage), settings().pieces, {}, shapes);
+  EXPECT_NEAR(growth.first_piece_px().x, 75, 2);
+  EXPECT_NEAR(growth.first_piece_px().y, 100, 26) << "anywhere on the square's middle line";
+  EXPECT_GT(growth.nearness(growth.first_piece_px()), 0.9f);
+  EXPECT_LT(growth.nearness({200, 100}), 0.5f);
 }
 
 TEST(OutwardGrowth, IsRoundWithoutASeed) {
