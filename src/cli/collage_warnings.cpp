@@ -33,6 +33,16 @@ std::string what_to_try(const io::Job& job) {
   return text + "; a larger " + with_value(job, "canvas", "size_px");
 }
 
+/// Of `found`, ascending places in a list, those from `begin` to `end`; empty where there are none.
+std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t begin, std::size_t end, const char* where,
+                           const std::function<std::string(std::size_t)>& name) {
+  const auto first = std::lower_bound(found.begin(), found.end(), begin);
+  const auto last = std::lower_bound(found.begin(), found.end(), end);
+  if (first == last) return "";
+  return "; " + std::to_string(last - first) + " lie " + where + ", the first is number " +
+         std::to_string(*first - begin) + ", \"" + name(*first) + "\"";
+}
+
 }  // namespace
 
 std::string replaced_result_warning(const io::EarlierResult& earlier, const io::Job& job) {
@@ -67,23 +77,18 @@ std::string used_up_warning(const io::Job& job, const master::CollageResult& res
   return text;
 }
 
-std::string standing_warning(const io::Job& job, const Canvas& canvas, const std::function<const Shape&(ShapeId)>& shape) {
+std::string standing_warning(const io::Job& job, const Canvas& canvas,
+                             const std::function<const Shape&(ShapeId)>& shape) {
   const std::vector<GivenPiece>& pieces = job.settings.wishes.given;
   const auto rows = job.tables.find("given");
   const std::size_t first_of_start = rows == job.tables.end() ? 0 : rows->second.size();
-  const auto count = [&](const std::vector<std::size_t>& found, std::size_t from, std::size_t to, const char* where) {
-    const auto counts = [&](std::size_t i) { return i >= from && i < to; };
-    const auto first = std::find_if(found.begin(), found.end(), counts);
-    if (first == found.end()) return std::string();
-    return "; " + std::to_string(std::count_if(found.begin(), found.end(), counts)) + " lie " + where + ", the first is number " +
-           std::to_string(*first - from) + ", \"" + shape(pieces[*first].shape).name + "\"";
-  };
+  const auto name = [&](std::size_t piece) { return shape(pieces[piece].shape).name; };
   const StandingCheck found = check_standing(canvas, pieces, shape);
   const char* in_a_zone = "in a zone that pieces keep out of";
-  const std::string given = count(found.kept_out, 0, first_of_start, in_a_zone);
-  const std::string start = count(found.kept_out, first_of_start, pieces.size(), in_a_zone) +
-                            count(found.outside, first_of_start, pieces.size(), "outside the canvas") +
-                            count(found.overlapping, first_of_start, pieces.size(), "on pieces before them");
+  const std::string given = those_that_lie(found.kept_out, 0, first_of_start, in_a_zone, name);
+  const std::string start = those_that_lie(found.kept_out, first_of_start, pieces.size(), in_a_zone, name) +
+                            those_that_lie(found.outside, first_of_start, pieces.size(), "outside the canvas", name) +
+                            those_that_lie(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name);
   std::string text;
   if (!given.empty()) text = "of [[given]]" + given;
   if (!start.empty()) text += (text.empty() ? "" : "; ") + ("of start.pieces" + start);

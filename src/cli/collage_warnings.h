@@ -18,14 +18,15 @@ std::string replaced_result_warning(const io::EarlierResult& earlier, const io::
 /// Empty where there are pieces, or where the run may still go on to some.
 std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result);
 
-/// Which of the pieces that stand from the start lie in zones that are kept out of; and of those of start.pieces, which lie
-/// outside the canvas or on others. Empty where all lie well. `shape(id)` gives library shapes with their outlines.
-std::string standing_warning(const io::Job& job, const Canvas& canvas, const std::function<const Shape&(ShapeId)>& shape);
+/// Which of the pieces that stand from the start lie in zones that are kept out of; and of those of start.pieces, which
+/// lie outside the canvas or on others. Empty where all lie well. `shape(id)` gives library shapes with their outlines.
+std::string standing_warning(const io::Job& job, const Canvas& canvas,
+                             const std::function<const Shape&(ShapeId)>& shape);
 
-/// Prints nothing where the warning is empty.
 /// Where the library was used up with much of the canvas left: the sizes that would fill it. `covered`: fraction.
 std::string used_up_warning(const io::Job& job, const master::CollageResult& result, double covered);
 
+/// Prints nothing where the warning is empty.
 void print_warning(const std::string& warning);
 
 }  // namespace tessera::cli

@@ -107,8 +107,8 @@ class Run {
     return true;
   }
 
-  /// With what stood when the region was begun: of `placements` the first `given`, and in the first region all that the job
-  /// gives.
+  /// With what stood when the region was begun: of `placements` the first `given`, and in the first region all that the
+  /// job gives.
   void begin_again(std::uint32_t region, std::vector<Placement> placements, std::size_t given) {
     placements.resize(given);
     begin(region, region == 0 ? given_pieces() : std::move(placements), given);
@@ -152,9 +152,10 @@ class Run {
     const auto alike = [](const Placement& a, const Placement& b) {
       return a.shape == b.shape && a.canvas_from_shape == b.canvas_from_shape;
     };
-    if (as_many && std::equal(given.begin(), given.begin() + std::ptrdiff_t(locked()), from.placements.begin(), alike)) return;
-    throw InputError(from.name + ": begun with other pieces than [[given]] and start.pieces have now; give what they were "
-                     "then, or --restart, which removes it and starts again");
+    const auto end = given.begin() + std::ptrdiff_t(locked());
+    if (as_many && std::equal(given.begin(), end, from.placements.begin(), alike)) return;
+    throw InputError(from.name + ": begun with other pieces than [[given]] and start.pieces have now; give what they " +
+                     "were then, or --restart, which removes it and starts again");
   }
 
   CheckpointState state() const {

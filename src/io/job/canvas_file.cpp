@@ -101,8 +101,7 @@ Grid<float> canvas_coverage(const cv::Mat& page, const CanvasSpec& spec) {
 /// A page of the largest size may take three times its pixels.
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds, int side_px) {
   constexpr std::size_t kMebibyte = std::size_t(1) << 20;
-  const int most_px = spec.file.empty() && spec.keep_out.empty() ? 0 : 2 * std::max(spec.width_px, spec.height_px);
-  const std::size_t side = std::size_t(std::max(most_px, side_px));
+  const std::size_t side = std::size_t(std::max({2 * spec.width_px, 2 * spec.height_px, side_px}));
   return {.seconds_per_drawing = seconds,
           .bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * 4 * side * side)};
 }

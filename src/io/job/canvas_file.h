@@ -19,7 +19,8 @@ namespace tessera::io {
 inline constexpr int kEdgeSide_px = 4096;
 
 /// A mask is scaled into the box of the spec's size with its aspect kept; the canvas is then as large as the scaled
-/// page, which touches the box in width or height. Zones to keep out of are taken out of it (canvas_keep_out.h). The file is drawn in a process with limits (drawers.h). Throws
+/// page, which touches the box in width or height. Zones to keep out of are taken out of it (canvas_keep_out.h). The
+/// files are drawn in a process with limits (drawers.h). Throws
 /// InputError where the file is no artwork, breaks a limit, becomes narrower than 16 px, or leaves nothing to fill.
 /// `seconds` is how long each of its two drawings at most may take.
 Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);

@@ -28,8 +28,8 @@ Grid<float> coverage_of_file(const CanvasSpec& spec, Drawers& drawers, const Can
   for (int y = 0; y < page.height(); ++y) std::copy_n(page.row(y), page.width(), coverage.row(top + y) + left);
   const std::vector<float>& cells = coverage.data();
   if (std::none_of(cells.begin(), cells.end(), [](float part) { return part >= 0.5f; })) {
-    throw InputError("canvas.keep_out: " + spec.keep_out + " shows nothing; needed: an opaque silhouette on a transparent " +
-                     "page or a plain background");
+    throw InputError("canvas.keep_out: " + spec.keep_out + " shows nothing; needed: an opaque silhouette on a " +
+                     "transparent page or a plain background");
   }
   return coverage;
 }

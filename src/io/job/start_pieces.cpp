@@ -164,7 +164,8 @@ void check_start_is_elsewhere(const Job& job, const std::string& folder) {
   const std::string file = start_file(job);
   std::error_code error;
   if (file.empty() || !fs::equivalent(fs::path(file).parent_path(), folder, error)) return;
-  throw InputError(job.path + ": start.pieces: " + file + " lies in the folder that the run writes; give another --out");
+  throw InputError(job.path + ": start.pieces: " + file +
+                   " lies in the folder that the run writes; give another --out");
 }
 
 }  // namespace tessera::io

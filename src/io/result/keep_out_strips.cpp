@@ -44,7 +44,8 @@ void KeepOutStrips::draw(int top, cv::Mat rows) const {
   if (begin >= end) return;
   cv::Mat drawn = draw_rows(page_, sprite_, begin, end);
   if (!drawing_.clip.empty()) {
-    clip(filled_coverage(drawing_.clip, {float(picture_px_), 0, 0, 0}, {page_.box.x, begin, drawn.cols, drawn.rows}), drawn);
+    const cv::Rect window(page_.box.x, begin, drawn.cols, drawn.rows);
+    clip(filled_coverage(drawing_.clip, {float(picture_px_), 0, 0, 0}, window), drawn);
   }
   lay_over(drawn, rows(cv::Rect(page_.box.x, begin - top, page_.box.width, end - begin)));
 }
