@@ -7,6 +7,7 @@
 #include "io/job/job_library.h"
 #include "io/job/palette.h"
 #include "io/job/picture_size.h"
+#include "io/job/start_pieces.h"
 #include "io/result/collage_files.h"
 
 namespace tessera::cli {
@@ -23,6 +24,7 @@ Start start_of(const CollageArguments& arguments, const io::EarlierResult& earli
 io::LibraryView library_for(io::Job& job) {
   io::LibraryView library = io::open_library_of(job);
   io::resolve_wishes(library, job);
+  io::add_start_pieces(library, job);
   return library;
 }
 
@@ -66,6 +68,7 @@ CollageInput::CollageInput(const CollageArguments& arguments)
       palette(io::load_palette(job)),
       canvas(checked_canvas(library, job)),
       lock(locked_folder(folder), folder) {
+  io::check_start_is_elsewhere(job, folder);
   io::check_nothing_foreign_is_replaced(folder, arguments.job);
   io::prepare_output_directory(folder);
   earlier = io::find_earlier_result(folder);

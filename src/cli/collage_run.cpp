@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "cli/collage_checkpoints.h"
@@ -88,11 +89,23 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
   return master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints});
 }
 
+std::string standing_warning_of(const CollageInput& input) {
+  if (input.job.settings.wishes.given.empty()) return "";
+  constexpr io::LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
+  std::map<ShapeId, Shape> read;
+  return standing_warning(input.job, input.canvas, [&](ShapeId id) -> const Shape& {
+    const auto [at, is_new] = read.try_emplace(id);
+    if (is_new) at->second = std::move(input.library.read(index_of(id), index_of(id) + 1, kOutlines).front());
+    return at->second;
+  });
+}
+
 /// From the empty canvas or a checkpoint to the result without its pictures.
 CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   journal->warn(replaced_result_warning(input.earlier, input.job));
+  journal->warn(standing_warning_of(input));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);

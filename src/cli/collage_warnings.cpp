@@ -1,8 +1,10 @@
 #include "cli/collage_warnings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "core/collage/standing_check.h"
 #include "io/job/job_keys.h"
 #include "io/job/job_value.h"
 
@@ -40,6 +42,16 @@ double covered_fraction(const Canvas& canvas, const master::CollageResult& resul
   return covered_px2 / canvas.area_px2;
 }
 
+/// Of `found`, ascending places in a list, those from `begin` to `end`; empty where there are none.
+std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t begin, std::size_t end, const char* where,
+                           const std::function<std::string(std::size_t)>& name) {
+  const auto first = std::lower_bound(found.begin(), found.end(), begin);
+  const auto last = std::lower_bound(found.begin(), found.end(), end);
+  if (first == last) return "";
+  return "; " + std::to_string(last - first) + " lie " + where + ", the first is number " +
+         std::to_string(*first - begin) + ", \"" + name(*first) + "\"";
+}
+
 }  // namespace
 
 std::string replaced_result_warning(const io::EarlierResult& earlier, const io::Job& job) {
@@ -74,6 +86,24 @@ std::string used_up_warning(const io::Job& job, const Canvas& canvas, const mast
                 "pieces.scale_px = [%.0f, %.0f], or pieces.fit = \"all\"; so would more uses (pieces.uses)",
                 100 * covered, factor, factor * double(pieces.min_scale_px), factor * double(pieces.max_scale_px));
   return text;
+}
+
+std::string standing_warning(const io::Job& job, const Canvas& canvas,
+                             const std::function<const Shape&(ShapeId)>& shape) {
+  const std::vector<GivenPiece>& pieces = job.settings.wishes.given;
+  const auto rows = job.tables.find("given");
+  const std::size_t first_of_start = rows == job.tables.end() ? 0 : rows->second.size();
+  const auto name = [&](std::size_t piece) { return shape(pieces[piece].shape).name; };
+  const StandingCheck found = check_standing(canvas, pieces, shape);
+  const char* in_a_zone = "in a zone that pieces keep out of";
+  const std::string given = those_that_lie(found.kept_out, 0, first_of_start, in_a_zone, name);
+  const std::string start = those_that_lie(found.kept_out, first_of_start, pieces.size(), in_a_zone, name) +
+                            those_that_lie(found.outside, first_of_start, pieces.size(), "outside the canvas", name) +
+                            those_that_lie(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name);
+  std::string text;
+  if (!given.empty()) text = "of [[given]]" + given;
+  if (!start.empty()) text += (text.empty() ? "" : "; ") + ("of start.pieces" + start);
+  return text.empty() ? text : text + "; they stand as they are";
 }
 
 void print_warning(const std::string& warning) {

@@ -1,8 +1,11 @@
 // What tessera collage says on stderr, --quiet or not, where it does as it was told and somebody may be sorry.
 #pragma once
 
+#include <functional>
 #include <string>
 
+#include "core/field/canvas.h"
+#include "core/shape/shape.h"
 #include "io/job/job_file.h"
 #include "io/result/finished_result.h"
 #include "master/collage_loop.h"
@@ -14,6 +17,11 @@ std::string replaced_result_warning(const io::EarlierResult& earlier, const io::
 
 /// Empty where there are pieces, or where the run may still go on to some.
 std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result);
+
+/// Which of the pieces that stand from the start lie in zones that are kept out of; and of those of start.pieces, which
+/// lie outside the canvas or on others. Empty where all lie well. `shape(id)` gives library shapes with their outlines.
+std::string standing_warning(const io::Job& job, const Canvas& canvas,
+                             const std::function<const Shape&(ShapeId)>& shape);
 
 /// Where the library was used up with much of the canvas left: the sizes that would fill it. Else empty, as where the
 /// program found the sizes itself.

@@ -31,6 +31,11 @@ struct PieceSettings {
   }
 };
 
+/// Where a collage starts from.
+struct StartSettings {
+  bool grow_outward = false;  // pieces dock to what stands alone, never to the canvas' edge
+};
+
 struct MatchSettings {
   PadParameters pad;
   float top_percent = 2;       // K of the paper: best pairs kept, in percent of all pairs of a target sample
@@ -68,6 +73,7 @@ struct CollageSettings {
   std::uint64_t seed = 1;
   PieceSettings pieces;
   Wishes wishes;
+  StartSettings start;
   MatchSettings match;
   ObjectiveSettings objective;
   ImproveSettings improve;

@@ -128,6 +128,11 @@ inline constexpr int kEmptyPasses = 2;  // over all samples, with new random doc
 inline constexpr std::uint64_t kFirstPieceDraws = 64;
 inline constexpr float kFirstPieceShrink = 0.95f;
 
+// Growing outward from what stands (start.grow).
+inline constexpr float kOnEdge_px = 1;           // target samples that near to the canvas' edge lie on it
+inline constexpr float kOnRoundedEdge = 0.3f;    // of the opening radius, beyond: the curve cuts its corners
+inline constexpr float kGrowthFading = 1;        // of the largest piece: over which nearness to the seed falls to 1 / e
+
 // Every drawing at least once (pieces.fit = "all").
 inline constexpr double kFilledByTheRest = 0.85;  // of the free area, by the shapes that are still to come
 inline constexpr float kSizeStep = 0.9f;          // of the ladder of largest sizes: each step drops what is too large

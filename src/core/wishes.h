@@ -53,10 +53,11 @@ struct RegionWish {
   friend bool operator==(const RegionWish&, const RegionWish&) = default;
 };
 
-/// Stands before the first round, and to the end.
+/// Stands before the first round.
 struct GivenPiece {
   ShapeId shape{};
   Similarity canvas_from_shape;
+  bool locked = true;  // stands to the end; else improving may take it out
 
   friend bool operator==(const GivenPiece&, const GivenPiece&) = default;
 };
@@ -66,7 +67,7 @@ struct Wishes {
   std::vector<std::uint32_t> class_of_shape;   // per shape of the library; empty: all of class 0
   std::vector<RegionWish> regions;             // of the canvas, in the order in which they are filled; empty: one
 
-  std::vector<GivenPiece> given;
+  std::vector<GivenPiece> given;  // the locked ones first
 
   friend bool operator==(const Wishes&, const Wishes&) = default;
 };

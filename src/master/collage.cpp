@@ -100,12 +100,12 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
   update_limits();
 }
 
-void Collage::begin(std::vector<Placement> given, std::uint32_t region, float size_factor) {
+void Collage::begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region, float size_factor) {
   const StandingLimits limits{.region = region, .size_factor = size_factor};
   region_stances_ = all_stances_.limited(limits);
   limit(limits);
-  given_ = given.size();
-  replace_placements(std::move(given));
+  given_ = given;
+  replace_placements(std::move(standing));
   mark_stale(free_.field().value.bounds());
 }
 
@@ -191,8 +191,15 @@ void Collage::mark_stale(const Window& window) {
     const Vec2 node = curve_.sample(id).position - free_.field().origin;
     const int x = int(node.x);
     const int y = int(node.y);
-    if (free_.grid().overlap(window, {x, y, x + 1, y + 1})) stale_.insert(id);
+    if (may_dock(id) && free_.grid().overlap(window, {x, y, x + 1, y + 1})) stale_.insert(id);
   }
+}
+
+bool Collage::may_dock(SampleId id) const { return !growth_ || growth_->may_dock(free_, curve_.sample(id).position); }
+
+float Collage::score(const Candidate& candidate) const {
+  const float score = scoring_.score(candidate);
+  return growth_ ? score * growth_->nearness(candidate.canvas_from_shape.translation()) : score;
 }
 
 void Collage::add_candidates(const std::vector<TargetSample>& samples, const MatchRound& round) {
@@ -209,7 +216,7 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
     candidate.radius = refined.radius;
     if (!scoring_.may_use(docking.shape) || !scoring_.acceptable(candidate) || !keeps_apart(candidate)) continue;
     if (!fits_into(free_.grid().period(), refined.extent)) continue;
-    candidate.score = scoring_.score(candidate);
+    candidate.score = score(candidate);
     candidate.window = nodes_round(refined.extent, free_.field().origin, context_.gap_px + kWindowMargin_px);
     bring_into_one_period(candidate, free_.grid().period());
     of_sample[docking.sample].push_back(candidate);
@@ -296,7 +303,7 @@ void Collage::retrace(const Window& changed) {
   }
   for (const SampleId id : change.renewed) {
     pool_.erase(id);
-    stale_.insert(id);
+    if (may_dock(id)) stale_.insert(id);
   }
 }
 
@@ -363,7 +370,7 @@ void Collage::rescore(const Window& changed, const std::vector<DockingTerms>& te
       if (measured == terms.end()) throw std::logic_error("fewer candidates were measured than touched");
       c.terms = *measured++;
       if (!scoring_.acceptable(c)) return false;
-      c.score = scoring_.score(c);
+      c.score = score(c);
       c.exact = false;
       return true;
     });

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "core/shape/shape_source.h"
 #include "master/exact_checks.h"
 #include "master/kept_apart.h"
+#include "master/outward_growth.h"
 #include "master/scoring.h"
 #include "master/settling.h"
 
@@ -31,8 +33,11 @@ class Collage {
   Collage(const Collage&) = delete;  // its parts refer to each other
   Collage& operator=(const Collage&) = delete;
 
-  /// Begins with these pieces, which stand to the end, in this region of the canvas, with all sizes times `size_factor`.
-  void begin(std::vector<Placement> given, std::uint32_t region, float size_factor);
+  /// From begin() on pieces dock where this says.
+  void grow_by(OutwardGrowth growth) { growth_ = std::move(growth); }
+  /// Begins with these pieces, of which the first `given` stand to the end, in this region of the canvas, with all sizes
+  /// times `size_factor`.
+  void begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region, float size_factor);
   /// So many of the placements, the first ones, were given.
   std::size_t given() const { return given_; }
 
@@ -100,7 +105,10 @@ class Collage {
 
  private:
   std::vector<Pool::Ranked> finalists();
+  bool needs_first_piece() const;
   bool choose_first(Candidate& first);
+  bool may_dock(SampleId id) const;
+  float score(const Candidate& candidate) const;
   ExactAreas check_exactly(Candidate& candidate);
   bool settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
@@ -141,6 +149,7 @@ class Collage {
   Scoring scoring_;
   KeptApart apart_;
   Settling settling_;
+  std::optional<OutwardGrowth> growth_;
   double covered_px2_ = 0;
   Window changed_nodes_;
 };

@@ -18,7 +18,7 @@ constexpr float kLongestContour = 1e4f;
                    "; --restart removes it and starts again");
 }
 
-/// A piece that was given may be of any size.
+/// A piece that was given may be of any size, locked or not.
 bool sane(const Similarity& pose) {
   const auto near = [](float at_px) { return std::abs(at_px) < kFarAway_px; };  // not NaN either
   return near(pose.tx) && near(pose.ty) && near(pose.scale()) && pose.scale() > 0;
@@ -76,8 +76,9 @@ void Collage::check_pieces(const CheckpointState& state) const {
     }
     if (!(is_given ? sane(pose) : sane(pose, settings_.pieces))) fail(state, "a piece out of all proportion");
   };
+  const std::size_t any_size = given_ + (settings_.wishes.given.size() > given_ ? state.placements.size() : 0);
   for (std::size_t i = 0; i < state.placements.size(); ++i) {
-    check(state.placements[i].shape, state.placements[i].canvas_from_shape, i < given_);
+    check(state.placements[i].shape, state.placements[i].canvas_from_shape, i < any_size);
   }
   for (const PooledSample& sample : state.pool) {
     for (const Candidate& c : sample.candidates) {

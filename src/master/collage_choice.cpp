@@ -35,7 +35,7 @@ ExactAreas Collage::check_exactly(Candidate& candidate) {
   const ExactAreas areas = checks_.areas(candidate);
   Candidate measured = candidate;
   measured.terms = with_exact_areas(candidate.terms, areas);
-  candidate.score = scoring_.score(measured);
+  candidate.score = score(measured);
   candidate.exact = true;
   return areas;
 }
@@ -57,11 +57,18 @@ bool Collage::settle(Candidate& candidate) {
   return scoring_.acceptable(candidate) && scoring_.overlaps_little(candidate, areas) && keeps_apart(candidate);
 }
 
-/// Where the canvas repeats both ways there is no boundary until a piece stands: the first is any shape, large and as
-/// upright as it may be, in the middle.
+/// Where the canvas repeats both ways there is no boundary until something stands, and what grows outward docks to none.
+bool Collage::needs_first_piece() const {
+  if (placements_.size() != given_ || !(growth_ || free_.grid().period().repeats_both_ways())) return false;
+  const std::vector<SampleId> samples = curve_.samples();
+  return std::none_of(samples.begin(), samples.end(), [&](SampleId id) { return may_dock(id); });
+}
+
+/// Any shape, large and as upright as it may be, in the middle.
 bool Collage::choose_first(Candidate& first) {
   const Window& nodes = free_.grid().one_period();
-  const Vec2 middle_px = free_.field().origin + Vec2{0.5f * float(nodes.x0 + nodes.x1), 0.5f * float(nodes.y0 + nodes.y1)};
+  Vec2 middle_px = free_.field().origin + Vec2{0.5f * float(nodes.x0 + nodes.x1), 0.5f * float(nodes.y0 + nodes.y1)};
+  if (growth_) middle_px = growth_->first_piece_px();
   const StanceTable& stances = context_.stances;
   float scale_px = context_.max_scale_px;
   for (std::uint64_t draw = 0; draw < kFirstPieceDraws && stances.open_shapes() > 0; ++draw) {
@@ -81,7 +88,7 @@ bool Collage::choose_first(Candidate& first) {
 
 /// Settling may cost a candidate its place: it is the best only if no other is worth more before its own.
 bool Collage::choose(Candidate& best) {
-  if (placements_.empty() && free_.grid().period().repeats_both_ways()) return choose_first(best);
+  if (needs_first_piece()) return choose_first(best);
   for (;;) {
     std::vector<Pool::Ranked> ranked = finalists();
     for (Pool::Ranked& r : ranked) {

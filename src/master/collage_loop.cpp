@@ -49,7 +49,7 @@ class Run {
     if (checkpoints.from) {
       restore(*checkpoints.from);
     } else {
-      begin(0, given_pieces());
+      begin(0, given_pieces(), locked());
     }
     setup_processor_s_ = processor_time_s() - processor_before_s_;
   }
@@ -81,9 +81,18 @@ class Run {
     return placements;
   }
 
-  void begin(std::uint32_t region, std::vector<Placement> given) {
-    part_ = std::make_unique<Part>(region_of(canvas_, region), settings_, context_, matcher_, shapes_, statistics_);
-    collage().begin(std::move(given), region, size_of_attempt(attempt_));
+  /// Of the given pieces.
+  std::size_t locked() const {
+    const std::vector<GivenPiece>& given = settings_.wishes.given;
+    return std::size_t(std::count_if(given.begin(), given.end(), [](const GivenPiece& piece) { return piece.locked; }));
+  }
+
+  /// The first `given` of the standing pieces stand to the end.
+  void begin(std::uint32_t region, std::vector<Placement> standing, std::size_t given) {
+    const Canvas part = region_of(canvas_, region);
+    part_ = std::make_unique<Part>(part, settings_, context_, matcher_, shapes_, statistics_);
+    if (settings_.start.grow_outward) collage().grow_by(OutwardGrowth(part, settings_.pieces, standing, shapes_));
+    collage().begin(std::move(standing), given, region, size_of_attempt(attempt_));
     improving_ = false;
   }
 
@@ -92,17 +101,24 @@ class Run {
     const std::uint32_t next = collage().limits().region + 1;
     if (unfinished_ || over_ || next >= canvas_.regions.size()) return false;
     attempt_ = 0;
-    begin(next, collage().placements());
+    std::vector<Placement> standing = collage().placements();
+    const std::size_t given = standing.size();
+    begin(next, std::move(standing), given);
     return true;
+  }
+
+  /// With what stood when the region was begun: of `placements` the first `given`, and in the first region all that the
+  /// job gives.
+  void begin_again(std::uint32_t region, std::vector<Placement> placements, std::size_t given) {
+    placements.resize(given);
+    begin(region, region == 0 ? given_pieces() : std::move(placements), given);
   }
 
   /// Every shape is to have a place: where some have none, all over again with smaller sizes.
   bool begin_next_attempt() {
     if (!settings_.pieces.fit_all || attempt_ + 1 == kMostAttempts || collage().missing().empty()) return false;
     ++attempt_;
-    std::vector<Placement> given = collage().placements();
-    given.resize(collage().given());
-    begin(collage().limits().region, std::move(given));
+    begin_again(collage().limits().region, collage().placements(), collage().given());
     return true;
   }
 
@@ -116,8 +132,9 @@ class Run {
       if (index_of(from.placements[i].shape) < context_.library_shapes) continue;
       throw InputError(from.name + ": not a checkpoint of this library; --restart removes it and starts again");
     }
+    check_given(from);
     attempt_ = int(from.attempt);
-    begin(from.region, {from.placements.begin(), from.placements.begin() + from.given});
+    begin_again(from.region, from.placements, from.given);
     collage().restore(from);
     statistics_ = from.statistics;
     earlier_ = from.statistics;
@@ -126,6 +143,19 @@ class Run {
       throw InputError(from.name + ": not a checkpoint of this job: " + std::to_string(from.empty_passes) +
                        " passes without a piece; --restart removes it and starts again");
     }
+  }
+
+  /// The first region begins with the pieces that the job locks, the others with them and more.
+  void check_given(const CheckpointState& from) const {
+    const std::vector<Placement> given = given_pieces();
+    const bool as_many = from.region > 0 ? from.given >= locked() : from.given == locked();
+    const auto alike = [](const Placement& a, const Placement& b) {
+      return a.shape == b.shape && a.canvas_from_shape == b.canvas_from_shape;
+    };
+    const auto end = given.begin() + std::ptrdiff_t(locked());
+    if (as_many && std::equal(given.begin(), end, from.placements.begin(), alike)) return;
+    throw InputError(from.name + ": begun with other pieces than [[given]] and start.pieces have now; give what they " +
+                     "were then, or --restart, which removes it and starts again");
   }
 
   CheckpointState state() const {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "cli/collage_warnings.h"
+#include "core/field/keep_out.h"
+#include "support/synthetic_shapes.h"
 
 namespace tessera::cli {
 namespace {
@@ -58,6 +60,26 @@ TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
   EXPECT_EQ(used_up_warning(job, canvas_px2(9000), result), "") << "hardly more is to be had";
   job.settings.pieces.fit_all = true;
   EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result), "") << "the program found these sizes";
+}
+
+TEST(CollageWarnings, PiecesThatStandBadlyAreTold) {
+  Shape square = test::make_test_shape("square", test::rectangle_outline(1, 1));
+  const auto shape = [&](ShapeId) -> const Shape& { return square; };
+  const auto piece = [](float x_px) { return GivenPiece{ShapeId{0}, {40, 0, x_px, 50}}; };
+  Canvas canvas = make_rectangle_canvas(400, 100);
+  take_out(distance_to({KeepOutRectangle{{200, 50}, {20, 20}}}, canvas), canvas);
+  io::Job job;
+  job.tables["given"].resize(3);
+  job.settings.wishes.given = {piece(0), piece(10), piece(200)};
+  EXPECT_EQ(standing_warning(job, canvas, shape),
+            "of [[given]]; 1 lie in a zone that pieces keep out of, the first is number 2, \"square\"; they stand as they are")
+      << "elsewhere they may lie";
+  job.settings.wishes.given = {piece(60), piece(100), piece(140), piece(300), piece(310), piece(390), piece(315)};
+  EXPECT_EQ(standing_warning(job, canvas, shape),
+            "of start.pieces; 1 lie outside the canvas, the first is number 2, \"square\"; 2 lie on pieces before them, the "
+            "first is number 1, \"square\"; they stand as they are");
+  job.settings.wishes.given.resize(4);
+  EXPECT_EQ(standing_warning(job, canvas, shape), "");
 }
 
 }  // namespace

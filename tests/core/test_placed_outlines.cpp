@@ -6,6 +6,7 @@
 
 #include <ctime>
 
+#include "core/field/keep_out.h"
 #include "core/tuning.h"
 #include "support/polygon_distance.h"
 #include "support/synthetic_shapes.h"
@@ -320,6 +321,18 @@ double time_for_all_s(int across) {
 TEST(PlacedOutlines, FourTimesThePiecesAreNotSixteenTimesTheWork) {
   const double hundred_s = time_for_all_s(10);
   EXPECT_LT(time_for_all_s(20), 9 * hundred_s);
+}
+
+TEST(PlacedOutlines, APieceDoesNotSwallowASmallZone) {
+  Canvas canvas = make_rectangle_canvas(200, 200);
+  take_out(distance_to({KeepOutRectangle{{100, 100}, {4, 4}}}, canvas), canvas);
+  for (const float padding_px : {0.f, 2.f}) {
+    const FreeField free(canvas, padded_by(padding_px));
+    const PlacedOutlines outlines(free, padded_by(padding_px));
+    EXPECT_FALSE(outlines.conflicts(square(), pose(80, 0, {100, 100})).empty());
+    EXPECT_FALSE(outlines.conflicts(square(), pose(80, 0, {110, 95})).empty());
+    EXPECT_TRUE(outlines.conflicts(square(), pose(60, 0, {50, 100})).empty());
+  }
 }
 
 }  // namespace

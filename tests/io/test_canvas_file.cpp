@@ -207,6 +207,50 @@ TEST_F(CanvasFile, and_seamless_exclude_each_other) {
                 ", allowed with a file: \"none\", as only a rectangle goes on across its edges");
 }
 
+KeepOutRectangle zone(Vec2 middle_px, Vec2 half_size_px) { return {.middle_px = middle_px, .half_size_px = half_size_px}; }
+
+TEST_F(CanvasFile, what_the_keep_out_file_shows_is_taken_out) {
+  CanvasSpec spec{.width_px = 200, .height_px = 160, .file = ""};
+  spec.keep_out = svg("<rect x=\"20\" y=\"10\" width=\"40\" height=\"30\"/>");
+  const Canvas canvas = load_canvas(spec);
+  EXPECT_NEAR(canvas.area_px2, 200 * 160 - 80 * 60, 30);
+  EXPECT_NEAR(distance_at(canvas, 80, 80), -30, 1) << "its page of 200 x 100 lies in the middle";
+  EXPECT_NEAR(distance_at(canvas, 130, 80), 10, 1);
+  EXPECT_NEAR(distance_at(canvas, 195, 80), 5, 1);
+}
+
+TEST_F(CanvasFile, zones_go_with_a_mask_its_regions_and_seams) {
+  CanvasSpec spec{.width_px = 200, .height_px = 100, .file = svg("<rect width=\"100\" height=\"50\" fill=\"#00ff00\"/>")};
+  spec.region_colours = {"#00ff00"};
+  spec.keep_out_rectangles = {zone({100, 50}, {20, 20})};
+  const Canvas regions = load_canvas(spec);
+  ASSERT_EQ(regions.regions.size(), 1u);
+  EXPECT_LT(regions.regions[0].distance.value(100, 50), -10);
+  EXPECT_NEAR(regions.area_px2, 200 * 100 - 40 * 40, 30);
+  CanvasSpec seamless{.width_px = 120, .height_px = 80, .file = "", .seamless = Seamless::both};
+  seamless.keep_out_rectangles = {zone({0, 40}, {10, 10})};
+  EXPECT_NEAR(distance_at(load_canvas(seamless), 115, 40), -5, 0.6);
+  seamless.keep_out_rectangles.clear();
+  seamless.keep_out = svg("<rect width=\"10\" height=\"50\"/>");
+  EXPECT_NEAR(distance_at(load_canvas(seamless), 115, 40), 5, 1);
+}
+
+TEST_F(CanvasFile, zones_that_leave_or_show_nothing_are_mistakes) {
+  CanvasSpec spec{.width_px = 200, .height_px = 100, .file = ""};
+  spec.keep_out_rectangles = {zone({100, 50}, {200, 200})};
+  EXPECT_EQ(mistake(spec), "canvas.keep_out and [[keep_out]] leave nothing of the canvas; needed: room for pieces");
+  spec.keep_out_rectangles.clear();
+  spec.keep_out = svg("");
+  EXPECT_EQ(mistake(spec), "canvas.keep_out: " + spec.keep_out + " shows nothing; needed: an opaque silhouette on a " +
+                               "transparent page or a plain background");
+  spec.keep_out = folder_.path("none.svg");
+  EXPECT_EQ(mistake(spec).find("canvas.keep_out: " + spec.keep_out), 0u) << mistake(spec);
+  spec.keep_out = svg("<circle r=\"20\" cx=\"50\" cy=\"25\"/>");
+  spec.width_px = 5000;
+  EXPECT_EQ(mistake(spec), "canvas.keep_out: found " + spec.keep_out +
+                               " with a canvas of 5000 x 100 px, allowed with a file: 4096 px or less each");
+}
+
 TEST(SeamlessCanvas, with_its_images_is_no_larger_than_a_canvas_may_be) {
   const PieceSettings pieces{.min_scale_px = 20, .max_scale_px = 160};
   EXPECT_NO_THROW(check_images(make_seamless_canvas(9000, 9000, true, true), pieces));

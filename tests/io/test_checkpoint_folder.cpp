@@ -177,6 +177,13 @@ TEST_F(Origin, DevicesOutputTimeAndCheckpointsMayDiffer) {
   EXPECT_EQ(complaint(origin(now)), "none");
 }
 
+TEST_F(Origin, AnotherZone) {
+  Job now = job_;
+  now.canvas.keep_out = "/masks/zoo.svg";
+  EXPECT_EQ(complaint(origin(now, make_rectangle_canvas(100, 81))),
+            other_job("canvas.keep_out: another content: then \"\", now \"/masks/zoo.svg\""));
+}
+
 TEST_F(Origin, AnotherCanvas) {
   Job now = job_;
   now.canvas.file = "/masks/heart.svg";

@@ -137,8 +137,9 @@ TEST_F(JobFile, names_the_nearest_key) {
   EXPECT_EQ(mistake("uses = 3"),
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
-            "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, match, "
-            "objective, improve, stop, checkpoint, comm, colour, devices, output, [[shapes]], [[regions]], [[given]]");
+            "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, start, "
+            "match, objective, improve, stop, checkpoint, comm, colour, devices, output, [[shapes]], [[regions]], [[given]], "
+            "[[keep_out]]");
   EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
             "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
 }
@@ -410,6 +411,7 @@ RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
   for (const JobTable& table : job_tables()) job.tables[table.name] = {random_row(table), random_row(table)};
   job.wishes.clear();  // no such file
   *rc::gen::arbitrary<bool>() ? job.library.clear() : job.library_files.clear();
+  *rc::gen::arbitrary<bool>() ? void(job.canvas.seamless = Seamless::none) : void(job.settings.start.grow_outward = false);
   const Job back = load(to_toml(job));
   for (const JobKey& key : job_keys()) {
     if (key.get(back) != key.get(job)) RC_FAIL(key.full_name() + " changed:\n" + to_toml(job));
@@ -417,6 +419,38 @@ RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
   RC_ASSERT(back.tables == job.tables);
   RC_ASSERT(to_toml(back) == to_toml(job));
   RC_ASSERT(to_toml(job_from_toml(to_toml(job), "elsewhere/job.toml")) == to_toml(job));
+}
+
+TEST_F(JobFile, reads_zones_to_keep_out_of) {
+  const Job job = load(minimal_ + "[canvas]\nkeep_out = \"zoo.svg\"\n[[keep_out]]\nat_px = [500, 480]\nsize_px = [300, 100]\n" +
+                       "rotation_deg = 90\ncorner_px = 12\n[[keep_out]]\nat_px = [1, 2]\nsize_px = [30, 10]\n");
+  EXPECT_EQ(job.canvas.keep_out, folder_.path("zoo.svg"));
+  ASSERT_EQ(job.canvas.keep_out_rectangles.size(), 2u);
+  const KeepOutRectangle& zone = job.canvas.keep_out_rectangles[0];
+  EXPECT_EQ(zone.middle_px, (Vec2{500, 480}));
+  EXPECT_EQ(zone.half_size_px, (Vec2{150, 50}));
+  EXPECT_NEAR(zone.across.x, 0, 1e-6);
+  EXPECT_NEAR(zone.across.y, 1, 1e-6) << "clockwise, y being down";
+  EXPECT_EQ(zone.corner_px, 12);
+  EXPECT_EQ(job.canvas.keep_out_rectangles[1].across, (Vec2{1, 0}));
+  EXPECT_EQ(job.canvas.keep_out_rectangles[1].corner_px, 0);
+  EXPECT_EQ(job_from_toml(to_toml(job), "job.toml").canvas.keep_out_rectangles.size(), 2u);
+}
+
+TEST_F(JobFile, reads_where_to_start_from) {
+  const Job job = load(minimal_ + "[start]\npieces = \"../out/old\"\nkeep = \"free\"\ngrow = \"outward\"\n");
+  EXPECT_EQ(job.start.pieces, (std::filesystem::path(folder_.path("")) / "../out/old").lexically_normal().string());
+  EXPECT_TRUE(job.start.free);
+  EXPECT_TRUE(job.settings.start.grow_outward);
+  const Job plain = load(minimal_);
+  EXPECT_TRUE(plain.start.pieces.empty());
+  EXPECT_FALSE(plain.start.free);
+  EXPECT_FALSE(plain.settings.start.grow_outward);
+}
+
+TEST_F(JobFile, what_has_no_edges_does_not_grow_outward) {
+  EXPECT_EQ(mistake(minimal_ + "[canvas]\nseamless = \"x\"\n[start]\ngrow = \"outward\"\n"),
+            "job.toml: start.grow: found \"outward\" with canvas.seamless, allowed with it: \"inward\"");
 }
 
 TEST_F(JobFile, writes_defaults_as_one_would_write_them) {

@@ -10,14 +10,14 @@
 namespace tessera::io {
 namespace {
 
-const std::vector<std::string> kNames = {"cat", "cow", "owl", "owl_2"};
+const std::vector<NamedShape> kShapes = {{"cat", 40}, {"cow", 80}, {"owl"}, {"owl_2", 1.5f}};
 
 class WishResolution : public testing::Test {
  protected:
   Job resolved(const std::string& tables) {
     const std::string job_text = "[library]\nfile = 'x.h5'\n[canvas]\nfile = 'c.svg'\n[pieces]\nscale_px = [30, 50]\n";
     Job job = load_job(folder_.write("job.toml", job_text + tables), {});
-    resolve_wishes(kNames, {40, 80, 0, 1.5f}, job);
+    resolve_wishes(kShapes, job);
     return job;
   }
 

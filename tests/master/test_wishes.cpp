@@ -8,16 +8,13 @@
 #include "core/geometry/polygon_index.h"
 #include "core/matching/sized_settings.h"
 #include "core/shape/mirrored_shape.h"
-#include "stopped_collage.h"
+#include "interrupted_collage.h"
 #include "whole_collage.h"
 
 namespace tessera::master {
 namespace {
 
 using namespace whole_collage;
-
-using stopped_collage::KeepLatest;
-using stopped_collage::StopAfter;
 
 /// The library's shapes, and behind them the mirror images of all of them.
 const std::vector<Shape>& mirrored_library() {
@@ -69,26 +66,6 @@ float least_distance_px(const std::vector<Placement>& placements, Count count, c
 }
 
 bool same_shape(const Placement& a, const Placement& b) { return a.shape == b.shape; }
-
-/// The same pieces on any division of the library, and when the run is interrupted every few steps.
-void expect_repeatable(const Canvas& canvas, const CollageSettings& s, const CollageResult& whole) {
-  EXPECT_EQ(run(canvas, s, {5}).placements, whole.placements);
-  KeepLatest keeper;
-  Checkpoints checkpoints{nullptr, &keeper};
-  CheckpointState from;
-  for (int part = 0; part < 200; ++part) {
-    StopAfter observer(3);
-    const CollageResult result = stopped_collage::run(s, {3, 7}, observer, checkpoints, canvas, library());
-    if (!result.unfinished) {
-      EXPECT_GT(part, 2);
-      EXPECT_EQ(result.placements, whole.placements);
-      return;
-    }
-    from = keeper.latest;
-    checkpoints.from = &from;
-  }
-  FAIL() << "does not end";
-}
 
 std::map<std::uint32_t, int> uses(const std::vector<Placement>& placements) {
   std::map<std::uint32_t, int> count;

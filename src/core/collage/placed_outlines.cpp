@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/field/piece_distance.h"
+#include "core/geometry/rasterise.h"
 #include "core/tuning.h"
 
 namespace tessera {
@@ -138,7 +139,20 @@ bool PlacedOutlines::too_near_the_edge(const PolygonIndex& piece, Vec2& way) con
       way = along(at.gradient, needed_px_ - worst);
     }
   });
-  return worst < needed_px_;
+  if (worst < needed_px_) return true;
+  way = {};
+  return free_.has_zones() && holds_a_zone(piece);
+}
+
+/// A zone within the piece, that its boundary did not meet.
+bool PlacedOutlines::holds_a_zone(const PolygonIndex& piece) const {
+  const Window around = bounding_window(piece.outline(), {});
+  for (const Span& span : fill_spans(piece.outline(), {}, around)) {
+    for (int x = span.x0; x < span.x1; ++x) {
+      if (free_.canvas_sample({float(x) + 0.5f, float(span.y) + 0.5f}).value < needed_px_) return true;
+    }
+  }
+  return false;
 }
 
 bool PlacedOutlines::any_near(const Box& piece) const {

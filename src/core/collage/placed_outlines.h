@@ -41,6 +41,7 @@ class PlacedOutlines {
   bool reaches_itself(const Box& piece) const;
   bool too_near(const PolygonIndex& piece, const PolygonIndex& other, Vec2& way) const;
   bool too_near_the_edge(const PolygonIndex& piece, Vec2& way) const;
+  bool holds_a_zone(const PolygonIndex& piece) const;
 
   const FreeField& free_;
   float needed_px_;  // between the boundaries; negative: how deep one may reach into the other

@@ -30,7 +30,11 @@ struct Canvas {
   CanvasField distance;
   std::vector<CanvasRegion> regions = {};  // where there are several; in the order of filling
   double area_px2 = 0;
+  /// Of zones that were taken out of it (keep_out.h): the distance to them, positive outside. Empty: there are none.
+  CanvasField keep_out = {};
   Period period;  // where it repeats: as wide and high as the canvas, without an edge there
+
+  bool has_zones() const { return !keep_out.value.data().empty(); }
 };
 
 inline constexpr int kCanvasMargin = 6;

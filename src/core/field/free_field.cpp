@@ -53,7 +53,8 @@ FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
     : grid_(free_field_grid(canvas, pieces)),
       empty_(grid_.nodes().width(), grid_.nodes().height()),
       padding_px_(kept_distance_px(pieces)),
-      band_px_(stamp_band_px(pieces)) {
+      band_px_(stamp_band_px(pieces)),
+      has_zones_(canvas.has_zones()) {
   const Grid<float>& distance = canvas.distance.value;
   const int beyond_x = (empty_.width() - distance.width()) / 2;
   const int beyond_y = (empty_.height() - distance.height()) / 2;

@@ -33,6 +33,8 @@ class FreeField {
   FieldView view() const { return FieldView(field_); }
   /// Distance to the canvas' own edge, positive inside, with its gradient: without pieces and without padding.
   FieldSample canvas_sample(Vec2 canvas_px) const;
+  /// Whether the canvas has zones that are kept out of: one may be smaller than a piece.
+  bool has_zones() const { return has_zones_; }
 
   /// Takes the piece out of the region: d = min(d, distance to the piece - padding). Returns the nodes that changed.
   Window stamp(const Shape& shape, const Similarity& canvas_from_shape);
@@ -56,6 +58,7 @@ class FreeField {
   CanvasField field_;
   float padding_px_;
   float band_px_;
+  bool has_zones_;
   std::int64_t free_256ths_px2_ = 0;
 };
 

@@ -43,8 +43,14 @@ std::string origin_differences(const CheckpointOrigin& then, const CheckpointOri
     differences += differing_file("library.file", library_text(*then.job), library_text(*now.job));
   }
   // The canvas of other keys is another one anyway.
-  if (then.canvas_digest != now.canvas_digest && differences.find("; canvas.") == std::string::npos) {
-    differences += differing_file("canvas.file", then.job->canvas.file, now.job->canvas.file);
+  const auto told = [&](const char* key) { return differences.find(key) != std::string::npos; };
+  if (then.canvas_digest != now.canvas_digest && !told("; canvas.") && !told("; [[keep_out]]")) {
+    const CanvasSpec& before = then.job->canvas;
+    const CanvasSpec& after = now.job->canvas;
+    const bool zones = !before.keep_out.empty() || !after.keep_out.empty();
+    const bool mask = !before.file.empty() || !after.file.empty();
+    if (mask || !zones) differences += differing_file("canvas.file", before.file, after.file);
+    if (zones) differences += differing_file("canvas.keep_out", before.keep_out, after.keep_out);
   }
   return differences;
 }

@@ -33,19 +33,22 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& curve) {
 
 }  // namespace
 
-std::vector<std::vector<Vec2>> canvas_edge(const CanvasSpec& spec, Drawers& drawers) {
-  if (spec.file.empty()) return {};
-  const int canvas_page_px = longest_side(canvas_page(spec, drawers));
-  const int side_px = std::max(canvas_page_px, kEdgeSide_px);
-  Grid<float> coverage = canvas_coverage(drawers.render(read_canvas_file(spec.file), spec.file, side_px), spec);
+std::vector<std::vector<Vec2>> traced_edge(Grid<float> coverage, float canvas_px) {
   blur(coverage);
-  const float canvas_px = 0.5f * float(canvas_page_px) / float(side_px);  // of a px of the page
   std::vector<std::vector<Vec2>> edge;
   for (const std::vector<Vec2>& curve : contours(coverage, 0.5f)) {
     edge.push_back(simplified(curve));
     for (Vec2& p : edge.back()) p = (p + Vec2{0.5f, 0.5f}) * canvas_px;  // nodes lie in the middle of their px
   }
   return edge;
+}
+
+std::vector<std::vector<Vec2>> canvas_edge(const CanvasSpec& spec, Drawers& drawers) {
+  if (spec.file.empty()) return {};
+  const int canvas_page_px = longest_side(canvas_page(spec, drawers));
+  const int side_px = std::max(canvas_page_px, kEdgeSide_px);
+  return traced_edge(canvas_coverage(drawers.render(read_canvas_file(spec.file), spec.file, side_px), spec),
+                     0.5f * float(canvas_page_px) / float(side_px));
 }
 
 }  // namespace tessera::io

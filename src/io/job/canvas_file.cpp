@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/field/free_field.h"
-#include "io/artwork/artwork_render.h"
 #include "io/artwork/mask.h"
+#include "io/job/canvas_keep_out.h"
 #include "io/job/canvas_regions.h"
 #include "io/job/job_keys.h"
 #include "io/number_text.h"
@@ -16,45 +16,45 @@ namespace tessera::io {
 namespace {
 
 constexpr int kMinCanvas_px = 16;
-constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;  // the mask is drawn at twice the canvas' resolution
 
 }  // namespace
 
-std::vector<std::uint8_t> read_canvas_file(const std::string& path) {
+std::vector<std::uint8_t> read_canvas_file(const std::string& path, const char* key) {
   try {
     return read_artwork_file(path);
   } catch (const InputError& error) {
-    throw InputError(std::string("canvas.file: ") + error.what());
+    throw InputError(std::string(key) + ": " + error.what());
   }
 }
 
-/// The largest page with the artwork's aspect that fits into twice the spec's box.
+cv::Mat page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers) {
+  const int side = std::max(box_px.width, box_px.height);
+  const cv::Mat page = drawers.render(bytes, path, side);
+  const double fit = std::min(double(box_px.width) / page.cols, double(box_px.height) / page.rows);
+  return fit >= 1 ? page : drawers.render(bytes, path, std::max(1, int(fit * side)));
+}
+
 cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers) {
-  const auto bytes = read_canvas_file(spec.file);
-  const int box_width = 2 * spec.width_px;
-  const int box_height = 2 * spec.height_px;
-  const int side = std::max(box_width, box_height);
-  const cv::Mat page = drawers.render(bytes, spec.file, side);
-  const double fit = std::min(double(box_width) / page.cols, double(box_height) / page.rows);
-  return fit >= 1 ? page : drawers.render(bytes, spec.file, std::max(1, int(fit * side)));
+  return page_in_box(read_canvas_file(spec.file), spec.file, {2 * spec.width_px, 2 * spec.height_px}, drawers);
+}
+
+bool has_transparency(const cv::Mat& page) {
+  constexpr int kRim_px = 2;
+  if (page.cols <= 2 * kRim_px || page.rows <= 2 * kRim_px) return false;
+  const cv::Rect inner(kRim_px, kRim_px, page.cols - 2 * kRim_px, page.rows - 2 * kRim_px);
+  cv::Mat alpha;
+  cv::extractChannel(page(inner), alpha, 3);
+  double least = 255;
+  cv::minMaxLoc(alpha, &least);
+  return least < 128;
 }
 
 namespace {
 
-/// Half transparent or more somewhere, the rim apart: drawing blurs the edge of an opaque page.
-bool has_transparency(const cv::Mat& alpha) {
-  constexpr int kRim_px = 2;
-  if (alpha.cols <= 2 * kRim_px || alpha.rows <= 2 * kRim_px) return false;
-  const cv::Rect inner(kRim_px, kRim_px, alpha.cols - 2 * kRim_px, alpha.rows - 2 * kRim_px);
-  double least = 255;
-  cv::minMaxLoc(alpha(inner), &least);
-  return least < 128;
-}
-
 cv::Mat region(const cv::Mat& page) {
   cv::Mat alpha;
   cv::extractChannel(page, alpha, 3);
-  if (!has_transparency(alpha)) {  // an SVG with a background; images come cut out already
+  if (!has_transparency(page)) {  // an SVG with a background; images come cut out already
     cv::Mat bgr;
     cv::cvtColor(page, bgr, cv::COLOR_BGRA2BGR);
     cv::extractChannel(cut_from_background(bgr), alpha, 3);
@@ -99,11 +99,11 @@ Grid<float> canvas_coverage(const cv::Mat& page, const CanvasSpec& spec) {
 }
 
 /// A page of the largest size may take three times its pixels.
-DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds) {
+DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds, int side_px) {
   constexpr std::size_t kMebibyte = std::size_t(1) << 20;
-  const std::size_t side_px = std::size_t(std::max({2 * spec.width_px, 2 * spec.height_px, kEdgeSide_px}));
+  const std::size_t side = std::size_t(std::max({2 * spec.width_px, 2 * spec.height_px, side_px}));
   return {.seconds_per_drawing = seconds,
-          .bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * 4 * side_px * side_px)};
+          .bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * 4 * side * side)};
 }
 
 Canvas load_canvas(const CanvasSpec& spec, double seconds) {
@@ -111,7 +111,9 @@ Canvas load_canvas(const CanvasSpec& spec, double seconds) {
   return load_canvas(spec, drawers);
 }
 
-Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
+namespace {
+
+Canvas canvas_without_zones(const CanvasSpec& spec, Drawers& drawers) {
   if (spec.file.empty()) {
     const bool both = spec.seamless == Seamless::both;
     return make_seamless_canvas(spec.width_px, spec.height_px, both || spec.seamless == Seamless::x,
@@ -132,6 +134,14 @@ Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
                      "page or a plain background");
   }
   canvas.regions = canvas_regions(page, spec);
+  return canvas;
+}
+
+}  // namespace
+
+Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
+  Canvas canvas = canvas_without_zones(spec, drawers);
+  take_out_zones(spec, drawers, canvas);
   return canvas;
 }
 

@@ -3,31 +3,45 @@
 
 #include <cstdint>
 #include <opencv2/core.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/field/canvas.h"
 #include "core/geometry/grid.h"
+#include "io/artwork/artwork_render.h"
 #include "io/drawing/drawers.h"
 #include "io/job/job_file.h"
 
 namespace tessera::io {
 
+/// The longest side that the page is drawn with for its edge (canvas_edge.h), where the canvas does not ask for more.
+inline constexpr int kEdgeSide_px = 4096;
+
 /// A mask is scaled into the box of the spec's size with its aspect kept; the canvas is then as large as the scaled
-/// page, which touches the box in width or height. The file is drawn in a process with limits (drawers.h). Throws
+/// page, which touches the box in width or height. Zones to keep out of are taken out of it (canvas_keep_out.h). The
+/// files are drawn in a process with limits (drawers.h). Throws
 /// InputError where the file is no artwork, breaks a limit, becomes narrower than 16 px, or leaves nothing to fill.
 /// `seconds` is how long each of its two drawings at most may take.
 Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
 
 /// The same, drawn by the caller's drawers, which the caller may stop.
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
-DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
+/// For drawers of the canvas' files, with pages of `side_px` at least.
+DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing,
+                                      int side_px = kEdgeSide_px);
 
-/// The bytes of canvas.file. Throws InputError.
-std::vector<std::uint8_t> read_canvas_file(const std::string& path);
+/// The bytes of canvas.file, or of the file of another key. Throws InputError.
+std::vector<std::uint8_t> read_canvas_file(const std::string& path, const char* key = "canvas.file");
 
-/// The longest side that the page is drawn with for its edge (canvas_edge.h), where the canvas does not ask for more.
-inline constexpr int kEdgeSide_px = 4096;
+/// The longest side of a canvas with a mask, which is drawn at twice its resolution.
+inline constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;
+
+/// The largest page with the artwork's aspect that fits into the box, as straight BGRA. Errors as Drawers::render.
+cv::Mat page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers);
+
+/// Half transparent or more somewhere, the rim apart: drawing blurs the edge of an opaque page.
+bool has_transparency(const cv::Mat& page);
 
 /// The page of the spec's file as load_canvas sees it: straight BGRA at twice the canvas' resolution. Errors as load_canvas.
 cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers);

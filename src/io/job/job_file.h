@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/field/keep_out.h"
 #include "core/settings.h"
 #include "io/library/mirroring.h"
 
@@ -22,6 +23,14 @@ struct CanvasSpec {
   std::string file;   // SVG or image mask, absolute path; empty = the rectangle
   Seamless seamless = Seamless::none;  // of a rectangle
   std::vector<std::string> region_colours = {};  // of `file`: each place belongs to the nearest; empty: one region
+  std::string keep_out = {};  // SVG or image, absolute path: what it shows is kept out of; empty = nothing
+  std::vector<KeepOutRectangle> keep_out_rectangles = {};
+};
+
+/// What stands before the first piece is placed (start_pieces.h); CollageSettings::start has the rest.
+struct StartSpec {
+  std::string pieces;  // pieces.geojson of an earlier result, or its folder, absolute path; empty = none
+  bool free = false;   // improving may take them out
 };
 
 /// What "none" says of a colour.
@@ -29,6 +38,9 @@ inline constexpr const char* kNoColour = "none";
 
 /// OutputSpec::clip of artwork that is drawn whole.
 inline constexpr const char* kNoClip = "none";
+
+/// OutputSpec::keep_out of pictures that leave those zones empty.
+inline constexpr const char* kNoKeepOut = "none";
 
 /// How the pictures look. Nothing of it changes where pieces lie.
 struct OutputSpec {
@@ -42,6 +54,7 @@ struct OutputSpec {
   double shadow_offset_px[2] = {1.5, 2.5};  // to the right and down, px of the canvas
   double shadow_blur_px = 2.5;   // standard deviation, px of the canvas
   std::string clip = "outline";  // artwork is cut off beside its outline; kNoClip: it is drawn whole
+  std::string keep_out = kNoKeepOut;  // "artwork": the drawing in canvas.keep_out is part of the pictures
 
   friend bool operator==(const OutputSpec&, const OutputSpec&) = default;
 };
@@ -82,6 +95,7 @@ struct Job {
   std::vector<std::string> wishes_places;  // "FILE:LINE" of each row that came from it
   Mirroring mirrored = Mirroring::never;  // of shapes that no table says otherwise of
   CanvasSpec canvas;
+  StartSpec start;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
   int devices_per_worker = 0;   // 0 = each worker of a node uses all of them
   ColourSpec colour;

@@ -123,6 +123,25 @@ void add_input_keys(std::vector<JobKey>& keys) {
                             "edges across which the collage goes on, so that copies side by side show no seam: left and "
                             "right (x), top and bottom (y)"},
                            FIELD(canvas.seamless)));
+  keys.push_back(with_text({"canvas", "keep_out", file, "", 0, 0, {},
+                            "SVG or image, laid over the canvas: pieces keep out of what it shows; empty = nothing"},
+                           FIELD(canvas.keep_out)));
+}
+
+/// As in the paper: an empty canvas, filled from its edge inward.
+void add_start_keys(std::vector<JobKey>& keys) {
+  using enum JobKind;
+  keys.push_back(with_text({"start", "pieces", file, "", 0, 0, {},
+                            "`pieces.geojson` of an earlier result, or the result's folder: its pieces stand first; "
+                            "empty = none"},
+                           FIELD(start.pieces)));
+  keys.push_back(with_word({"start", "keep", word, "", 0, 0, {"locked", "free"},
+                            "those pieces: `locked` stand to the end, `free` ones may be taken out by [improve]"},
+                           FIELD(start.free)));
+  keys.push_back(with_word({"start", "grow", word, "", 0, 0, {"inward", "outward"},
+                            "`inward`: pieces dock to the canvas' edge, too; `outward`: only to what stands, so that the "
+                            "collage grows from there"},
+                           FIELD(settings.start.grow_outward)));
 }
 
 /// Scales: the range 8:1 of the trial. The paper allows any rotation and any number of uses.
@@ -293,6 +312,10 @@ void add_piece_drawing_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_text({"output", "clip", word, "", 0, 0, {"outline", kNoClip},
                             "`outline`: drawings are cut off beside their outline; `none`: they are drawn whole"},
                            FIELD(output.clip)));
+  keys.push_back(with_text({"output", "keep_out", word, "", 0, 0, {kNoKeepOut, "artwork"},
+                            "`artwork`: the drawing in `canvas.keep_out` is part of the pictures; `none`: its place is "
+                            "left empty"},
+                           FIELD(output.keep_out)));
 }
 
 /// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
@@ -340,6 +363,7 @@ const std::vector<JobKey>& job_keys() {
     std::vector<JobKey> all;
     add_input_keys(all);
     add_piece_keys(all);
+    add_start_keys(all);
     add_match_keys(all);
     add_objective_keys(all);
     add_improve_keys(all);

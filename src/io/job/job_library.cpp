@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "io/job/start_pieces.h"
 #include "io/job/wish_resolution.h"
 
 namespace tessera::io {
@@ -47,17 +48,21 @@ LibraryView open_library_of(const Job& job) {
   }
 }
 
-void resolve_wishes(const ShapeLibrary& library, Job& job) {
-  std::vector<std::string> names;
-  std::vector<float> drawn_scales_px;
-  if (has_shape_wishes(job)) {
-    constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
-    for (const Shape& shape : library.read(0, library.size(), kNamesOnly)) {
-      names.push_back(shape.name);
-      drawn_scales_px.push_back(shape.drawn_scale_px);
-    }
+std::vector<NamedShape> named_shapes(const ShapeLibrary& library) {
+  constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
+  std::vector<NamedShape> shapes;
+  for (Shape& shape : library.read(0, library.size(), kNamesOnly)) {
+    shapes.push_back({std::move(shape.name), shape.drawn_scale_px, shape.artwork.mirrored});
   }
-  resolve_wishes(names, drawn_scales_px, job);
+  return shapes;
+}
+
+void resolve_wishes(const ShapeLibrary& library, Job& job) {
+  resolve_wishes(has_shape_wishes(job) ? named_shapes(library) : std::vector<NamedShape>(), job);
+}
+
+void add_start_pieces(const ShapeLibrary& library, Job& job) {
+  if (!job.start.pieces.empty()) add_start_pieces(named_shapes(library), job);
 }
 
 }  // namespace tessera::io

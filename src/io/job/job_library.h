@@ -22,4 +22,7 @@ LibraryView open_library_of(const Job& job);
 /// Resolves the job's wishes by the names of the library's shapes (wish_resolution.h).
 void resolve_wishes(const ShapeLibrary& library, Job& job);
 
+/// Adds the pieces that the job starts from (start_pieces.h), after resolve_wishes. Only who places them needs them.
+void add_start_pieces(const ShapeLibrary& library, Job& job);
+
 }  // namespace tessera::io

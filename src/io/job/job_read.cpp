@@ -1,7 +1,9 @@
 // load_job: the file's entries in the order of its lines, then the overrides, each checked against its key.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <utility>
 
 #include "core/base/error.h"
@@ -141,6 +143,31 @@ void check_required(const Job& job) {
   }
 }
 
+KeepOutRectangle keep_out_rectangle(const JobRow& row) {
+  const std::vector<double>& at_px = row.at("at_px").numbers;
+  const std::vector<double>& size_px = row.at("size_px").numbers;
+  const auto number = [&](const char* column) {
+    const auto cell = row.find(column);
+    return cell == row.end() ? 0 : cell->second.numbers[0];
+  };
+  const double rotation_rad = number("rotation_deg") * std::numbers::pi / 180;
+  return {.middle_px = {float(at_px[0]), float(at_px[1])},
+          .half_size_px = {float(size_px[0] / 2), float(size_px[1] / 2)},
+          .across = {float(std::cos(rotation_rad)), float(std::sin(rotation_rad))},
+          .corner_px = float(number("corner_px"))};
+}
+
+/// What keys say together.
+void check_together(const Job& job) {
+  if (!job.canvas.region_colours.empty() && job.canvas.file.empty()) {
+    throw InputError(job.path +
+                     ": [[regions]] are parts of canvas.file, which is missing; needed: an SVG or image with them");
+  }
+  if (job.settings.start.grow_outward && job.canvas.seamless != Seamless::none) {
+    throw InputError(job.path + ": start.grow: found \"outward\" with canvas.seamless, allowed with it: \"inward\"");
+  }
+}
+
 Job read_job(const std::string& text, const std::string& path, const std::vector<std::string>& overrides) {
   check_size(text, path);
   Job job;
@@ -151,15 +178,16 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
   if (job.tables.contains("regions")) {
     for (const JobRow& region : job.tables["regions"]) job.canvas.region_colours.push_back(region.at("colour").text);
   }
+  if (job.tables.contains("keep_out")) {
+    for (const JobRow& row : job.tables["keep_out"]) job.canvas.keep_out_rectangles.push_back(keep_out_rectangle(row));
+  }
   for (const std::string& override : overrides) apply_override(override, job);
   if (!job.wishes.empty()) {
     add_wishes_of_file(job);
     check_size(to_toml(job), job.path + ": with the rows of library.wishes");
   }
   check_required(job);
-  if (!job.canvas.region_colours.empty() && job.canvas.file.empty()) {
-    throw InputError(path + ": [[regions]] are parts of canvas.file, which is missing; needed: an SVG or image with them");
-  }
+  check_together(job);
   return job;
 }
 

@@ -71,10 +71,22 @@ JobTable given_table() {
            column(t, "rotation_deg", number, "degrees", -360, 360, "clockwise; default 0")}};
 }
 
+JobTable keep_out_table() {
+  using enum JobKind;
+  const std::string t = "keep_out";
+  return {t,
+          "rectangles that pieces keep out of",
+          {required(column(t, "at_px", point, "px", -20000, 40000, "its middle, from the canvas' upper left corner")),
+           required(column(t, "size_px", size, "px", 1, 20000, "its width and height")),
+           column(t, "rotation_deg", number, "degrees", -360, 360, "clockwise; default 0"),
+           column(t, "corner_px", number, "px", 0, 20000,
+                  "radius of its corners; half the shorter side or more: round ends; default 0")}};
+}
+
 }  // namespace
 
 const std::vector<JobTable>& job_tables() {
-  static const std::vector<JobTable> tables = {shapes_table(), regions_table(), given_table()};
+  static const std::vector<JobTable> tables = {shapes_table(), regions_table(), given_table(), keep_out_table()};
   return tables;
 }
 

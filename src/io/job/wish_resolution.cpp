@@ -37,13 +37,14 @@ void read_poses(const JobRow& row, PoseWish& poses) {
 
 class Resolution {
  public:
-  Resolution(const std::vector<std::string>& shape_names, const std::vector<float>& drawn_scales_px, const Job& job)
-      : names_(shape_names),
-        drawn_scales_px_(drawn_scales_px),
+  Resolution(const std::vector<NamedShape>& shapes, const Job& job)
+      : shapes_(shapes),
         job_(job),
         shape_rows_(rows_of(job, "shapes")),
         region_rows_(rows_of(job, "regions")),
-        given_rows_(rows_of(job, "given")) {}
+        given_rows_(rows_of(job, "given")) {
+    for (const NamedShape& shape : shapes) names_.push_back(shape.name);
+  }
 
   Wishes wishes() {
     if (!region_rows_.empty() && job_.settings.pieces.fit_all) {
@@ -106,7 +107,7 @@ class Resolution {
   /// One size, unless a table says another. Where all are to fit, sizes count against each other alone.
   Interval as_drawn(std::size_t shape) const {
     const JobKey& range = *find_job_key("pieces", "scale_px");
-    const float scale_px = drawn_scales_px_[shape];
+    const float scale_px = shapes_[shape].drawn_scale_px;
     const std::string sizes = "pieces.sizes: found \"drawn\", but the shape \"" + names_[shape] + "\" ";
     if (scale_px == 0) fail(sizes + "does not say how large it was drawn; tessera library build makes its library anew");
     if (!job_.settings.pieces.fit_all && (scale_px < float(range.min) || scale_px > float(range.max))) {
@@ -166,8 +167,8 @@ class Resolution {
     return in_region;
   }
 
-  const std::vector<std::string>& names_;
-  const std::vector<float>& drawn_scales_px_;
+  const std::vector<NamedShape>& shapes_;
+  std::vector<std::string> names_;
   const Job& job_;
   const std::vector<JobRow>& shape_rows_;
   const std::vector<JobRow>& region_rows_;
@@ -199,8 +200,8 @@ bool has_shape_wishes(const Job& job) {
   return job.drawn_sizes || !rows_of(job, "shapes").empty() || !rows_of(job, "given").empty();
 }
 
-void resolve_wishes(const std::vector<std::string>& shape_names, const std::vector<float>& drawn_scales_px, Job& job) {
-  job.settings.wishes = Resolution(shape_names, drawn_scales_px, job).wishes();
+void resolve_wishes(const std::vector<NamedShape>& shapes, Job& job) {
+  job.settings.wishes = Resolution(shapes, job).wishes();
   widen_scales(job.settings.pieces, job.settings.wishes, job.drawn_sizes);
 }
 

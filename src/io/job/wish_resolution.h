@@ -1,20 +1,19 @@
 // What a job's tables say about shapes and regions, by name, becomes what the algorithm knows, by index.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "io/job/job_file.h"
+#include "io/job/named_shape.h"
 
 namespace tessera::io {
 
 /// Whether resolve_wishes needs the names of the shapes, and their sizes.
 bool has_shape_wishes(const Job& job);
 
-/// Sets wishes and the whole range of sizes in the job's settings. `shape_names`, `drawn_scales_px`
-/// (Shape::drawn_scale_px): of the library, in its order. Throws InputError where a table names a shape or a region that
-/// there is not, two regions are alike, all shapes are to fit into several regions, or a drawn size is wished for that
-/// is unknown or not allowed.
-void resolve_wishes(const std::vector<std::string>& shape_names, const std::vector<float>& drawn_scales_px, Job& job);
+/// Sets wishes and the whole range of sizes in the job's settings. `shapes`: of the library, in its order. Throws
+/// InputError where a table names a shape or a region that there is not, two regions are alike, all shapes are to fit
+/// into several regions, or a drawn size is wished for that is unknown or not allowed.
+void resolve_wishes(const std::vector<NamedShape>& shapes, Job& job);
 
 }  // namespace tessera::io

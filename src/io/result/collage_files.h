@@ -12,6 +12,7 @@
 #include "core/shape/shape.h"
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/job/job_file.h"
+#include "io/result/keep_out_drawing.h"
 #include "io/result/run_record.h"
 
 namespace tessera::io {
@@ -22,6 +23,7 @@ struct CollageReport {
   const Job* job = nullptr;
   const Canvas* canvas = nullptr;
   std::vector<std::vector<Vec2>> canvas_edge;  // for pictures (canvas_edge.h); empty: the whole rectangle
+  KeepOutDrawing keep_out;  // for pictures; mostly none
   std::vector<Placement> placements;
   std::vector<ShapeId> shape_ids;
   std::vector<Shape> shapes;

@@ -10,6 +10,7 @@
 #include "io/parallel_for.h"
 #include "io/result/cairo_paint.h"
 #include "io/result/drawn_pieces.h"
+#include "io/result/keep_out_strips.h"
 #include "io/result/piece_drawing.h"
 #include "io/result/shadow.h"
 #include "io/result/sprite_cache.h"
@@ -52,6 +53,7 @@ class PictureBands {
         opaque_(report.job->output.background != kNoColour),
         background_(opaque_ ? parse_colour(report.job->output.background) : cv::Vec3b()),
         line_colour_(parse_colour(report.job->output.outline_colour)),
+        keep_out_(report.keep_out, picture_px_, size_),
         shadow_(report, size_),
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
     for (const auto& [placement, piece] : drawn_pieces(report, artworks)) {
@@ -130,6 +132,7 @@ class PictureBands {
     } else {
       strip.setTo(cv::Scalar::all(0));
     }
+    keep_out_.draw(top, strip);
     shadow_.draw(top, strip);
     for (const std::size_t i : reaching) {
       const Tile& tile = tiles_[i];
@@ -177,6 +180,7 @@ class PictureBands {
   const bool opaque_;
   const cv::Vec3b background_;
   const cv::Vec3b line_colour_;
+  const KeepOutStrips keep_out_;
   const Shadow shadow_;
   SpriteCache sprites_;
   std::vector<PieceDrawing> pieces_;

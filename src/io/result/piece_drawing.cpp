@@ -9,8 +9,6 @@
 namespace tessera::io {
 namespace {
 
-// Pieces are warped at twice the picture's resolution and averaged: a warp alone either blurs or leaves jagged edges.
-constexpr int kSupersampling = 2;
 // A shape's sprites have sides of powers of two: pieces of about one size share one, and none is drawn much larger than
 // it must be.
 constexpr int kLeastSprite_px = 256;

@@ -18,6 +18,9 @@ namespace tessera::io {
 /// bytes are the same.
 inline constexpr int kStripRows = 64;
 
+/// Pieces are warped at twice the picture's resolution and averaged: a warp alone either blurs or leaves jagged edges.
+inline constexpr int kSupersampling = 2;
+
 struct PieceDrawing {
   std::size_t slot = 0;             // of the shape that is drawn
   Similarity picture_from_artwork;  // px; of the artwork as it stands after it was mirrored

@@ -61,14 +61,23 @@ LibraryView library_of(const Job& job, const ResultManifest& manifest) {
 struct DrawnCanvas {
   Canvas canvas;
   std::vector<std::vector<Vec2>> edge;
+  KeepOutDrawing keep_out;
 };
 
 DrawnCanvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver& observer) {
-  Drawers drawers(canvas_drawer_settings(job.canvas));
+  const bool shown = job.output.keep_out != kNoKeepOut;
+  Drawers drawers(canvas_drawer_settings(job.canvas, DrawerSettings{}.seconds_per_drawing,
+                                         shown ? kMaxArtworkSide_px : kEdgeSide_px));
   const StopWatcher stop(observer, drawers);
   Canvas canvas = load_canvas(job.canvas, drawers);
-  if (canvas_digest(canvas) == manifest.canvas_digest) return {std::move(canvas), canvas_edge(job.canvas, drawers)};
-  throw InputError(job.canvas.file + ": another content than when the collage was made; put the file back to draw it");
+  if (canvas_digest(canvas) != manifest.canvas_digest) {
+    const CanvasSpec& spec = job.canvas;
+    const std::string both = spec.file + (spec.file.empty() || spec.keep_out.empty() ? "" : " or ") + spec.keep_out;
+    throw InputError(both + ": another content than when the collage was made; put the file back to draw it");
+  }
+  DrawnCanvas drawn{std::move(canvas), canvas_edge(job.canvas, drawers), {}};
+  if (shown) drawn.keep_out = draw_keep_out(job, drawn.canvas, drawers);
+  return drawn;
 }
 
 std::vector<Placement> placements_of(const std::string& dir, const ResultManifest& manifest, std::size_t shapes) {
@@ -210,6 +219,7 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   report.job = &job;
   report.canvas = &canvas.canvas;
   report.canvas_edge = std::move(canvas.edge);
+  report.keep_out = std::move(canvas.keep_out);
   report.placements = placements_of(dir, manifest, library.size());
   add_shapes(library, stop, report);
   report.colours = manifest.colours;

@@ -53,7 +53,8 @@ Json to_json(const DrawnPicture& picture) {
           {"shadow_strength", output.shadow_strength},
           {"shadow_offset_px", output.shadow_offset_px},
           {"shadow_blur_px", output.shadow_blur_px},
-          {"clip", output.clip}};
+          {"clip", output.clip},
+          {"keep_out", output.keep_out}};
 }
 
 /// Results of earlier versions say less: then it is as the defaults are.
@@ -69,6 +70,7 @@ OutputSpec output_from_json(const Json& picture) {
   if (picture.contains("shadow_offset_px")) picture.at("shadow_offset_px").get_to(output.shadow_offset_px);
   output.shadow_blur_px = picture.value("shadow_blur_px", output.shadow_blur_px);
   output.clip = picture.value("clip", output.clip);
+  output.keep_out = picture.value("keep_out", output.keep_out);
   return output;
 }
 

@@ -1,10 +1,7 @@
 #include "io/result/shape_artworks.h"
 
-#include <glib.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
 #include "io/artwork/silhouette.h"
@@ -12,31 +9,17 @@
 #include "io/number_text.h"
 #include "io/result/artwork_clip.h"
 #include "io/result/artwork_original.h"
+#include "io/result/svg_image.h"
 #include "io/result/svg_path.h"
 #include "io/xml_writer.h"
 
 namespace tessera::io {
 namespace {
 
-constexpr int kMaxBitmapSide_px = 2048;  // of an embedded picture; larger ones are scaled down
-
 int longest_side(const Artwork& artwork) { return std::max(artwork.width_px, artwork.height_px); }
 
-std::string png_uri(const cv::Mat& bgra) {
-  std::vector<std::uint8_t> png;
-  cv::imencode(".png", bgra, png);
-  gchar* base64 = g_base64_encode(png.data(), png.size());
-  std::string uri = std::string("data:image/png;base64,") + base64;
-  g_free(base64);
-  return uri;
-}
-
 SvgSymbol bitmap_symbol(const cv::Mat& bgra, const std::string& id, const Artwork& artwork) {
-  XmlWriter writer;
-  writer.start("image").attribute("id", id);
-  writer.attribute("width", std::to_string(bgra.cols)).attribute("height", std::to_string(bgra.rows));
-  writer.attribute("preserveAspectRatio", "none").attribute("xlink:href", png_uri(bgra));
-  return {writer.finish(), double(longest_side(artwork)) / std::max(bgra.cols, bgra.rows)};
+  return {svg_image(bgra, id), double(longest_side(artwork)) / std::max(bgra.cols, bgra.rows)};
 }
 
 std::string hex_colour(cv::Vec3b bgr) {

@@ -50,6 +50,8 @@ void start_layer(const SvgLayer& layer, XmlWriter& svg) {
 }
 
 const SvgLayer kCanvasLayer{.id = "layer-canvas", .label = "Canvas", .pieces = {}};
+const SvgLayer kKeepOutLayer{.id = "layer-keep-out", .label = "Keep out", .pieces = {}};
+constexpr const char* kKeepOutClipId = "clip-keep-out";  // ids of the drawing begin with keep-out
 const SvgLayer kShadowLayer{.id = "layer-shadow", .label = "Shadow", .pieces = {}};
 
 void write_canvas(const CollageReport& report, XmlWriter& svg) {
@@ -64,6 +66,25 @@ void write_canvas(const CollageReport& report, XmlWriter& svg) {
     svg.attribute("d", svg_path(report.canvas_edge, {1, 0, 0, 0})).end();
   }
   svg.end();
+}
+
+void write_keep_out_clip(const KeepOutDrawing& keep_out, XmlWriter& svg) {
+  if (keep_out.clip.empty()) return;
+  svg.raw("\n").start("clipPath").attribute("id", kKeepOutClipId);
+  svg.start("path").attribute("clip-rule", "evenodd").attribute("d", svg_path(keep_out.clip, {1, 0, 0, 0})).end();
+  svg.end();
+}
+
+void write_keep_out(const KeepOutDrawing& keep_out, XmlWriter& svg) {
+  if (keep_out.svg.empty()) return;
+  svg.raw("\n");
+  start_layer(kKeepOutLayer, svg);
+  svg.start("g");
+  if (!keep_out.clip.empty()) svg.attribute("clip-path", std::string("url(#") + kKeepOutClipId + ")");
+  const std::string unit_px = fixed(keep_out.place_px.width / keep_out.svg_width, 7);
+  svg.start("g").attribute("transform", "matrix(" + unit_px + " 0 0 " + unit_px + " " + fixed(keep_out.place_px.x, 3) +
+                                            " " + fixed(keep_out.place_px.y, 3) + ")");
+  svg.raw(keep_out.svg).end().end().end();
 }
 
 /// Canvas px from the symbol's units.
@@ -126,6 +147,7 @@ void write_definitions(const CollageReport& report, const ShapeArtworks& artwork
     if (has_outlines(output)) write_outline(report.shapes[slot], symbols[slot], slot, svg);
   }
   if (has_shadow(output)) write_shadow_filter(report, svg);
+  write_keep_out_clip(report.keep_out, svg);
   svg.end().raw("\n");
 }
 
@@ -222,6 +244,7 @@ std::string collage_svg(const CollageReport& report, ShapeArtworks& artworks, co
   svg.attribute("viewBox", "0 0 " + size);
   write_definitions(report, artworks, symbols, svg);
   write_canvas(report, svg);
+  write_keep_out(report.keep_out, svg);
   const std::vector<DrawnPiece> drawn = drawn_pieces(report, artworks);
   write_shadow(report, drawn, symbols, svg);
   write_pieces(report, drawn, symbols, svg);

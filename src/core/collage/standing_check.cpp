@@ -1,0 +1,58 @@
+#include "core/collage/standing_check.h"
+
+#include <cstdint>
+
+#include "core/field/field_lookup.h"
+#include "core/geometry/rasterise.h"
+
+namespace tessera {
+namespace {
+
+/// Of a piece's area: a little more than what a run leaves where pieces touch (kMaxOverlap).
+constexpr double kShown = 0.06;
+
+struct Cells {
+  std::size_t inside = 0;  // the canvas, its zones included
+  std::size_t kept_out = 0;
+  std::size_t covered = 0;  // by pieces before
+};
+
+/// Marks the piece's cells; counts those of all of its images.
+Cells count_cells(const Canvas& canvas, const Outline& outline, const Similarity& canvas_from_shape,
+                  Grid<std::uint8_t>& covered) {
+  const FieldView free(canvas.distance);
+  const FieldView zones(canvas.keep_out);
+  Cells cells;
+  for (const Vec2 offset : canvas.period.offsets()) {
+    for (const Span& span : fill_spans(outline, moved(canvas_from_shape, offset), covered.bounds())) {
+      for (int x = span.x0; x < span.x1; ++x) {
+        const Vec2 middle_px{float(x) + 0.5f, float(span.y) + 0.5f};
+        const bool kept_out = canvas.has_zones() && field_value(zones, middle_px) < 0;
+        cells.kept_out += kept_out;
+        cells.inside += kept_out || field_value(free, middle_px) > 0;
+        cells.covered += covered(x, span.y);
+        covered(x, span.y) = 1;
+      }
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces,
+                             const std::function<const Shape&(ShapeId)>& shape) {
+  Grid<std::uint8_t> covered(canvas.width_px, canvas.height_px, 0);
+  StandingCheck found;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Similarity& pose = pieces[i].canvas_from_shape;
+    const double area_px2 = double(pose.scale()) * double(pose.scale());
+    const Cells cells = count_cells(canvas, shape(pieces[i].shape).outline, pose, covered);
+    if (double(cells.inside) < (1 - kShown) * area_px2) found.outside.push_back(i);
+    if (double(cells.kept_out) > kShown * area_px2) found.kept_out.push_back(i);
+    if (double(cells.covered) > kShown * area_px2) found.overlapping.push_back(i);
+  }
+  return found;
+}
+
+}  // namespace tessera

@@ -1,0 +1,26 @@
+// Whether pieces that somebody put where they stand lie well: told, not corrected.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/field/canvas.h"
+#include "core/shape/shape.h"
+#include "core/wishes.h"
+
+namespace tessera {
+
+/// Places in the list of pieces, ascending. A piece may be in several lists.
+struct StandingCheck {
+  std::vector<std::size_t> outside;      // with some of their area outside the canvas
+  std::vector<std::size_t> kept_out;     // with some of it in a zone that pieces keep out of
+  std::vector<std::size_t> overlapping;  // with some of it on pieces before them
+};
+
+/// `shape(id)` gives library shapes with their outlines. Counted on cells of 1 px; as little of a piece's area as where a
+/// run itself makes pieces touch does not count.
+StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces,
+                             const std::function<const Shape&(ShapeId)>& shape);
+
+}  // namespace tessera

@@ -1,0 +1,180 @@
+#include "io/job/start_pieces.h"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <unordered_map>
+
+#include "core/base/error.h"
+#include "io/job/job_entry.h"
+#include "io/nearest_name.h"
+#include "io/number_text.h"
+#include "io/regular_file.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::size_t kMostBytes = std::size_t(512) << 20;  // of the file: some 50,000 pieces with their polygons
+constexpr std::size_t kMostPieces = 1'000'000;
+constexpr int kDeepest = 32;  // of what is nested in what
+
+/// As the columns of [[given]] allow.
+struct Range {
+  const char* key;
+  double min;
+  double max;
+};
+constexpr Range kScale{"scale", 2, 20000};
+constexpr Range kRotation{"rotation_deg", -360, 360};
+constexpr Range kX{"x_px", -20000, 40000};
+constexpr Range kY{"y_px", -20000, 40000};
+
+/// Keeps of the file what is read, so that its polygons, and whatever else it holds, take no memory.
+class Filter {
+ public:
+  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
+    const bool opens = event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
+    if (opens && depth > kDeepest) throw InputError("more than " + std::to_string(kDeepest) + " levels deep");
+    if (opens && depth == kFeature && ++features_ > kMostPieces) {
+      throw InputError("more than " + std::to_string(kMostPieces) + " features");
+    }
+    if (opens) return depth <= kProperty;
+    return event != json::parse_event_t::key || is_read(depth, parsed);
+  }
+
+ private:
+  static constexpr int kCollection = 1, kFeature = 2, kProperties = 3, kProperty = 4;
+
+  static bool is_read(int depth, const json& key) {
+    if (depth == kCollection) return key == "features";
+    if (depth == kProperties) return key == "properties";
+    return depth == kProperty && (key == "shape" || key == kScale.key || key == kRotation.key || key == kX.key ||
+                                  key == kY.key || key == "mirrored");
+  }
+
+  std::size_t features_ = 0;
+};
+
+[[noreturn]] void fail(const std::string& key, const std::string& found, const std::string& allowed) {
+  throw InputError(key + ": found " + found + ", allowed: " + allowed);
+}
+
+std::string found_text(const json& value) {
+  return printable(value.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+const json& member(const json& object, const char* key, const std::string& allowed) {
+  if (!object.is_object() || !object.contains(key)) fail(key, "nothing", allowed);
+  return object.at(key);
+}
+
+double number(const json& properties, const Range& range) {
+  const std::string allowed = "a number from " + fixed(range.min, 0) + " to " + fixed(range.max, 0);
+  const json& value = member(properties, range.key, allowed);
+  if (!value.is_number()) fail(range.key, found_text(value), allowed);
+  const double found = value.get<double>();
+  if (!(found >= range.min && found <= range.max)) fail(range.key, found_text(value), allowed);
+  return found;
+}
+
+bool is_mirrored(const json& properties) {
+  if (!properties.contains("mirrored")) return false;
+  const json& value = properties.at("mirrored");
+  if (!value.is_boolean()) fail("mirrored", found_text(value), "true or false");
+  return value.get<bool>();
+}
+
+class Names {
+ public:
+  explicit Names(const std::vector<NamedShape>& shapes) {
+    for (std::uint32_t i = 0; i < shapes.size(); ++i) {
+      names_.push_back(shapes[i].name);
+      index_[shapes[i].mirrored].try_emplace(shapes[i].name, i);
+    }
+  }
+
+  ShapeId id(const json& properties) const {
+    const std::string allowed = "the name of a shape of the library (tessera library info FILE --names lists them)";
+    const json& value = member(properties, "shape", allowed);
+    if (!value.is_string()) fail("shape", found_text(value), allowed);
+    const std::string name = value.get<std::string>();
+    const bool mirrored = is_mirrored(properties);
+    if (const auto found = index_[mirrored].find(name); found != index_[mirrored].end()) return ShapeId{found->second};
+    if (index_[!mirrored].contains(name)) {
+      fail("mirrored", mirrored ? "true" : "false",
+           mirrored ? "false, as pieces.mirrored says of this shape" : "true, as pieces.mirrored says of this shape");
+    }
+    const std::string nearest = nearest_name(name, names_);
+    fail("shape", found_text(value), allowed + (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::array<std::unordered_map<std::string, std::uint32_t>, 2> index_;  // of the drawings, and of their mirror images
+};
+
+GivenPiece piece_of(const json& feature, const Names& names, bool locked) {
+  const json& properties = member(feature, "properties", "an object with shape, scale, rotation_deg, x_px and y_px");
+  const ShapeId shape = names.id(properties);
+  const double scale_px = number(properties, kScale);
+  const double rotation_rad = number(properties, kRotation) * std::numbers::pi / 180;
+  return {shape,
+          {float(scale_px * std::cos(rotation_rad)), float(scale_px * std::sin(rotation_rad)),
+           float(number(properties, kX)), float(number(properties, kY))},
+          locked};
+}
+
+std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const Names& names, bool locked) {
+  const json collection = json::parse(bytes.begin(), bytes.end(), Filter());
+  const json& features = member(collection, "features", "a list of features, as in pieces.geojson");
+  if (!features.is_array()) fail("features", found_text(features), "a list of features, as in pieces.geojson");
+  std::vector<GivenPiece> pieces;
+  for (const json& feature : features) {
+    try {
+      pieces.push_back(piece_of(feature, names, locked));
+    } catch (const InputError& error) {
+      throw InputError("feature " + std::to_string(pieces.size()) + ": " + error.what());
+    }
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::string start_file(const Job& job) {
+  std::error_code error;
+  if (job.start.pieces.empty() || !fs::is_directory(job.start.pieces, error)) return job.start.pieces;
+  return (fs::path(job.start.pieces) / "pieces.geojson").string();
+}
+
+void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
+  const std::string file = start_file(job);
+  if (file.empty()) return;
+  const std::string where = job.path + ": start.pieces: ";
+  try {
+    const std::vector<GivenPiece> pieces =
+        pieces_in(read_regular_file(file, kMostBytes), Names(shapes), !job.start.free);
+    std::vector<GivenPiece>& given = job.settings.wishes.given;
+    given.insert(given.end(), pieces.begin(), pieces.end());
+  } catch (const json::exception& error) {
+    throw InputError(where + file + ": no JSON: " + printable(error.what(), 200));
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw InputError(where + (what.starts_with(file) ? what : file + ": " + what));
+  }
+}
+
+void check_start_is_elsewhere(const Job& job, const std::string& folder) {
+  const std::string file = start_file(job);
+  std::error_code error;
+  if (file.empty() || !fs::equivalent(fs::path(file).parent_path(), folder, error)) return;
+  throw InputError(job.path + ": start.pieces: " + file +
+                   " lies in the folder that the run writes; give another --out");
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,160 @@
+// The pieces of an earlier result, as the program wrote them, as people edit them, and as nobody should.
+#include "io/job/start_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include "io/result/geojson_output.h"
+#include "sample_collage.h"
+#include "scratch_folder.h"
+#include "support/input_error.h"
+
+namespace tessera::io {
+namespace {
+
+const std::vector<NamedShape> kShapes = {{"bear"}, {"disc"}, {"ring"}, {"bear", 0, true}};
+const std::string kGood = R"({"shape":"disc","scale":40,"rotation_deg":90,"x_px":50.5,"y_px":-20})";
+
+std::string collection(const std::string& features) {
+  return R"({"type":"FeatureCollection","features":[)" + features + "]}";
+}
+
+std::string feature(const std::string& properties) {
+  return R"({"type":"Feature","properties":)" + properties + R"(,"geometry":{"type":"Polygon","coordinates":[]}})";
+}
+
+std::string repeated(const std::string& text, std::size_t times) {
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+class StartPieces : public testing::Test {
+ protected:
+  std::vector<GivenPiece> pieces_in(const std::string& bytes) {
+    Job job;
+    job.start.pieces = folder_.write("pieces.geojson", bytes);
+    return added(job);
+  }
+
+  static std::vector<GivenPiece> added(Job& job) {
+    job.path = "job.toml";
+    add_start_pieces(kShapes, job);
+    return job.settings.wishes.given;
+  }
+
+  std::string mistake(const std::string& bytes) {
+    return test::message_of([&] { pieces_in(bytes); });
+  }
+
+  void expect_mistake(const std::string& properties, const std::string& said) {
+    const std::string where = "job.toml: start.pieces: " + folder_.path("pieces.geojson") + ": feature 1: ";
+    EXPECT_EQ(mistake(collection(feature(kGood) + "," + feature(properties))).substr(0, (where + said).size()), where + said);
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(StartPieces, AreThoseThatAResultHas) {
+  const test::SampleCollage collage;
+  const std::vector<GivenPiece> pieces = pieces_in(geojson_text(collage.report));
+  ASSERT_EQ(pieces.size(), 2u);
+  EXPECT_EQ(pieces[0].shape, ShapeId{1});
+  EXPECT_EQ(pieces[1].shape, ShapeId{2});
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Similarity& then = collage.report.placements[i].canvas_from_shape;
+    EXPECT_NEAR(pieces[i].canvas_from_shape.a, then.a, 0.001f);
+    EXPECT_NEAR(pieces[i].canvas_from_shape.b, then.b, 0.001f);
+    EXPECT_EQ(pieces[i].canvas_from_shape.translation(), then.translation());
+  }
+}
+
+TEST_F(StartPieces, ComeAfterThoseThatAreGiven) {
+  Job job;
+  job.start.pieces = folder_.write("pieces.geojson", collection(feature(kGood)));
+  job.settings.wishes.given = {{ShapeId{0}, {}}};
+  ASSERT_EQ(added(job).size(), 2u);
+  EXPECT_EQ(job.settings.wishes.given[0].shape, ShapeId{0});
+  EXPECT_TRUE(job.settings.wishes.given[1].locked);
+  job.settings.wishes.given.resize(1);
+  job.start.free = true;
+  EXPECT_FALSE(added(job)[1].locked);
+  EXPECT_TRUE(job.settings.wishes.given[0].locked);
+}
+
+TEST_F(StartPieces, TheFolderOfAResultIsAsGoodAsItsFile) {
+  folder_.write("pieces.geojson", collection(feature(kGood)));
+  Job job;
+  job.start.pieces = folder_.path("");
+  EXPECT_EQ(added(job).size(), 1u);
+  EXPECT_EQ(start_file(job), folder_.path("") + "pieces.geojson");
+  EXPECT_EQ(start_file(Job()), "");
+}
+
+TEST_F(StartPieces, AFileWithoutPiecesHasNone) { EXPECT_TRUE(pieces_in(collection("")).empty()); }
+
+TEST_F(StartPieces, WhatElseAFileHoldsDoesNotMatter) {
+  const std::string more = R"({"shape":"disc","scale":4e1,"rotation_deg":-360,"x_px":1,"y_px":2,"mirrored":false,)"
+                           R"("name":{"a":[1,2]},"fill":"red"})";
+  EXPECT_EQ(pieces_in(collection(feature(more))).size(), 1u);
+}
+
+TEST_F(StartPieces, MistakesNameTheFeatureTheKeyAndWhatIsAllowed) {
+  expect_mistake(R"({"shape":"disk","scale":40,"rotation_deg":0,"x_px":0,"y_px":0})",
+                 "shape: found \"disk\", allowed: the name of a shape of the library (tessera library info FILE --names "
+                 "lists them); did you mean \"disc\"?");
+  expect_mistake(R"({"scale":40,"rotation_deg":0,"x_px":0,"y_px":0})", "shape: found nothing, allowed: the name");
+  expect_mistake(R"({"shape":7,"scale":40,"rotation_deg":0,"x_px":0,"y_px":0})", "shape: found 7, allowed: the name");
+  expect_mistake(R"({"shape":"disc","scale":"big","rotation_deg":0,"x_px":0,"y_px":0})",
+                 "scale: found \"big\", allowed: a number from 2 to 20000");
+  expect_mistake(R"({"shape":"disc","scale":1.9,"rotation_deg":0,"x_px":0,"y_px":0})", "scale: found 1.9, allowed");
+  expect_mistake(R"({"shape":"disc","scale":[40],"rotation_deg":0,"x_px":0,"y_px":0})", "scale: found ");
+  expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":361,"x_px":0,"y_px":0})",
+                 "rotation_deg: found 361, allowed: a number from -360 to 360");
+  expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":0,"x_px":40001,"y_px":0})",
+                 "x_px: found 40001, allowed: a number from -20000 to 40000");
+  expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":0,"x_px":0})",
+                 "y_px: found nothing, allowed: a number from -20000 to 40000");
+  expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":0,"x_px":0,"y_px":0,"mirrored":true})",
+                 "mirrored: found true, allowed: false, as pieces.mirrored says of this shape");
+  expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":0,"x_px":0,"y_px":0,"mirrored":1})",
+                 "mirrored: found 1, allowed: true or false");
+  expect_mistake("7", "properties: ");
+}
+
+TEST_F(StartPieces, WhatIsNoResultIsAMistake) {
+  EXPECT_NE(mistake("").find("no JSON"), std::string::npos);
+  EXPECT_NE(mistake("{\"features\":[").find("no JSON"), std::string::npos);
+  EXPECT_NE(mistake("\xff\xfe{}").find("no JSON"), std::string::npos);
+  EXPECT_NE(mistake("7").find("features: found nothing, allowed: a list of features"), std::string::npos);
+  EXPECT_NE(mistake("{}").find("features: found nothing"), std::string::npos);
+  EXPECT_NE(mistake("{\"features\":{}}").find("features: found {}, allowed"), std::string::npos);
+  EXPECT_NE(mistake(collection("7")).find("feature 0: properties: found nothing"), std::string::npos);
+  EXPECT_NE(mistake(collection(feature(R"({"shape":"disc","scale":1e999,"rotation_deg":0,"x_px":0,"y_px":0})"))).find("no JSON"),
+            std::string::npos);
+}
+
+TEST_F(StartPieces, FilesThatWouldEatTheMachineAreRefused) {
+  EXPECT_NE(mistake(repeated("[", 100000)).find("more than 32 levels deep"), std::string::npos);
+  EXPECT_NE(mistake(repeated("{\"a\":", 100000)).find("more than 32 levels deep"), std::string::npos);
+  EXPECT_NE(mistake(collection(repeated("{},", 1'000'001) + "{}")).find("more than 1000000 features"), std::string::npos);
+}
+
+TEST_F(StartPieces, ThereMustBeAFile) {
+  Job job;
+  job.start.pieces = folder_.path("none.geojson");
+  const std::string said = test::message_of([&] { added(job); });
+  EXPECT_EQ(said.find("job.toml: start.pieces: " + folder_.path("none.geojson")), 0u) << said;
+}
+
+TEST_F(StartPieces, TheRunMayNotReplaceThem) {
+  Job job;
+  job.path = "job.toml";
+  job.start.pieces = folder_.write("pieces.geojson", collection(""));
+  EXPECT_NE(test::message_of([&] { check_start_is_elsewhere(job, folder_.path("")); }).find("give another --out"),
+            std::string::npos);
+  EXPECT_EQ(test::message_of([&] { check_start_is_elsewhere(job, testing::TempDir()); }), "");
+  EXPECT_EQ(test::message_of([&] { check_start_is_elsewhere(Job(), folder_.path("")); }), "");
+}
+
+}  // namespace
+}  // namespace tessera::io
