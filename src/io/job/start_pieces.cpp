@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <unordered_map>
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMostBytes = std::size_t(512) << 20;  // of the file: some 50,000 pieces with their polygons
-constexpr std::size_t kMostPieces = 1'000'000;
+constexpr std::size_t kMostPieces = 100'000;
 constexpr int kDeepest = 32;  // of what is nested in what
 
 /// As the columns of [[given]] allow.
@@ -34,10 +35,17 @@ constexpr Range kRotation{"rotation_deg", -360, 360};
 constexpr Range kX{"x_px", -20000, 40000};
 constexpr Range kY{"y_px", -20000, 40000};
 
-/// Keeps of the file what is read, so that its polygons, and whatever else it holds, take no memory.
+/// Hands out one feature after the other and keeps none, nor of any what is not read: polygons, and whatever else the file
+/// holds, take no memory, and no time for looking through what came before.
 class Filter {
  public:
+  explicit Filter(std::function<void(const json& feature)> take) : take_(std::move(take)) {}
+
   bool operator()(int depth, json::parse_event_t event, const json& parsed) {
+    if (depth == kFeature && (event == json::parse_event_t::object_end || event == json::parse_event_t::value)) {
+      take_(parsed);
+      return false;
+    }
     const bool opens = event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
     if (opens && depth > kDeepest) throw InputError("more than " + std::to_string(kDeepest) + " levels deep");
     if (opens && depth == kFeature && ++features_ > kMostPieces) {
@@ -57,6 +65,7 @@ class Filter {
                                   key == kY.key || key == "mirrored");
   }
 
+  std::function<void(const json& feature)> take_;
   std::size_t features_ = 0;
 };
 
@@ -130,17 +139,17 @@ GivenPiece piece_of(const json& feature, const Names& names, bool locked) {
 }
 
 std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const Names& names, bool locked) {
-  const json collection = json::parse(bytes.begin(), bytes.end(), Filter());
-  const json& features = member(collection, "features", "a list of features, as in pieces.geojson");
-  if (!features.is_array()) fail("features", found_text(features), "a list of features, as in pieces.geojson");
   std::vector<GivenPiece> pieces;
-  for (const json& feature : features) {
+  const auto take = [&](const json& feature) {
     try {
       pieces.push_back(piece_of(feature, names, locked));
     } catch (const InputError& error) {
       throw InputError("feature " + std::to_string(pieces.size()) + ": " + error.what());
     }
-  }
+  };
+  const json collection = json::parse(bytes.begin(), bytes.end(), Filter(take));
+  const json& features = member(collection, "features", "a list of features, as in pieces.geojson");
+  if (!features.is_array()) fail("features", found_text(features), "a list of features, as in pieces.geojson");
   return pieces;
 }
 
