@@ -16,30 +16,6 @@ namespace tessera::io {
 namespace {
 
 constexpr int kMinCanvas_px = 16;
-constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;  // the mask is drawn at twice the canvas' resolution
-
-}  // namespace
-
-std::vector<std::uint8_t> read_canvas_file(const std::string& path) {
-  try {
-    return read_artwork_file(path);
-  } catch (const InputError& error) {
-    throw InputError(std::string("canvas.file: ") + error.what());
-  }
-}
-
-/// The largest page with the artwork's aspect that fits into twice the spec's box.
-cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers) {
-  const auto bytes = read_canvas_file(spec.file);
-  const int box_width = 2 * spec.width_px;
-  const int box_height = 2 * spec.height_px;
-  const int side = std::max(box_width, box_height);
-  const cv::Mat page = drawers.render(bytes, spec.file, side);
-  const double fit = std::min(double(box_width) / page.cols, double(box_height) / page.rows);
-  return fit >= 1 ? page : drawers.render(bytes, spec.file, std::max(1, int(fit * side)));
-}
-
-namespace {
 
 /// Half transparent or more somewhere, the rim apart: drawing blurs the edge of an opaque page.
 bool has_transparency(const cv::Mat& alpha) {
@@ -63,12 +39,6 @@ cv::Mat region(const cv::Mat& page) {
   return alpha;
 }
 
-void check_box(const CanvasSpec& spec) {
-  if (std::max(spec.width_px, spec.height_px) <= kMaxMaskCanvas_px) return;
-  throw InputError("canvas.size_px: found [" + std::to_string(spec.width_px) + ", " + std::to_string(spec.height_px) +
-                   "], allowed with a canvas.file: " + std::to_string(kMaxMaskCanvas_px) + " px or less each");
-}
-
 void check_no_file(const CanvasSpec& spec) {
   if (spec.seamless == Seamless::none) return;
   const std::string& found = find_job_key("canvas", "seamless")->words[std::size_t(spec.seamless)];
@@ -80,7 +50,7 @@ void check_no_file(const CanvasSpec& spec) {
 
 Grid<float> mask_coverage(const cv::Mat& page) {
   const cv::Mat inside = region(page);
-  Grid<float> coverage(inside.cols + inside.cols % 2, inside.rows + inside.rows % 2, 0.f);
+  Grid<float> coverage(inside.cols, inside.rows);
   for (int y = 0; y < inside.rows; ++y) std::copy_n(inside.ptr<float>(y), inside.cols, coverage.row(y));
   return coverage;
 }
@@ -95,13 +65,14 @@ void check_images(const Canvas& canvas, const PieceSettings& pieces) {
 }
 
 Grid<float> canvas_coverage(const cv::Mat& page, const CanvasSpec& spec) {
-  return spec.region_colours.empty() ? mask_coverage(page) : region_coverage(page, spec);
+  return spec.region_colours.empty() ? mask_coverage(page) : region_coverage(page, region_labels(page, spec));
 }
 
 /// A page of the largest size may take three times its pixels.
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds) {
   constexpr std::size_t kMebibyte = std::size_t(1) << 20;
-  const std::size_t side_px = std::size_t(std::max({2 * spec.width_px, 2 * spec.height_px, kEdgeSide_px}));
+  const int largest_px = std::max({2 * spec.width_px, 2 * spec.height_px, kEdgeSide_px});
+  const std::size_t side_px = std::size_t(std::min(largest_px, kMaxArtworkSide_px));
   return {.seconds_per_drawing = seconds,
           .bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * 4 * side_px * side_px)};
 }
@@ -118,20 +89,18 @@ Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers) {
                                 both || spec.seamless == Seamless::y);
   }
   check_no_file(spec);
-  check_box(spec);
-  const cv::Mat page = canvas_page(spec, drawers);
-  const Grid<float> coverage = canvas_coverage(page, spec);
-  if (std::min(coverage.width(), coverage.height()) < 2 * kMinCanvas_px) {
-    throw InputError("canvas file " + spec.file + ": only " + std::to_string(coverage.width() / 2) + " x " +
-                     std::to_string(coverage.height() / 2) + " px in the box of canvas.size_px, allowed: " +
+  const CanvasPage page = canvas_page(spec, drawers);
+  if (std::min(page.width_px, page.height_px) < kMinCanvas_px) {
+    throw InputError("canvas file " + spec.file + ": only " + std::to_string(page.width_px) + " x " +
+                     std::to_string(page.height_px) + " px in the box of canvas.size_px, allowed: " +
                      std::to_string(kMinCanvas_px) + " px or more each");
   }
-  Canvas canvas = make_mask_canvas(coverage);
+  Canvas canvas = make_mask_canvas(coverage_on_canvas(page, canvas_coverage(page.bgra, spec)), page.cells_per_px);
   if (canvas.area_px2 <= 0) {
     throw InputError("canvas file " + spec.file + ": no area to fill; needed: an opaque silhouette on a transparent " +
                      "page or a plain background");
   }
-  canvas.regions = region_distances(page, spec);
+  if (!spec.region_colours.empty()) canvas.regions = region_distances(page, region_labels(page.bgra, spec), spec);
   return canvas;
 }
 

@@ -23,19 +23,13 @@ Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.sec
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing);
 
-/// The bytes of canvas.file. Throws InputError.
-std::vector<std::uint8_t> read_canvas_file(const std::string& path);
-
 /// The longest side that the page is drawn with for its edge (canvas_edge.h), where the canvas does not ask for more.
 inline constexpr int kEdgeSide_px = 4096;
-
-/// The page of the spec's file as load_canvas sees it: straight BGRA at twice the canvas' resolution. Errors as load_canvas.
-cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers);
 
 /// Throws InputError where the images beside a seamless canvas make it larger than a canvas may be.
 void check_images(const Canvas& canvas, const PieceSettings& pieces);
 
-/// The region in a page of straight BGRA, as coverage 0..1 of each pixel, the sizes rounded up to even ones: the alpha
+/// The region in a page of straight BGRA, as coverage 0..1 of each pixel: the alpha
 /// where the page is transparent anywhere, else what differs from the colour that prevails along its edge (mask.h).
 Grid<float> mask_coverage(const cv::Mat& page);
 

@@ -19,6 +19,12 @@ struct JobEntry {
   std::filesystem::path base;  // what a relative path is relative to
 };
 
+/// Behind the names of a length in px and the same one in mm.
+inline constexpr const char* kBothAreGiven = ": both are given; allowed: one of them";
+
+/// Whether it gives a length of the canvas in mm (millimetres.h), which needs the canvas' size in px and mm to be known.
+bool is_length_in_mm(const JobEntry& entry);
+
 /// Sets the key in `job`. Throws InputError: an unknown section or key with the nearest one, or the value found and
 /// what is allowed.
 void apply_entry(const JobEntry& entry, Job& job);
