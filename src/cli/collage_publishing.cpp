@@ -4,9 +4,9 @@
 #include <set>
 #include <utility>
 
-#include "io/library/one_colour.h"
 #include "io/result/collage_files.h"
 #include "io/result/piece_colours.h"
+#include "io/result/placed_pieces.h"
 
 namespace tessera::cli {
 namespace {
@@ -23,11 +23,6 @@ void add_placed_shapes(const io::ShapeLibrary& library, io::CollageReport& repor
   }
 }
 
-bool draws_palette(const CollageInput& input) {
-  const std::string& pieces = input.job.colour.pieces;
-  return pieces == "palette" || (pieces == "auto" && io::is_of_one_colour(input.library));
-}
-
 }  // namespace
 
 bool leaves_older_result(const CollageInput& input, const master::CollageResult& result) {
@@ -39,12 +34,13 @@ std::string publish(const CollageInput& input, const master::CollageResult& resu
   io::CollageReport report;
   report.job = &input.job;
   report.canvas = &input.canvas;
-  report.placements = result.placements;
+  report.placements = io::as_written(result.placements);  // as tessera draw knows them when it gives other colours
   report.statistics = result.statistics;
   report.ranks = ranks;
   report.record = record;
   add_placed_shapes(input.library, report);
-  if (draws_palette(input)) report.colours = io::piece_colours(report, input.palette);
+  if (io::draws_palette(input.job.colour, input.library)) report.colours = io::piece_colours(report, input.palette);
+  report.placements = result.placements;
   const std::string card = io::publish_result(input.folder, report, input.origin, !result.unfinished);
   if (result.unfinished) {
     checkpoints.require_one();

@@ -136,7 +136,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
 bool draw_pictures(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks) {
   comm::install_stop_handlers();
-  io::DrawingRequest pictures;
+  io::PictureRequest pictures;
   pictures.svg = pictures.png = true;
   pictures.library = io::library_paths(input.job);
   try {

@@ -8,10 +8,13 @@
 #include "cli/result_drawing_run.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
+#include "core/base/split_text.h"
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/job/job_keys.h"
 #include "io/output_lock.h"
+#include "io/result/collage_files.h"
 #include "io/result/finished_result.h"
+#include "io/result/result_file.h"
 
 namespace tessera::cli {
 namespace {
@@ -24,6 +27,7 @@ constexpr const char* kExamples =
     "  tessera draw out/animals --width 60000 --tiff      for viewers of large pictures\n"
     "  tessera draw out/animals --background none         on nothing: transparent between the pieces\n"
     "  tessera draw out/animals --set output.width_mm=420 --set output.dpi=300     42 cm wide on paper\n"
+    "  tessera draw out/birds --palette ink --to out/birds-ink     the same collage in other colours, elsewhere\n"
     "  tessera draw out/animals --library moved.h5        where the library has another name now\n"
     "Nothing is computed: the pictures are made from the files in RESULT, of an unfinished collage too. Ctrl-C ends\n"
     "drawing within two seconds with exit code 75 and leaves no half-written picture.";
@@ -32,18 +36,32 @@ struct DrawArguments {
   std::string folder;
   int width_px = 0;        // 0: not given
   std::string background;  // empty: not given
+  std::string palette;     // empty: not given
   std::vector<std::string> settings;
-  io::DrawingRequest request;
+  io::PictureRequest request;
   bool quiet = false;
 };
 
-/// --width and --background are short for keys, and --set wins.
-std::vector<std::string> output_keys(const DrawArguments& arguments) {
+/// "#264653,#e76f51" as the list that a job has; a name or a path as it is.
+std::string palette_value(const std::string& text) {
+  if (!text.starts_with('#')) return text;
+  std::string list;
+  for (const std::string_view colour : split_outside(text, ',')) {
+    list += (list.empty() ? "" : ", ") + ("\"" + std::string(colour) + "\"");
+  }
+  return "[" + list + "]";
+}
+
+/// --width, --background and --palette are short for keys, and --set wins.
+std::vector<std::string> drawing_keys(const DrawArguments& arguments) {
   std::vector<std::string> keys;
   if (arguments.width_px > 0) {
     keys = {"output.width_mm=0", "output.width_px=" + std::to_string(arguments.width_px)};
   }
   if (!arguments.background.empty()) keys.push_back("output.background=" + arguments.background);
+  if (!arguments.palette.empty()) {
+    keys.insert(keys.end(), {"colour.pieces=palette", "colour.palette=" + palette_value(arguments.palette)});
+  }
   keys.insert(keys.end(), arguments.settings.begin(), arguments.settings.end());
   return keys;
 }
@@ -59,18 +77,34 @@ void check_is_result(const std::string& folder) {
   }
 }
 
+/// Pictures of one result are none of another.
+void check_is_no_result(const std::string& folder) {
+  if (!io::is_in_result(folder, io::kManifestName)) return;
+  throw InputError("--to " + folder + ": found a result there, allowed: a folder without one");
+}
+
+/// Where the pictures go, which is there then.
+std::string drawing_folder(const DrawArguments& arguments) {
+  const std::string& to = arguments.request.to;
+  if (to.empty()) return arguments.folder;
+  check_is_no_result(to);
+  io::prepare_output_directory(to);
+  return to;
+}
+
 int run(DrawArguments arguments) {
-  io::DrawingRequest& wanted = arguments.request;
+  io::PictureRequest& wanted = arguments.request;
   if (!wanted.png && !wanted.svg && !wanted.pdf && !wanted.tiff) wanted.png = wanted.svg = true;
-  wanted.output = output_keys(arguments);
+  wanted.keys = drawing_keys(arguments);
   check_is_result(arguments.folder);  // no lock is left where there is no result
-  const io::OutputLock lock(io::folder_lock_path(arguments.folder), arguments.folder);
+  const std::string folder = drawing_folder(arguments);
+  const io::OutputLock lock(io::folder_lock_path(folder), folder);
   comm::install_stop_handlers();
   if (!draw(arguments.folder, wanted, arguments.quiet, comm::stop_signalled)) {
     std::fprintf(stderr, "tessera: drawing interrupted: the same command goes on\n");
     return kUnfinishedExitCode;
   }
-  if (!arguments.quiet) std::printf("drawn in %s\n", arguments.folder.c_str());
+  if (!arguments.quiet) std::printf("drawn in %s\n", folder.c_str());
   return 0;
 }
 
@@ -103,7 +137,13 @@ void add_draw_command(CLI::App& app, Command& selected) {
   draw->add_option("--background", arguments->background, "Of the canvas, or none; default: output.background")
       ->type_name("#RRGGBB")
       ->check(not_a_colour);
-  draw->add_option("--set", arguments->settings, "Another value for a key of [output] of the job; may be repeated")
+  draw->add_option("--palette", arguments->palette,
+                   "Silhouettes in these colours: a built-in palette, a palette file or \"#RRGGBB,#RRGGBB,..\"")
+      ->type_name("PALETTE");
+  draw->add_option("--to", arguments->request.to, "Another folder for the pictures; RESULT stays as it is")
+      ->type_name("DIR");
+  draw->add_option("--set", arguments->settings,
+                   "Another value for a key of [output] or [colour] of the job; may be repeated")
       ->type_name("output.KEY=VALUE")
       ->allow_extra_args(false)
       ->take_all();

@@ -38,10 +38,11 @@ PlanInput plan_input(const PlanArguments& arguments) {
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
   const io::LibraryView library = io::open_library_of(job);
   const Canvas canvas = io::load_canvas(job.canvas);
-  io::check_picture_size(job.output, canvas);
+  const io::OutputSpec output = io::on_paper(job.output, job.canvas, canvas);
+  io::check_picture_size(output, canvas);
   io::check_images(canvas, job.settings.pieces);
   const Window nodes = free_field_grid(canvas, job.settings.pieces).nodes();
-  const cv::Size picture_px = io::picture_size_px(job.output, canvas);
+  const cv::Size picture_px = io::picture_size_px(output, canvas);
   return {.settings = job.settings,
           .canvas_px2 = canvas.area_px2,
           .canvas_nodes = double(nodes.width()) * nodes.height(),

@@ -46,13 +46,14 @@ void tell_layers(const std::string& folder, const io::DrawerLayers& layers, io::
   if (!note.empty()) log.info(note);
 }
 
-bool draw(const std::string& folder, const io::DrawingRequest& request, bool quiet, std::function<bool()> stop) {
+bool draw(const std::string& folder, const io::PictureRequest& request, bool quiet, std::function<bool()> stop) {
   DrawingProgress progress(quiet, std::move(stop));
-  io::RunLog log(folder);
+  const std::string& pictures = request.to.empty() ? folder : request.to;
+  io::RunLog log(pictures);
   try {
     const io::DrawingNotes notes = io::draw_result(folder, request, progress);
-    warn(folder, io::drawing_warning(notes), log);
-    tell_layers(folder, notes.layers, log);
+    warn(pictures, io::drawing_warning(notes), log);
+    tell_layers(pictures, notes.layers, log);
     log.info("drawn");
     return true;
   } catch (const io::DrawingStopped&) {

@@ -21,6 +21,7 @@ struct PieceSettings {
   bool fit_all = false;  // sizes are relative: multiplied so that every shape finds its place
   float padding_px = 0;  // distance kept between pieces, and between pieces and the canvas' edge
   float apart_px = 0;    // distance kept between the outlines of pieces of one silhouette
+  float overlap_px = 1.4f;  // without padding: how deep a vertex of a piece may lie in another, and beyond the edge
 
   /// What a pose may be where no shape or region wishes otherwise.
   PoseWish poses() const {

@@ -91,16 +91,19 @@ inline constexpr float kDamping = 0.005f;
 inline constexpr float kLeastDamping = 0.05f;
 inline constexpr float kGrowthDamping = 0.0125f;
 
-inline constexpr float kHardDepth_px = 1.4f;     // no boundary point of a placed piece lies deeper in another
-inline constexpr float kPaddedDepth_px = 0.25f;  // nor where a distance is to be kept, in what is kept around others
+/// The least depth at which fields tell a piece that lies too deep: less is rounding. Outlines decide what is finer.
+inline constexpr float kFieldDepth_px = 0.25f;
 inline constexpr float kHopelessDepth_px = 3.f;  // deeper than this, pushing is not worth the time
 inline constexpr float kInteriorDepth_px = 3.f;  // what an interior point counts deeper: only something thin, and so
                                                  // certainly visible, reaches it
 
-inline float hard_depth_px(const PieceSettings& p) { return p.padding_px > 0 ? kPaddedDepth_px : kHardDepth_px; }
+/// No boundary point of a placed piece lies deeper in what fields keep around another.
+inline float hard_depth_px(const PieceSettings& p) {
+  return p.padding_px > 0 ? kFieldDepth_px : std::max(p.overlap_px, kFieldDepth_px);
+}
 /// Kept around pieces so that at least padding_px is left: what depth and the spacing of boundary points take is added.
 inline float kept_distance_px(const PieceSettings& p) {
-  return p.padding_px > 0 ? p.padding_px + kPaddedDepth_px + 0.1f : 0.f;
+  return p.padding_px > 0 ? p.padding_px + kFieldDepth_px + 0.1f : 0.f;
 }
 
 // Terms of the objective.

@@ -34,6 +34,7 @@ PieceSettings any_pieces() {
   pieces.min_scale_px = float(*rc::gen::element(14, 20, 45));
   pieces.max_scale_px = 90;
   pieces.padding_px = float(*rc::gen::element(0, 3));
+  pieces.overlap_px = *rc::gen::element(0.f, 1.4f, 2.5f);
   return pieces;
 }
 
@@ -136,7 +137,8 @@ TEST(PieceOnField, NoPieceStandsTooNearTheCanvasEdge) {
     const Shape& shape = any_shape();
     const Similarity pose = any_pose();
     const float least_px = least_distance_to_edge_px(placed_outline(shape.outline, pose), free);
-    const bool too_near = least_px < (pieces.padding_px > 0 ? pieces.padding_px + 0.002f : -kHardDepth_px);
+    const bool apart = pieces.padding_px > 0 || pieces.overlap_px == 0;
+    const bool too_near = least_px < (apart ? pieces.padding_px + 0.002f : -pieces.overlap_px);
     RC_ASSERT(PlacedOutlines(free, pieces).conflicts(shape, pose).empty() == !too_near);
   }));
 }

@@ -42,17 +42,27 @@ Shape square() {
   return shape;
 }
 
+constexpr double kWritten_px = 0.002;  // of the decimals of positions
+const float kOverlap_px = PieceSettings().overlap_px;
+
 PieceSettings padded_by(float padding_px) {
   PieceSettings pieces;
   pieces.padding_px = padding_px;
   return pieces;
 }
 
+PieceSettings overlapping_by(float overlap_px) {
+  PieceSettings pieces;
+  pieces.overlap_px = overlap_px;
+  return pieces;
+}
+
 /// Pieces on a canvas whose edge is far from them.
 struct Scene {
-  explicit Scene(float padding_px, float canvas_px = 400)
-      : free(make_rectangle_canvas(int(canvas_px), int(canvas_px)), padded_by(padding_px)),
-        outlines(free, padded_by(padding_px)) {}
+  explicit Scene(const PieceSettings& pieces, float canvas_px = 400)
+      : free(make_rectangle_canvas(int(canvas_px), int(canvas_px)), pieces),
+        outlines(free, pieces) {}
+  explicit Scene(float padding_px, float canvas_px = 400) : Scene(padded_by(padding_px), canvas_px) {}
 
   void add(std::uint32_t shape, const Similarity& pose) {
     outlines.add({ShapeId{shape}, pose, 1, 1}, shapes()[shape].outline);
@@ -198,9 +208,24 @@ Deepest deepest_vertex(const Outline& inner, const Outline& outer) {
   return deepest;
 }
 
+/// Between which no depth is allowed, neither a corner nor a side may reach into the other.
+TEST(PlacedOutlines, WithoutOverlapOutlinesThatMeetAreAConflict) {
+  EXPECT_TRUE(rc::check([] {
+    Scene scene(overlapping_by(0));
+    scene.add(any_shape(), any_pose(200, 5));
+    const std::uint32_t shape = any_shape();
+    const Similarity where = pose_beside(scene.placed[0], shape, any_number(-1, 1));
+    const double distance = test::polygon_distance(placed_outline(shapes()[shape].outline, where), scene.placed[0]);
+    RC_PRE(std::abs(distance - kWritten_px) > 1e-4);
+    RC_TAG(distance < kWritten_px);
+    RC_ASSERT(scene.outlines.conflicts(shapes()[shape], where).empty() == (distance > kWritten_px));
+  }));
+}
+
 TEST(PlacedOutlines, WithoutPaddingEachVertexThatLiesTooDeepIsAConflict) {
   EXPECT_TRUE(rc::check([] {
-    Scene scene(0);
+    const float allowed_px = *rc::gen::element(0.4f, kOverlap_px, 2.5f);
+    Scene scene(overlapping_by(allowed_px));
     scene.add(any_shape(), any_pose(200, 5));
     const std::uint32_t shape = any_shape();
     const Similarity where = pose_beside(scene.placed[0], shape, any_number(-5, 1));
@@ -208,16 +233,16 @@ TEST(PlacedOutlines, WithoutPaddingEachVertexThatLiesTooDeepIsAConflict) {
     const Outline& other = scene.placed[0];
     const Deepest of_piece = deepest_vertex(piece, other);
     const Deepest of_other = deepest_vertex(other, piece);
-    for (const Deepest& d : {of_piece, of_other}) RC_PRE(std::abs(d.depth_px - kHardDepth_px) > kByFields_px);
-    const bool piece_too_deep = of_piece.depth_px > kHardDepth_px;
-    const bool other_too_deep = of_other.depth_px > kHardDepth_px;
+    for (const Deepest& d : {of_piece, of_other}) RC_PRE(std::abs(d.depth_px - allowed_px) > kByFields_px);
+    const bool piece_too_deep = of_piece.depth_px > allowed_px;
+    const bool other_too_deep = of_other.depth_px > allowed_px;
     RC_TAG(int(piece_too_deep) + 2 * int(other_too_deep));
     const std::vector<Vec2> ways = scene.outlines.conflicts(shapes()[shape], where);
     RC_ASSERT(ways.size() == std::size_t(piece_too_deep) + std::size_t(other_too_deep));
-    const auto is_way_out = [](Vec2 way, const Deepest& d, const Outline& outer) {
+    const auto is_way_out = [allowed_px](Vec2 way, const Deepest& d, const Outline& outer) {
       if (d.depth_px >= kHopelessDepth_px) return true;  // there is no short one
-      return std::abs(double(norm(way)) - (d.depth_px - kHardDepth_px)) < kRounding_px &&
-             std::abs(depth(d.vertex + way, outer) - kHardDepth_px) < kRounding_px;
+      return std::abs(double(norm(way)) - (d.depth_px - allowed_px)) < kRounding_px &&
+             std::abs(depth(d.vertex + way, outer) - allowed_px) < kRounding_px;
     };
     if (piece_too_deep) RC_ASSERT(is_way_out(ways.front(), of_piece, other));
     if (other_too_deep) RC_ASSERT(is_way_out(ways.back() * -1.f, of_other, piece));
@@ -269,8 +294,8 @@ TEST(PlacedOutlines, TheCanvasEdgeIsANeighbour) {
   ASSERT_EQ(ways.size(), 1u);
   EXPECT_NEAR(ways[0].x, 1, 0.05);
   EXPECT_NEAR(ways[0].y, 0, 0.05);
-  EXPECT_TRUE(conflicts(0, -kHardDepth_px + 0.05f).empty());
-  EXPECT_EQ(conflicts(0, -kHardDepth_px - 0.2f).size(), 1u);
+  EXPECT_TRUE(conflicts(0, -kOverlap_px + 0.05f).empty());
+  EXPECT_EQ(conflicts(0, -kOverlap_px - 0.2f).size(), 1u);
 }
 
 TEST(PlacedOutlines, ReplacedOnesAreAsIfPlacedAfresh) {

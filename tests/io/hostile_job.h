@@ -63,7 +63,9 @@ class HostileJob {
     }
     if (below(4) == 0) return text + row();
     const io::JobKey& key = any_key();
-    const std::string line = (below(12) == 0 ? any(strange_names()) : key.name) + " = " + value_for(key) + "\n";
+    std::string name = below(12) == 0 ? any(strange_names()) : key.name;
+    if (name.ends_with("_px") && below(6) == 0) name.replace(name.size() - 3, 3, "_mm");
+    const std::string line = name + " = " + value_for(key) + "\n";
     return key.section.empty() ? line + text : text + "[" + key.section + "]\n" + line;
   }
 
@@ -124,6 +126,7 @@ class HostileJob {
       case io::JobKind::point: return "[" + end + ", " + end + "]";
       case io::JobKind::uses: return "[" + number_text(key.min) + ", " + end + "]";
       case io::JobKind::name: return "\"" + std::string(400, '*') + "\"";
+      case io::JobKind::paper_size: return "[" + end + ", " + end + "]";
       case io::JobKind::size: return "[16, " + end + "]";
       case io::JobKind::devices:
       case io::JobKind::word: return "\"" + any(key.words) + "\"";

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/job/canvas_edge.h"
 #include "io/job/canvas_file.h"
+#include "io/job/canvas_page.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {
@@ -100,8 +101,8 @@ TEST_F(CanvasFile, alpha_of_an_image_is_a_mask) {
 }
 
 TEST_F(CanvasFile, coverage_has_even_sides) {
-  const cv::Mat page(31, 45, CV_8UC4, cv::Scalar(0, 0, 0, 0));
-  const Grid<float> coverage = mask_coverage(page);
+  const CanvasPage page{cv::Mat(31, 45, CV_8UC4, cv::Scalar(0, 0, 0, 0)), 23, 16, 2};
+  const Grid<float> coverage = coverage_on_canvas(page, mask_coverage(page.bgra));
   EXPECT_EQ(coverage.width(), 46);
   EXPECT_EQ(coverage.height(), 32);
 }
@@ -116,7 +117,7 @@ TEST_F(CanvasFile, heart_of_the_example_job_has_area) {
 
 std::vector<std::vector<Vec2>> edge_of(const CanvasSpec& spec) {
   Drawers drawers(canvas_drawer_settings(spec));
-  return canvas_edge(spec, drawers);
+  return canvas_edge(spec, drawers).curves;
 }
 
 TEST_F(CanvasFile, the_edge_for_pictures_is_the_drawings_own) {
@@ -169,7 +170,7 @@ TEST_F(CanvasFile, unusable_files_and_sizes_are_mistakes) {
             std::string::npos);
   const std::string ribbon = svg("<rect width=\"9000\" height=\"9\"/>", "width=\"9000\" height=\"9\"");
   EXPECT_NE(mistake({.width_px = 500, .height_px = 500, .file = ribbon}).find("16 px or more"), std::string::npos);
-  EXPECT_NE(mistake({.width_px = 9000, .height_px = 500, .file = ribbon}).find("4096 px or less"), std::string::npos);
+  EXPECT_NE(mistake({.width_px = 9000, .height_px = 500, .file = ribbon}).find("only 9000 x 10 px"), std::string::npos);
 }
 
 TEST_F(CanvasFile, only_regular_files_are_opened) {
@@ -186,6 +187,95 @@ TEST_F(CanvasFile, large_canvases_fit_into_the_memory_of_a_drawing) {
   const std::string file = svg("<circle r=\"20\" cx=\"25\" cy=\"25\"/>", "width=\"50\" height=\"50\"");
   const Canvas canvas = load_canvas({.width_px = 4096, .height_px = 4096, .file = file});
   EXPECT_NEAR(double(canvas.area_px2) / (4096. * 4096), 3.1416 * 20 * 20 / 2500, 0.001);
+}
+
+/// Beyond what a drawing may have, the page is drawn smaller and its edge interpolated.
+TEST_F(CanvasFile, may_be_as_large_as_a_rectangle) {
+  const std::string file = svg("<rect x=\"10\" y=\"1\" width=\"1000\" height=\"11\"/><circle r=\"3\" cx=\"200\" cy=\"7\" "
+                               "fill=\"red\"/>", "width=\"1020\" height=\"13\"");
+  const CanvasSpec spec{.width_px = 20000, .height_px = 5000, .file = file};
+  const Canvas canvas = load_canvas(spec);
+  EXPECT_EQ(canvas.width_px, 20000);
+  EXPECT_NEAR(canvas.height_px, 20000 * 13 / 1020., 2);
+  const double unit_px = 20000 / 1020.;
+  EXPECT_NEAR(canvas.area_px2 / (1000 * 11 * unit_px * unit_px), 1, 0.005);
+  const float middle_px = float(canvas.height_px) / 2;
+  EXPECT_NEAR(distance_at(canvas, float(20 * unit_px), middle_px), 5.5 * unit_px, 1.5);
+  EXPECT_NEAR(distance_at(canvas, float(12 * unit_px), middle_px), 2 * unit_px, 1.5);
+  EXPECT_NEAR(distance_at(canvas, float(7 * unit_px), middle_px), -3 * unit_px, 1.5);
+  const auto edge = edge_of(spec);
+  ASSERT_EQ(edge.size(), 1u);
+  for (const Vec2 p : edge[0]) {
+    const double to_side = std::min(std::abs(p.x - 10 * unit_px), std::abs(p.x - 1010 * unit_px));
+    const double to_ends = std::min(std::abs(p.y - 1 * unit_px), std::abs(p.y - 12 * unit_px));
+    EXPECT_LT(std::min(to_side, to_ends), 2) << p.x << " " << p.y;
+  }
+}
+
+/// Of the drawing, its box at twice the resolution included.
+TEST_F(CanvasFile, fits_a_large_box_by_its_shorter_side) {
+  const std::string file = svg("<circle r=\"20\" cx=\"25\" cy=\"25\"/>", "width=\"50\" height=\"50\"");
+  const Canvas canvas = load_canvas({.width_px = 12000, .height_px = 300, .file = file});
+  EXPECT_EQ(canvas.width_px, 300);
+  EXPECT_EQ(canvas.height_px, 300);
+  EXPECT_NEAR(canvas.area_px2, 3.1416 * 120 * 120, 100);
+}
+
+/// Red above green above blue, in a field of nothing.
+const char* const kStripes =
+    "<path fill=\"#e00000\" d=\"M5 5h90v14h-90z\"/><path fill=\"#00a000\" d=\"M5 19h90v14h-90z\"/>"
+    "<path fill=\"#0000e0\" d=\"M5 33h90v12h-90z\"/>";
+
+TEST_F(CanvasFile, large_regions_lie_where_small_ones_do) {
+  const std::vector<std::string> colours{"#e00000", "#00a000", "#0000e0"};
+  const std::string file = svg(kStripes);
+  const Canvas canvas = load_canvas({.width_px = 6000, .height_px = 3000, .file = file, .region_colours = colours});
+  ASSERT_EQ(canvas.regions.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const CanvasField& field = canvas.regions[k].distance;
+    const auto at = [&](float y) { return field.value(int(3000 - field.origin.x), int(y - field.origin.y)); };
+    EXPECT_NEAR(at(60 * 12), k == 0 ? 420 : k == 1 ? -420 : -1260, 2) << k;
+    EXPECT_NEAR(at(60 * 26), k == 0 ? -420 : k == 1 ? 420 : -420, 2) << k;
+  }
+}
+
+TEST_F(CanvasFile, all_regions_together_are_bounded) {
+  CanvasSpec spec{.width_px = 12000, .height_px = 6000, .file = svg(kStripes)};
+  for (int k = 0; k < 6; ++k) spec.region_colours.push_back("#e0000" + std::to_string(k));
+  EXPECT_EQ(mistake(spec),
+            "[[regions]]: found 6 on a canvas of 72.0 million px; allowed: 400 million px in all regions together");
+}
+
+class Grounds : public CanvasFile {
+ protected:
+  std::vector<Ground> grounds(std::vector<std::string> backgrounds) {
+    const CanvasSpec spec{.width_px = 200, .height_px = 100, .file = svg(kStripes),
+                          .region_colours = {"#e00000", "#00a000", "#0000e0"}, .region_backgrounds = std::move(backgrounds)};
+    Drawers drawers(canvas_drawer_settings(spec));
+    return canvas_edge(spec, drawers).grounds;
+  }
+};
+
+TEST_F(Grounds, are_none_without_a_background) { EXPECT_TRUE(grounds({"", "", ""}).empty()); }
+
+TEST_F(Grounds, end_where_the_next_one_begins) {
+  const std::vector<Ground> stripes = grounds({"#102030", "", "#405060"});
+  ASSERT_EQ(stripes.size(), 3u);
+  EXPECT_EQ(stripes[0].colour, "#102030");
+  EXPECT_EQ(stripes[1].colour, "");
+  const float beneath_px = 8 * 200 / 4096.f;
+  const double top[] = {0, 19 * 2, 33 * 2}, bottom[] = {19 * 2 + beneath_px, 33 * 2 + beneath_px, 100};
+  for (std::size_t k = 0; k < 3; ++k) {
+    ASSERT_EQ(stripes[k].curves.size(), 1u) << "specks of another region where two colours mix";
+    double least = 1e9, most = -1e9;
+    for (const Vec2 p : stripes[k].curves[0]) {
+      EXPECT_TRUE(p.x <= 0.01f || p.x >= 199.99f || p.y <= 0.01 || p.y >= 99.99 ||
+                  std::min(std::abs(p.y - top[k]), std::abs(p.y - bottom[k])) < 0.02) << k << ": " << p.x << " " << p.y;
+      least = std::min(least, double(p.y)), most = std::max(most, double(p.y));
+    }
+    EXPECT_NEAR(std::max(least, 0.), top[k], 0.02) << k;
+    EXPECT_NEAR(std::min(most, 100.), bottom[k], 0.02) << k;
+  }
 }
 
 TEST_F(CanvasFile, a_seamless_rectangle_has_no_edge_at_its_seams) {

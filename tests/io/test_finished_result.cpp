@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/job/job_difference.h"
 #include "io/result/finished_result.h"
 #include "io/result/result_manifest.h"
 #include "sample_collage.h"
@@ -127,6 +128,16 @@ TEST(ResultDifferences, name_each_key_with_both_values) {
       result_differences(then, now),
       "; library.file: then \"\", now \"/b.h5\"; pieces.padding_px: then 0, now 2.5; stop.seconds: then 0, now 9; "
       "output.width_px: then 2000, now 500");
+}
+
+TEST(ResultDifferences, TablesCountByTheirColumns) {
+  Job then, now;
+  then.tables["regions"] = now.tables["regions"] = {{{"name", {{}, "sky"}}, {"colour", {{}, "#000000"}}}};
+  now.tables["regions"][0]["background"] = {{}, "#ffffff"};
+  EXPECT_EQ(result_differences(then, now), "; [[regions]]: others than then");
+  EXPECT_EQ(job_differences(then, now, [](const JobKey& key) { return key.decides; }), "");
+  now.tables["regions"][0]["scale_px"] = {{9, 9}, {}};
+  EXPECT_NE(job_differences(then, now, [](const JobKey& key) { return key.decides; }), "");
 }
 
 TEST(ResultDifferences, are_none_in_what_the_result_does_not_show) {

@@ -130,7 +130,7 @@ TEST_F(JobFile, names_line_key_found_and_allowed) {
 TEST_F(JobFile, names_the_nearest_key) {
   EXPECT_EQ(mistake("[pieces]\n\nscale = [20, 160]"),
             "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); "
-            "allowed in [pieces]: scale_px, sizes, rotation_deg, mirrored, uses, fit, padding_px, apart_px");
+            "allowed in [pieces]: scale_px, sizes, rotation_deg, mirrored, uses, fit, padding_px, apart_px, overlap_px");
   EXPECT_EQ(mistake("[checkpoint]\nuses = 3"),
             "job.toml:2: unknown key checkpoint.uses (did you mean pieces.uses?); "
             "allowed in [checkpoint]: every_s");
@@ -150,7 +150,7 @@ TEST_F(JobFile, reports_the_first_line_first) {
 
 TEST_F(JobFile, tells_sections_from_keys) {
   EXPECT_EQ(mistake("pieces = 3"),
-            "job.toml:1: pieces is a section with the keys scale_px, sizes, rotation_deg, mirrored, uses, fit, padding_px, apart_px, found 3");
+            "job.toml:1: pieces is a section with the keys scale_px, sizes, rotation_deg, mirrored, uses, fit, padding_px, apart_px, overlap_px, found 3");
   EXPECT_NE(mistake("[[pieces]]\nuses = 1").find("pieces is a section"), std::string::npos);
   EXPECT_NE(mistake("[seed]\nuses = 1").find("seed: found"), std::string::npos);
   EXPECT_NE(mistake("[nonsense]").find("unknown section [nonsense]"), std::string::npos);
@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "pieces.scale_px = [1, 20]", "pieces.scale_px = [20, 1e9]", "pieces.scale_px = [nan, 20]",
                     "pieces.scale_px = [1, 2, 3]", "pieces.rotation_deg = [[0, 90], [90, -90]]", "pieces.rotation_deg = [0, \"x\"]",
                     "pieces.rotation_deg = [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]", "pieces.rotation_deg = [90, -90]", "pieces.rotation_deg = [-400, 0]",
-                    "pieces.uses = -1", "pieces.uses = 1.5", "pieces.padding_px = -0.1", "match.levels = 1",
+                    "pieces.uses = -1", "pieces.uses = 1.5", "pieces.padding_px = -0.1", "pieces.overlap_px = -1", "pieces.overlap_px = 2.6", "match.levels = 1",
                     "match.levels = 7", "match.levels = \"5\"", "match.delta_tau = 0", "match.top_percent = 0",
                     "match.top_percent = 101", "match.beta = nan", "match.beta = inf", "match.tangent_dockings = 1e5",
                     "match.delta_px = 0", "objective.kind = \"Paper\"", "objective.kind = 1",
@@ -297,14 +297,15 @@ TEST_F(JobFile, a_shadow_may_lie_on_any_side) {
   EXPECT_EQ(job.output.shadow_offset_px[1], -200);
 }
 
-TEST_F(JobFile, of_a_result_only_the_output_may_change) {
+TEST_F(JobFile, of_a_result_only_output_and_colours_may_change) {
   Job job = load(minimal_, {});
-  set_output_keys(job, {"output.width_mm=100", "output.width_mm = 200", "output.background=none"});
+  set_drawing_keys(job, {"output.width_mm=100", "output.width_mm = 200", "output.background=none", "colour.palette=ink"});
   EXPECT_EQ(job.output.width_mm, 200);
+  EXPECT_EQ(job.colour.palette, std::vector<std::string>{"ink"});
   EXPECT_EQ(job.output.background, kNoColour);
-  EXPECT_EQ(test::message_of([&] { set_output_keys(job, {"seed=2"}); }),
-            "--set seed=2: allowed where a result is drawn: output.key=value");
-  EXPECT_EQ(test::message_of([&] { set_output_keys(job, {"output.dpi=x"}); }),
+  EXPECT_EQ(test::message_of([&] { set_drawing_keys(job, {"seed=2"}); }),
+            "--set seed=2: allowed where a result is drawn: output.key=value or colour.key=value");
+  EXPECT_EQ(test::message_of([&] { set_drawing_keys(job, {"output.dpi=x"}); }),
             "--set output.dpi=x: output.dpi: found \"x\", allowed: a number from 1 to 4800 px per inch");
 }
 
@@ -377,6 +378,7 @@ JobValue random_value(const JobKey& key) {
     case JobKind::point: return {{number(), number()}, {}};
     case JobKind::uses: return {{0, number()}, {}};
     case JobKind::name: return {{}, "a \"name\""};
+    case JobKind::paper_size: return {{0, 0}, {}};  // must have the aspect of the canvas
     case JobKind::size: return {{double(*rc::gen::inRange(16, 5000)), double(*rc::gen::inRange(16, 20001))}, {}};
     case JobKind::word: return {{}, *rc::gen::elementOf(key.words)};
     case JobKind::file: return {{}, "/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')) + "x"};

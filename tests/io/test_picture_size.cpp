@@ -24,6 +24,15 @@ TEST(PictureSize, on_paper_follows_from_the_resolution) {
   EXPECT_EQ(picture_size_px({.width_px = 601, .width_mm = 0, .dpi = 150}, kCanvas), cv::Size(601, 401));
 }
 
+TEST(PictureSize, on_paper_is_that_of_the_canvas) {
+  CanvasSpec spec{.width_px = 300, .height_px = 300, .file = "mask.svg"};  // a box in which the page is less high
+  EXPECT_EQ(on_paper({}, spec, kCanvas).width_mm, 0);
+  spec.width_mm = spec.height_mm = 60;
+  EXPECT_EQ(on_paper({}, spec, kCanvas).width_mm, 60);
+  EXPECT_EQ(on_paper({}, spec, make_rectangle_canvas(200, 300)).width_mm, 40);
+  EXPECT_EQ(on_paper({.width_mm = 7}, spec, kCanvas).width_mm, 7);
+}
+
 TEST(PictureSize, has_limits_in_px_either_way) {
   EXPECT_NO_THROW(check_picture_size({.width_px = 6000}, make_rectangle_canvas(16, 160)));
   EXPECT_EQ(mistake({.width_px = 6000}, make_rectangle_canvas(16, 161)),

@@ -131,7 +131,7 @@ TEST(Png, SmallPiecesAreAveragedNotSampled) {
 
 TEST(Png, OutsideOfTheRegionIsWhiteWithASmoothEdge) {
   SampleCollage sample;
-  sample.report.canvas_edge = {{{50.125f, 0}, {150, 0}, {150, 100}, {50.125f, 100}}};
+  sample.report.canvas_edge.curves = {{{50.125f, 0}, {150, 0}, {150, 100}, {50.125f, 100}}};
   sample.report.placements.clear();
   const cv::Mat picture = drawn_picture(sample.report);
   EXPECT_EQ(at(picture, 50, 100), cv::Vec3b(255, 255, 255));
@@ -146,7 +146,7 @@ TEST(Png, OutsideOfTheRegionIsWhiteWithASmoothEdge) {
 TEST(Png, WithoutABackgroundAllButThePiecesIsTransparent) {
   OneSquare sample(0.3f);
   const cv::Mat opaque = drawn_picture(sample.report);
-  sample.report.canvas_edge = {{{50, 0}, {150, 0}, {150, 100}, {50, 100}}};
+  sample.report.canvas_edge.curves = {{{50, 0}, {150, 0}, {150, 100}, {50, 100}}};
   sample.job.output.background = kNoColour;
   const cv::Mat picture = drawn_picture(sample.report);
   ASSERT_EQ(picture.type(), CV_8UC4);
@@ -343,7 +343,7 @@ class OneCore {
 TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   OneSquare sample(0.2f);
   sample.job.output.width_px = 1500;
-  sample.report.canvas_edge = {{{3.3f, 7.1f}, {190.7f, 2.2f}, {120.4f, 98.6f}}};
+  sample.report.canvas_edge.curves = {{{3.3f, 7.1f}, {190.7f, 2.2f}, {120.4f, 98.6f}}};
   sample.job.output.outline_px = 0.7;
   sample.job.output.shadow_strength = 0.6;
   for (int i = 0; i < 12; ++i) sample.place(ShapeId{7}, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));

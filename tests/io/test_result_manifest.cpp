@@ -55,7 +55,8 @@ TEST(ResultManifest, keeps_what_was_drawn_and_reads_what_earlier_versions_said) 
                        {"collage.png", {.width_px = 1177, .width_mm = 100, .dpi = 299, .background = kNoColour,
                                         .outline_px = 2, .outline_colour = "#123456", .shadow_strength = 0.25,
                                         .shadow_offset_px = {-1, 7}, .shadow_blur_px = 9, .clip = kNoClip,
-                                        .keep_out = "artwork"}}};
+                                        .keep_out = "artwork"},
+                         std::vector<std::string>{"#123456"}}};
   write_manifest(dir, manifest);
   EXPECT_EQ(read_manifest(dir).pictures, manifest.pictures);
   std::ifstream file(scratch.path(kManifestName));

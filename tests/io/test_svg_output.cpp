@@ -275,7 +275,7 @@ TEST(SvgOutput, ShapesWithoutArtworkAreSilhouettes) {
 
 TEST(SvgOutput, WithoutABackgroundNothingLiesUnderThePieces) {
   SampleCollage sample;
-  sample.report.canvas_edge = {{{50, 10}, {150, 10}, {150, 90}}};
+  sample.report.canvas_edge.curves = {{{50, 10}, {150, 10}, {150, 90}}};
   sample.job.output.background = kNoColour;
   const std::string svg = drawn_svg(sample.report);
   EXPECT_EQ(count(svg, "<rect"), 0u);
@@ -324,7 +324,7 @@ TEST(SvgOutput, AMaskedCanvasIsAPath) {
   Grid<float> mask(400, 200, 0.f);
   for (int y = 20; y < 180; ++y) std::fill(mask.row(y) + 100, mask.row(y) + 300, 1.f);
   sample.canvas = make_mask_canvas(mask);
-  sample.report.canvas_edge = {{{50, 10}, {150, 10}, {150, 90}, {50, 90}}, {{60, 20}, {90, 20}, {90.3f, 41}}};
+  sample.report.canvas_edge.curves = {{{50, 10}, {150, 10}, {150, 90}, {50, 90}}, {{60, 20}, {90, 20}, {90.3f, 41}}};
   EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), drawn_picture(sample.report)), 1.2);
 }
 
@@ -386,6 +386,20 @@ TEST(SvgOutput, LettersMayBeAnImage) {
   const cv::Mat picture = drawn_picture(collage.report);
   EXPECT_EQ(picture.at<cv::Vec3b>(180, 200), cv::Vec3b(0xc0, 0x40, 0x20));
   EXPECT_LT(mean_difference(picture, drawn(drawn_svg(collage.report), 400)), 0.5);
+}
+
+TEST(SvgOutput, GroundsOfRegionsAreCutOffAtTheEdge) {
+  SampleCollage sample;
+  sample.report.canvas_edge.curves = {{{50, 10}, {150, 10}, {140, 90}, {50, 90}}};
+  sample.report.canvas_edge.grounds = {{{{{-4, -4}, {204, -4}, {204, 45}, {-4, 42}}}, "#205080"},
+                                       {{{{-4, 40}, {204, 43}, {204, 104}, {-4, 104}}}, ""}};
+  const cv::Mat picture = drawn_picture(sample.report);
+  EXPECT_LT(mean_difference(drawn(drawn_svg(sample.report), 400), picture), 1.2);
+  EXPECT_EQ(picture.at<cv::Vec3b>(30, 120), cv::Vec3b(0x80, 0x50, 0x20));
+  EXPECT_EQ(picture.at<cv::Vec3b>(170, 120), cv::Vec3b(0xc0, 0xe0, 0xff)) << "the background of the canvas";
+  EXPECT_EQ(picture.at<cv::Vec3b>(30, 20), cv::Vec3b(255, 255, 255)) << "outside";
+  sample.job.output.background = kNoColour;
+  EXPECT_EQ(drawn_svg(sample.report).find("#205080"), std::string::npos);
 }
 
 }  // namespace

@@ -69,12 +69,10 @@ TEST(Distances, KeepsThePaddingWithAnySizesAndRotations) {
   }
 }
 
-/// However thin a tip is, no vertex of a piece lies deep in another.
-TEST(Distances, NoVertexLiesDeepInAnotherPiece) {
-  const Canvas canvas = make_rectangle_canvas(300, 220);
-  const std::vector<Placement> placements = run(canvas, settings()).placements;
+/// How deep a vertex of one of the pieces lies in another, px; below 0 where none does.
+float deepest_vertex_px(const std::vector<Placement>& placements) {
   const std::vector<Outline> outlines = written_outlines(placements);
-  float deepest = 0;
+  float deepest = -1e9f;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     for (std::size_t k = 0; k < outlines.size(); ++k) {
       const Vec2 apart = placements[i].canvas_from_shape.translation() - placements[k].canvas_from_shape.translation();
@@ -82,7 +80,32 @@ TEST(Distances, NoVertexLiesDeepInAnotherPiece) {
       for (const Vec2 p : outlines[i].curves[0]) deepest = std::max(deepest, -test::signed_distance(outlines[k], p));
     }
   }
-  EXPECT_LE(deepest, kHardDepth_px + 0.01f);
+  return deepest;
+}
+
+/// However thin a tip is, no vertex of a piece lies deeper in another than is allowed.
+TEST(Distances, NoVertexLiesDeepInAnotherPiece) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  EXPECT_LE(deepest_vertex_px(run(canvas, settings()).placements), PieceSettings().overlap_px + 0.01f);
+  CollageSettings little = settings();
+  little.pieces.overlap_px = 0.5f;
+  const float deepest_px = deepest_vertex_px(run(canvas, little).placements);
+  EXPECT_LE(deepest_px, 0.51f);
+  EXPECT_GT(deepest_px, 0.25f) << "what is allowed is not used";
+}
+
+TEST(Distances, WithoutOverlapNoPieceReachesIntoAnother) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    CollageSettings s = settings();
+    s.seed = seed;
+    s.pieces.overlap_px = 0;
+    const CollageResult result = run(canvas, s);
+    EXPECT_LE(deepest_vertex_px(result.placements), 0.002f) << "seed " << seed;
+    EXPECT_GE(least_distance_px(canvas, result.placements), 0) << "beyond the edge, seed " << seed;
+    EXPECT_GT(quality(canvas, result).coverage, 0.6);
+    EXPECT_LT(quality(canvas, result).overlap, 1e-4);
+  }
 }
 
 /// Lines that are thinner than the depth at which pieces may lie in each other: they must not lie on one another.

@@ -91,7 +91,7 @@ TEST(Seamless, NoVertexLiesDeepInAnImageOfAPiece) {
   each_neighbours(both_ways(), run(both_ways(), settings()).placements, [&](const Outline& a, const Outline& b) {
     for (const Vec2 p : a.curves[0]) deepest = std::max(deepest, -test::signed_distance(b, p));
   });
-  EXPECT_LE(deepest, kHardDepth_px + 0.01f);
+  EXPECT_LE(deepest, PieceSettings().overlap_px + 0.01f);
 }
 
 /// Most pieces that would fit into the endless plane would reach their own images.
@@ -103,8 +103,8 @@ TEST(Seamless, NoPieceIsAsLongAsThePeriod) {
   EXPECT_GT(result.placements.size(), 2u);
   for (const Placement& p : result.placements) {
     const Box box = bounding_box(outline_at(p, {}).curves.front());
-    EXPECT_LE(box.width(), 70 + kHardDepth_px);
-    EXPECT_LE(box.height(), 60 + kHardDepth_px);
+    EXPECT_LE(box.width(), 70 + PieceSettings().overlap_px);
+    EXPECT_LE(box.height(), 60 + PieceSettings().overlap_px);
   }
   const Quality q = quality(canvas, result);
   EXPECT_LT(q.overlap, 0.02);

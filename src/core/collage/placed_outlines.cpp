@@ -78,6 +78,12 @@ auto key_of(const Placement& p) {
   return std::tuple(p.shape, s.a, s.b, s.tx, s.ty);
 }
 
+/// Between two boundaries; negative: how deep one may reach into the other.
+float needed_px(const PieceSettings& pieces) {
+  const bool apart = pieces.padding_px > 0 || pieces.overlap_px == 0;
+  return apart ? pieces.padding_px + kWritten_px : -pieces.overlap_px;
+}
+
 }  // namespace
 
 Outline placed_outline(const Outline& outline, const Similarity& canvas_from_shape) {
@@ -90,7 +96,7 @@ Outline placed_outline(const Outline& outline, const Similarity& canvas_from_sha
 
 PlacedOutlines::PlacedOutlines(const FreeField& free, const PieceSettings& pieces)
     : free_(free),
-      needed_px_(pieces.padding_px > 0 ? pieces.padding_px + kWritten_px : -kHardDepth_px) {}
+      needed_px_(needed_px(pieces)) {}
 
 void PlacedOutlines::add(const Placement& placement, const Outline& outline) {
   placed_.push_back({placement, std::make_shared<PolygonIndex>(placed_outline(outline, placement.canvas_from_shape))});

@@ -39,8 +39,8 @@ Canvas make_seamless_canvas(int width_px, int height_px, bool in_x, bool in_y) {
   return canvas;
 }
 
-Canvas make_mask_canvas(const Grid<float>& coverage) {
-  const int rim = 2 * kCanvasMargin;
+Canvas make_mask_canvas(const Grid<float>& coverage, int cells_per_px) {
+  const int rim = cells_per_px * kCanvasMargin;
   Grid<std::uint8_t> inside(coverage.width() + 2 * rim, coverage.height() + 2 * rim, 0);
   Grid<std::uint8_t> outside(inside.width(), inside.height(), 1);
   double area = 0;
@@ -52,23 +52,25 @@ Canvas make_mask_canvas(const Grid<float>& coverage) {
       area += in;
     }
   }
-  Canvas canvas = empty_canvas(coverage.width() / 2, coverage.height() / 2);
-  canvas.area_px2 = area / 4;
+  Canvas canvas = empty_canvas(coverage.width() / cells_per_px, coverage.height() / cells_per_px);
+  canvas.area_px2 = area / (cells_per_px * cells_per_px);
   if (area == 0) {
     canvas.distance.value = Grid<float>(canvas.distance.value.width(), canvas.distance.value.height(), -1.f);
     return canvas;
   }
   const Grid<float> to_outside = squared_distance_to(outside);
   const Grid<float> to_inside = squared_distance_to(inside);
-  // Half-pixel nodes: the boundary runs midway between the last node inside and the first outside.
+  const float cell_px = 1.f / float(cells_per_px);
+  // The boundary runs midway between the last cell inside and the first outside.
   const auto signed_px = [&](int x, int y) {
-    return 0.5f * (inside(x, y) ? std::sqrt(to_outside(x, y)) - 0.5f : 0.5f - std::sqrt(to_inside(x, y)));
+    return cell_px * (inside(x, y) ? std::sqrt(to_outside(x, y)) - 0.5f : 0.5f - std::sqrt(to_inside(x, y)));
   };
   Grid<float>& d = canvas.distance.value;
   for (int j = 0; j < d.height(); ++j) {
     for (int i = 0; i < d.width(); ++i) {
-      d(i, j) = 0.25f * (signed_px(2 * i, 2 * j) + signed_px(2 * i + 1, 2 * j) + signed_px(2 * i, 2 * j + 1) +
-                         signed_px(2 * i + 1, 2 * j + 1));
+      d(i, j) = cells_per_px == 1 ? signed_px(i, j)
+                                  : 0.25f * (signed_px(2 * i, 2 * j) + signed_px(2 * i + 1, 2 * j) +
+                                             signed_px(2 * i, 2 * j + 1) + signed_px(2 * i + 1, 2 * j + 1));
     }
   }
   return canvas;

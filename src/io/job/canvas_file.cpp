@@ -19,25 +19,6 @@ constexpr int kMinCanvas_px = 16;
 
 }  // namespace
 
-std::vector<std::uint8_t> read_canvas_file(const std::string& path, const char* key) {
-  try {
-    return read_artwork_file(path);
-  } catch (const InputError& error) {
-    throw InputError(std::string(key) + ": " + error.what());
-  }
-}
-
-cv::Mat page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers) {
-  const int side = std::max(box_px.width, box_px.height);
-  const cv::Mat page = drawers.render(bytes, path, side);
-  const double fit = std::min(double(box_px.width) / page.cols, double(box_px.height) / page.rows);
-  return fit >= 1 ? page : drawers.render(bytes, path, std::max(1, int(fit * side)));
-}
-
-cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers) {
-  return page_in_box(read_canvas_file(spec.file), spec.file, {2 * spec.width_px, 2 * spec.height_px}, drawers);
-}
-
 bool has_transparency(const cv::Mat& page) {
   constexpr int kRim_px = 2;
   if (page.cols <= 2 * kRim_px || page.rows <= 2 * kRim_px) return false;
@@ -63,12 +44,6 @@ cv::Mat region(const cv::Mat& page) {
   return alpha;
 }
 
-void check_box(const CanvasSpec& spec) {
-  if (std::max(spec.width_px, spec.height_px) <= kMaxMaskCanvas_px) return;
-  throw InputError("canvas.size_px: found [" + std::to_string(spec.width_px) + ", " + std::to_string(spec.height_px) +
-                   "], allowed with a canvas.file: " + std::to_string(kMaxMaskCanvas_px) + " px or less each");
-}
-
 void check_no_file(const CanvasSpec& spec) {
   if (spec.seamless == Seamless::none) return;
   const std::string& found = find_job_key("canvas", "seamless")->words[std::size_t(spec.seamless)];
@@ -80,7 +55,7 @@ void check_no_file(const CanvasSpec& spec) {
 
 Grid<float> mask_coverage(const cv::Mat& page) {
   const cv::Mat inside = region(page);
-  Grid<float> coverage(inside.cols + inside.cols % 2, inside.rows + inside.rows % 2, 0.f);
+  Grid<float> coverage(inside.cols, inside.rows);
   for (int y = 0; y < inside.rows; ++y) std::copy_n(inside.ptr<float>(y), inside.cols, coverage.row(y));
   return coverage;
 }
@@ -95,13 +70,14 @@ void check_images(const Canvas& canvas, const PieceSettings& pieces) {
 }
 
 Grid<float> canvas_coverage(const cv::Mat& page, const CanvasSpec& spec) {
-  return spec.region_colours.empty() ? mask_coverage(page) : region_coverage(page, spec);
+  return spec.region_colours.empty() ? mask_coverage(page) : region_coverage(page, region_labels(page, spec));
 }
 
 /// A page of the largest size may take three times its pixels.
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds, int side_px) {
   constexpr std::size_t kMebibyte = std::size_t(1) << 20;
-  const std::size_t side = std::size_t(std::max({2 * spec.width_px, 2 * spec.height_px, side_px}));
+  const int largest_px = std::max({2 * spec.width_px, 2 * spec.height_px, side_px});
+  const std::size_t side = std::size_t(std::min(largest_px, kMaxArtworkSide_px));
   return {.seconds_per_drawing = seconds,
           .bytes_per_process = std::max(512 * kMebibyte, 256 * kMebibyte + 3 * 4 * side * side)};
 }
@@ -120,20 +96,18 @@ Canvas canvas_without_zones(const CanvasSpec& spec, Drawers& drawers) {
                                 both || spec.seamless == Seamless::y);
   }
   check_no_file(spec);
-  check_box(spec);
-  const cv::Mat page = canvas_page(spec, drawers);
-  const Grid<float> coverage = canvas_coverage(page, spec);
-  if (std::min(coverage.width(), coverage.height()) < 2 * kMinCanvas_px) {
-    throw InputError("canvas file " + spec.file + ": only " + std::to_string(coverage.width() / 2) + " x " +
-                     std::to_string(coverage.height() / 2) + " px in the box of canvas.size_px, allowed: " +
+  const CanvasPage page = canvas_page(spec, drawers);
+  if (std::min(page.width_px, page.height_px) < kMinCanvas_px) {
+    throw InputError("canvas file " + spec.file + ": only " + std::to_string(page.width_px) + " x " +
+                     std::to_string(page.height_px) + " px in the box of canvas.size_px, allowed: " +
                      std::to_string(kMinCanvas_px) + " px or more each");
   }
-  Canvas canvas = make_mask_canvas(coverage);
+  Canvas canvas = make_mask_canvas(coverage_on_canvas(page, canvas_coverage(page.bgra, spec)), page.cells_per_px);
   if (canvas.area_px2 <= 0) {
     throw InputError("canvas file " + spec.file + ": no area to fill; needed: an opaque silhouette on a transparent " +
                      "page or a plain background");
   }
-  canvas.regions = canvas_regions(page, spec);
+  if (!spec.region_colours.empty()) canvas.regions = canvas_regions(page, region_labels(page.bgra, spec), spec);
   return canvas;
 }
 

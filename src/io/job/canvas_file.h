@@ -31,25 +31,13 @@ Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing,
                                       int side_px = kEdgeSide_px);
 
-/// The bytes of canvas.file, or of the file of another key. Throws InputError.
-std::vector<std::uint8_t> read_canvas_file(const std::string& path, const char* key = "canvas.file");
-
-/// The longest side of a canvas with a mask, which is drawn at twice its resolution.
-inline constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;
-
-/// The largest page with the artwork's aspect that fits into the box, as straight BGRA. Errors as Drawers::render.
-cv::Mat page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers);
-
 /// Half transparent or more somewhere, the rim apart: drawing blurs the edge of an opaque page.
 bool has_transparency(const cv::Mat& page);
-
-/// The page of the spec's file as load_canvas sees it: straight BGRA at twice the canvas' resolution. Errors as load_canvas.
-cv::Mat canvas_page(const CanvasSpec& spec, Drawers& drawers);
 
 /// Throws InputError where the images beside a seamless canvas make it larger than a canvas may be.
 void check_images(const Canvas& canvas, const PieceSettings& pieces);
 
-/// The region in a page of straight BGRA, as coverage 0..1 of each pixel, the sizes rounded up to even ones: the alpha
+/// The region in a page of straight BGRA, as coverage 0..1 of each pixel: the alpha
 /// where the page is transparent anywhere, else what differs from the colour that prevails along its edge (mask.h).
 Grid<float> mask_coverage(const cv::Mat& page);
 

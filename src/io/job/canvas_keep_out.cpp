@@ -4,10 +4,15 @@
 
 #include "core/base/error.h"
 #include "core/field/keep_out.h"
+#include "io/artwork/artwork_render.h"
 #include "io/job/canvas_file.h"
+#include "io/job/canvas_page.h"
 
 namespace tessera::io {
 namespace {
+
+/// The longest side of a canvas with such a file, which is drawn at twice its resolution.
+constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;
 
 void check_size(const CanvasSpec& spec, const Canvas& canvas) {
   if (std::max(canvas.width_px, canvas.height_px) <= kMaxMaskCanvas_px) return;
@@ -21,7 +26,8 @@ Grid<float> coverage_of_file(const CanvasSpec& spec, Drawers& drawers, const Can
   check_size(spec, canvas);
   const cv::Size box_px(2 * canvas.width_px, 2 * canvas.height_px);
   const auto bytes = read_canvas_file(spec.keep_out, "canvas.keep_out");
-  const Grid<float> page = mask_coverage(page_in_box(bytes, spec.keep_out, box_px, drawers));
+  const CanvasPage drawn = page_in_box(bytes, spec.keep_out, {canvas.width_px, canvas.height_px}, drawers);
+  const Grid<float> page = mask_coverage(drawn.bgra);
   Grid<float> coverage(box_px.width, box_px.height, 0.f);
   const int left = (box_px.width - page.width()) / 2;
   const int top = (box_px.height - page.height()) / 2;

@@ -5,6 +5,8 @@
 
 #include "core/base/error.h"
 #include "io/artwork/mask.h"
+#include "io/job/job_keys.h"
+#include "io/number_text.h"
 
 namespace tessera::io {
 namespace {
@@ -55,30 +57,52 @@ std::vector<cv::Vec3i> colours_of(const cv::Mat& page, const CanvasSpec& spec) {
   return colours;
 }
 
-/// Of the places whose nearest colour `counts`.
+/// Of the places whose label `counts`.
 template <class Counts>
-Grid<float> coverage_where(const cv::Mat& page, const std::vector<cv::Vec3i>& colours, Counts counts) {
-  Grid<float> coverage(page.cols + page.cols % 2, page.rows + page.rows % 2, 0.f);
+Grid<float> coverage_where(const cv::Mat& page, const cv::Mat_<short>& labels, Counts counts) {
+  Grid<float> coverage(page.cols, page.rows, 0.f);
   for (int y = 0; y < page.rows; ++y) {
     for (int x = 0; x < page.cols; ++x) {
-      const cv::Vec4b& pixel = page.at<cv::Vec4b>(y, x);
-      if (counts(nearest_colour(pixel, colours))) coverage(x, y) = float(pixel[3]) / 255;
+      if (counts(labels(y, x))) coverage(x, y) = float(page.at<cv::Vec4b>(y, x)[3]) / 255;
     }
   }
   return coverage;
 }
 
-}  // namespace
-
-Grid<float> region_coverage(const cv::Mat& page, const CanvasSpec& spec) {
-  return coverage_where(page, colours_of(page, spec), [&](std::size_t k) { return k < spec.region_colours.size(); });
+/// Each region has a field as large as the canvas.
+void check_memory(const CanvasPage& page, std::size_t regions) {
+  constexpr double kMostFields_px2 = 4 * kMaxCanvas_px2;
+  const double canvas_px2 = double(page.width_px) * page.height_px;
+  if (double(regions) * canvas_px2 <= kMostFields_px2) return;
+  throw InputError("[[regions]]: found " + std::to_string(regions) + " on a canvas of " + fixed(canvas_px2 / 1e6, 1) +
+                   " million px; allowed: " + fixed(kMostFields_px2 / 1e6, 0) + " million px in all regions together");
 }
 
-std::vector<CanvasRegion> canvas_regions(const cv::Mat& page, const CanvasSpec& spec) {
+}  // namespace
+
+cv::Mat_<short> region_labels(const cv::Mat& page, const CanvasSpec& spec) {
   const std::vector<cv::Vec3i> colours = colours_of(page, spec);
+  cv::Mat_<short> labels(page.size());
+  for (int y = 0; y < page.rows; ++y) {
+    for (int x = 0; x < page.cols; ++x) {
+      const std::size_t nearest = nearest_colour(page.at<cv::Vec4b>(y, x), colours);
+      labels(y, x) = short(nearest < spec.region_colours.size() ? int(nearest) : kNoRegion);
+    }
+  }
+  return labels;
+}
+
+Grid<float> region_coverage(const cv::Mat& page, const cv::Mat_<short>& labels) {
+  return coverage_where(page, labels, [](int label) { return label != kNoRegion; });
+}
+
+std::vector<CanvasRegion> canvas_regions(const CanvasPage& page, const cv::Mat_<short>& labels,
+                                         const CanvasSpec& spec) {
+  check_memory(page, spec.region_colours.size());
   std::vector<CanvasRegion> regions;
   for (std::size_t region = 0; region < spec.region_colours.size(); ++region) {
-    Canvas part = make_mask_canvas(coverage_where(page, colours, [&](std::size_t k) { return k == region; }));
+    const Grid<float> coverage = coverage_where(page.bgra, labels, [&](int label) { return label == int(region); });
+    Canvas part = make_mask_canvas(coverage_on_canvas(page, coverage), page.cells_per_px);
     if (part.area_px2 <= 0) {
       throw InputError("canvas file " + spec.file + ": no place of it is nearest to " + spec.region_colours[region] +
                        ", the colour of one of [[regions]]");

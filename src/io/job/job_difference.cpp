@@ -5,6 +5,16 @@
 
 namespace tessera::io {
 
+namespace {
+
+/// The rows without the columns that do not count.
+std::string rows_text(JobTable table, const Job& job, const std::function<bool(const JobKey&)>& counts) {
+  std::erase_if(table.columns, [&](const JobKey& column) { return !counts(column); });
+  return table_to_toml(table, job);
+}
+
+}  // namespace
+
 std::string job_differences(const Job& then, const Job& now, const std::function<bool(const JobKey&)>& counts) {
   std::string text;
   for (const JobKey& key : job_keys()) {
@@ -12,7 +22,7 @@ std::string job_differences(const Job& then, const Job& now, const std::function
     text += "; " + key.full_name() + ": then " + job_value_to_toml(key, then) + ", now " + job_value_to_toml(key, now);
   }
   for (const JobTable& table : job_tables()) {
-    if (table_to_toml(table, then) != table_to_toml(table, now)) text += "; [[" + table.name + "]]: others than then";
+    if (rows_text(table, then, counts) != rows_text(table, now, counts)) text += "; [[" + table.name + "]]: others than then";
   }
   return text;
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/job/job_value.h"
+#include "io/job/millimetres.h"
 #include "io/job/palette.h"
 #include "io/nearest_name.h"
 #include "io/utf8_text.h"
@@ -106,7 +107,33 @@ std::string did_you_mean(const std::string& nearest) {
                    "; allowed " + place + ": " + joined(key_names(entry.section)));
 }
 
+/// The canvas length in px that the name means, of the keys that `find` finds; null where it is none in mm.
+template <class Find>
+const JobKey* length_in_mm(const std::string& name, Find find) {
+  const std::string in_px = name_in_px(name);
+  const JobKey* key = in_px.empty() || find(name) ? nullptr : find(in_px);
+  return key && is_canvas_length(*key) ? key : nullptr;
+}
+
+const JobKey* length_in_mm(const JobEntry& entry) {
+  return length_in_mm(entry.name, [&](const std::string& name) { return find_job_key(entry.section, name); });
+}
+
+/// The px of a length in mm. `about` begins the message.
+JobValue length_in_px(const JobKey& key, const toml::node& node, const CanvasSpec& canvas, const std::string& about) {
+  const double px = px_per_mm(canvas);
+  if (px == 0) {
+    throw InputError(about + ": found " + found_text(node) + "; needed: canvas.size_mm, the canvas' size on paper");
+  }
+  const JobKey in_mm = key_in_mm(key, px);
+  const auto value = read_job_value(in_mm, node);
+  if (!value) throw InputError(about + ": found " + found_text(node) + ", allowed: " + allowed_values(in_mm));
+  return value_in_px(key, *value, px);
+}
+
 }  // namespace
+
+bool is_length_in_mm(const JobEntry& entry) { return length_in_mm(entry) != nullptr; }
 
 std::string printable(std::string text, std::size_t max_bytes) {
   std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
@@ -129,6 +156,10 @@ bool is_job_section(const std::string& name) {
 
 void apply_entry(const JobEntry& entry, Job& job) {
   if (!entry.section.empty() && !is_job_section(entry.section)) fail_unknown_section(entry);
+  if (const JobKey* length = length_in_mm(entry)) {
+    length->set(job, length_in_px(*length, *entry.value, job.canvas, entry.where + ": " + full_name(entry)));
+    return;
+  }
   const JobKey* key = find_job_key(entry.section, entry.name);
   if (!key) fail_unknown_key(entry);
   auto value = read_job_value(*key, *entry.value);
@@ -153,7 +184,14 @@ void add_row(const JobTable& table, const toml::table& row, const std::function<
   JobRow cells;
   for (const auto& [name, node] : row) {
     const std::string text(name.str());
-    const JobKey* column = find_column(table, text);
+    const auto find = [&](const std::string& column) { return find_column(table, column); };
+    const std::string about = where(node) + ": [[" + table.name + "]] " + text;
+    if (const JobKey* length = length_in_mm(text, find)) {
+      if (row.contains(length->name)) throw InputError(about + " and " + length->name + kBothAreGiven);
+      cells[length->name] = length_in_px(*length, node, job.canvas, about);
+      continue;
+    }
+    const JobKey* column = find(text);
     if (!column) {
       throw InputError(where(node) + ": unknown key " + printable(text) +
                        did_you_mean(nearest_name(text, column_names(table))) + "; allowed in [[" + table.name +
@@ -161,8 +199,7 @@ void add_row(const JobTable& table, const toml::table& row, const std::function<
     }
     const auto value = read_job_value(*column, node);
     if (!value || (column->required && *value == JobValue{})) {
-      throw InputError(where(node) + ": [[" + table.name + "]] " + text + ": found " + found_text(node) +
-                       ", allowed: " + allowed_values(*column));
+      throw InputError(about + ": found " + found_text(node) + ", allowed: " + allowed_values(*column));
     }
     cells[text] = *value;
   }

@@ -21,6 +21,11 @@ struct JobEntry {
 
 /// "[1, 2]" as TOML, under the name "value"; what is not one TOML value is a string: a path, a colour, "0,2".
 toml::table parse_value(const std::string& text);
+/// Behind the names of a length in px and the same one in mm.
+inline constexpr const char* kBothAreGiven = ": both are given; allowed: one of them";
+
+/// Whether it gives a length of the canvas in mm (millimetres.h), which needs the canvas' size in px and mm to be known.
+bool is_length_in_mm(const JobEntry& entry);
 
 /// Sets the key in `job`. Throws InputError: an unknown section or key with the nearest one, or the value found and
 /// what is allowed.

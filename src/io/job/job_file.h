@@ -23,6 +23,9 @@ struct CanvasSpec {
   std::string file;   // SVG or image mask, absolute path; empty = the rectangle
   Seamless seamless = Seamless::none;  // of a rectangle
   std::vector<std::string> region_colours = {};  // of `file`: each place belongs to the nearest; empty: one region
+  std::vector<std::string> region_backgrounds = {};  // as many, what pictures show there; empty: OutputSpec::background
+  double width_mm = 0;  // of the rectangle or the box on paper; 0 = it has no size there
+  double height_mm = 0;
   std::string keep_out = {};  // SVG or image, absolute path: what it shows is kept out of; empty = nothing
   std::vector<KeepOutRectangle> keep_out_rectangles = {};
 };
@@ -112,9 +115,9 @@ struct Job {
 /// Throws InputError that names file and line (or the override), key, what was found and what is allowed.
 Job load_job(const std::string& path, const std::vector<std::string>& overrides);
 
-/// Sets keys of the section [output] alone, which may be others than when the collage was made. Throws InputError as
-/// load_job does, and where the key is of another section.
-void set_output_keys(Job& job, const std::vector<std::string>& overrides);
+/// Sets keys of the sections [output] and [colour] alone, which may be others than when the collage was made. Throws
+/// InputError as load_job does, and where the key is of another section.
+void set_drawing_keys(Job& job, const std::vector<std::string>& overrides);
 
 /// The effective job with every key, readable by load_job, which then gives the same values bit by bit.
 std::string to_toml(const Job& job);

@@ -116,6 +116,10 @@ void add_input_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_pair({"canvas", "size_px", size, "px", 16, 20000, {},
                             "width and height of the rectangle, or of the box that the mask in `file` is scaled into"},
                            FIELD(canvas.width_px), FIELD(canvas.height_px)));
+  keys.push_back(with_pair({"canvas", "size_mm", paper_size, "mm", 1, 20000, {},
+                            "its size on paper: lengths may then be given in mm; [0, 0] = none"},
+                           FIELD(canvas.width_mm), FIELD(canvas.height_mm)));
+  keys.back().decides = false;
   keys.push_back(with_text({"canvas", "file", file, "", 0, 0, {},
                             "SVG or image whose silhouette is filled; empty = rectangle"},
                            FIELD(canvas.file)));
@@ -173,6 +177,10 @@ void add_piece_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"pieces", "apart_px", number, "px", 0, 20000, {},
                               "distance kept between the outlines of two pieces of one silhouette; 0 = any"},
                              FIELD(settings.pieces.apart_px)));
+  keys.push_back(with_number({"pieces", "overlap_px", number, "px", 0, 2.5, {},
+                              "without padding: how deep a corner of a piece may lie in another, and beyond the canvas' "
+                              "edge; 0 = pieces do not overlap"},
+                             FIELD(settings.pieces.overlap_px)));
 }
 
 /// levels, delta_tau: paper, section 5. top_percent, beta: trial; the paper's beta = 0.4 lets two thirds of all pairs

@@ -18,6 +18,7 @@ enum class JobKind {
   point,            // [x, y]
   uses,             // at most so many, or [at least, at most]
   size,             // [width, height] of whole numbers
+  paper_size,       // [width, height] of numbers, or [0, 0]
   word,             // one of JobKey::words
   name,             // a text
   file,             // a path

@@ -1,6 +1,7 @@
 // load_job: the file's entries in the order of its lines, then the overrides, each checked against its key.
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include "core/base/error.h"
 #include "io/job/job_entry.h"
 #include "io/job/job_keys.h"
+#include "io/job/millimetres.h"
 #include "io/job/wishes_file.h"
 
 namespace tessera::io {
@@ -108,7 +110,8 @@ std::string without_blanks(std::string text) {
 
 std::string place_of(const std::string& override) { return "--set " + printable(override); }
 
-void apply_override(const std::string& text, Job& job) {
+/// `table` keeps the value.
+JobEntry entry_of(const std::string& text, toml::table& table) {
   const std::string where = place_of(text);
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0) throw InputError(where + ": allowed: section.key=value");
@@ -118,13 +121,79 @@ void apply_override(const std::string& text, Job& job) {
   const std::string name = without_blanks(text.substr(0, equals));
   const auto dot = name.find('.');
   const bool top_level = dot == std::string::npos;
-  const toml::table table = parse_value(text.substr(equals + 1));
-  apply_entry({.section = top_level ? "" : name.substr(0, dot),
-               .name = top_level ? name : name.substr(dot + 1),
-               .value = table.get("value"),
-               .where = where,
-               .base = fs::current_path()},
-              job);
+  table = parse_value(text.substr(equals + 1));
+  return {.section = top_level ? "" : name.substr(0, dot),
+          .name = top_level ? name : name.substr(dot + 1),
+          .value = table.get("value"),
+          .where = where,
+          .base = fs::current_path()};
+}
+
+/// What a job is made of: the entries of the file, then those of the command line, which win.
+class Entries {
+ public:
+  Entries(std::vector<JobEntry> of_file, const std::vector<std::string>& overrides)
+      : entries_(std::move(of_file)),
+        in_file_(entries_.size()) {
+    for (const std::string& text : overrides) entries_.push_back(entry_of(text, tables_.emplace_back()));
+  }
+
+  bool has(const std::string& section, const std::string& name) const {
+    return given_from(0, entries_.size(), section, name);
+  }
+
+  void apply_all_but_mm(Job& job) const {
+    for (const JobEntry& entry : entries_) {
+      if (!is_length_in_mm(entry)) apply_entry(entry, job);
+    }
+  }
+
+  /// When the canvas' size is known.
+  void apply_mm(Job& job) const {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const JobEntry& entry = entries_[i];
+      if (!is_length_in_mm(entry)) continue;
+      const std::string in_px = name_in_px(entry.name);
+      if (i < in_file_ && given_from(0, in_file_, entry.section, in_px)) {
+        throw InputError(entry.where + ": " + entry.section + "." + entry.name + " and " + entry.section + "." + in_px +
+                         kBothAreGiven);
+      }
+      const bool replaced = given_from(std::max(i, in_file_), entries_.size(), entry.section, in_px);
+      if (!replaced) apply_entry(entry, job);
+    }
+  }
+
+ private:
+  bool given_from(std::size_t begin, std::size_t end, const std::string& section, const std::string& name) const {
+    return std::any_of(entries_.begin() + std::ptrdiff_t(begin), entries_.begin() + std::ptrdiff_t(end),
+                       [&](const JobEntry& entry) { return entry.section == section && entry.name == name; });
+  }
+
+  std::deque<toml::table> tables_;  // of the values of the command line
+  std::vector<JobEntry> entries_;
+  std::size_t in_file_;
+};
+
+/// The size in px, where the job gives that in mm.
+void set_size_on_paper(bool px_are_given, Job& job) {
+  if (job.canvas.width_mm == 0) return;
+  try {
+    if (!px_are_given) set_default_px(job.canvas);
+    check_aspect(job.canvas);
+  } catch (const InputError& error) {
+    throw InputError(job.path + ": " + error.what());
+  }
+}
+
+/// What the canvas and the pictures need of [[regions]].
+void set_regions(Job& job) {
+  const auto rows = job.tables.find("regions");
+  if (rows == job.tables.end()) return;
+  for (const JobRow& region : rows->second) {
+    job.canvas.region_colours.push_back(region.at("colour").text);
+    const auto background = region.find("background");
+    job.canvas.region_backgrounds.push_back(background == region.end() ? "" : background->second.text);
+  }
 }
 
 void check_required(const Job& job) {
@@ -173,15 +242,15 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
   Job job;
   job.path = path;
   const toml::table table = parse(text, path);
-  for (const JobEntry& entry : entries_of(table, path)) apply_entry(entry, job);
+  const Entries entries(entries_of(table, path), overrides);
+  entries.apply_all_but_mm(job);
+  set_size_on_paper(entries.has("canvas", "size_px"), job);
+  entries.apply_mm(job);
   add_rows(table, path, job);
-  if (job.tables.contains("regions")) {
-    for (const JobRow& region : job.tables["regions"]) job.canvas.region_colours.push_back(region.at("colour").text);
-  }
+  set_regions(job);
   if (job.tables.contains("keep_out")) {
     for (const JobRow& row : job.tables["keep_out"]) job.canvas.keep_out_rectangles.push_back(keep_out_rectangle(row));
   }
-  for (const std::string& override : overrides) apply_override(override, job);
   if (!job.wishes.empty()) {
     add_wishes_of_file(job);
     check_size(to_toml(job), job.path + ": with the rows of library.wishes");
@@ -197,13 +266,15 @@ Job load_job(const std::string& path, const std::vector<std::string>& overrides)
   return read_job(read_bytes(path), path, overrides);
 }
 
-void set_output_keys(Job& job, const std::vector<std::string>& overrides) {
+void set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
   for (const std::string& override : overrides) {
-    if (!without_blanks(override).starts_with("output.")) {
-      throw InputError(place_of(override) + ": allowed where a result is drawn: output.key=value");
-    }
-    apply_override(override, job);
+    const std::string name = without_blanks(override);
+    if (name.starts_with("output.") || name.starts_with("colour.")) continue;
+    throw InputError(place_of(override) + ": allowed where a result is drawn: output.key=value or colour.key=value");
   }
+  const Entries entries({}, overrides);
+  entries.apply_all_but_mm(job);
+  entries.apply_mm(job);
 }
 
 Job job_from_toml(const std::string& text, const std::string& path) { return read_job(text, path, {}); }

@@ -55,6 +55,9 @@ JobTable regions_table() {
                  "parts of the canvas, by the colours of `canvas.file`; pieces stay within their region",
                  {required(column(t, "name", name, "", 0, 0, "what [[shapes]] call it")),
                   required(column(t, "colour", colour, "", 0, 0, of_the_file))}};
+  table.columns.push_back(column(t, "background", colour, "", 0, 0,
+                                 "what pictures show beneath the pieces there, instead of output.background"));
+  table.columns.back().decides = false;
   add_poses(table, " there");
   return table;
 }

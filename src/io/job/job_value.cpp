@@ -52,6 +52,13 @@ Result read_two(const JobKey& key, const toml::node& node) {
   return JobValue{*both, {}};
 }
 
+/// Both of them, or none.
+Result read_paper_size(const JobKey& key, const toml::node& node) {
+  const JobKey none{.section = {}, .name = {}, .kind = JobKind::point, .unit = {}};
+  const Result absent = read_two(none, node);
+  return absent ? absent : read_two(key, node);
+}
+
 /// [min, max], or [value] or a value, which are the interval from it to itself; appended to `pairs`.
 bool read_interval(const JobKey& key, const toml::node& node, std::vector<double>& pairs) {
   Numbers numbers;
@@ -275,6 +282,7 @@ std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node
     case JobKind::intervals: return read_intervals(key, node);
     case JobKind::point:
     case JobKind::size: return read_two(key, node);
+    case JobKind::paper_size: return read_paper_size(key, node);
     case JobKind::uses: return read_uses(key, node);
     case JobKind::devices: return read_devices(key, node);
     case JobKind::texts:
@@ -300,6 +308,8 @@ std::string allowed_values(const JobKey& key) {
     case JobKind::size:
       return with_unit(key, "[width, height], whole numbers from " + min + " to " + max) + ", " +
              number_text(kMaxCanvas_px2 / 1e6) + " million px or less in all";
+    case JobKind::paper_size:
+      return with_unit(key, "[width, height], numbers from " + min + " to " + max) + ", or [0, 0]";
     case JobKind::word: return quoted_words(key, " or ");
     case JobKind::file: return "a path";
     case JobKind::texts: return "a text, or a list of texts";

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "io/job/job_keys.h"
+#include "io/job/millimetres.h"
 #include "io/number_text.h"
 
 namespace tessera::io {
@@ -34,6 +35,11 @@ void check_whole_height(const OutputSpec& output, int width_px, const Canvas& ca
 }
 
 }  // namespace
+
+OutputSpec on_paper(OutputSpec output, const CanvasSpec& spec, const Canvas& canvas) {
+  if (output.width_mm == 0 && spec.width_mm > 0) output.width_mm = canvas.width_px / px_per_mm(spec);
+  return output;
+}
 
 int picture_width_px(const OutputSpec& output) {
   return output.width_mm == 0 ? output.width_px : int(std::lround(output.width_mm / kMmPerInch * output.dpi));

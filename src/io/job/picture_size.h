@@ -10,6 +10,9 @@ namespace tessera::io {
 
 inline constexpr double kMmPerInch = 25.4;
 
+/// Of a canvas with a size on paper (canvas.size_mm) that is the size of the pictures, where the output gives none.
+OutputSpec on_paper(OutputSpec output, const CanvasSpec& spec, const Canvas& canvas);
+
 /// Of collage.png: width_mm at its dpi where it is given, else width_px.
 int picture_width_px(const OutputSpec& output);
 cv::Size picture_size_px(const OutputSpec& output, const Canvas& canvas);

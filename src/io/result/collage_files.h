@@ -11,6 +11,7 @@
 #include "core/ranks/rank_statistics.h"
 #include "core/shape/shape.h"
 #include "io/checkpoint/checkpoint_origin.h"
+#include "io/job/canvas_edge.h"
 #include "io/job/job_file.h"
 #include "io/result/keep_out_drawing.h"
 #include "io/result/run_record.h"
@@ -22,7 +23,7 @@ namespace tessera::io {
 struct CollageReport {
   const Job* job = nullptr;
   const Canvas* canvas = nullptr;
-  std::vector<std::vector<Vec2>> canvas_edge;  // for pictures (canvas_edge.h); empty: the whole rectangle
+  CanvasEdge canvas_edge;  // for pictures
   KeepOutDrawing keep_out;  // for pictures; mostly none
   std::vector<Placement> placements;
   std::vector<ShapeId> shape_ids;

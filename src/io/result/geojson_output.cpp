@@ -10,7 +10,6 @@
 namespace tessera::io {
 namespace {
 
-constexpr int kPixelDecimals = 3;
 constexpr int kScoreDecimals = 6;
 
 /// Names and paths are whatever the file system had; what is not UTF-8 is replaced.
@@ -58,14 +57,13 @@ void append_property(const char* key, const std::string& value, std::string& tex
 void append_properties(const Placement& placement, std::size_t index, const Shape& shape, const std::string& group,
                        std::string& text) {
   const Similarity& t = placement.canvas_from_shape;
-  const double rotation_deg = double(t.rotation_rad()) * 180 / std::numbers::pi;
   text += '{';
   append_property("index", std::to_string(index), text);
   append_property("shape", quoted(shape.name), text);
   append_property("source", quoted(shape.artwork.path), text);
   if (!group.empty()) append_property("group", quoted(group), text);
   append_property("scale", fixed(t.scale(), kPixelDecimals), text);
-  append_property("rotation_deg", fixed(rotation_deg, kPixelDecimals), text);
+  append_property("rotation_deg", fixed(rotation_deg(t), kPixelDecimals), text);
   append_property("x_px", fixed(t.tx, kPixelDecimals), text);
   append_property("y_px", fixed(t.ty, kPixelDecimals), text);
   append_property("mirrored", shape.artwork.mirrored ? "true" : "false", text);
@@ -84,6 +82,10 @@ void append_feature(const Placement& placement, std::size_t index, const Shape& 
 }
 
 }  // namespace
+
+double rotation_deg(const Similarity& canvas_from_shape) {
+  return double(canvas_from_shape.rotation_rad()) * 180 / std::numbers::pi;
+}
 
 std::string geojson_text(const CollageReport& report) {
   std::string text = R"({"type":"FeatureCollection","features":[)";

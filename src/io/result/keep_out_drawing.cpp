@@ -6,6 +6,7 @@
 #include "io/job/canvas_edge.h"
 #include "io/job/canvas_file.h"
 #include "io/job/canvas_keep_out.h"
+#include "io/job/canvas_page.h"
 #include "io/job/picture_size.h"
 #include "io/result/svg_image.h"
 

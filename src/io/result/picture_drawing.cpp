@@ -33,6 +33,19 @@ void tint(cv::Mat& bgra, cv::Vec3b colour) {
   }
 }
 
+/// Lays the colour over the picture.
+void blend(const cv::Vec3b& colour, const cv::Mat& coverage, cv::Mat& bgr) {
+  for (int y = 0; y < bgr.rows; ++y) {
+    cv::Vec3b* row = bgr.ptr<cv::Vec3b>(y);
+    const std::uint8_t* covered = coverage.ptr(y);
+    for (int x = 0; x < bgr.cols; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        row[x][c] = std::uint8_t((row[x][c] * (255 - covered[x]) + colour[c] * covered[x] + 127) / 255);
+      }
+    }
+  }
+}
+
 /// A part of a piece that is drawn: rows of its box from `top` on.
 struct Tile {
   int top = 0;
@@ -145,23 +158,23 @@ class PictureBands {
     if (!opaque_) straighten(strip);
   }
 
-  /// The background colour fades over one pixel of the picture at the canvas' edge.
+  /// The colours beneath the pieces fade over one pixel of the picture at the canvas' edge.
   void draw_canvas(int top, cv::Mat& strip) const {
-    if (report_.canvas_edge.empty()) {
-      strip.setTo(cv::Scalar(background_[0], background_[1], background_[2]));
-      return;
+    const CanvasEdge& edge = report_.canvas_edge;
+    strip.setTo(cv::Scalar(background_[0], background_[1], background_[2]));
+    for (const Ground& ground : edge.grounds) {
+      const cv::Vec3b colour = ground.colour.empty() ? background_ : parse_colour(ground.colour);
+      blend(colour, coverage_of(ground.curves, top, strip), strip);
     }
-    const cv::Mat coverage = filled_coverage(report_.canvas_edge, {float(picture_px_), 0, 0, 0},
-                                             {0, top, strip.cols, strip.rows});
-    for (int y = 0; y < strip.rows; ++y) {
-      cv::Vec3b* row = strip.ptr<cv::Vec3b>(y);
-      const std::uint8_t* inside = coverage.ptr(y);
-      for (int x = 0; x < strip.cols; ++x) {
-        for (int c = 0; c < 3; ++c) {
-          row[x][c] = std::uint8_t((255 * (255 - inside[x]) + background_[c] * inside[x] + 127) / 255);
-        }
-      }
-    }
+    if (edge.curves.empty()) return;
+    cv::Mat outside;
+    cv::bitwise_not(coverage_of(edge.curves, top, strip), outside);
+    blend({255, 255, 255}, outside, strip);
+  }
+
+  /// Of each pixel of a strip that begins at row `top`, CV_8U.
+  cv::Mat coverage_of(const Curves& curves, int top, const cv::Mat& strip) const {
+    return filled_coverage(curves, {float(picture_px_), 0, 0, 0}, {0, top, strip.cols, strip.rows});
   }
 
   struct KeptTile : Tile {

@@ -10,6 +10,7 @@
 
 #include "core/base/digest.h"
 #include "core/field/piece_distance.h"
+#include "io/library/one_colour.h"
 
 namespace tessera::io {
 namespace {
@@ -62,6 +63,10 @@ std::vector<std::size_t> drawn_by_lot(const Piece& piece, std::size_t colours) {
 }
 
 }  // namespace
+
+bool draws_palette(const ColourSpec& colour, const ShapeLibrary& library) {
+  return colour.pieces == "palette" || (colour.pieces == "auto" && is_of_one_colour(library));
+}
 
 std::vector<std::string> piece_colours(const CollageReport& report, const std::vector<std::string>& palette) {
   const float padding_px = report.job->settings.pieces.padding_px;

@@ -4,14 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "io/library/shape_library.h"
 #include "io/result/collage_files.h"
 
 namespace tessera::io {
+
+/// Whether pieces are silhouettes in colours of a palette.
+bool draws_palette(const ColourSpec& colour, const ShapeLibrary& library);
 
 /// A colour for each placement. What the shape and its pose draw by lot comes first; a colour that an earlier neighbour
 /// has is passed over, so that neighbours differ wherever the palette has a colour left (else it is the one that the
 /// fewest of them have). It depends on the piece and on its earlier neighbours alone: pieces placed later change
 /// nothing, and taking one away changes at most those that lay beside it and came later. The shapes have their fields.
+/// Where a result is to be given the same colours by tessera draw, the poses must be those of as_written.
 std::vector<std::string> piece_colours(const CollageReport& report, const std::vector<std::string>& palette);
 
 }  // namespace tessera::io

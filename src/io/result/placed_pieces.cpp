@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "io/number_text.h"
+#include "io/result/geojson_output.h"
 #include "io/result/result_file.h"
 
 namespace tessera::io {
@@ -17,15 +19,22 @@ bool keep(int, json::parse_event_t event, json& parsed) {
   return event != json::parse_event_t::key || parsed != "geometry";
 }
 
+Similarity transform(double scale, double rotation_deg, double x_px, double y_px) {
+  const double angle = rotation_deg * std::numbers::pi / 180;
+  return {float(scale * std::cos(angle)), float(scale * std::sin(angle)), float(x_px), float(y_px)};
+}
+
 Similarity transform_of(const json& feature) {
   const json& properties = feature.at("properties");
   const double scale = properties.at("scale");
-  const double angle = properties.at("rotation_deg").get<double>() * std::numbers::pi / 180;
-  const Similarity t{float(scale * std::cos(angle)), float(scale * std::sin(angle)), properties.at("x_px"),
-                     properties.at("y_px")};
+  const Similarity t =
+      transform(scale, properties.at("rotation_deg"), properties.at("x_px"), properties.at("y_px"));
   if (!(scale > 0) || !std::isfinite(t.a + t.b + t.tx + t.ty)) throw InputError("a piece without a size or place");
   return t;
 }
+
+/// With the decimals of the file.
+double written(double value) { return std::stod(fixed(value, kPixelDecimals)); }
 
 }  // namespace
 
@@ -42,6 +51,15 @@ std::vector<Similarity> read_placed_pieces(const std::string& dir) {
     throw InputError(path + ": " + error.what());
   }
   return pieces;
+}
+
+std::vector<Placement> as_written(std::vector<Placement> placements) {
+  for (Placement& placement : placements) {
+    const Similarity& t = placement.canvas_from_shape;
+    placement.canvas_from_shape =
+        transform(written(t.scale()), written(rotation_deg(t)), written(t.tx), written(t.ty));
+  }
+  return placements;
 }
 
 }  // namespace tessera::io

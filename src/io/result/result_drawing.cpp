@@ -16,9 +16,11 @@
 #include "io/job/canvas_edge.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
+#include "io/job/palette.h"
 #include "io/job/picture_size.h"
 #include "io/result/card_drawing.h"
 #include "io/result/finished_result.h"
+#include "io/result/piece_colours.h"
 #include "io/result/placed_pieces.h"
 #include "io/result/picture_drawing.h"
 #include "io/result/png_stream.h"
@@ -30,9 +32,9 @@
 namespace tessera::io {
 namespace {
 
-Job job_of(const WholeResult& result, const DrawingRequest& request) {
+Job job_of(const WholeResult& result, const PictureRequest& request) {
   Job job = result.job;
-  set_output_keys(job, request.output);
+  set_drawing_keys(job, request.keys);
   if (request.library.size() == 1) {
     job.library = request.library.front();
     job.library_files.clear();
@@ -60,7 +62,7 @@ LibraryView library_of(const Job& job, const ResultManifest& manifest) {
 
 struct DrawnCanvas {
   Canvas canvas;
-  std::vector<std::vector<Vec2>> edge;
+  CanvasEdge edge;
   KeepOutDrawing keep_out;
 };
 
@@ -109,16 +111,42 @@ void add_shapes(const ShapeLibrary& library, const StopWatcher& stop, CollageRep
   }
 }
 
+/// The job's own output on paper, and what is asked for instead.
+OutputSpec output_of(const WholeResult& result, const PictureRequest& request, const Canvas& canvas) {
+  Job job = result.job;
+  job.output = on_paper(job.output, job.canvas, canvas);
+  set_drawing_keys(job, request.keys);
+  return job.output;
+}
+
+bool asks_for_colours(const PictureRequest& request) {
+  return std::any_of(request.keys.begin(), request.keys.end(),
+                     [](const std::string& key) { return key.find("colour.") < key.find('='); });
+}
+
+std::vector<std::string> distinct(std::vector<std::string> colours) {
+  std::sort(colours.begin(), colours.end());
+  colours.erase(std::unique(colours.begin(), colours.end()), colours.end());
+  return colours;
+}
+
 /// For a document of all drawings together, in which each of them has been drawn before.
 const DrawerSettings kWholeCollage{
     .processes = 1, .seconds_per_drawing = 600, .bytes_per_process = std::size_t(4) << 30};
 
+/// Where the pictures go, and what the manifest of the result says of them.
+struct PictureFolder {
+  std::string path;
+  bool is_result = true;  // else there is no manifest in it
+};
+
 /// Draws one picture after the other; the manifest always tells which of them are there.
 class ResultPictures {
  public:
-  ResultPictures(const std::string& dir, const CollageReport& report, const ResultManifest& manifest, Drawers& drawers,
-                 const StopWatcher& stop, DrawingObserver& observer)
-      : dir_(dir),
+  ResultPictures(const PictureFolder& folder, const CollageReport& report, const ResultManifest& manifest,
+                 Drawers& drawers, const StopWatcher& stop, DrawingObserver& observer)
+      : dir_(folder.path),
+        is_result_(folder.is_result),
         report_(report),
         manifest_(manifest),
         stop_(stop),
@@ -167,14 +195,17 @@ class ResultPictures {
   /// Until the new picture is there, nothing is said about the one before.
   void begin(const char* name) {
     stop_.check();
-    if (std::erase_if(manifest_.pictures, [&](const DrawnPicture& p) { return p.file == name; }) > 0) {
-      write_manifest(dir_, manifest_);
-    }
+    if (std::erase_if(manifest_.pictures, [&](const DrawnPicture& p) { return p.file == name; }) > 0) tell();
   }
 
   void end(const char* name) {
     manifest_.pictures.push_back({name, report_.job->output});
-    write_manifest(dir_, manifest_);
+    if (report_.colours != manifest_.colours) manifest_.pictures.back().colours = distinct(report_.colours);
+    tell();
+  }
+
+  void tell() const {
+    if (is_result_) write_manifest(dir_, manifest_);
   }
 
   double width_pt() const {
@@ -195,6 +226,7 @@ class ResultPictures {
   }
 
   const std::string dir_;
+  const bool is_result_;
   const CollageReport& report_;
   ResultManifest manifest_;
   const StopWatcher& stop_;
@@ -204,16 +236,19 @@ class ResultPictures {
 
 }  // namespace
 
-DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, DrawingObserver& observer) {
+DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, DrawingObserver& observer) {
   const WholeResult result = read_result(dir);
   const ResultManifest& manifest = result.manifest;
-  const Job job = job_of(result, request);
+  Job job = job_of(result, request);
+  const std::vector<std::string> palette =
+      asks_for_colours(request) ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
   Drawers drawers({.processes = available_cores()});
   const StopWatcher stop(observer, drawers);
   stop.check();
   const LibraryView library = library_of(job, manifest);
   stop.check();
   DrawnCanvas canvas = canvas_of(job, manifest, observer);
+  job.output = output_of(result, request, canvas.canvas);
   check_picture_size(job.output, canvas.canvas);
   CollageReport report;
   report.job = &job;
@@ -222,14 +257,19 @@ DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, 
   report.keep_out = std::move(canvas.keep_out);
   report.placements = placements_of(dir, manifest, library.size());
   add_shapes(library, stop, report);
-  report.colours = manifest.colours;
-  ResultPictures pictures(dir, report, manifest, drawers, stop, observer);
+  if (!asks_for_colours(request)) {
+    report.colours = manifest.colours;
+  } else if (draws_palette(job.colour, library)) {
+    report.colours = piece_colours(report, palette);
+  }
+  const bool is_result = request.to.empty();
+  ResultPictures pictures({is_result ? dir : request.to, is_result}, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
   if (request.png || request.tiff) pictures.pixels(request.png, request.tiff);
   if (request.pdf) pictures.pdf();
   DrawingNotes notes = pictures.notes();
   notes.layers = drawers.layers();
-  notes.cards = add_drawing_to_cards(dir, notes);
+  if (is_result) notes.cards = add_drawing_to_cards(dir, notes);
   return notes;
 }
 

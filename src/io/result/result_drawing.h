@@ -11,8 +11,9 @@
 namespace tessera::io {
 
 /// What is not given is as the result's job says.
-struct DrawingRequest {
-  std::vector<std::string> output;   // "output.key=value", a later one wins
+struct PictureRequest {
+  std::vector<std::string> keys;     // "output.key=value" or "colour.key=value", a later one wins
+  std::string to;                    // another folder for the pictures; empty: that of the result
   std::vector<std::string> library;  // where its files are now; empty: as in the job
   bool png = false;
   bool svg = false;
@@ -20,11 +21,12 @@ struct DrawingRequest {
   bool tiff = false;
 };
 
-/// Draws collage.svg, collage.png, collage.pdf and collage.tiff, as many as are wanted, into `dir`, and writes into the cards and the
-/// manifest what was drawn. Each picture appears whole or not at all; the same result gives the same bytes. A finished
+/// Draws collage.svg, collage.png, collage.pdf and collage.tiff, as many as are wanted, into `dir`, and writes into the
+/// cards and the manifest what was drawn; or into PictureRequest::to, a folder that is there, and the result in `dir` stays
+/// as it is. Each picture appears whole or not at all; the same result gives the same bytes. A finished
 /// and an unfinished result are drawn alike. Throws InputError where `dir` holds no result, or where library or canvas
 /// are not those that it was made with, or where a key is wrong; EnvironmentError; DrawingStopped (drawers.h): then the pictures done so far are
 /// there.
-DrawingNotes draw_result(const std::string& dir, const DrawingRequest& request, DrawingObserver& observer);
+DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, DrawingObserver& observer);
 
 }  // namespace tessera::io

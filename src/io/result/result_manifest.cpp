@@ -43,18 +43,20 @@ void check_colours(const ResultManifest& manifest) {
 
 Json to_json(const DrawnPicture& picture) {
   const OutputSpec& output = picture.output;
-  return {{"file", picture.file},
-          {"width_px", picture_width_px(output)},
-          {"width_mm", output.width_mm},
-          {"dpi", output.dpi},
-          {"background", output.background},
-          {"outline_px", output.outline_px},
-          {"outline_colour", output.outline_colour},
-          {"shadow_strength", output.shadow_strength},
-          {"shadow_offset_px", output.shadow_offset_px},
-          {"shadow_blur_px", output.shadow_blur_px},
-          {"clip", output.clip},
-          {"keep_out", output.keep_out}};
+  Json json{{"file", picture.file},
+            {"width_px", picture_width_px(output)},
+            {"width_mm", output.width_mm},
+            {"dpi", output.dpi},
+            {"background", output.background},
+            {"outline_px", output.outline_px},
+            {"outline_colour", output.outline_colour},
+            {"shadow_strength", output.shadow_strength},
+            {"shadow_offset_px", output.shadow_offset_px},
+            {"shadow_blur_px", output.shadow_blur_px},
+            {"clip", output.clip},
+            {"keep_out", output.keep_out}};
+  if (picture.colours) json["palette"] = *picture.colours;
+  return json;
 }
 
 /// Results of earlier versions say less: then it is as the defaults are.
@@ -88,6 +90,7 @@ ResultManifest from_json(const Json& json) {
   check_colours(manifest);
   for (const Json& picture : json.at("pictures")) {
     manifest.pictures.push_back({picture.at("file"), output_from_json(picture)});
+    if (picture.contains("palette")) manifest.pictures.back().colours = picture.at("palette").get<std::vector<std::string>>();
   }
   return manifest;
 }

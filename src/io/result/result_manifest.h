@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "c
 struct DrawnPicture {
   std::string file;  // its name in the folder
   OutputSpec output = {};
+  std::optional<std::vector<std::string>> colours = {};  // of a palette, where it is not drawn in ResultManifest::colours
 
   friend bool operator==(const DrawnPicture&, const DrawnPicture&) = default;
 };

@@ -54,16 +54,36 @@ const SvgLayer kKeepOutLayer{.id = "layer-keep-out", .label = "Keep out", .piece
 constexpr const char* kKeepOutClipId = "clip-keep-out";  // ids of the drawing begin with keep-out
 const SvgLayer kShadowLayer{.id = "layer-shadow", .label = "Shadow", .pieces = {}};
 
+void write_rectangle(const std::string& colour, XmlWriter& svg) {
+  svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", colour).end();
+}
+
+/// Cut off at the canvas' edge, beyond which the grounds reach: only one of the two may blur there.
+void write_grounds(const CanvasEdge& edge, const std::string& background, XmlWriter& svg) {
+  svg.start("clipPath").attribute("id", "canvas").start("path").attribute("clip-rule", "evenodd");
+  svg.attribute("d", svg_path(edge.curves, {1, 0, 0, 0})).end().end();
+  svg.start("g").attribute("clip-path", "url(#canvas)").attribute("fill-rule", "evenodd");
+  write_rectangle(background, svg);
+  for (const Ground& ground : edge.grounds) {
+    svg.start("path").attribute("fill", ground.colour.empty() ? background : ground.colour);
+    svg.attribute("d", svg_path(ground.curves, {1, 0, 0, 0})).end();
+  }
+  svg.end();
+}
+
 void write_canvas(const CollageReport& report, XmlWriter& svg) {
   const std::string& background = report.job->output.background;
+  const CanvasEdge& edge = report.canvas_edge;
   if (background == kNoColour) return;
   start_layer(kCanvasLayer, svg);
-  svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", "#ffffff").end();
-  if (report.canvas_edge.empty()) {
-    svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", background).end();
-  } else {
+  write_rectangle("#ffffff", svg);
+  if (edge.curves.empty()) {
+    write_rectangle(background, svg);
+  } else if (edge.grounds.empty()) {
     svg.start("path").attribute("fill", background).attribute("fill-rule", "evenodd");
-    svg.attribute("d", svg_path(report.canvas_edge, {1, 0, 0, 0})).end();
+    svg.attribute("d", svg_path(edge.curves, {1, 0, 0, 0})).end();
+  } else {
+    write_grounds(edge, background, svg);
   }
   svg.end();
 }
