@@ -48,7 +48,7 @@ std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t be
   const auto first = std::lower_bound(found.begin(), found.end(), begin);
   const auto last = std::lower_bound(found.begin(), found.end(), end);
   if (first == last) return "";
-  return "; " + std::to_string(last - first) + " lie " + where + ", the first is number " +
+  return std::to_string(last - first) + " lie " + where + ", the first is number " +
          std::to_string(*first - begin) + ", \"" + name(*first) + "\"";
 }
 
@@ -97,12 +97,16 @@ std::string standing_warning(const io::Job& job, const Canvas& canvas,
   const StandingCheck found = check_standing(canvas, pieces, shape);
   const char* in_a_zone = "in a zone that pieces keep out of";
   const std::string given = those_that_lie(found.kept_out, 0, first_of_start, in_a_zone, name);
-  const std::string start = those_that_lie(found.kept_out, first_of_start, pieces.size(), in_a_zone, name) +
-                            those_that_lie(found.outside, first_of_start, pieces.size(), "outside the canvas", name) +
-                            those_that_lie(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name);
+  std::string start;
+  for (const std::string& part : {
+           those_that_lie(found.kept_out, first_of_start, pieces.size(), in_a_zone, name),
+           those_that_lie(found.outside, first_of_start, pieces.size(), "outside the canvas", name),
+           those_that_lie(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name)}) {
+    if (!part.empty()) start += (start.empty() ? "" : "; ") + part;
+  }
   std::string text;
-  if (!given.empty()) text = "of [[given]]" + given;
-  if (!start.empty()) text += (text.empty() ? "" : "; ") + ("of start.pieces" + start);
+  if (!given.empty()) text = "of [[given]] " + given;
+  if (!start.empty()) text += (text.empty() ? "" : "; ") + ("of start.pieces " + start);
   return text.empty() ? text : text + "; they stand as they are";
 }
 

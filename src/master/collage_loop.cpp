@@ -1,9 +1,11 @@
 #include "master/collage_loop.h"
 
 #include <algorithm>
+#include <bit>
 #include <memory>
 #include <string>
 
+#include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
@@ -145,15 +147,20 @@ class Run {
     }
   }
 
-  /// The first region begins with the pieces that the job locks, the others with them and more.
+  /// Of all that the job gives: improving may have taken some of them out since.
+  std::uint64_t begun_with() const {
+    Digest digest;
+    for (const GivenPiece& piece : settings_.wishes.given) {
+      const Similarity& pose = piece.canvas_from_shape;
+      digest.add(std::uint64_t(index_of(piece.shape)) << 1 | std::uint64_t(piece.locked));
+      for (const float number : {pose.a, pose.b, pose.tx, pose.ty}) digest.add(std::bit_cast<std::uint32_t>(number));
+    }
+    return digest.value();
+  }
+
   void check_given(const CheckpointState& from) const {
-    const std::vector<Placement> given = given_pieces();
     const bool as_many = from.region > 0 ? from.given >= locked() : from.given == locked();
-    const auto alike = [](const Placement& a, const Placement& b) {
-      return a.shape == b.shape && a.canvas_from_shape == b.canvas_from_shape;
-    };
-    const auto end = given.begin() + std::ptrdiff_t(locked());
-    if (as_many && std::equal(given.begin(), end, from.placements.begin(), alike)) return;
+    if (as_many && from.begun_with == begun_with()) return;
     throw InputError(from.name + ": begun with other pieces than [[given]] and start.pieces have now; give what they " +
                      "were then, or --restart, which removes it and starts again");
   }
@@ -166,6 +173,7 @@ class Run {
     state.statistics.total_s = seconds();
     state.statistics.stopped_by.clear();
     state.attempt = std::uint32_t(attempt_);
+    state.begun_with = begun_with();
     collage().save(state);
     return state;
   }

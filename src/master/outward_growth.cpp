@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/portable_math.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/distance_transform.h"
 #include "core/tuning.h"
@@ -85,7 +86,8 @@ float OutwardGrowth::nearness(Vec2 canvas_px) const {
   const Vec2 at = (canvas_px - origin_) * (1.f / kStep);
   const int x = std::clamp(int(at.x), 0, to_seed_px_.width() - 1);
   const int y = std::clamp(int(at.y), 0, to_seed_px_.height() - 1);
-  return std::exp(-to_seed_px_(x, y) / fading_px_);
+  constexpr float kLog2OfE = 1.44269504f;
+  return portable_exp2(-std::min(kLog2OfE * to_seed_px_(x, y) / fading_px_, 60.f));
 }
 
 }  // namespace tessera::master

@@ -54,5 +54,5 @@ run 2 collage job.toml --set start.pieces=unknown.geojson --out none
 expect_word 'unknown.geojson: feature 0: shape: found "'
 run 2 collage job.toml --set canvas.seamless=both --set start.grow=outward --out none
 run 0 collage job.toml --set start.pieces=edited.geojson --set 'canvas.size_px=[120, 90]' --set improve.trials=0 --quiet --out small
-expect_word "of start.pieces; "
+expect_word "of start.pieces "
 expect_word " lie outside the canvas, the first is number "

@@ -63,6 +63,24 @@ TEST(KeepOut, RectanglesAndMasksAgree) {
   }
 }
 
+TEST(KeepOut, OfManyRectanglesTheNearestCountsEverywhere) {
+  const Canvas canvas = make_rectangle_canvas(150, 110);
+  std::vector<KeepOutRectangle> zones;
+  for (int i = 0; i < 60; ++i) {
+    zones.push_back(rectangle({float(37 * i % 150), float(53 * i % 110)}, {1.f + float(i % 5), 2}, float(i), float(i % 3)));
+  }
+  const CanvasField distance = distance_to(zones, canvas);
+  for (int y = 0; y < distance.value.height(); ++y) {
+    for (int x = 0; x < distance.value.width(); ++x) {
+      float nearest = kNoEdge_px;
+      for (const KeepOutRectangle& zone : zones) {
+        nearest = std::min(nearest, distance_px(zone, distance.origin + Vec2{float(x), float(y)}));
+      }
+      ASSERT_EQ(distance.value(x, y), nearest) << x << " " << y;
+    }
+  }
+}
+
 TEST(KeepOut, RepeatsWhereTheCanvasDoes) {
   const Canvas canvas = make_seamless_canvas(100, 80, true, false);
   const CanvasField exact = distance_to({rectangle({-2, 40}, {10, 10})}, canvas);

@@ -50,6 +50,10 @@ TEST_F(Millimetres, are_px_at_the_fineness_of_the_canvas) {
     shape = 'a'
     at_mm = [300, -5.5]
     scale_mm = 7
+    [[keep_out]]
+    at_mm = [100, 50]
+    size_mm = [80.25, 20]
+    corner_mm = 5
     )");
   const Job in_px = load(poster_ + R"(
     [pieces]
@@ -69,6 +73,10 @@ TEST_F(Millimetres, are_px_at_the_fineness_of_the_canvas) {
     shape = 'a'
     at_px = [600, -11]
     scale_px = 14
+    [[keep_out]]
+    at_px = [200, 100]
+    size_px = [160.5, 40]
+    corner_px = 10
     )");
   EXPECT_EQ(to_toml(in_mm), to_toml(in_px));
   EXPECT_EQ(in_mm.settings.pieces.padding_px, 1.5f);

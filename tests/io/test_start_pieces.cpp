@@ -105,8 +105,8 @@ TEST_F(StartPieces, MistakesNameTheFeatureTheKeyAndWhatIsAllowed) {
   expect_mistake(R"({"scale":40,"rotation_deg":0,"x_px":0,"y_px":0})", "shape: found nothing, allowed: the name");
   expect_mistake(R"({"shape":7,"scale":40,"rotation_deg":0,"x_px":0,"y_px":0})", "shape: found 7, allowed: the name");
   expect_mistake(R"({"shape":"disc","scale":"big","rotation_deg":0,"x_px":0,"y_px":0})",
-                 "scale: found \"big\", allowed: a number from 2 to 20000");
-  expect_mistake(R"({"shape":"disc","scale":1.9,"rotation_deg":0,"x_px":0,"y_px":0})", "scale: found 1.9, allowed");
+                 "scale: found \"big\", allowed: a number from 0.01 to 20000");
+  expect_mistake(R"({"shape":"disc","scale":0,"rotation_deg":0,"x_px":0,"y_px":0})", "scale: found 0, allowed: a number from 0.01 to 20000");
   expect_mistake(R"({"shape":"disc","scale":[40],"rotation_deg":0,"x_px":0,"y_px":0})", "scale: found ");
   expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":361,"x_px":0,"y_px":0})",
                  "rotation_deg: found 361, allowed: a number from -360 to 360");

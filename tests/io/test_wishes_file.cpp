@@ -82,6 +82,14 @@ TEST_F(WishesFile, IsAsGoodAsTables) {
   EXPECT_NE(to_toml(job).find("wishes = \"\""), std::string::npos);
 }
 
+TEST_F(WishesFile, ColumnsMayBeInMmWhereTheCanvasIs) {
+  const std::string paper = "[canvas]\nsize_mm = [600, 400]\nsize_px = [1200, 800]\n";
+  const Job in_mm = job_with("names,scale_mm,apart_mm\nowl*,\"[20, 45]\",60\n", paper);
+  const Job in_px = job_with("names,scale_px,apart_px\nowl*,\"[40, 90]\",120\n", paper);
+  EXPECT_EQ(in_mm.tables, in_px.tables);
+  EXPECT_NE(mistake("names,scale_mm\nowl,20\n").find("scale_mm"), std::string::npos);
+}
+
 TEST_F(WishesFile, TheJobsOwnTablesComeLater) {
   Job job = job_with("names,uses\n*,3\n", "[[shapes]]\nnames = 'cat'\nuses = 7\n");
   ASSERT_EQ(job.tables["shapes"].size(), 2u);

@@ -79,6 +79,15 @@ TEST(KeepOut, EveryShapeFindsItsPlaceInWhatIsLeft) {
   EXPECT_GT(nearest_px(result, canvas), -1.5f);
 }
 
+TEST(WarmStart, ShapesThatStandNeedNoOtherPlace) {
+  CollageSettings s = settings();
+  const auto shapes = std::uint32_t(library().size());
+  const double canvas_px2 = 240 * 160;
+  const double all = first_size_factor(s, shapes, canvas_px2);
+  for (std::uint32_t i = 0; i + 3 < shapes; ++i) s.wishes.given.push_back({ShapeId{i}, {1, 0, 10, 10}});
+  EXPECT_NEAR(first_size_factor(s, shapes, canvas_px2), all * std::sqrt(shapes / 3.), 0.01) << "for three, not for all";
+}
+
 TEST(KeepOut, RegionsKeepOutOfItToo) {
   Canvas canvas = make_rectangle_canvas(240, 160);
   canvas.regions = {{canvas.distance, canvas.area_px2}};
@@ -177,7 +186,27 @@ TEST(WarmStart, ACheckpointGoesOnWithTheSamePiecesOnly) {
   EXPECT_EQ(test::message_of(go_on), "");
   s.wishes.given[1].canvas_from_shape.tx += 1;
   EXPECT_NE(test::message_of(go_on).find("begun with other pieces than [[given]] and start.pieces have now"), std::string::npos);
+  s.wishes.given[1].canvas_from_shape.tx -= 1;
+  EXPECT_EQ(test::message_of(go_on), "");
+  s.wishes.given[1].locked = false;
+  EXPECT_NE(test::message_of(go_on).find("begun with other pieces"), std::string::npos);
   s.wishes.given.pop_back();
+  EXPECT_NE(test::message_of(go_on).find("begun with other pieces"), std::string::npos);
+}
+
+/// Free pieces, which improving may have taken out, count as well: growth begins at them.
+TEST(WarmStart, FreePiecesAreTheSameAfterAnInterruption) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  CollageSettings s = settings();
+  s.wishes.given = {{ShapeId{2}, {0, 60, 60, 60}, false}};
+  stopped_collage::KeepLatest keeper;
+  stopped_collage::StopAfter observer(2);
+  stopped_collage::run(s, {3, 7}, observer, {nullptr, &keeper}, canvas, library());
+  s.wishes.given[0].canvas_from_shape.ty += 1;
+  const auto go_on = [&] {
+    SilentObserver silent;
+    stopped_collage::run(s, {3, 7}, silent, {&keeper.latest, nullptr}, canvas, library());
+  };
   EXPECT_NE(test::message_of(go_on).find("begun with other pieces"), std::string::npos);
 }
 

@@ -35,6 +35,7 @@ struct CheckpointState {
   std::uint32_t region = 0;           // of the canvas, that is being filled
   std::uint32_t given = 0;            // so many of the placements, the first ones, stood when the region was begun
   std::uint32_t attempt = 0;          // to find room for every shape, with smaller sizes each time
+  std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
   int empty_passes = 0;               // how often all samples were matched again since the last piece, while filling
   std::vector<Placement> placements;  // in the order in which they were placed
   std::vector<PooledSample> pool;     // ascending samples, as in the lists below

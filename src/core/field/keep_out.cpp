@@ -56,6 +56,43 @@ float distance_px(const KeepOutRectangle& zone, Vec2 canvas_px) {
   return norm(outside) + std::min(std::max(x, y), 0.f) - corner_px;
 }
 
+namespace {
+
+constexpr int kBlock_px = 16;
+
+/// Those that are the nearest to some node of the block, and few others: a distance changes by no more than the way from
+/// the block's middle.
+std::vector<KeepOutRectangle> nearest_to_any_of(const std::vector<KeepOutRectangle>& zones, const Window& block,
+                                                Vec2 origin) {
+  constexpr float kReach_px = 0.75f * kBlock_px;  // more than half the diagonal
+  const Vec2 middle = origin + Vec2{float(block.x0 + block.x1), float(block.y0 + block.y1)} * 0.5f;
+  std::vector<float> distances_px;
+  float least_px = kNoEdge_px;
+  for (const KeepOutRectangle& zone : zones) {
+    distances_px.push_back(distance_px(zone, middle));
+    least_px = std::min(least_px, distances_px.back());
+  }
+  std::vector<KeepOutRectangle> nearest;
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    if (distances_px[i] <= least_px + 2 * kReach_px) nearest.push_back(zones[i]);
+  }
+  return nearest;
+}
+
+void write_nearest(const std::vector<KeepOutRectangle>& zones, const Window& block, CanvasField& distance) {
+  for (int y = block.y0; y < block.y1; ++y) {
+    for (int x = block.x0; x < block.x1; ++x) {
+      float nearest = kNoEdge_px;
+      for (const KeepOutRectangle& zone : zones) {
+        nearest = std::min(nearest, distance_px(zone, distance.origin + Vec2{float(x), float(y)}));
+      }
+      distance.value(x, y) = nearest;
+    }
+  }
+}
+
+}  // namespace
+
 CanvasField distance_to(const std::vector<KeepOutRectangle>& zones, const Canvas& canvas) {
   std::vector<KeepOutRectangle> images;
   for (KeepOutRectangle zone : zones) {
@@ -66,13 +103,11 @@ CanvasField distance_to(const std::vector<KeepOutRectangle>& zones, const Canvas
     }
   }
   CanvasField distance = nodes_of(canvas);
-  for (int y = 0; y < distance.value.height(); ++y) {
-    for (int x = 0; x < distance.value.width(); ++x) {
-      float nearest = kNoEdge_px;
-      for (const KeepOutRectangle& zone : images) {
-        nearest = std::min(nearest, distance_px(zone, distance.origin + Vec2{float(x), float(y)}));
-      }
-      distance.value(x, y) = nearest;
+  for (int y = 0; y < distance.value.height(); y += kBlock_px) {
+    for (int x = 0; x < distance.value.width(); x += kBlock_px) {
+      const Window block{x, y, std::min(x + kBlock_px, distance.value.width()),
+                         std::min(y + kBlock_px, distance.value.height())};
+      write_nearest(nearest_to_any_of(images, block, distance.origin), block, distance);
     }
   }
   return distance;

@@ -1,6 +1,7 @@
 #include "core/matching/sized_settings.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/matching/size_schedule.h"
 #include "core/matching/stances.h"
@@ -32,15 +33,19 @@ CollageSettings with_sizes_times(double factor, CollageSettings settings) {
 
 double first_size_factor(const CollageSettings& settings, std::uint32_t library_shapes, double area_px2,
                          const std::vector<std::uint32_t>& drawings) {
+  const auto drawing = [&](ShapeId shape) { return drawings.empty() ? index_of(shape) : drawings[index_of(shape)]; };
+  std::set<std::uint32_t> standing;
   for (const GivenPiece& piece : settings.wishes.given) {
     const double scale_px = piece.canvas_from_shape.scale();
     area_px2 -= scale_px * scale_px;
+    standing.insert(drawing(piece.shape));
   }
   const StanceTable stances(settings, library_shapes);
   std::vector<Interval> sizes;
   for (std::uint32_t i = 0; i < stances.open_shapes(); ++i) {
     const ShapeId shape = stances.open_shape(i);
-    if (!drawings.empty() && drawings[index_of(shape)] != index_of(shape)) continue;  // has the place of its drawing
+    if (drawing(shape) != index_of(shape)) continue;  // has the place of its drawing
+    if (standing.contains(index_of(shape))) continue;
     const StanceList& list = stances.list(shape);
     sizes.push_back({list.min_scale_px, list.max_scale_px});
   }

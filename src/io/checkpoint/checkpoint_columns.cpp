@@ -62,7 +62,8 @@ Candidate candidate_at(const CheckpointColumns& from, std::size_t row) {
 
 void append_loop(CheckpointColumns& to, const CheckpointState& state) {
   to.improving.push_back(state.improving);
-  to.stage = {state.region, state.given, state.attempt};
+  to.stage = {state.region, state.given, state.attempt, std::uint32_t(state.begun_with),
+              std::uint32_t(state.begun_with >> 32)};
   to.empty_passes.push_back(std::uint8_t(state.empty_passes));
   for (const auto count : kCounts) to.counts.push_back(state.statistics.*count);
   for (const auto measure : kMeasures) to.measures.push_back(state.statistics.*measure);
@@ -131,7 +132,7 @@ void check_values(const CheckpointColumns& c) {
 
 /// Columns of one table have as many rows.
 void check_rows(const CheckpointColumns& c) {
-  require(c.digests.size() == 3 && c.improving.size() == 1 && c.stage.size() == 3 && c.empty_passes.size() == 1 &&
+  require(c.digests.size() == 3 && c.improving.size() == 1 && c.stage.size() == 5 && c.empty_passes.size() == 1 &&
               c.counts.size() == std::size(kCounts) &&
               c.measures.size() == std::size(kMeasures),
           "a list of fixed length has another one");
@@ -159,6 +160,7 @@ void read_loop(const CheckpointColumns& from, CheckpointState& state) {
   state.region = from.stage[0];
   state.given = from.stage[1];
   state.attempt = from.stage[2];
+  state.begun_with = from.stage[3] | std::uint64_t(from.stage[4]) << 32;
   state.empty_passes = from.empty_passes[0];
   for (std::size_t i = 0; i < std::size(kCounts); ++i) state.statistics.*kCounts[i] = from.counts[i];
   for (std::size_t i = 0; i < std::size(kMeasures); ++i) state.statistics.*kMeasures[i] = from.measures[i];

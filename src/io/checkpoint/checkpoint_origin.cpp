@@ -26,6 +26,7 @@ std::uint64_t canvas_digest(const Canvas& canvas) {
   for (const CanvasRegion& region : canvas.regions) {
     digest.add_all(std::span<const float>(region.distance.value.data()));
   }
+  if (canvas.has_zones()) digest.add_all(std::span<const float>(canvas.keep_out.value.data()));
   return digest.value();
 }
 

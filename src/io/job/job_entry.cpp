@@ -179,19 +179,22 @@ void apply_entry(const JobEntry& entry, Job& job) {
   key->set(job, *value);
 }
 
+const JobKey* length_in_mm(const JobTable& table, const std::string& name) {
+  return length_in_mm(name, [&](const std::string& column) { return find_column(table, column); });
+}
+
 void add_row(const JobTable& table, const toml::table& row, const std::function<std::string(const toml::node&)>& where,
              Job& job) {
   JobRow cells;
   for (const auto& [name, node] : row) {
     const std::string text(name.str());
-    const auto find = [&](const std::string& column) { return find_column(table, column); };
     const std::string about = where(node) + ": [[" + table.name + "]] " + text;
-    if (const JobKey* length = length_in_mm(text, find)) {
+    if (const JobKey* length = length_in_mm(table, text)) {
       if (row.contains(length->name)) throw InputError(about + " and " + length->name + kBothAreGiven);
       cells[length->name] = length_in_px(*length, node, job.canvas, about);
       continue;
     }
-    const JobKey* column = find(text);
+    const JobKey* column = find_column(table, text);
     if (!column) {
       throw InputError(where(node) + ": unknown key " + printable(text) +
                        did_you_mean(nearest_name(text, column_names(table))) + "; allowed in [[" + table.name +

@@ -24,6 +24,9 @@ toml::table parse_value(const std::string& text);
 /// Behind the names of a length in px and the same one in mm.
 inline constexpr const char* kBothAreGiven = ": both are given; allowed: one of them";
 
+/// The length in px that a column's name in mm stands for; null where it is no such name.
+const JobKey* length_in_mm(const JobTable& table, const std::string& name);
+
 /// Whether it gives a length of the canvas in mm (millimetres.h), which needs the canvas' size in px and mm to be known.
 bool is_length_in_mm(const JobEntry& entry);
 

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 // A job with every key and comments has 4 kB, one of a thousand wishes some 100 kB.
 constexpr std::size_t kMaxJobBytes = std::size_t(1) << 20;
 constexpr std::size_t kMaxOverrideBytes = 16384;
+constexpr std::size_t kMostZones = 1000;  // so many take seconds on the largest canvas
 // toml++ 3.3 builds and destroys a dotted key "a.a.a..." by recursion; 32,000 levels overflow a stack of 8 MB.
 constexpr std::size_t kMaxKeyLevels = 8192;
 constexpr std::size_t kMaxNestedValues = 256;  // inline tables and arrays in each other, by toml++'s own limit
@@ -228,6 +229,10 @@ KeepOutRectangle keep_out_rectangle(const JobRow& row) {
 
 /// What keys say together.
 void check_together(const Job& job) {
+  if (job.canvas.keep_out_rectangles.size() > kMostZones) {
+    throw InputError(job.path + ": found " + std::to_string(job.canvas.keep_out_rectangles.size()) +
+                     " [[keep_out]], allowed: " + std::to_string(kMostZones) + "; canvas.keep_out may show any number");
+  }
   if (!job.canvas.region_colours.empty() && job.canvas.file.empty()) {
     throw InputError(job.path +
                      ": [[regions]] are parts of canvas.file, which is missing; needed: an SVG or image with them");

@@ -80,7 +80,7 @@ JobTable keep_out_table() {
   return {t,
           "rectangles that pieces keep out of",
           {required(column(t, "at_px", point, "px", -20000, 40000, "its middle, from the canvas' upper left corner")),
-           required(column(t, "size_px", size, "px", 1, 20000, "its width and height")),
+           required(column(t, "size_px", point, "px", 1, 20000, "its width and height")),
            column(t, "rotation_deg", number, "degrees", -360, 360, "clockwise; default 0"),
            column(t, "corner_px", number, "px", 0, 20000,
                   "radius of its corners; half the shorter side or more: round ends; default 0")}};

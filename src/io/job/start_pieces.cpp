@@ -30,7 +30,7 @@ struct Range {
   double min;
   double max;
 };
-constexpr Range kScale{"scale", 2, 20000};
+constexpr Range kScale{"scale", 0.01, 20000};  // fit = "all" may make pieces of less than 2 px
 constexpr Range kRotation{"rotation_deg", -360, 360};
 constexpr Range kX{"x_px", -20000, 40000};
 constexpr Range kY{"y_px", -20000, 40000};
@@ -43,14 +43,12 @@ class Filter {
 
   bool operator()(int depth, json::parse_event_t event, const json& parsed) {
     if (depth == kFeature && (event == json::parse_event_t::object_end || event == json::parse_event_t::value)) {
+      if (++features_ > kMostPieces) throw InputError("more than " + std::to_string(kMostPieces) + " features");
       take_(parsed);
       return false;
     }
     const bool opens = event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
     if (opens && depth > kDeepest) throw InputError("more than " + std::to_string(kDeepest) + " levels deep");
-    if (opens && depth == kFeature && ++features_ > kMostPieces) {
-      throw InputError("more than " + std::to_string(kMostPieces) + " features");
-    }
     if (opens) return depth <= kProperty;
     return event != json::parse_event_t::key || is_read(depth, parsed);
   }
@@ -83,7 +81,7 @@ const json& member(const json& object, const char* key, const std::string& allow
 }
 
 double number(const json& properties, const Range& range) {
-  const std::string allowed = "a number from " + fixed(range.min, 0) + " to " + fixed(range.max, 0);
+  const std::string allowed = "a number from " + fixed(range.min, range.min > 0 ? 2 : 0) + " to " + fixed(range.max, 0);
   const json& value = member(properties, range.key, allowed);
   if (!value.is_number()) fail(range.key, found_text(value), allowed);
   const double found = value.get<double>();

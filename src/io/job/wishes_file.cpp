@@ -81,6 +81,12 @@ class WishesFile {
     return names;
   }
 
+  /// By its name, or by that in mm.
+  const JobKey* column_of(const std::string& name) const {
+    const JobKey* column = find_column(table_, name);
+    return column ? column : length_in_mm(table_, name);
+  }
+
   void check_header(const CsvRow& header) const {
     if (header.cells.size() == 1 && header.cells.front().find_first_of(";\t") != std::string::npos) {
       throw InputError(place(header) + ": found \"" + printable(printable_utf8(header.cells.front())) +
@@ -95,7 +101,7 @@ class WishesFile {
 
   void check_column(const CsvRow& header, std::size_t i) const {
     const std::string& name = header.cells[i];
-    if (!find_column(table_, name)) {
+    if (!column_of(name)) {
       const std::string nearest = nearest_name(name, known_columns());
       throw InputError(place(header) + ": unknown column \"" + printable(printable_utf8(name)) + "\"" +
                        (nearest.empty() ? "" : " (did you mean " + nearest + "?)") +
@@ -119,8 +125,8 @@ class WishesFile {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const std::string cell = checked_cell(row, i, header);
       if (cell.empty()) continue;
-      const JobKey& column = *find_column(table_, header.cells[i]);
-      value_of(column, cell).get("value")->visit([&](auto& value) { values.insert(column.name, std::move(value)); });
+      const std::string& name = header.cells[i];
+      value_of(*column_of(name), cell).get("value")->visit([&](auto& value) { values.insert(name, std::move(value)); });
     }
     return values;
   }

@@ -121,7 +121,7 @@ OutputSpec output_of(const WholeResult& result, const PictureRequest& request, c
 
 bool asks_for_colours(const PictureRequest& request) {
   return std::any_of(request.keys.begin(), request.keys.end(),
-                     [](const std::string& key) { return key.find("colour.") < key.find('='); });
+                     [](const std::string& key) { return key.find("colour") < key.find('='); });
 }
 
 std::vector<std::string> distinct(std::vector<std::string> colours) {
