@@ -169,7 +169,8 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
     std::vector<GivenPiece>& given = job.settings.wishes.given;
     given.insert(given.end(), pieces.begin(), pieces.end());
   } catch (const json::exception& error) {
-    throw InputError(where + file + ": no JSON: " + printable(error.what(), 200));
+    throw InputError(where + file + ": no JSON: " + printable(error.what(), 200) +
+                     "; allowed: lines with commas between them, none behind the last");
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(where + (what.starts_with(file) ? what : file + ": " + what));
