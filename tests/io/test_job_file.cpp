@@ -1,43 +1,12 @@
-// The job file: what it accepts, every kind of mistake, and the way back to TOML.
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
-#include <cmath>
+// The job file: what it accepts, and every kind of mistake.
 #include <filesystem>
 #include <numbers>
 
-#include "core/base/error.h"
-#include "io/job/job_file.h"
-#include "io/job/job_tables.h"
-#include "scratch_folder.h"
-#include "support/input_error.h"
+#include "io/job/job_keys.h"
+#include "job_file_fixture.h"
 
 namespace tessera::io {
 namespace {
-
-using testing::Test;
-
-class JobFile : public Test {
- protected:
-  Job load(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    return load_job(folder_.write("job.toml", text), overrides);
-  }
-
-  /// The message of the InputError, without the folder of the test.
-  std::string mistake(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    try {
-      load(text, overrides);
-    } catch (const InputError& error) {
-      std::string message = error.what();
-      const auto at = message.find(folder_.path(""));
-      return at == std::string::npos ? message : message.erase(at, folder_.path("").size());
-    }
-    return "no mistake found";
-  }
-
-  test::ScratchFolder folder_;
-  const std::string minimal_ = "[library]\nfile = \"animals.h5\"\n";
-};
 
 TEST_F(JobFile, needs_nothing_but_a_library) {
   const Job job = load(minimal_);
@@ -138,8 +107,8 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, start, "
-            "match, objective, improve, stop, checkpoint, comm, colour, devices, output, [[shapes]], [[regions]], [[given]], "
-            "[[keep_out]]");
+            "match, objective, improve, stop, checkpoint, comm, colour, devices, output, [[shapes]], [[regions]], "
+            "[[given]], [[keep_out]]");
   EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
             "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
 }
@@ -150,7 +119,8 @@ TEST_F(JobFile, reports_the_first_line_first) {
 
 TEST_F(JobFile, tells_sections_from_keys) {
   EXPECT_EQ(mistake("pieces = 3"),
-            "job.toml:1: pieces is a section with the keys scale_px, sizes, rotation_deg, mirrored, uses, fit, padding_px, apart_px, overlap_px, found 3");
+            "job.toml:1: pieces is a section with the keys scale_px, sizes, rotation_deg, mirrored, uses, fit, "
+            "padding_px, apart_px, overlap_px, found 3");
   EXPECT_NE(mistake("[[pieces]]\nuses = 1").find("pieces is a section"), std::string::npos);
   EXPECT_NE(mistake("[seed]\nuses = 1").find("seed: found"), std::string::npos);
   EXPECT_NE(mistake("[nonsense]").find("unknown section [nonsense]"), std::string::npos);
@@ -186,45 +156,6 @@ TEST_F(JobFile, shows_hostile_text_in_one_short_line) {
   EXPECT_LT(mistake("seed = \"" + std::string(10000, 'x') + "\"").size(), 200u);
 }
 
-
-class RefusedValue : public JobFile, public testing::WithParamInterface<const char*> {};
-
-TEST_P(RefusedValue, in_file_and_argument) {
-  const std::string assignment = GetParam();
-  const auto dot = assignment.find('.');
-  EXPECT_NE(mistake("[" + assignment.substr(0, dot) + "]\n" + assignment.substr(dot + 1)).find(", allowed: "),
-            std::string::npos);
-  const std::string message = mistake(minimal_, {assignment});
-  EXPECT_EQ(message.find("--set " + assignment + ": "), 0u) << message;
-  EXPECT_NE(message.find(", allowed: "), std::string::npos) << message;
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    WrongTypeOrRange, RefusedValue,
-    testing::Values("canvas.size_px = 1000", "canvas.size_px = [1000]", "canvas.size_px = [10.5, 1000]",
-                    "canvas.size_px = [15, 1000]", "canvas.size_px = [20001, 1000]", "canvas.size_px = [20000, 20000]",
-                    "canvas.size_px = [\"a\", 1000]", "canvas.file = 3", "canvas.seamless = \"X\"",
-                    "canvas.seamless = true", "canvas.file = \"a\\u0000b\"",
-                    "library.file = true", "library.file = [\"a\", \"b\"]", "pieces.scale_px = []",
-                    "pieces.scale_px = [30, 20]", "pieces.scale_px = [[20, 30, 40]]", "pieces.scale_px = [[]]",
-                    "pieces.scale_px = [1, 20]", "pieces.scale_px = [20, 1e9]", "pieces.scale_px = [nan, 20]",
-                    "pieces.scale_px = [1, 2, 3]", "pieces.rotation_deg = [[0, 90], [90, -90]]", "pieces.rotation_deg = [0, \"x\"]",
-                    "pieces.rotation_deg = [1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1]", "pieces.rotation_deg = [90, -90]", "pieces.rotation_deg = [-400, 0]",
-                    "pieces.uses = -1", "pieces.uses = 1.5", "pieces.padding_px = -0.1", "pieces.overlap_px = -1", "pieces.overlap_px = 2.6", "match.levels = 1",
-                    "match.levels = 7", "match.levels = \"5\"", "match.delta_tau = 0", "match.top_percent = 0",
-                    "match.top_percent = 101", "match.beta = nan", "match.beta = inf", "match.tangent_dockings = 1e5",
-                    "match.delta_px = 0", "objective.kind = \"Paper\"", "objective.kind = 1",
-                    "objective.near_twin_factor = 1.1", "objective.scale_exponent = -1", "stop.coverage = 0",
-                    "stop.coverage = 1.01", "stop.seconds = -1", "stop.pieces = false", "devices.use = \"cpux\"",
-                    "devices.use = \"\"", "devices.use = \"0;1\"", "devices.use = [0, 0]", "devices.use = []",
-                    "devices.use = [0.5]", "devices.use = -1", "devices.use = \"0,99\"", "output.width_px = 63",
-                    "output.width_px = 1e4", "output.background = \"red\"", "output.background = \"#ffff\"",
-                    "output.background = \"#gggggg\"", "output.background = 1979-05-27",
-                    "output.background = {r = 1}", "output.background = \"None\"", "output.width_mm = -1",
-                    "output.width_mm = 1e6", "output.dpi = 0", "output.dpi = \"300\"", "output.outline_px = -1", "output.outline_colour = \"none\"",
-                    "output.shadow_strength = 1.1", "output.shadow_offset_px = 3", "output.shadow_offset_px = [1, 2, 3]",
-                    "output.shadow_offset_px = [0, 1e3]", "output.shadow_blur_px = 0", "output.clip = \"box\""));
-
 TEST_F(JobFile, intervals_may_be_several_or_one_value) {
   using Pairs = std::vector<double>;
   const auto read = [&](const std::string& value) {
@@ -243,7 +174,8 @@ TEST_F(JobFile, intervals_may_be_several_or_one_value) {
 }
 
 TEST_F(JobFile, tables_come_any_number_of_times) {
-  const Job job = load(minimal_ + "[[shapes]]\nnames = 'owl'\nweight = 2\n[[shapes]]\nnames = ['a*', 'b']\nuses = [1, 3]\n");
+  const Job job = load(minimal_ + "[[shapes]]\nnames = 'owl'\nweight = 2\n"
+                                  "[[shapes]]\nnames = ['a*', 'b']\nuses = [1, 3]\n");
   ASSERT_EQ(job.tables.at("shapes").size(), 2u);
   EXPECT_EQ(job.tables.at("shapes")[0].at("names").texts, std::vector<std::string>{"owl"});
   EXPECT_EQ(job.tables.at("shapes")[0].at("weight").numbers, std::vector<double>{2});
@@ -263,66 +195,10 @@ TEST_F(JobFile, mistakes_in_tables_name_line_key_found_and_allowed) {
             "job.toml:4: [[shapes]] names: found [], allowed: a text");
   EXPECT_EQ(mistake(minimal_ + "[shapes]\nnames = 'a'"),
             "job.toml:4: [shapes] may come several times; allowed: [[shapes]]");
-  EXPECT_EQ(mistake("shapes = 3\n" + minimal_), "job.toml:1: shapes: found 3, allowed: tables that begin with [[shapes]]");
+  EXPECT_EQ(mistake("shapes = 3\n" + minimal_),
+            "job.toml:1: shapes: found 3, allowed: tables that begin with [[shapes]]");
   EXPECT_NE(mistake(minimal_ + "[[shape]]\nnames = 'a'").find("unknown tables [[shape]] (did you mean [[shapes]]?)"),
             std::string::npos);
-}
-
-TEST_F(JobFile, overrides_win_and_the_last_one_most) {
-  const Job job = load(minimal_ + "[pieces]\nscale_px = [20, 160]\n",
-                       {"pieces.scale_px=[14,180]", "seed=5", "seed = 6", "stop.coverage=0.5"});
-  EXPECT_EQ(job.settings.pieces.min_scale_px, 14);
-  EXPECT_EQ(job.settings.pieces.max_scale_px, 180);
-  EXPECT_EQ(job.settings.seed, 6u);
-  EXPECT_EQ(job.settings.stop.coverage, 0.5f);
-}
-
-TEST_F(JobFile, overrides_need_no_quotes) {
-  const Job job = load(minimal_, {"devices.use=0,2", "output.background=#102030", "objective.kind=paper", "canvas.seamless=y",
-                                  "library.file=\"a b.h5\""});
-  EXPECT_EQ(job.devices, "0,2");
-  EXPECT_EQ(job.output.background, "#102030");
-  EXPECT_EQ(job.settings.objective.kind, Objective::paper);
-  EXPECT_EQ(job.canvas.seamless, Seamless::y);
-  EXPECT_EQ(job.library, std::filesystem::current_path() / "a b.h5");
-}
-
-TEST_F(JobFile, a_background_may_be_none) {
-  EXPECT_EQ(load(minimal_, {"output.background=none"}).output.background, kNoColour);
-}
-
-TEST_F(JobFile, a_shadow_may_lie_on_any_side) {
-  const Job job = load(minimal_, {"output.shadow_offset_px=[3.5,-200]"});
-  EXPECT_EQ(job.output.shadow_offset_px[0], 3.5);
-  EXPECT_EQ(job.output.shadow_offset_px[1], -200);
-}
-
-TEST_F(JobFile, of_a_result_only_output_and_colours_may_change) {
-  Job job = load(minimal_, {});
-  set_drawing_keys(job, {"output.width_mm=100", "output.width_mm = 200", "output.background=none", "colour.palette=ink"});
-  EXPECT_EQ(job.output.width_mm, 200);
-  EXPECT_EQ(job.colour.palette, std::vector<std::string>{"ink"});
-  EXPECT_EQ(job.output.background, kNoColour);
-  EXPECT_EQ(test::message_of([&] { set_drawing_keys(job, {"seed=2"}); }),
-            "--set seed=2: allowed where a result is drawn: output.key=value or colour.key=value");
-  EXPECT_EQ(test::message_of([&] { set_drawing_keys(job, {"output.dpi=x"}); }),
-            "--set output.dpi=x: output.dpi: found \"x\", allowed: a number from 1 to 4800 px per inch");
-}
-
-TEST_F(JobFile, override_mistakes_name_the_argument) {
-  EXPECT_EQ(mistake(minimal_, {"pieces.scale=3"}).substr(0, 77),
-            "--set pieces.scale=3: unknown key pieces.scale (did you mean pieces.scale_px?");
-  EXPECT_EQ(mistake(minimal_, {"seed"}), "--set seed: allowed: section.key=value");
-  EXPECT_EQ(mistake(minimal_, {"=1"}), "--set =1: allowed: section.key=value");
-  EXPECT_NE(mistake(minimal_, {"seed=1\nx=2"}).find("seed: found \"1\\nx=2\""), std::string::npos);
-  EXPECT_NE(mistake(minimal_, {"pieces.uses.more=1"}).find("unknown key pieces.uses.more"), std::string::npos);
-  EXPECT_NE(mistake(minimal_, {"seed=" + std::string(100000, '{')}).find("longer than"), std::string::npos);
-}
-
-TEST_F(JobFile, paths_are_relative_to_the_file_or_the_working_directory) {
-  EXPECT_EQ(load("[library]\nfile = \"../x/./y.h5\"").library,
-            std::filesystem::path(folder_.path("../x/y.h5")).lexically_normal());
-  EXPECT_EQ(load(minimal_, {"library.file=y.h5"}).library, std::filesystem::current_path() / "y.h5");
 }
 
 TEST_F(JobFile, lists_of_texts_and_paths) {
@@ -356,76 +232,11 @@ TEST_F(JobFile, takes_one_library_or_a_list) {
   EXPECT_EQ(mistake("[library]\nfiles = []").substr(0, 34), "job.toml: library.file is missing;");
 }
 
-/// A value that the key takes, not always a round one.
-JobValue random_value(const JobKey& key) {
-  const auto number = [&] {
-    const double share = double(*rc::gen::inRange(0, 1000001)) / 1e6;
-    const double value = key.min + share * (key.max - key.min);
-    return key.kind == JobKind::integer || key.kind == JobKind::uses ? std::floor(value) : value;
-  };
-  switch (key.kind) {
-    case JobKind::number:
-    case JobKind::integer: return {{number()}, {}};
-    case JobKind::intervals: {
-      JobValue value;
-      for (int left = *rc::gen::inRange(1, 5); left > 0; --left) {
-        const double a = number();
-        const double b = *rc::gen::inRange(0, 3) == 0 ? a : number();
-        value.numbers.insert(value.numbers.end(), {std::min(a, b), std::max(a, b)});
-      }
-      return value;
-    }
-    case JobKind::point: return {{number(), number()}, {}};
-    case JobKind::uses: return {{0, number()}, {}};
-    case JobKind::name: return {{}, "a \"name\""};
-    case JobKind::paper_size: return {{0, 0}, {}};  // must have the aspect of the canvas
-    case JobKind::size: return {{double(*rc::gen::inRange(16, 5000)), double(*rc::gen::inRange(16, 20001))}, {}};
-    case JobKind::word: return {{}, *rc::gen::elementOf(key.words)};
-    case JobKind::file: return {{}, "/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')) + "x"};
-    case JobKind::texts:
-    case JobKind::files:
-      return {{}, {}, {"/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')), "/b"}};
-    case JobKind::palette:
-      return {{}, {}, *rc::gen::elementOf(std::vector<std::vector<std::string>>{
-                          {"#012345"}, {"forest"}, {"/p.gpl"}, {"#0a0b0c", "#ffffff"}})};
-    case JobKind::colour: return {{}, *rc::gen::element<std::string>("#000000", "#12abcf", "#ffffff")};
-    case JobKind::devices: return {{}, *rc::gen::element<std::string>("all", "gpu", "3", "5,0,63")};
-  }
-  return {};
-}
-
-JobRow random_row(const JobTable& table) {
-  JobRow row;
-  for (const JobKey& column : table.columns) {
-    if (column.required || *rc::gen::inRange(0, 2) == 0) row[column.name] = random_value(column);
-  }
-  return row;
-}
-
-RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
-  Job job;
-  for (const JobKey& key : job_keys()) {
-    JobValue value = random_value(key);
-    if (key.kind == JobKind::file) value.text = std::filesystem::path(value.text).lexically_normal();
-    if (key.kind == JobKind::files) value.texts[0] = std::filesystem::path(value.texts[0]).lexically_normal();
-    key.set(job, value);
-  }
-  for (const JobTable& table : job_tables()) job.tables[table.name] = {random_row(table), random_row(table)};
-  job.wishes.clear();  // no such file
-  *rc::gen::arbitrary<bool>() ? job.library.clear() : job.library_files.clear();
-  *rc::gen::arbitrary<bool>() ? void(job.canvas.seamless = Seamless::none) : void(job.settings.start.grow_outward = false);
-  const Job back = load(to_toml(job));
-  for (const JobKey& key : job_keys()) {
-    if (key.get(back) != key.get(job)) RC_FAIL(key.full_name() + " changed:\n" + to_toml(job));
-  }
-  RC_ASSERT(back.tables == job.tables);
-  RC_ASSERT(to_toml(back) == to_toml(job));
-  RC_ASSERT(to_toml(job_from_toml(to_toml(job), "elsewhere/job.toml")) == to_toml(job));
-}
-
 TEST_F(JobFile, reads_zones_to_keep_out_of) {
-  const Job job = load(minimal_ + "[canvas]\nkeep_out = \"zoo.svg\"\n[[keep_out]]\nat_px = [500, 480]\nsize_px = [300, 100]\n" +
-                       "rotation_deg = 90\ncorner_px = 12\n[[keep_out]]\nat_px = [1, 2]\nsize_px = [30, 10]\n");
+  const Job job = load(minimal_ + "[canvas]\nkeep_out = \"zoo.svg\"\n"
+                                  "[[keep_out]]\nat_px = [500, 480]\nsize_px = [300, 100]\n"
+                                  "rotation_deg = 90\ncorner_px = 12\n"
+                                  "[[keep_out]]\nat_px = [1, 2]\nsize_px = [30, 10]\n");
   EXPECT_EQ(job.canvas.keep_out, folder_.path("zoo.svg"));
   ASSERT_EQ(job.canvas.keep_out_rectangles.size(), 2u);
   const KeepOutRectangle& zone = job.canvas.keep_out_rectangles[0];
@@ -453,14 +264,6 @@ TEST_F(JobFile, reads_where_to_start_from) {
 TEST_F(JobFile, what_has_no_edges_does_not_grow_outward) {
   EXPECT_EQ(mistake(minimal_ + "[canvas]\nseamless = \"x\"\n[start]\ngrow = \"outward\"\n"),
             "job.toml: start.grow: found \"outward\" with canvas.seamless, allowed with it: \"inward\"");
-}
-
-TEST_F(JobFile, writes_defaults_as_one_would_write_them) {
-  const std::string text = to_toml(load(minimal_));
-  EXPECT_NE(text.find("rotation_deg = [-180, 180]\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("delta_tau = 0.2\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("beta = 0.12\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("kind = \"scale_aware\"\n"), std::string::npos) << text;
 }
 
 }  // namespace

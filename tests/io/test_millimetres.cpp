@@ -1,84 +1,49 @@
 // Lengths in mm: which keys take them, what they become in px, and every kind of mistake.
 #include "io/job/millimetres.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "core/base/error.h"
-#include "io/job/job_tables.h"
-#include "io/job/job_value.h"
-#include "scratch_folder.h"
-#include "support/input_error.h"
+#include "job_file_fixture.h"
 
 namespace tessera::io {
 namespace {
 
-class Millimetres : public testing::Test {
+class Millimetres : public JobFile {
  protected:
   Job load(const std::string& text, const std::vector<std::string>& overrides = {}) const {
-    return load_job(folder_.write("job.toml", "[library]\nfile = 'a.h5'\n" + text), overrides);
+    return JobFile::load(minimal_ + text, overrides);
   }
-
-  /// Without the folder of the test.
   std::string mistake(const std::string& text, const std::vector<std::string>& overrides = {}) const {
-    std::string message = test::message_of([&] { load(text, overrides); });
-    const auto at = message.find(folder_.path(""));
-    return at == std::string::npos ? message : message.erase(at, folder_.path("").size());
+    return JobFile::mistake(minimal_ + text, overrides);
   }
 
-  test::ScratchFolder folder_;
   const std::string poster_ = "[canvas]\nsize_mm = [600, 400]\nsize_px = [1200, 800]\n";
 };
 
+struct Length {
+  std::string key;  // without its unit, behind what must stand before it
+  std::string in_mm, in_px;
+};
+
 TEST_F(Millimetres, are_px_at_the_fineness_of_the_canvas) {
-  const Job in_mm = load(poster_ + R"(
-    [pieces]
-    scale_mm = [[8, 12.5], 60]
-    padding_mm = 0.75
-    overlap_mm = 0.5
-    [match]
-    delta_mm = 2
-    [output]
-    outline_mm = 0.25
-    shadow_offset_mm = [-1, 2]
-    shadow_blur_mm = 3
-    [[shapes]]
-    names = 'a'
-    scale_mm = [10, 20]
-    [[given]]
-    shape = 'a'
-    at_mm = [300, -5.5]
-    scale_mm = 7
-    [[keep_out]]
-    at_mm = [100, 50]
-    size_mm = [80.25, 20]
-    corner_mm = 5
-    )");
-  const Job in_px = load(poster_ + R"(
-    [pieces]
-    scale_px = [[16, 25], 120]
-    padding_px = 1.5
-    overlap_px = 1
-    [match]
-    delta_px = 4
-    [output]
-    outline_px = 0.5
-    shadow_offset_px = [-2, 4]
-    shadow_blur_px = 6
-    [[shapes]]
-    names = 'a'
-    scale_px = [20, 40]
-    [[given]]
-    shape = 'a'
-    at_px = [600, -11]
-    scale_px = 14
-    [[keep_out]]
-    at_px = [200, 100]
-    size_px = [160.5, 40]
-    corner_px = 10
-    )");
-  EXPECT_EQ(to_toml(in_mm), to_toml(in_px));
+  const std::vector<Length> lengths = {{"[pieces]\nscale", "[[8, 12.5], 60]", "[[16, 25], 120]"},
+                                       {"padding", "0.75", "1.5"},
+                                       {"overlap", "0.5", "1"},
+                                       {"[match]\ndelta", "2", "4"},
+                                       {"[output]\noutline", "0.25", "0.5"},
+                                       {"shadow_offset", "[-1, 2]", "[-2, 4]"},
+                                       {"shadow_blur", "3", "6"},
+                                       {"[[shapes]]\nnames = 'a'\nscale", "[10, 20]", "[20, 40]"},
+                                       {"[[given]]\nshape = 'a'\nat", "[300, -5.5]", "[600, -11]"},
+                                       {"scale", "7", "14"},
+                                       {"[[keep_out]]\nat", "[100, 50]", "[200, 100]"},
+                                       {"size", "[80.25, 20]", "[160.5, 40]"},
+                                       {"corner", "5", "10"}};
+  std::string text_in_mm = poster_, text_in_px = poster_;
+  for (const Length& length : lengths) {
+    text_in_mm += length.key + "_mm = " + length.in_mm + "\n";
+    text_in_px += length.key + "_px = " + length.in_px + "\n";
+  }
+  const Job in_mm = load(text_in_mm);
+  EXPECT_EQ(to_toml(in_mm), to_toml(load(text_in_px)));
   EXPECT_EQ(in_mm.settings.pieces.padding_px, 1.5f);
   EXPECT_EQ(to_toml(job_from_toml(to_toml(in_mm), "again.toml")), to_toml(in_mm));
 }
@@ -144,16 +109,17 @@ TEST_F(Millimetres, are_for_lengths_of_the_canvas_alone) {
 
 TEST_F(Millimetres, of_the_canvas_have_its_aspect_and_bounds) {
   EXPECT_EQ(mistake("[canvas]\nsize_mm = [600, 400]\nsize_px = [1000, 1000]"),
-            "job.toml: canvas.size_px: found [1000, 1000], allowed with a canvas.size_mm of [600.000, 400.000]: its aspect, "
-            "as [1000, 667]");
+            "job.toml: canvas.size_px: found [1000, 1000], allowed with a canvas.size_mm of [600.000, 400.000]: "
+            "its aspect, as [1000, 667]");
   for (const char* size_px : {"[1000, 666]", "[1000, 667]", "[1000, 668]"}) {
     EXPECT_NO_THROW(load("[canvas]\nsize_mm = [600, 400]\nsize_px = " + std::string(size_px)));
   }
   EXPECT_EQ(mistake("[canvas]\nsize_mm = [20000, 10]"),
-            "job.toml: canvas.size_mm: found [20000.000, 10.000], which makes [2000, 1] px; allowed: 16 px or more each, with "
-            "a canvas.size_px");
+            "job.toml: canvas.size_mm: found [20000.000, 10.000], which makes [2000, 1] px; allowed: 16 px or more "
+            "each, with a canvas.size_px");
   EXPECT_NO_THROW(load("[canvas]\nsize_mm = [0, 0]"));
-  for (const char* size_mm : {"600", "[600]", "[600, 0]", "[0, 400]", "[-1, 1]", "[600, 2e4001]", "[1, 2, 3]", "[nan, 1]"}) {
+  for (const char* size_mm :
+       {"600", "[600]", "[600, 0]", "[0, 400]", "[-1, 1]", "[600, 2e4001]", "[1, 2, 3]", "[nan, 1]"}) {
     EXPECT_THROW(load("[canvas]\nsize_mm = " + std::string(size_mm)), InputError) << size_mm;
   }
 }
