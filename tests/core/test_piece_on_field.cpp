@@ -8,19 +8,12 @@
 #include "core/field/piece_distance.h"
 #include "core/geometry/distance_transform.h"
 #include "core/tuning.h"
-#include "support/synthetic_shapes.h"
+#include "random_pieces.h"
 
 namespace tessera {
 namespace {
 
-const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> all = {
-      test::make_test_shape("bean", test::bean_outline()), test::make_test_shape("star", test::star_outline(5)),
-      test::make_test_shape("ring", test::ring_outline()), test::make_test_shape("blob", test::blob_outline(7))};
-  return all;
-}
-
-const Shape& any_shape() { return shapes()[*rc::gen::inRange<std::size_t>(0, shapes().size())]; }
+const Shape& any_shape() { return test::four_shapes()[*rc::gen::inRange<std::size_t>(0, test::four_shapes().size())]; }
 
 Similarity any_pose() {
   const float scale = float(*rc::gen::inRange(15, 90));

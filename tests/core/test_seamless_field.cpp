@@ -3,37 +3,23 @@
 #include <rapidcheck.h>
 
 #include "core/field/piece_distance.h"
-#include "core/field/target_curve.h"
 #include "core/tuning.h"
-#include "support/synthetic_shapes.h"
+#include "target_layers.h"
 
 namespace tessera {
 namespace {
 
-// Half a period is a whole number of sample spacings (6 px), so that shifted curves have their samples at the same places.
+using test::four_shapes;
+using test::Piece;
+using test::Target;
+
+// Half a period is a whole number of sample spacings (6 px), so that shifted curves have their samples at the same
+// places.
 constexpr int kWidth_px = 192;
 constexpr int kHeight_px = 168;
 const PieceSettings kPieces{.min_scale_px = 14, .max_scale_px = 60};
 
-const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> all = {
-      test::make_test_shape("bean", test::bean_outline()), test::make_test_shape("star", test::star_outline(5)),
-      test::make_test_shape("ring", test::ring_outline()), test::make_test_shape("blob", test::blob_outline(7))};
-  return all;
-}
-
-struct Piece {
-  int shape;
-  Similarity pose;
-};
-
-Piece any_piece() {
-  const float scale = float(*rc::gen::inRange(15, 60));
-  const float angle = 0.01f * float(*rc::gen::inRange(0, 628));
-  return {*rc::gen::inRange(0, 4),
-          {scale * std::cos(angle), scale * std::sin(angle), 0.25f * float(*rc::gen::inRange(0, 4 * kWidth_px)),
-           0.25f * float(*rc::gen::inRange(0, 4 * kHeight_px))}};
-}
+Piece any_piece() { return test::any_piece(15, 60, {0.25f, 4 * kWidth_px, 4 * kHeight_px}); }
 
 std::vector<Piece> any_pieces(int count) {
   std::vector<Piece> pieces;
@@ -45,19 +31,6 @@ Canvas any_canvas() {
   const int sides = *rc::gen::inRange(1, 4);
   return make_seamless_canvas(kWidth_px, kHeight_px, (sides & 1) != 0, (sides & 2) != 0);
 }
-
-struct Target {
-  FreeField free;
-  OpenedField opened;
-  TargetCurve curve;
-
-  explicit Target(const Canvas& canvas, const PieceSettings& pieces = kPieces)
-      : free(canvas, pieces), opened(free, pieces), curve(pieces, PadParameters{}) {
-    trace(free.grid().nodes());
-  }
-  void place(const Piece& piece) { trace(opened.update(free, free.stamp(shapes()[piece.shape], piece.pose))); }
-  void trace(const Window& window) { curve.retrace(opened, free.field().origin, window); }
-};
 
 TEST(SeamlessField, HasNoEdgeAtItsSeams) {
   const FreeField both(make_seamless_canvas(100, 80, true, true), kPieces);
@@ -89,7 +62,7 @@ TEST(SeamlessField, TakesTheNearestImageEverywhere) {
     FreeField free(canvas, kPieces);
     const Grid<float> empty = free.field().value;
     const std::vector<Piece> pieces = any_pieces(3);
-    for (const Piece& piece : pieces) free.stamp(shapes()[piece.shape], piece.pose);
+    for (const Piece& piece : pieces) free.stamp(four_shapes()[piece.shape], piece.pose);
     const PeriodicGrid& grid = free.grid();
     const float band_px = stamp_band_px(kPieces);
     for (int y = 0; y < empty.height(); y += 3) {
@@ -97,7 +70,7 @@ TEST(SeamlessField, TakesTheNearestImageEverywhere) {
         const Vec2 node = free.field().origin + Vec2{float(grid.column(x)), float(grid.row(y))};
         float expected = empty(x, y);
         for (const Piece& piece : pieces) {
-          const PieceDistance distance(shapes()[piece.shape], piece.pose, 0);
+          const PieceDistance distance(four_shapes()[piece.shape], piece.pose, 0);
           for (const Vec2 offset : canvas.period.offsets()) expected = std::min(expected, distance.at(node + offset));
         }
         if (expected < band_px) RC_ASSERT(std::abs(free.field().value(x, y) - expected) < 1e-3f);
@@ -110,8 +83,8 @@ TEST(SeamlessField, RepeatsItselfToTheBit) {
   EXPECT_TRUE(rc::check([] {
     FreeField free(any_canvas(), kPieces);
     const std::vector<Piece> pieces = any_pieces(4);
-    for (const Piece& piece : pieces) free.stamp(shapes()[piece.shape], piece.pose);
-    free.clear(free.stamp_window(shapes()[pieces[0].shape], pieces[0].pose));
+    for (const Piece& piece : pieces) free.stamp(four_shapes()[piece.shape], piece.pose);
+    free.clear(free.stamp_window(four_shapes()[pieces[0].shape], pieces[0].pose));
     const PeriodicGrid& grid = free.grid();
     const Grid<float>& value = free.field().value;
     for (int y = 0; y < value.height(); ++y) {
@@ -124,14 +97,14 @@ TEST(SeamlessField, APieceThatIsTakenOutLeavesNothing) {
   EXPECT_TRUE(rc::check([] {
     FreeField free(any_canvas(), kPieces);
     const Piece stays = any_piece();
-    free.stamp(shapes()[stays.shape], stays.pose);
+    free.stamp(four_shapes()[stays.shape], stays.pose);
     const Grid<float> before = free.field().value;
     const std::int64_t free_before = free.free_256ths_px2();
     const Piece goes = any_piece();
-    free.stamp(shapes()[goes.shape], goes.pose);
-    const Window window = free.stamp_window(shapes()[goes.shape], goes.pose);
+    free.stamp(four_shapes()[goes.shape], goes.pose);
+    const Window window = free.stamp_window(four_shapes()[goes.shape], goes.pose);
     free.clear(window);
-    const Shape& shape = shapes()[stays.shape];
+    const Shape& shape = four_shapes()[stays.shape];
     for (const Window& common : free.grid().images(window, free.stamp_window(shape, stays.pose))) {
       free.stamp(shape, stays.pose, common);
     }
@@ -142,7 +115,7 @@ TEST(SeamlessField, APieceThatIsTakenOutLeavesNothing) {
 
 TEST(SeamlessField, IsReachableInAllImagesAlike) {
   FreeField free(make_seamless_canvas(kWidth_px, kHeight_px, true, true), kPieces);
-  free.stamp(shapes()[3], {60, 0, 5, 5});
+  free.stamp(four_shapes()[3], {60, 0, 5, 5});
   const OpenedField opened(free, kPieces);
   const Vec2 origin = free.field().origin;
   const auto reachable = [&](Vec2 p) { return opened.reachable(int(p.x - origin.x), int(p.y - origin.y)); };
@@ -156,31 +129,15 @@ TEST(SeamlessField, IsReachableInAllImagesAlike) {
 TEST(SeamlessCurve, UpdatingEqualsTracingAfresh) {
   EXPECT_TRUE(rc::check([] {
     const Canvas canvas = any_canvas();
-    const PieceSettings pieces{.min_scale_px = *rc::gen::element(14.f, 40.f), .max_scale_px = 60};
-    Target updated(canvas, pieces);
-    FreeField free(canvas, pieces);
-    for (const Piece& piece : any_pieces(5)) {
-      updated.place(piece);
-      free.stamp(shapes()[piece.shape], piece.pose);
-    }
-    OpenedField opened(free, pieces);
-    TargetCurve afresh(pieces, PadParameters{});
-    afresh.retrace(opened, free.field().origin, free.grid().nodes());
-    RC_ASSERT(updated.free.field().value.data() == free.field().value.data());
-    RC_ASSERT(updated.opened.contour().data() == opened.contour().data());
-    RC_ASSERT(updated.curve.samples() == afresh.samples());
-    for (const SampleId id : afresh.samples()) {
-      RC_ASSERT(updated.curve.sample(id).pyramid == afresh.sample(id).pyramid);
-      RC_ASSERT(updated.curve.sample(id).position == afresh.sample(id).position);
-      RC_ASSERT(updated.curve.sample(id).tangent == afresh.sample(id).tangent);
-    }
+    const PieceSettings settings{.min_scale_px = *rc::gen::element(14.f, 40.f), .max_scale_px = 60};
+    test::expect_updating_equals_tracing_afresh(canvas, settings, any_pieces(5));
   }));
 }
 
 TEST(SeamlessCurve, HasItsSamplesInOnePeriod) {
   EXPECT_TRUE(rc::check([] {
     const Canvas canvas = make_seamless_canvas(kWidth_px, kHeight_px, true, true);
-    Target target(canvas);
+    Target target(canvas, kPieces);
     RC_ASSERT(target.curve.sample_count() == 0u);
     target.place(any_piece());
     RC_ASSERT(target.curve.sample_count() > 0u);
@@ -217,8 +174,8 @@ TEST(SeamlessCurve, IsTheSameWhereverTheSeamLies) {
   EXPECT_TRUE(rc::check([&] {
     const Canvas canvas = make_seamless_canvas(kWidth_px, kHeight_px, true, true);
     const Period& period = canvas.period;
-    Target here(canvas);
-    Target there(canvas);
+    Target here(canvas, kPieces);
+    Target there(canvas, kPieces);
     for (const Piece& piece : any_pieces(4)) {
       here.place(piece);
       const Vec2 half{0.5f * float(period.x_px), 0.5f * float(period.y_px)};

@@ -8,35 +8,14 @@
 
 #include "core/field/linked_contour.h"
 #include "core/tuning.h"
-#include "support/synthetic_shapes.h"
+#include "target_layers.h"
 
 namespace tessera {
 namespace {
 
+using test::Target;
+
 const PieceSettings kPieces{.min_scale_px = 14, .max_scale_px = 90};
-
-const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> all = {
-      test::make_test_shape("bean", test::bean_outline()), test::make_test_shape("star", test::star_outline(5)),
-      test::make_test_shape("ring", test::ring_outline()), test::make_test_shape("blob", test::blob_outline(7))};
-  return all;
-}
-
-struct Poses {
-  std::vector<std::pair<int, Similarity>> list;
-};
-
-Poses random_poses(int count) {
-  Poses poses;
-  for (int i = 0; i < count; ++i) {
-    const float scale = float(*rc::gen::inRange(20, 90));
-    const float angle = 0.01f * float(*rc::gen::inRange(0, 628));
-    poses.list.push_back({*rc::gen::inRange(0, 4),
-                          {scale * std::cos(angle), scale * std::sin(angle), float(*rc::gen::inRange(0, 200)),
-                           float(*rc::gen::inRange(0, 170))}});
-  }
-  return poses;
-}
 
 /// With a slit whose loop is too short for samples until a piece at one end of it joins it to another.
 Canvas slit_canvas(const PieceSettings& pieces, Similarity& joining) {
@@ -47,25 +26,6 @@ Canvas slit_canvas(const PieceSettings& pieces, Similarity& joining) {
   joining = {pieces.min_scale_px, 0, float(x0 - *rc::gen::inRange(30, 75)), 200};
   return make_mask_canvas(coverage);
 }
-
-/// The three layers of the target, kept up to date or made afresh.
-struct Target {
-  FreeField free;
-  OpenedField opened;
-  TargetCurve curve;
-
-  explicit Target(const Canvas& canvas, const PieceSettings& pieces = kPieces)
-      : free(canvas, pieces),
-        opened(free, pieces),
-        curve(pieces, PadParameters{}) {
-    trace(all());
-  }
-  Window all() const { return free.field().value.bounds(); }
-  TargetCurve::Change trace(const Window& window) { return curve.retrace(opened, free.field().origin, window); }
-  TargetCurve::Change place(int shape, const Similarity& pose) {
-    return trace(opened.update(free, free.stamp(shapes()[shape], pose)));
-  }
-};
 
 /// Some values are 0, which is not above 0.
 void scatter(Grid<float>& field, const Window& window) {
@@ -97,26 +57,9 @@ TEST(LinkedContour, HasAVertexOnEveryEdgeThatIsCrossed) {
 
 TEST(TargetCurve, UpdatingEqualsTracingAfresh) {
   EXPECT_TRUE(rc::check([] {
-    const Canvas canvas = make_rectangle_canvas(200, 170);
-    const Poses poses = random_poses(5);
-    Target updated(canvas);
-    FreeField free(canvas, kPieces);
-    for (const auto& [shape, pose] : poses.list) {
-      updated.place(shape, pose);
-      free.stamp(shapes()[shape], pose);
-    }
-    OpenedField opened(free, kPieces);
-    TargetCurve afresh(kPieces, PadParameters{});
-    afresh.retrace(opened, free.field().origin, free.field().value.bounds());
-
-    RC_ASSERT(updated.free.field().value.data() == free.field().value.data());
-    RC_ASSERT(updated.opened.contour().data() == opened.contour().data());
-    RC_ASSERT(updated.curve.samples() == afresh.samples());
-    for (const SampleId id : afresh.samples()) {
-      RC_ASSERT(updated.curve.sample(id).pyramid == afresh.sample(id).pyramid);
-      RC_ASSERT(updated.curve.sample(id).position == afresh.sample(id).position);
-      RC_ASSERT(updated.curve.sample(id).tangent == afresh.sample(id).tangent);
-    }
+    std::vector<test::Piece> pieces;
+    for (int i = 0; i < 5; ++i) pieces.push_back(test::any_piece(20, 90, {1, 200, 170}));
+    test::expect_updating_equals_tracing_afresh(make_rectangle_canvas(200, 170), kPieces, pieces);
   }));
 }
 
@@ -125,17 +68,17 @@ TEST(TargetCurve, ALoopThatIsJoinedGetsItsSamples) {
     const PieceSettings pieces{.min_scale_px = 100, .max_scale_px = 160};
     Similarity joining;
     Target updated(slit_canvas(pieces, joining), pieces);
-    updated.place(*rc::gen::inRange(0, 4), joining);
+    updated.place({*rc::gen::inRange(0, 4), joining});
     TargetCurve afresh(pieces, PadParameters{});
-    afresh.retrace(updated.opened, updated.free.field().origin, updated.all());
+    afresh.retrace(updated.opened, updated.free.field().origin, updated.free.grid().nodes());
     RC_ASSERT(updated.curve.samples() == afresh.samples());
   }));
 }
 
 TEST(TargetCurve, ReportsOnlyWhatTheChangeReaches) {
-  Target target(make_rectangle_canvas(600, 200));
+  Target target(make_rectangle_canvas(600, 200), kPieces);
   const std::size_t before = target.curve.sample_count();
-  const TargetCurve::Change change = target.place(0, {40, 0, 80, 100});
+  const TargetCurve::Change change = target.place({0, {40, 0, 80, 100}});
   // Straight sides see as far as the next corners, but a good part of the canvas' edge sees nothing of the piece.
   EXPECT_GT(change.renewed.size(), 0u);
   EXPECT_LT(change.renewed.size(), before);
@@ -143,8 +86,8 @@ TEST(TargetCurve, ReportsOnlyWhatTheChangeReaches) {
 }
 
 TEST(TargetCurve, HasTheFreeRegionOnItsLeft) {
-  Target target(make_rectangle_canvas(200, 160));
-  target.place(1, {60, 0, 100, 80});
+  Target target(make_rectangle_canvas(200, 160), kPieces);
+  target.place({1, {60, 0, 100, 80}});
   const FieldView field = target.free.view();
   for (const SampleId id : target.curve.samples()) {
     const TargetSample& s = target.curve.sample(id);
@@ -154,9 +97,9 @@ TEST(TargetCurve, HasTheFreeRegionOnItsLeft) {
 }
 
 TEST(TargetCurve, AFullCanvasHasNoSamples) {
-  Target target(make_rectangle_canvas(60, 60));
-  target.place(0, {80, 0, 30, 30});
-  target.place(3, {80, 0, 30, 30});
+  Target target(make_rectangle_canvas(60, 60), kPieces);
+  target.place({0, {80, 0, 30, 30}});
+  target.place({3, {80, 0, 30, 30}});
   EXPECT_EQ(target.curve.sample_count(), 0u);
 }
 

@@ -1,0 +1,52 @@
+// The three layers of the target, on canvases with edges and without: kept up to date placement by placement they are
+// those that are made afresh.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <utility>
+#include <vector>
+
+#include "core/field/target_curve.h"
+#include "random_pieces.h"
+
+namespace tessera::test {
+
+struct Target {
+  FreeField free;
+  OpenedField opened;
+  TargetCurve curve;
+
+  Target(FreeField field, const PieceSettings& pieces)
+      : free(std::move(field)), opened(free, pieces), curve(pieces, PadParameters{}) {
+    trace(free.grid().nodes());
+  }
+  Target(const Canvas& canvas, const PieceSettings& pieces) : Target(FreeField(canvas, pieces), pieces) {}
+
+  TargetCurve::Change trace(const Window& window) { return curve.retrace(opened, free.field().origin, window); }
+  TargetCurve::Change place(const Piece& piece) {
+    return trace(opened.update(free, free.stamp(four_shapes()[piece.shape], piece.pose)));
+  }
+};
+
+/// To the bit; within a property of RapidCheck.
+inline void expect_updating_equals_tracing_afresh(const Canvas& canvas, const PieceSettings& settings,
+                                                  const std::vector<Piece>& pieces) {
+  Target updated(canvas, settings);
+  FreeField free(canvas, settings);
+  for (const Piece& piece : pieces) {
+    updated.place(piece);
+    free.stamp(four_shapes()[piece.shape], piece.pose);
+  }
+  const Target afresh(std::move(free), settings);
+  RC_ASSERT(updated.free.field().value.data() == afresh.free.field().value.data());
+  RC_ASSERT(updated.opened.contour().data() == afresh.opened.contour().data());
+  RC_ASSERT(updated.curve.samples() == afresh.curve.samples());
+  for (const SampleId id : afresh.curve.samples()) {
+    RC_ASSERT(updated.curve.sample(id).pyramid == afresh.curve.sample(id).pyramid);
+    RC_ASSERT(updated.curve.sample(id).position == afresh.curve.sample(id).position);
+    RC_ASSERT(updated.curve.sample(id).tangent == afresh.curve.sample(id).tangent);
+  }
+}
+
+}  // namespace tessera::test
