@@ -1,6 +1,9 @@
 // How near pieces come to each other and to the canvas' edge, measured on the outlines as they are written.
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <string>
+
 #include "core/tuning.h"
 #include "support/polygon_distance.h"
 #include "whole_collage.h"
@@ -32,17 +35,29 @@ double least_distance_px(const Canvas& canvas, const std::vector<Placement>& pla
   double least = 1e9;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     for (const Vec2 p : outlines[i].curves[0]) {
-      least = std::min({least, double(p.x), double(p.y), double(canvas.width_px) - p.x, double(canvas.height_px) - p.y});
+      least = std::min({least, double(p.x), double(p.y)});
+      least = std::min({least, double(canvas.width_px) - p.x, double(canvas.height_px) - p.y});
     }
     const Similarity& a = placements[i].canvas_from_shape;
     for (std::size_t k = 0; k < i; ++k) {
       const Similarity& b = placements[k].canvas_from_shape;
-      const float radii_px = library()[index_of(placements[i].shape)].radius * a.scale() + library()[index_of(placements[k].shape)].radius * b.scale();
+      const float radii_px = library()[index_of(placements[i].shape)].radius * a.scale() +
+                             library()[index_of(placements[k].shape)].radius * b.scale();
       if (norm(a.translation() - b.translation()) > radii_px + 8) continue;
       least = std::min(least, test::polygon_distance(outlines[i], outlines[k]));
     }
   }
   return least;
+}
+
+/// The settings of the tests with the seeds 1 to `seeds`, one after the other.
+void for_seeds(std::uint64_t seeds, const std::function<void(CollageSettings)>& check) {
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    CollageSettings s = settings();
+    s.seed = seed;
+    check(s);
+  }
 }
 
 TEST(Distances, KeepsThePadding) {
@@ -58,15 +73,13 @@ TEST(Distances, KeepsThePadding) {
 
 TEST(Distances, KeepsThePaddingWithAnySizesAndRotations) {
   const Canvas canvas = make_rectangle_canvas(160, 120);
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    CollageSettings s = settings();
-    s.seed = seed;
+  for_seeds(4, [&](CollageSettings s) {
     s.pieces.padding_px = 3;
-    s.pieces.max_scale_px = 16 * float(seed) + 40;
-    s.pieces.min_scale_px = s.pieces.max_scale_px / (seed % 2 ? 8 : 2);
-    if (seed > 2) s.pieces.min_rotation_rad = s.pieces.max_rotation_rad = 0;
-    EXPECT_GE(least_distance_px(canvas, run(canvas, s).placements), 3.0) << "seed " << seed;
-  }
+    s.pieces.max_scale_px = 16 * float(s.seed) + 40;
+    s.pieces.min_scale_px = s.pieces.max_scale_px / (s.seed % 2 ? 8 : 2);
+    if (s.seed > 2) s.pieces.min_rotation_rad = s.pieces.max_rotation_rad = 0;
+    EXPECT_GE(least_distance_px(canvas, run(canvas, s).placements), 3.0);
+  });
 }
 
 /// How deep a vertex of one of the pieces lies in another, px; below 0 where none does.
@@ -96,16 +109,14 @@ TEST(Distances, NoVertexLiesDeepInAnotherPiece) {
 
 TEST(Distances, WithoutOverlapNoPieceReachesIntoAnother) {
   const Canvas canvas = make_rectangle_canvas(240, 160);
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    CollageSettings s = settings();
-    s.seed = seed;
+  for_seeds(3, [&](CollageSettings s) {
     s.pieces.overlap_px = 0;
     const CollageResult result = run(canvas, s);
-    EXPECT_LE(deepest_vertex_px(result.placements), 0.002f) << "seed " << seed;
-    EXPECT_GE(least_distance_px(canvas, result.placements), 0) << "beyond the edge, seed " << seed;
+    EXPECT_LE(deepest_vertex_px(result.placements), 0.002f);
+    EXPECT_GE(least_distance_px(canvas, result.placements), 0) << "beyond the edge";
     EXPECT_GT(quality(canvas, result).coverage, 0.6);
     EXPECT_LT(quality(canvas, result).overlap, 1e-4);
-  }
+  });
 }
 
 /// Lines that are thinner than the depth at which pieces may lie in each other: they must not lie on one another.

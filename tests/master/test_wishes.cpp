@@ -311,16 +311,22 @@ TEST(Wishes, PiecesOfAShapeKeepApart) {
   expect_repeatable(canvas, s, result);
 }
 
-/// Shapes 3, 4 and 5 are one company, 6 is free of the job's distance.
-TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
+/// Shapes 3, 4 and 5 are a class of their own, a company, whose pieces keep apart so.
+CollageSettings with_company(const ApartWish& apart) {
   CollageSettings s = settings();
   s.pieces.max_scale_px = 40;
-  s.pieces.apart_px = 20;
-  s.wishes.classes.resize(3);
-  s.wishes.classes[1].apart = {7, 80};
-  s.wishes.classes[2].apart = {8, 0};
+  s.wishes.classes.resize(2);
+  s.wishes.classes[1].apart = apart;
   s.wishes.class_of_shape.assign(library().size(), 0);
   s.wishes.class_of_shape[3] = s.wishes.class_of_shape[4] = s.wishes.class_of_shape[5] = 1;
+  return s;
+}
+
+/// Shape 6 is free of the job's distance.
+TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
+  CollageSettings s = with_company({7, 80});
+  s.pieces.apart_px = 20;
+  s.wishes.classes.emplace_back().apart = {8, 0};
   s.wishes.class_of_shape[6] = 2;
   const Canvas canvas = make_rectangle_canvas(300, 220);
   const CollageResult result = run(canvas, s);
@@ -341,15 +347,10 @@ TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
             }), 20);
 }
 
-/// Of shapes 3, 4 and 5 there is room for one alone, though each is wished for: the others need not wait.
+/// There is room for one of the company alone, though each is wished for: the others need not wait.
 TEST(Wishes, NobodyWaitsForAShapeThatIsShutOut) {
-  CollageSettings s = settings();
-  s.pieces.max_scale_px = 40;
+  CollageSettings s = with_company({0, 1000});
   s.pieces.least_uses = 1;
-  s.wishes.classes.resize(2);
-  s.wishes.classes[1].apart = {0, 1000};
-  s.wishes.class_of_shape.assign(library().size(), 0);
-  s.wishes.class_of_shape[3] = s.wishes.class_of_shape[4] = s.wishes.class_of_shape[5] = 1;
   const CollageResult result = run(make_rectangle_canvas(300, 220), s);
   EXPECT_GT(result.placements.size(), 2 * library().size());
   std::map<std::uint32_t, int> count = uses(result.placements);
