@@ -1,24 +1,22 @@
 #!/usr/bin/env bash
 # agreement_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER RENDERER...: collage.svg of Debian's clip art looks like
-# collage.png in each of the renderers: rsvg, inkscape, chromium; and so does collage.pdf: pdf. Exit code 77: one of them, or
-# the clip art, is not there.
+# collage.png in each of the renderers: rsvg, inkscape, chromium; and so does collage.pdf: pdf. Exit code 77: one of
+# them, or the clip art, is not there.
 #
-# The bounds are means over the picture, of 255; measured were 0.77 to 1.09, and for the PDF, whose
-# hair lines poppler makes a pixel wide, 0.94 to 1.49. A collage with many gradients differs by more in
-# librsvg (2.54 of Debian 12): it stretches those that follow the box of their object where that is rotated, as pieces are.
-# In the PNG they are right, since drawings are rotated as pixels there.
+# The bounds are means over the picture, of 255; measured were 0.77 to 1.09, and for the PDF, whose hair lines poppler
+# makes a pixel wide, 0.94 to 1.49. A collage with many gradients differs by more in librsvg (2.54 of Debian 12): it
+# stretches those that follow the box of their object where that is rotated, as pieces are. In the PNG they are right,
+# since drawings are rotated as pixels there.
 set -uo pipefail
 tessera=$1
 difference=$2
 folder=$3
 shift 3
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+
 declare -A most=([rsvg]=1.5 [inkscape]=1.5 [chromium]=1.5 [pdf]=1.9)
 declare -A program=([rsvg]=rsvg-convert [inkscape]=inkscape [chromium]=chromium [pdf]=pdftocairo)
-
-fail() {
-  echo "FAILED $*"
-  exit 1
-}
 
 clipart=$(dpkg -L openclipart-svg 2>/dev/null | grep -x '.*/svg/animals')
 [[ -n $clipart ]] || { echo "no openclipart-svg"; exit 77; }
@@ -26,13 +24,11 @@ for renderer in "$@"; do
   command -v "${program[$renderer]}" >/dev/null || { echo "no ${program[$renderer]}: apt-get install it"; exit 77; }
 done
 
-rm -rf "$folder"
-mkdir -p "$folder/home"
-cd "$folder" || exit 1
+new_folder
+mkdir home
 export HOME=$folder/home
-unset SLURM_JOB_END_TIME
 mapfile -t drawings < <(find "$clipart" -maxdepth 1 -name '*.svg' | LC_ALL=C sort | head -n 60)
-"$tessera" library build "${drawings[@]}" -o animals.h5 >output 2>&1 || fail "$(cat output)"
+run 0 library build "${drawings[@]}" -o animals.h5
 echo '<svg xmlns="http://www.w3.org/2000/svg" width="90" height="60"><ellipse cx="45" cy="30" rx="44" ry="29"/></svg>' \
   >ellipse.svg
 cat >job.toml <<'END_OF_JOB'
@@ -47,7 +43,7 @@ scale_px = [20, 120]
 [output]
 width_px = 1200
 END_OF_JOB
-"$tessera" collage job.toml --out plain --quiet >output 2>&1 || fail "$(cat output)"
+run 0 collage job.toml --out plain --quiet
 decoration='--set output.outline_px=1 --set output.outline_colour=#402010 --set output.shadow_strength=0.6'
 cp -r plain decorated
 cp -r plain transparent
@@ -56,7 +52,7 @@ echo "$decoration --set output.clip=none" >decorated/keys
 echo '--background none' >transparent/keys
 for result in decorated transparent; do
   # shellcheck disable=SC2046  # options, one a word
-  "$tessera" draw "$result" --quiet $(cat "$result/keys") >output 2>&1 || fail "$(cat output)"
+  run 0 draw "$result" --quiet $(cat "$result/keys")
 done
 
 rendered() { # RENDERER SVG PNG
@@ -69,15 +65,16 @@ rendered() { # RENDERER SVG PNG
       ;;
     inkscape) timeout 300 inkscape "$2" --export-type=png --export-filename="$3" ;;
     chromium)
-      timeout 300 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --user-data-dir="$folder/home/chromium" \
-        --default-background-color=00000000 --window-size=1200,800 --screenshot="$PWD/$3" "file://$PWD/$2"
+      timeout 300 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars \
+        --user-data-dir="$folder/home/chromium" --default-background-color=00000000 --window-size=1200,800 \
+        --screenshot="$PWD/$3" "file://$PWD/$2"
       ;;
-  esac >output 2>&1
+  esac >output 2>errors
 }
 
 for renderer in "$@"; do
   for result in plain decorated transparent; do
-    rendered "$renderer" "$result/collage.svg" "$result/$renderer.png" || fail "$renderer: $(cat output)"
+    rendered "$renderer" "$result/collage.svg" "$result/$renderer.png" || fail "$renderer"
     "$difference" "$result/collage.png" "$result/$renderer.png" "$result" >found || fail "$renderer: cannot be compared"
     mean=$(head -n 1 found)
     awk -v mean="$mean" -v most="${most[$renderer]}" 'BEGIN { exit !(mean <= most) }' ||

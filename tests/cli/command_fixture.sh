@@ -1,33 +1,49 @@
 # shellcheck shell=bash disable=SC2154
-# For the tests that give the program one command after the other, which source it: what a command says goes to the files
-# output and errors. Needs: $tessera, $folder (new).
+# For the tests that give the program one command after the other, which source it: what a command says goes to the
+# files output and errors. Needs: $tessera, $folder (new); $mpirun, where several ranks are asked for.
 # shellcheck source=tests/support/drawings.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
+# shellcheck source=tests/support/ranks.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/ranks.sh"
 unset SLURM_JOB_END_TIME
 
 fail() {
   echo "FAILED $*"
-  head -c 2000 output errors 2>/dev/null
+  head -c 2000 output errors ./*.left_out.txt 2>/dev/null
   exit 1
 }
 
 # run CODES COMMAND...: tessera ends within $most_s, and its exit $code is one of CODES.
 most_s=120
-run() {
-  local expected=$1
-  shift
-  timeout "$most_s" "$tessera" "$@" >output 2>errors
+run() { run_program "$1" "$tessera" "${@:2}"; }
+run_on_ranks() { run_program "$2" "${on_ranks[@]}" "$1" "$tessera" "${@:3}"; } # RANKS CODES COMMAND...
+run_program() { # CODES PROGRAM ARGUMENT...
+  timeout "$most_s" "${@:2}" >output 2>errors
   code=$?
-  [[ " $expected " == *" $code "* ]] || fail "exit code $code, not $expected: $*"
+  [[ " $1 " == *" $code "* ]] || fail "exit code $code, not $1: ${*:2}"
 }
+
+# same_on_3_ranks OUT COMMAND...: its result on one rank in OUT, and on three, with the same pieces, in OUT_on_3. What
+# is in output and errors is of the one.
+same_on_3_ranks() {
+  run_on_ranks 3 0 "${@:2}" --out "$1_on_3"
+  run 0 "${@:2}" --out "$1"
+  cmp "$1/pieces.geojson" "$1_on_3/pieces.geojson" || fail "other pieces on three ranks: ${*:2}"
+}
+
 expect_silence() { [[ ! -s errors ]] || fail "$1"; }
 expect_word() { grep -qF -- "$1" errors || fail "not on stderr: $1"; }
 
-# The new folder, entered, with a library of five drawings in own.h5.
-enter_folder() {
+# The new folder, entered.
+new_folder() {
   rm -rf "$folder"
   mkdir -p "$folder"
   cd "$folder" || exit 1
+}
+
+# And with a library of five drawings in own.h5.
+enter_folder() {
+  new_folder
   make_drawings drawings
   run 0 library build drawings -o own.h5
 }

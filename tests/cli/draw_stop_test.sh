@@ -3,7 +3,6 @@
 # that starts tessera has ignored SIGCHLD, which children inherit.
 set -uo pipefail
 tessera=$1
-mpirun=unused
 folder=$2
 # shellcheck source=tests/cli/restart_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
@@ -39,6 +38,7 @@ rm -rf result
 sed -i "s/^file = 'canvas.svg'//" job.toml
 env --ignore-signal=CHLD "$tessera" library build drawings -o again.h5 >output 2>errors || fail "library build"
 cmp own.h5 again.h5 || fail "another library"
-env --ignore-signal=CHLD "$tessera" collage job.toml --out result --quiet --set stop.pieces=2 >output 2>errors || fail "collage"
+env --ignore-signal=CHLD "$tessera" collage job.toml --out result --quiet --set stop.pieces=2 >output 2>errors ||
+  fail "collage"
 [[ -s result/collage.png ]] || fail "no picture"
 echo "ok an ignored SIGCHLD"

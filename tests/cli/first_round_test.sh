@@ -3,7 +3,6 @@
 # results that are not whole.
 set -uo pipefail
 tessera=$1
-mpirun=unused
 folder=$2
 # shellcheck source=tests/cli/restart_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
@@ -29,7 +28,8 @@ end_in_first_round kept
 for name in manifest.json pieces.geojson job.toml card.json card.txt collage.svg collage.png; do
   cmp "before/$name" "kept/$name" || fail "replaced by nothing: $name"
 done
-grep -q 'nothing is placed yet, the finished result in kept is still that of the run before' errors || fail "does not say so"
+grep -q 'nothing is placed yet, the finished result in kept is still that of the run before' errors ||
+  fail "does not say so"
 grep -q 'unfinished: go on with the same command and --resume;' errors || fail "does not say how to go on"
 [[ -s kept/checkpoint.h5 ]] || fail "no checkpoint"
 "$tessera" draw kept --quiet || fail "the older result cannot be drawn"
@@ -51,8 +51,10 @@ for name in job.toml pieces.geojson; do
   grep -q "warning: not ranked: broken/two/$name: not found" errors || fail "rank does not say what it leaves out"
   "$tessera" draw broken/two >output 2>errors && fail "drawn without $name"
   grep -q "broken/two/$name: not found" errors || fail "draw does not say what is missing"
-  "$tessera" collage job.toml --out broken/two --quiet --resume >output 2>errors && fail "goes on with what is not whole"
-  grep -q "the result in its folder is not whole: broken/two/$name: not found" errors || fail "--resume does not say why"
+  "$tessera" collage job.toml --out broken/two --quiet --resume >output 2>errors &&
+    fail "goes on with what is not whole"
+  grep -q "the result in its folder is not whole: broken/two/$name: not found" errors ||
+    fail "--resume does not say why"
   "$tessera" collage job.toml --out broken/two --quiet --resume=auto >output 2>errors || fail "made anew"
   grep -q "warning: broken/two: this run replaces a result that is not whole: broken/two/$name: not found" errors ||
     fail "does not say why it is made anew"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # hostile_jobs_test.sh TESSERA WRITE_HOSTILE_JOBS NEW_FOLDER DATA_KIB: job files that nobody should write, given to the
-# program: no crash, no more than 20 s and DATA_KIB of memory each (or "unlimited"); what is refused is refused in one line.
+# program: no crash, no more than 20 s and DATA_KIB of memory each (or "unlimited"); what is refused is refused in one
+# line.
 set -uo pipefail
 tessera=$1
 write_hostile_jobs=$2
@@ -49,12 +50,13 @@ echo "ok refused sizes"
 
 # Legal, if hardly sensible.
 for value in 'canvas.size_px=[16, 16]' 'canvas.size_px=[2000, 16]' 'pieces.padding_px=500' 'pieces.scale_px=[2, 5000]' \
-  'pieces.scale_px=[4999, 5000]' 'pieces.rotation_deg=[-360, 360]' 'pieces.rotation_deg=[360, 360]' pieces.uses=1000000 \
-  match.levels=2 match.levels=6 match.delta_tau=0.02 match.delta_tau=1 match.top_percent=100 match.top_percent=0.001 \
-  match.most_pairs=0 match.beta=0 match.beta=4 match.tangent_dockings=0 match.tangent_dockings=100000 match.delta_px=50 \
-  objective.overlap_weight=0 objective.gap_weight=100 objective.length_exponent=0 objective.length_exponent=4 \
-  objective.scale_exponent=4 objective.repetition_exponent=4 objective.near_twin_factor=0 stop.coverage=0.01 \
-  stop.seconds=1e7 improve.seconds=1e7 checkpoint.every_s=0 checkpoint.every_s=1e6; do
+  'pieces.scale_px=[4999, 5000]' 'pieces.rotation_deg=[-360, 360]' 'pieces.rotation_deg=[360, 360]' \
+  pieces.uses=1000000 match.levels=2 match.levels=6 match.delta_tau=0.02 match.delta_tau=1 match.top_percent=100 \
+  match.top_percent=0.001 match.most_pairs=0 match.beta=0 match.beta=4 match.tangent_dockings=0 \
+  match.tangent_dockings=100000 match.delta_px=50 objective.overlap_weight=0 objective.gap_weight=100 \
+  objective.length_exponent=0 objective.length_exponent=4 objective.scale_exponent=4 objective.repetition_exponent=4 \
+  objective.near_twin_factor=0 stop.coverage=0.01 stop.seconds=1e7 improve.seconds=1e7 checkpoint.every_s=0 \
+  checkpoint.every_s=1e6; do
   try "0 75" "${collage[@]}" --set "$value" --restart
   [[ -s result/pieces.geojson ]] || fail "no pieces: $value"
 done

@@ -1,29 +1,24 @@
 #!/usr/bin/env bash
-# install_test.sh CMAKE BUILD_FOLDER NEW_FOLDER: cmake --install; the installation is moved elsewhere, and from there, in
-# an environment that knows nothing of repository and build, a library and a collage are made and the templates find all.
+# install_test.sh CMAKE BUILD_FOLDER NEW_FOLDER: cmake --install; the installation is moved elsewhere, and from there,
+# in an environment that knows nothing of repository and build, a library and a collage are made and the templates find
+# all.
 set -uo pipefail
 cmake=$1
 build=$2
 folder=$3
-# shellcheck source=tests/support/drawings.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
-fail() {
-  echo "FAILED $*"
-  cat output errors 2>/dev/null
-  exit 1
-}
-
-rm -rf "$folder"
-mkdir -p "$folder/work"
-cd "$folder/work" || exit 1
+new_folder
+mkdir work
+cd work || exit 1
 "$cmake" --install "$build" --prefix "$folder/first" >output 2>errors || fail "cmake --install"
 mv "$folder/first" "$folder/moved"
 prefix=$folder/moved
 share=$prefix/share/tessera
 
-for file in README.md ARCHITECTURE.md LICENSE docs/job-format.md docs/animals.jpg jobs/animals.toml jobs/canvas/heart.svg \
-  slurm/README.md slurm/collage.sbatch slurm/job.sh slurm/program.sh; do
+for file in README.md ARCHITECTURE.md LICENSE docs/job-format.md docs/animals.jpg jobs/animals.toml \
+  jobs/canvas/heart.svg slurm/README.md slurm/collage.sbatch slurm/job.sh slurm/program.sh; do
   [[ -s $share/$file ]] || fail "not installed: $file"
 done
 [[ -x $share/slurm/gpu_share.sh && -x $share/slurm/campaign.sh ]] || fail "scripts that cannot be run"
@@ -40,7 +35,8 @@ bare tessera collage "$share/jobs/heart.toml" --set library.file=own.h5 --set 'c
   --set 'pieces.scale_px=[14, 60]' --set output.width_px=160 --set stop.pieces=3 --out result >output 2>errors ||
   fail "collage"
 [[ -s result/collage.png && -s result/pieces.geojson ]] || fail "no result"
-grep -q "\"command_line\": \"tessera collage $share/jobs/heart.toml" result/card.json || fail "another command in the card"
+grep -q "\"command_line\": \"tessera collage $share/jobs/heart.toml" result/card.json ||
+  fail "another command in the card"
 echo "ok a library and a collage"
 
 # The lines of the README for the jobs that came with it, with other drawings and fewer pieces.
@@ -53,7 +49,8 @@ cp -r "$share/jobs" .
 mkdir out
 bare tessera library build drawings -o out/animals.h5 >output 2>errors || fail "the jobs' library"
 for job in animals heart; do
-  bare tessera collage "jobs/$job.toml" --set stop.pieces=2 --set output.width_px=100 >output 2>errors || fail "jobs/$job.toml"
+  bare tessera collage "jobs/$job.toml" --set stop.pieces=2 --set output.width_px=100 >output 2>errors ||
+    fail "jobs/$job.toml"
   [[ -s out/$job/collage.png ]] || fail "no result of jobs/$job.toml"
 done
 echo "ok the jobs that came with it"
@@ -74,7 +71,8 @@ stand_in "$PWD/repository/build/release/src/cli/tessera"
 stand_in "$PWD/own"
 slurm=$share/slurm
 tools=PATH=/usr/bin:/bin
-[[ $(found "PATH=$PWD/path:/usr/bin:/bin" "TESSERA_ROOT=$PWD/repository") == "$PWD/path/tessera" ]] || fail "PATH is not first"
+[[ $(found "PATH=$PWD/path:/usr/bin:/bin" "TESSERA_ROOT=$PWD/repository") == "$PWD/path/tessera" ]] ||
+  fail "PATH is not first"
 [[ $(found "$tools" "TESSERA_ROOT=$PWD/repository") == "$PWD/repository/build/release/src/cli/tessera" ]] ||
   fail "TESSERA_ROOT is not second"
 [[ $(found "$tools") == "$prefix/bin/tessera" ]] || fail "not the one beside the templates"

@@ -27,7 +27,8 @@ for signal in INT TERM USR2; do
   end_while_drawing "$signal" 1 "$signal"
   [[ $code == 75 ]] || fail "$signal: exit code $code"
   [[ ! -e $signal/checkpoint.h5 ]] || fail "$signal: a checkpoint of a finished run"
-  grep -qF "collage finished, drawing interrupted: tessera draw $signal goes on" errors || fail "$signal: does not say how"
+  grep -qF "collage finished, drawing interrupted: tessera draw $signal goes on" errors ||
+    fail "$signal: does not say how"
 done
 "$tessera" draw INT >output 2>errors || fail "tessera draw"
 expect_drawn INT
@@ -66,7 +67,8 @@ echo "ok draw"
 [[ $(od -An -tu1 -j16 -N8 USR2/collage.png | xargs) == "0 0 1 244 0 0 1 119" ]] || fail "not 500 x 375"
 [[ $(head -c 5 USR2/collage.pdf) == %PDF- ]] || fail "no PDF"
 cmp expected/collage.svg USR2/collage.svg || fail "the SVG was not asked for"
-grep -qF '{"file":"collage.png","width_px":500,"width_mm":0.0,"dpi":300.0,"background":"#102030"' USR2/manifest.json || fail "manifest"
+grep -qF '{"file":"collage.png","width_px":500,"width_mm":0.0,"dpi":300.0,"background":"#102030"' USR2/manifest.json ||
+  fail "manifest"
 mv own.h5 moved.h5
 expect_refused() { # TEXT ARGUMENT...
   local text=$1
@@ -94,6 +96,7 @@ echo "ok draw's options"
 mv drawings gone
 start 1 gone_artwork
 expect_end 0 "without originals"
-grep -qE 'warning: gone_artwork: [0-9]+ pieces? drawn from thumbnails: ' errors || fail "does not say that they are thumbnails"
+grep -qE 'warning: gone_artwork: [0-9]+ pieces? drawn from thumbnails: ' errors ||
+  fail "does not say that they are thumbnails"
 grep -q 'drawn from thumbnail  *[0-9]* piece' gone_artwork/card.txt || fail "card without thumbnails"
 echo "ok lost originals"

@@ -3,27 +3,12 @@
 set -uo pipefail
 tessera=$1
 folder=$2
-# shellcheck source=tests/support/drawings.sh
-source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
-fail() {
-  echo "FAILED $*"
-  cat output errors own.left_out.txt 2>/dev/null
-  exit 1
-}
+build() { run "$1" library build "${@:2}" -o own.h5; } # CODE ARGUMENT...
 
-# build CODE ARGUMENT...
-build() {
-  local expected=$1 code
-  shift
-  "$tessera" library build "$@" -o own.h5 >output 2>errors
-  code=$?
-  [[ $code == "$expected" ]] || fail "exit code $code, not $expected: $*"
-}
-
-rm -rf "$folder"
-mkdir -p "$folder"
-cd "$folder" || exit 1
+new_folder
 make_drawings drawings
 cp drawings/bean.svg drawings/bean_again.svg
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'/>" >drawings/nothing.svg
@@ -36,8 +21,10 @@ grep -qF 'own.h5 was not written: --strict; 8 files: 5 shapes, 1 merged with the
   fail "another message of --strict"
 [[ $(wc -l <own.left_out.txt) == 3 ]] || fail "another list of --strict"
 build 0 drawings
-grep -qE '^own.h5, .* s; of 8 files: 5 shapes, 1 merged with these, 2 skipped$' output || fail "numbers that do not add up"
-grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt || fail "another reason in a folder"
+grep -qE '^own.h5, .* s; of 8 files: 5 shapes, 1 merged with these, 2 skipped$' output ||
+  fail "numbers that do not add up"
+grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt ||
+  fail "another reason in a folder"
 cp own.left_out.txt list_before.txt
 build 2 drawings/nothing.svg
 cmp list_before.txt own.left_out.txt || fail "the list of a library that stays was replaced"
@@ -47,9 +34,12 @@ echo "ok numbers"
 rm -f own.*
 build 2 drawings/old.gif drawings/nothing.svg
 [[ ! -e own.h5 ]] || fail "a library of nothing"
-grep -qF 'own.h5 was not written: no usable shape in 2 files: 0 shapes, 2 skipped; the first is' errors || fail "another message"
-grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt || fail "another reason when named"
-grep -q 'nothing.svg.*nothing to be seen; an image needs transparency' own.left_out.txt || fail "does not say what to do"
+grep -qF 'own.h5 was not written: no usable shape in 2 files: 0 shapes, 2 skipped; the first is' errors ||
+  fail "another message"
+grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt ||
+  fail "another reason when named"
+grep -q 'nothing.svg.*nothing to be seen; an image needs transparency' own.left_out.txt ||
+  fail "does not say what to do"
 rm own.left_out.txt
 mkdir -p own.left_out.txt/kept
 build 2 drawings/nothing.svg

@@ -53,8 +53,11 @@ for ((n = 0; n < moments; ++n)); do
   code=$?
   took_ms=$(($(date +%s%3N) - began_ms))
   [[ $code != 2 ]] || fail "end $n: what was there is refused"
-  if [[ $code == 75 ]] && ((took_ms > most_ms)); then fail "end $n: took $took_ms ms after ${signals[how]-the limit}"; fi
-  [[ $code == 0 || -z $(find out -name 'collage*.tmp' 2>/dev/null) || $ranks == 3 ]] || fail "end $n: a half-written picture"
+  if [[ $code == 75 ]] && ((took_ms > most_ms)); then
+    fail "end $n: took $took_ms ms after ${signals[how]-the limit}"
+  fi
+  [[ $code == 0 || -z $(find out -name 'collage*.tmp' 2>/dev/null) || $ranks == 3 ]] ||
+    fail "end $n: a half-written picture"
   if [[ -e out/manifest.json && ! -e out/checkpoint.h5 && $code != 0 ]]; then
     drawing=$((drawing + 1))
   elif [[ -e out/checkpoint.h5 ]]; then

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ranks_test.sh TESSERA MPIRUN NEW_FOLDER: ranks that disagree, ranks that hang, launchers that start several masters, and
-# two runs in one folder.
+# ranks_test.sh TESSERA MPIRUN NEW_FOLDER: ranks that disagree, ranks that hang, launchers that start several masters,
+# and two runs in one folder.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -22,9 +22,9 @@ draw_svg others/leaf "M10 90 C10 30 50 10 90 10 C90 75 50 90 10 90Z"
 "$tessera" library build others -o mine/lib.h5 >output 2>errors || fail "the other library"
 # other_library MASTERS_FOLDER WORKERS_FOLDER: rank 2's worker reads another library of the same size
 other_library() {
-  local run=("$tessera" collage "$folder/job.toml" --set library.file=/proc/self/cwd/lib.h5 --out "$folder/other" --quiet)
-  "$mpirun" -q --oversubscribe --bind-to none -n 2 --wdir "$folder/$1" "${run[@]}" : -n 1 --wdir "$folder/$2" "${run[@]}" \
-    >output 2>errors &
+  local command=("$tessera" collage "$folder/job.toml" --set library.file=/proc/self/cwd/lib.h5 --out "$folder/other")
+  command+=(--quiet)
+  "${on_ranks[@]}" 2 --wdir "$folder/$1" "${command[@]}" : -n 1 --wdir "$folder/$2" "${command[@]}" >output 2>errors &
   started=$!
 }
 other_library theirs mine

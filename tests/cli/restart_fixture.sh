@@ -1,7 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # For the tests of checkpoints, which source it: a job with a library of its own in $folder, and how to run it.
-# Needs: $tessera, $mpirun, $folder (new).
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+# Needs: $tessera, $folder (new); $mpirun, where several ranks are asked for.
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
@@ -29,13 +28,14 @@ END
   mv expected/pieces.geojson expected.geojson
 }
 
-# start RANKS OUT OPTION...: in the background, as process $started; its first checkpoint is newer than the file "begun".
+# start RANKS OUT OPTION...: in the background, as process $started; its first checkpoint is newer than the file
+# "begun".
 start() {
   local ranks=$1 out=$2
   shift 2
   touch begun
   local command=("$tessera" collage job.toml --out "$out" "$@")
-  [[ $ranks == 1 ]] || command=("$mpirun" -q --oversubscribe --bind-to none -n "$ranks" "${command[@]}")
+  [[ $ranks == 1 ]] || command=("${on_ranks[@]}" "$ranks" "${command[@]}")
   "${command[@]}" >output 2>errors &
   started=$!
 }
@@ -45,9 +45,21 @@ wait_for_checkpoint() { # OUT
   until [[ $1/checkpoint.h5 -nt begun ]] || ! kill -0 "$started" 2>/dev/null; do sleep 0.01; done
 }
 
+# interrupt SIGNAL RANKS OUT OPTION...: ends a run soon after it began, with a checkpoint; its exit $code.
+interrupt() {
+  start "${@:2}"
+  wait_for_checkpoint "$3"
+  kill -s "$1" "$started" 2>/dev/null
+  wait "$started"
+  code=$?
+}
+
 expect_end() { # CODE WHAT
   wait "$started"
-  local code=$?
+  code=$?
+  expect_code "$@"
+}
+expect_code() { # CODE WHAT
   [[ $code == "$1" ]] || fail "$2: exit code $code, not $1"
 }
 

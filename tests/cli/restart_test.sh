@@ -1,23 +1,12 @@
 #!/usr/bin/env bash
-# restart_test.sh TESSERA MPIRUN NEW_FOLDER: runs that are interrupted and go on, and everything that can be wrong with a
-# checkpoint.
+# restart_test.sh TESSERA MPIRUN NEW_FOLDER: runs that are interrupted and go on, and everything that can be wrong with
+# a checkpoint.
 set -uo pipefail
 tessera=$1
 mpirun=$2
 folder=$3
 # shellcheck source=tests/cli/restart_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
-
-# interrupt SIGNAL RANKS OUT OPTION...: ends a run soon after it began, with a checkpoint.
-interrupt() {
-  local signal=$1 ranks=$2 out=$3
-  shift 3
-  start "$ranks" "$out" "$@"
-  wait_for_checkpoint "$out"
-  kill -s "$signal" "$started" 2>/dev/null
-  wait "$started"
-  code=$?
-}
 
 # expect_error TEXT OUT OPTION...: bad input, in one line that has this in it
 expect_error() {
@@ -44,7 +33,7 @@ options=(--set checkpoint.every_s=0.01)
 while :; do
   interrupt USR2 $((sessions % 3 == 1 ? 3 : 1)) often "${options[@]}"
   [[ $code == 0 ]] && break
-  [[ $code == 75 ]] || fail "often: exit code $code"
+  expect_code 75 "often"
   if grep -qF '"state":"finished"' often/manifest.json; then # the signal came while it was drawn
     start 1 often --resume
     expect_end 0 "often: drawing"
@@ -67,7 +56,7 @@ echo "ok often ($sessions interruptions, $greedy of them before improving)"
 
 for signal in INT TERM; do
   interrupt "$signal" 1 "signal_$signal"
-  [[ $code == 75 ]] || fail "$signal: exit code $code"
+  expect_code 75 "$signal"
 done
 start 3 signal_INT --resume
 expect_end 0 "after SIGINT"
@@ -101,7 +90,8 @@ unfinished start
 expect_error 'start/checkpoint.h5: unfinished work; --resume goes on with it, --restart removes it' start
 rm start/checkpoint.h5
 expect_error 'start/checkpoint.previous.h5: unfinished work; --resume=previous goes on with it' start
-expect_error 'start/checkpoint.h5: no such file; start/checkpoint.previous.h5 is there: --resume=previous' start --resume
+expect_error 'start/checkpoint.h5: no such file; start/checkpoint.previous.h5 is there: --resume=previous' start \
+  --resume
 mv start/checkpoint.previous.h5 start/checkpoint.h5
 expect_error 'start/checkpoint.previous.h5: no such file; start/checkpoint.h5 is there: --resume goes' start \
   --resume=previous
@@ -181,7 +171,8 @@ expect_result damaged
 unfinished damaged
 change_byte damaged/checkpoint.previous.h5 5000
 expect_error 'damaged/checkpoint.previous.h5: damaged' damaged --resume=previous
-grep -q -- 'damaged/checkpoint.h5 is good: --resume goes on from it; --restart' errors || fail "no way back to the latest"
+grep -q -- 'damaged/checkpoint.h5 is good: --resume goes on from it; --restart' errors ||
+  fail "no way back to the latest"
 change_byte damaged/checkpoint.h5 5000
 expect_error 'damaged/checkpoint.h5: damaged' damaged --resume
 grep -q 'is good' errors && fail "offers a damaged checkpoint"
@@ -193,14 +184,15 @@ mkdir -p blocked/checkpoint.h5.tmp/in_the_way
 start 1 blocked
 expect_end 0 "without checkpoints"
 cmp expected.geojson blocked/pieces.geojson || fail "without checkpoints: other pieces"
-[[ $(grep -c 'warning: no checkpoint: cannot write blocked/checkpoint.h5: Is a directory' errors) == 1 ]] || fail "warning"
+[[ $(grep -c 'warning: no checkpoint: cannot write blocked/checkpoint.h5: Is a directory' errors) == 1 ]] ||
+  fail "warning"
 start 1 blocked --time-limit 4 --set improve.trials=0 --set improve.seconds=1000
 expect_end 1 "unfinished without a checkpoint"
 grep -q 'unfinished, and without a checkpoint' errors || fail "does not say that there is no checkpoint"
 echo "ok no checkpoint can be written"
 
-# break_disk HOW REASON: the disk breaks after the first checkpoint; what is there is enough to go on with. It cannot be made
-# read-only itself while the run holds its lock: another one hides it.
+# break_disk HOW REASON: the disk breaks after the first checkpoint; what is there is enough to go on with. It cannot be
+# made read-only itself while the run holds its lock: another one hides it.
 break_disk() {
   start 1 disk
   wait_for_checkpoint disk

@@ -17,7 +17,8 @@ run 0 library build drawings -o own.h5
 grep -qF 'all that was left out: own.left_out.txt' output || fail "does not say where the list is"
 [[ $(wc -l <own.left_out.txt) == 6 && $(grep -c $'^skipped\t/.*/drawings/empty.\.svg\t.' own.left_out.txt) == 5 ]] ||
   fail "another list: $(cat own.left_out.txt)"
-grep -q $'^merged\t/.*/drawings/bean_again.svg\tthe silhouette and colour of bean$' own.left_out.txt || fail "no copy in the list"
+grep -q $'^merged\t/.*/drawings/bean_again.svg\tthe silhouette and colour of bean$' own.left_out.txt ||
+  fail "no copy in the list"
 rm drawings/empty?.svg drawings/bean_again.svg
 run 0 library build drawings -o own.h5
 [[ ! -e own.left_out.txt ]] || fail "the list of the library before is still there"
@@ -30,8 +31,8 @@ run 0 collage job.toml --out result --quiet
 run 0 collage job.toml --out result --quiet --set devices.use=cpu --set checkpoint.every_s=9
 expect_silence "a warning about the same job"
 run 0 collage job.toml --out result --quiet --set seed=3 --set output.width_px=64
-expect_word 'tessera: warning: result: the finished result of another job is replaced as soon as a piece is placed; seed: then 1, now 3; '
-expect_word 'output.width_px: then 120, now 64; another --out keeps it'
+expect_word 'tessera: warning: result: the finished result of another job is replaced as soon as a piece is placed; '
+expect_word 'piece is placed; seed: then 1, now 3; output.width_px: then 120, now 64; another --out keeps it'
 [[ $(wc -l <errors) == 1 ]] || fail "not one line"
 echo "ok another job's result"
 
@@ -54,8 +55,8 @@ expect_word 'tessera: --time-limit: found an empty text, allowed: seconds'
 echo "ok unfinished"
 
 # What is private stands in the card and the log, and both say what made the result.
-for word in "command: .* collage job.toml --out result --quiet --set seed=3" "rank 0 of 1 on $(hostname): " "end: stopped by" \
-  "warning: result: the finished result of another job is replaced" "digest [0-9a-f]\{16\}$"; do
+for word in "command: .* collage job.toml --out result --quiet --set seed=3" "rank 0 of 1 on $(hostname): " \
+  "end: stopped by" "warning: result: the finished result of another job is replaced" "digest [0-9a-f]\{16\}$"; do
   grep -q -- "$word" result/run.log || fail "result/run.log lacks: $word"
 done
 [[ $(grep -c ' info: start: ' result/run.log) == 3 ]] || fail "not three runs in result/run.log"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # wishes_test.sh TESSERA MPIRUN NEW_FOLDER: a job with mirror images, distances, groups and a table of wishes: the same
-# pieces on one rank, on three, and after interruptions; its result needs the table no more; another table is another job.
+# pieces on one rank, on three, and after interruptions; its result needs the table no more; another table is another
+# job.
 set -uo pipefail
 tessera=$1
 mpirun=$2
@@ -12,8 +13,8 @@ enter_folder
 run 0 library info own.h5 --names
 mapfile -t names <output
 [[ ${#names[@]} -ge 5 ]] || fail "names: ${names[*]}"
-printf 'names,weight,scale_px,mirrored,apart_px,group\r\n%s,2,"[20, 50]",only,30,first\r\n%s,,,never,,"second, and last"\r\n' \
-  "${names[0]}" "${names[1]}" >wishes.csv
+printf '%s\r\n' 'names,weight,scale_px,mirrored,apart_px,group' "${names[0]},2,\"[20, 50]\",only,30,first" \
+  "${names[1]},,,never,,\"second, and last\"" >wishes.csv
 cat >job.toml <<'END'
 [library]
 file = 'own.h5'
@@ -31,8 +32,7 @@ width_px = 240
 [checkpoint]
 every_s = 0.2
 END
-start 1 expected
-expect_end 0 "the run without interruption"
+same_on_3_ranks expected collage job.toml
 cp expected/pieces.geojson expected.geojson
 grep -q '"mirrored":true' expected.geojson || fail "nothing is mirrored"
 grep -q '"mirrored":false' expected.geojson || fail "all is mirrored"
@@ -42,23 +42,13 @@ grep -q '"group":"second, and last"' expected.geojson || fail "no group"
 grep -q 'inkscape:label="second, and last"' expected/collage.svg || fail "no layer"
 echo "ok what was wished for"
 
-start 3 ranks
-expect_end 0 "three ranks"
-expect_result ranks
+expect_result expected_on_3
 echo "ok three ranks"
 
-# interrupt RANKS OUT OPTION...: ends a run soon after it began, with a checkpoint.
-interrupt() {
-  local ranks=$1 out=$2
-  shift 2
-  start "$ranks" "$out" "$@"
-  wait_for_checkpoint "$out"
-  kill -s USR2 "$started" 2>/dev/null
-  expect_end 75 "an interruption"
-}
-
-interrupt 1 parts --set checkpoint.every_s=0.01
-interrupt 3 parts --resume
+interrupt USR2 1 parts --set checkpoint.every_s=0.01
+expect_code 75 "an interruption"
+interrupt USR2 3 parts --resume
+expect_code 75 "an interruption on three ranks"
 start 1 parts --resume
 expect_end 0 "the rest"
 expect_result parts
@@ -78,7 +68,8 @@ expect_word "wishes.csv: not a readable file"
 echo "ok without the table"
 
 sed 's/,2,/,3,/' elsewhere.csv >wishes.csv
-interrupt 1 changed --set checkpoint.every_s=0.01
+interrupt USR2 1 changed --set checkpoint.every_s=0.01
+expect_code 75 "an interruption of what then changes"
 cp elsewhere.csv wishes.csv
 run 2 collage job.toml --out changed --resume --quiet
 expect_word "[[shapes]]: others than then"

@@ -4,7 +4,8 @@
 set -uo pipefail
 mpirun=$1
 job=$2
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+# shellcheck source=tests/support/ranks.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/ranks.sh"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
@@ -14,8 +15,7 @@ fail() {
   exit 1
 }
 
-# -q: nothing of mpirun's own about exit codes
-start() { timeout 60 "$mpirun" -q --oversubscribe --bind-to none -n 3 "$job" "$1" "$folder/$1" 2>"$folder/errors"; }
+start() { timeout 60 "${on_ranks[@]}" 3 "$job" "$1" "$folder/$1" 2>"$folder/errors"; }
 
 # expect HOW CODE LINE: the job ends with that exit code; its errors are one line that matches LINE, or none
 expect() {
@@ -43,8 +43,7 @@ start worker_dies
 [[ $? == 137 ]] || fail "worker_dies: exit code"
 echo "ok worker_dies"
 
-"$mpirun" -q --oversubscribe --bind-to none -n 3 "$job" interrupted "$folder/interrupted" \
-  >"$folder/output" 2>"$folder/errors" &
+"${on_ranks[@]}" 3 "$job" interrupted "$folder/interrupted" >"$folder/output" 2>"$folder/errors" &
 started=$!
 for ((i = 0; i < 200; ++i)); do
   grep -qs running "$folder/output" && break

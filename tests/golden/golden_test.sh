@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # golden_test.sh TESSERA GOLDEN_INPUTS NEW_FOLDER [MPIRUN]: runs the jobs in jobs/ and compares the digests of their
 # pieces.geojson with digests.txt. With MPIRUN four jobs alone, on 3 ranks.
-# golden_test.sh --renew TESSERA GOLDEN_INPUTS NEW_FOLDER: writes digests.txt instead. scripts/renew-golden.sh does this.
+# golden_test.sh --renew TESSERA GOLDEN_INPUTS NEW_FOLDER: writes digests.txt instead. scripts/renew-golden.sh does
+# this.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 renew=no
@@ -10,7 +11,8 @@ if [[ $1 == --renew ]]; then
   shift
 fi
 tessera=$1 golden_inputs=$2 folder=$3 mpirun=${4-}
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+# shellcheck source=tests/support/ranks.sh
+source "$here/../support/ranks.sh"
 unset SLURM_JOB_END_TIME
 
 rm -rf "$folder"
@@ -22,7 +24,7 @@ cp "$here"/jobs/*.toml .
 # line JOB: runs it and prints its line of digests.txt.
 line() {
   local command=("$tessera" collage "$1.toml" --out "$1" --quiet)
-  [[ -z $mpirun ]] || command=("$mpirun" -q --oversubscribe --bind-to none -n 3 "${command[@]}")
+  [[ -z $mpirun ]] || command=("${on_ranks[@]}" 3 "${command[@]}")
   "${command[@]}" >output 2>&1 || { cat output >&2; return 1; }
   local pieces digest
   pieces=$(grep -c '"type":"Feature",' "$1/pieces.geojson")
@@ -40,7 +42,10 @@ if [[ $renew == yes ]]; then
   exit
 fi
 expected=$here/digests.txt
-[[ -z $mpirun ]] || { grep -E '^(fit_all|outward|paper_improved|seamless) ' "$expected" >expected.txt; expected=expected.txt; }
+if [[ -n $mpirun ]]; then
+  grep -E '^(fit_all|outward|paper_improved|seamless) ' "$expected" >expected.txt
+  expected=expected.txt
+fi
 if ! diff "$expected" found.txt; then
   cat >&2 <<'END'
 FAILED: the jobs of tests/golden give other pieces than before (< before, > now).

@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-scripts=(scripts/*.sh slurm/*.s* tests/scripts/*.sh tests/slurm/*.sh tests/cli/*.sh tests/support/*.sh tests/golden/*.sh .ci/run)
+scripts=(scripts/*.sh slurm/*.s* tests/*/*.sh .ci/run)
 for script in "${scripts[@]}"; do
   bash -n "$script"
 done

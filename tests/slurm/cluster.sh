@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # A Slurm of four nodes on this machine, for slurm_test.sh, which sources it. Nothing of it outlives the test, however
 # that ends: all runs in name spaces (processes, mounts, network) whose first process is the test itself. What it writes
-# lies in memory, its network is a loopback of its own, and a node is a process that can be killed with all its children.
+# lies in memory, its network is a loopback of its own, and a node is a process that can be killed with all its
+# children.
 
 readonly lab=/run/lab  # on a /run that only the test sees
 # --kill-child: if the test itself is killed, all of it goes.

@@ -80,7 +80,8 @@ END
   chmod +x where.sh
   local job
   "$program" collage small.toml --out alone --quiet
-  job=$(TESSERA=$PWD/where.sh submit collage.sbatch --nodes=4 --ntasks=5 --ntasks-per-node=2 small.toml own.h5 four_nodes)
+  job=$(TESSERA=$PWD/where.sh submit collage.sbatch --nodes=4 --ntasks=5 --ntasks-per-node=2 \
+        small.toml own.h5 four_nodes)
   expect_completed 60 "$job"
   expect_same_pieces alone four_nodes
   [[ $(sort where.txt | uniq -c | xargs) == "2 n1 1 n2 1 n3 1 n4" ]] || fail "ranks on nodes: $(sort where.txt | xargs)"
@@ -92,7 +93,8 @@ check_another_folder() {
   local job
   mkdir -p elsewhere path
   ln -sf "$program" path/tessera
-  job=$(cd elsewhere && unset TESSERA && PATH=$PWD/../path:$PATH submit collage.sbatch --ntasks=2 ../small.toml ../own.h5 result)
+  job=$(cd elsewhere && unset TESSERA && PATH=$PWD/../path:$PATH \
+        submit collage.sbatch --ntasks=2 ../small.toml ../own.h5 result)
   expect_completed 60 "$job"
   expect_same_pieces alone elsewhere/result
   job=$(cd elsewhere && TESSERA=/none/tessera submit collage.sbatch --ntasks=2 ../small.toml ../own.h5 without)
@@ -131,7 +133,8 @@ check_campaign() {
   expect_same_pieces alone campaign/seed_1
   cp campaign/ranking.csv array.csv
   # On one process: nothing is left to do, and the ranking is the same.
-  "$program" campaign small.toml --set 'library.file=own.h5' --seeds 1-3 --weight variety=0.2 --out campaign >campaign.log
+  "$program" campaign small.toml --set 'library.file=own.h5' --seeds 1-3 --weight variety=0.2 --out campaign \
+    >campaign.log
   [[ $(grep -c 'finished before' campaign.log) == 3 ]] || fail "campaign: results of the array were made again"
   cmp array.csv campaign/ranking.csv || fail "campaign: another ranking"
   ok "campaign: an array, then the ranking"

@@ -4,17 +4,14 @@
 set -uo pipefail
 folder=$1
 slurm=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../slurm" && pwd)
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../cli/command_fixture.sh"
 
-fail() {
-  echo "FAILED $*"
-  cat output errors 2>/dev/null
-  exit 1
-}
-
-rm -rf "$folder"
-mkdir -p "$folder/bin"
-cd "$folder" || exit 1
-for name in mpirun tessera squeue scontrol; do printf '#!/bin/sh\n[ %s != mpirun ] || echo "$@"\n' "$name" >"bin/$name"; done
+new_folder
+mkdir bin
+for name in mpirun tessera squeue scontrol; do
+  printf '#!/bin/sh\n[ %s != mpirun ] || echo "$@"\n' "$name" >"bin/$name"
+done
 chmod +x bin/*
 touch job.toml own.h5
 
@@ -30,7 +27,8 @@ collage 1800 --set seed=2 || fail "the template"
 grep -q 'collage job.toml --out out --resume=auto .*--set seed=2' output || fail "another command"
 [[ ! -s errors ]] || fail "a warning of half an hour"
 collage 120 || fail "a short limit"
-grep -qE 'warning: the job ends in 1[12][0-9] s, .* 180 s early as the template sets it: .*give it more time' errors || fail "no warning of two minutes"
+grep -qE 'warning: the job ends in 1[12][0-9] s, .* 180 s early as the template sets it: .*give it more time' errors ||
+  fail "no warning of two minutes"
 [[ -s output ]] || fail "does not run"
 collage -100 || fail "a limit that is over"
 [[ ! -s errors ]] || fail "a warning of a limit that is another job's"
