@@ -31,10 +31,10 @@ TEST(ProtocolSim, AsByHand) {
   ahead.ahead_s = 0.04;
   RoundCosts noticed = by_hand(1);
   noticed.notice_s = 0.0002;
-  const std::vector<SimulatedRound> rounds = simulate_rounds({{by_hand(1)}, {by_hand(2)}, {by_hand(4), 2}, {by_hand(4), 4}, {noticed}, {ahead}},
-                                                             kSlowNetwork);
-  // The worker is at the field from 1 to 4 ms, while the measure is asked and comes; then it measures for 5.1 ms, and the
-  // answer takes 1 ms: 10.1. Count: 1 ms to ask, 1 on the way, 100.1, 1 on the way; dock, refine: 50.1, 20.1.
+  const std::vector<SimulatedRound> rounds =
+      simulate_rounds({{by_hand(1)}, {by_hand(2)}, {by_hand(4), 2}, {by_hand(4), 4}, {noticed}, {ahead}}, kSlowNetwork);
+  // The worker is at the field from 1 to 4 ms, while the measure is asked and comes; then it measures for 5.1 ms, and
+  // the answer takes 1 ms: 10.1. Count: 1 ms to ask, 1 on the way, 100.1, 1 on the way; dock, refine: 50.1, 20.1.
   // Four answers joined, 2 ms each, and 10 ms of its own.
   EXPECT_NEAR(rounds[0].round_s, 0.0101 + 0.1031 + 0.0531 + 0.0231 + 4 * 0.002 + 0.010, 1e-6);
   EXPECT_NEAR(rounds[0].master_busy_s, 4 * (0.001 + 0.002) + 0.010, 1e-9);

@@ -22,7 +22,8 @@ TEST(RandomFilling, OverlapsNothing) {
     EXPECT_GE(p.canvas_from_shape.scale(), 11.99f);
     EXPECT_LE(p.canvas_from_shape.scale(), 70.01f);
   }
-  const Quality q = measure_quality(canvas, placements, [&](ShapeId id) -> const Shape& { return library[index_of(id)]; });
+  const Quality q =
+      measure_quality(canvas, placements, [&](ShapeId id) -> const Shape& { return library[index_of(id)]; });
   EXPECT_LT(q.overlap, 0.012);
   EXPECT_LT(q.outside, 0.003);
   EXPECT_GT(q.coverage, 0.3);

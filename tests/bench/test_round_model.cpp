@@ -55,7 +55,8 @@ TEST(RoundModel, FindsWhatTheRunsWereMadeOf) {
 
 TEST(RoundModel, ProcessorTimeLeavesOutWhatOthersTook) {
   ScalingCase disturbed = made_up(1, 1000);
-  disturbed.processor_s = disturbed.greatest_processor_s = (disturbed.count_s + disturbed.dock_s + disturbed.measure_s) / 2;
+  disturbed.processor_s = disturbed.greatest_processor_s =
+      (disturbed.count_s + disturbed.dock_s + disturbed.measure_s) / 2;
   disturbed.master_processor_s = 0.05 + disturbed.ahead_s;
   const RoundModel model({disturbed}, Clock::processor);
   EXPECT_NEAR(model.cases()[0].loop_s, disturbed.processor_s + 0.05, 1e-9);

@@ -1,5 +1,5 @@
-// picture_difference A.png B.png [RESULT_FOLDER]: prints the mean difference of two pictures of one size, of 255; with the
-// folder of their result also the pieces that differ most, a line each: mean difference, index, shape.
+// picture_difference A.png B.png [RESULT_FOLDER]: prints the mean difference of two pictures of one size, of 255; with
+// the folder of their result also the pieces that differ most, a line each: mean difference, index, shape.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -22,7 +22,8 @@ cv::Mat read_picture(const char* path) {
   for (int y = 0; y < image.rows; ++y) {
     for (int x = 0; x < image.cols; ++x) {
       const cv::Vec4b c = image.at<cv::Vec4b>(y, x);
-      for (int i = 0; i < 3; ++i) bgr.at<cv::Vec3b>(y, x)[i] = std::uint8_t((c[i] * c[3] + 255 * (255 - c[3]) + 127) / 255);
+      for (int i = 0; i < 3; ++i)
+        bgr.at<cv::Vec3b>(y, x)[i] = std::uint8_t((c[i] * c[3] + 255 * (255 - c[3]) + 127) / 255);
     }
   }
   return bgr;

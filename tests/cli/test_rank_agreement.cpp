@@ -41,9 +41,10 @@ TEST(RankAgreement, the_masters_job_arrives) {
 }
 
 TEST(RankAgreement, another_program_is_refused) {
-  EXPECT_EQ(complaint([](comm::Communicator& ranks) { receive_job(ranks, "worker 2"); }),
-            "this rank runs worker 2, the master master 1; allowed: the same program on all ranks; install it anew on every "
-            "node");
+  EXPECT_EQ(
+      complaint([](comm::Communicator& ranks) { receive_job(ranks, "worker 2"); }),
+      "this rank runs worker 2, the master master 1; allowed: the same program on all ranks; install it anew on every "
+      "node");
 }
 
 TEST(RankAgreement, the_program_is_told_by_version_commit_and_kernels) {

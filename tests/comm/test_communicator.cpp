@@ -51,7 +51,8 @@ TEST(Communicator, KeepsTheOrderWithinATagAndTakesTagsInAnyOrder) {
       ranks.send(next_rank(ranks), i % 2 ? Tag::count_request : Tag::dock_request, pattern(std::size_t(i) * 700, i));
     }
     const int from = previous_rank(ranks);
-    for (int i = 1; i < 20; i += 2) EXPECT_EQ(ranks.receive(from, Tag::count_request), pattern(std::size_t(i) * 700, i));
+    for (int i = 1; i < 20; i += 2)
+      EXPECT_EQ(ranks.receive(from, Tag::count_request), pattern(std::size_t(i) * 700, i));
     for (int i = 0; i < 20; i += 2) EXPECT_EQ(ranks.receive(from, Tag::dock_request), pattern(std::size_t(i) * 700, i));
   });
 }
@@ -119,7 +120,8 @@ TEST(Communicator, CountsTraffic) {
     ranks.send(next_rank(ranks), Tag::count_reply, Bytes(1000));
     ranks.send(next_rank(ranks), Tag::count_reply, Bytes(24));
     ranks.send(next_rank(ranks), Tag::dock_reply, {});
-    for (const Tag tag : {Tag::count_reply, Tag::count_reply, Tag::dock_reply}) ranks.receive(previous_rank(ranks), tag);
+    for (const Tag tag : {Tag::count_reply, Tag::count_reply, Tag::dock_reply})
+      ranks.receive(previous_rank(ranks), tag);
     const Traffic& traffic = ranks.traffic();
     for (const TrafficCount& count : {traffic.sent(Tag::count_reply), traffic.received(Tag::count_reply)}) {
       EXPECT_EQ(count.messages, 2u);

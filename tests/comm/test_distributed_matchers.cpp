@@ -64,7 +64,8 @@ MatcherKind team_of(int workers) {
           }};
 }
 
-INSTANTIATE_TEST_SUITE_P(Distributed, MatcherSuite, testing::Values(team_of(1), team_of(2), team_of(3), team_of(11), team_of(30)),
+INSTANTIATE_TEST_SUITE_P(Distributed, MatcherSuite,
+                         testing::Values(team_of(1), team_of(2), team_of(3), team_of(11), team_of(30)),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace

@@ -20,9 +20,10 @@ TEST(LauncherCheck, foreign_launchers_of_several_processes_are_refused) {
   EXPECT_NE(problem({{"PMI_SIZE", "3"}, {"PMI_RANK", "0"}}).find("mpirun -n 3 tessera"), std::string::npos);
   EXPECT_NE(problem({{"MPI_LOCALNRANKS", "2"}, {"MPI_LOCALRANKID", "1"}}), "");
   EXPECT_NE(problem({{"MV2_COMM_WORLD_SIZE", "4"}, {"MV2_COMM_WORLD_RANK", "0"}}), "");
-  EXPECT_NE(problem({{"SLURM_NTASKS", "3"}, {"SLURM_PROCID", "1"}, {"SLURM_STEP_ID", "0"}, {"SLURM_STEP_NUM_TASKS", "3"}})
-                .find("srun without PMIx"),
-            std::string::npos);
+  EXPECT_NE(
+      problem({{"SLURM_NTASKS", "3"}, {"SLURM_PROCID", "1"}, {"SLURM_STEP_ID", "0"}, {"SLURM_STEP_NUM_TASKS", "3"}})
+          .find("srun without PMIx"),
+      std::string::npos);
 }
 
 TEST(LauncherCheck, srun_whose_pmix_open_mpi_does_not_find_is_refused) {
@@ -33,7 +34,9 @@ TEST(LauncherCheck, srun_whose_pmix_open_mpi_does_not_find_is_refused) {
 TEST(LauncherCheck, one_process_is_fine_wherever_it_runs) {
   EXPECT_EQ(problem({}), "");
   // A batch script's own process, salloc's shell, a step of one task, a shell by srun --pty.
-  EXPECT_EQ(problem({{"SLURM_JOB_ID", "7"}, {"SLURM_NTASKS", "3"}, {"SLURM_PROCID", "0"}, {"SLURM_TASKS_PER_NODE", "3"}}), "");
+  EXPECT_EQ(
+      problem({{"SLURM_JOB_ID", "7"}, {"SLURM_NTASKS", "3"}, {"SLURM_PROCID", "0"}, {"SLURM_TASKS_PER_NODE", "3"}}),
+      "");
   EXPECT_EQ(problem({{"SLURM_JOB_ID", "7"}, {"SLURM_NTASKS", "3"}}), "");
   EXPECT_EQ(problem({{"SLURM_NTASKS", "1"}, {"SLURM_PROCID", "0"}, {"SLURM_STEP_NUM_TASKS", "1"}}), "");
   EXPECT_EQ(problem({{"SLURM_PROCID", "0"}, {"SLURM_STEP_NUM_TASKS", "3"}, {"SLURM_PTY_PORT", "4444"}}), "");

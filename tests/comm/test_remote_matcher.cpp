@@ -282,7 +282,9 @@ TEST(RemoteMatcher, PartsOfTheLibraryOnAnyNumberOfRanksAnswerAsTheWhole) {
         set_field(team, scene.field);
         expect_same_round(run_round(team, scene), expected);
       },
-      [&](Communicator& c) { return std::make_unique<ReferenceMatcher>(reference_matcher(scene, part_of(shapes, c))); });
+      [&](Communicator& c) {
+        return std::make_unique<ReferenceMatcher>(reference_matcher(scene, part_of(shapes, c)));
+      });
 }
 
 }  // namespace

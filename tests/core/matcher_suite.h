@@ -92,8 +92,8 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithinNarrowRanges) {
   }
 }
 
-/// Three classes of shapes: quarter turns in two sizes, one that is weighted and nearly upright, one that may not stand in
-/// the second region; and what the limits of a round take away.
+/// Three classes of shapes: quarter turns in two sizes, one that is weighted and nearly upright, one that may not stand
+/// in the second region; and what the limits of a round take away.
 inline MatchingScene scene_with_wishes() {
   CollageSettings settings = scene_settings();
   settings.pieces.several.rotation_rad = {{0, 0}, {1.5707964f, 1.5707964f}, {3.1415927f, 3.1415927f}, {-1.6f, -1.5f}};
@@ -294,7 +294,8 @@ TEST_P(MatcherSuite, RefinedDockingsKeepTheirOrderAndAreFeasible) {
     if (!refined.feasible) continue;
     ++feasible;
     const Similarity& pose = refined.docking.canvas_from_shape;
-    EXPECT_LE(depth_px(pose, scene().models[index_of(refined.docking.shape)], FieldView(scene().field)), scene().context.hard_depth_px + 1e-3f);
+    EXPECT_LE(depth_px(pose, scene().models[index_of(refined.docking.shape)], FieldView(scene().field)),
+              scene().context.hard_depth_px + 1e-3f);
     EXPECT_GE(pose.scale(), pieces.min_scale_px * 0.999f);
     EXPECT_LE(pose.scale(), pieces.max_scale_px * 1.001f);
     EXPECT_GE(refined.terms.matched_px, 0);

@@ -33,9 +33,10 @@ struct Places {
 inline Piece any_piece(int min_scale_px, int max_scale_px, const Places& places) {
   const float scale = float(*rc::gen::inRange(min_scale_px, max_scale_px));
   const float angle = 0.01f * float(*rc::gen::inRange(0, 628));
-  return {*rc::gen::inRange(0, 4),
-          {scale * std::cos(angle), scale * std::sin(angle), places.step_px * float(*rc::gen::inRange(0, places.columns)),
-           places.step_px * float(*rc::gen::inRange(0, places.rows))}};
+  return {
+      *rc::gen::inRange(0, 4),
+      {scale * std::cos(angle), scale * std::sin(angle), places.step_px * float(*rc::gen::inRange(0, places.columns)),
+       places.step_px * float(*rc::gen::inRange(0, places.rows))}};
 }
 
 }  // namespace tessera::test

@@ -313,7 +313,8 @@ TEST(Refine, KeepsTheOneAllowedAngle) {
   }));
 }
 
-/// The smallest piece in a hole of exactly its size: its scale ends at the lower bound, where rounding must not reject it.
+/// The smallest piece in a hole of exactly its size: its scale ends at the lower bound, where rounding must not reject
+/// it.
 TEST(Refine, RoundingRejectsNothingAtTheBoundsOfScale) {
   const Shape shape = test::make_library_shape("bean", test::bean_outline());
   for (const float bound_px : {20.f, 20.001f, 33.333f, 47.11f, 90.07f}) {
@@ -327,7 +328,8 @@ TEST(Refine, RoundingRejectsNothingAtTheBoundsOfScale) {
       const CanvasField hole = hole_of(shape, {bound_px * (lower ? 0.995f : 1.02f), 0, 128, 128}, 256);
       for (float angle = 0; angle < 0.05f; angle += 0.003f) {
         Similarity pose{bound_px * std::cos(angle), bound_px * std::sin(angle), 128, 128};
-        ASSERT_TRUE(refine(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px)) << bound_px << " turned by " << angle;
+        ASSERT_TRUE(refine(pose, model, FieldView(hole), stance_of(context).poses, context.hard_depth_px))
+            << bound_px << " turned by " << angle;
         EXPECT_GE(pose.scale(), s.pieces.min_scale_px);
         EXPECT_LE(pose.scale(), s.pieces.max_scale_px);
       }

@@ -67,7 +67,8 @@ TEST(KeepOut, OfManyRectanglesTheNearestCountsEverywhere) {
   const Canvas canvas = make_rectangle_canvas(150, 110);
   std::vector<KeepOutRectangle> zones;
   for (int i = 0; i < 60; ++i) {
-    zones.push_back(rectangle({float(37 * i % 150), float(53 * i % 110)}, {1.f + float(i % 5), 2}, float(i), float(i % 3)));
+    zones.push_back(
+        rectangle({float(37 * i % 150), float(53 * i % 110)}, {1.f + float(i % 5), 2}, float(i), float(i % 3)));
   }
   const CanvasField distance = distance_to(zones, canvas);
   for (int y = 0; y < distance.value.height(); ++y) {

@@ -59,7 +59,8 @@ using Factors = std::vector<float>;
 std::vector<Pool::Ranked> sorted(const Pool& pool, const Factors& factor) {
   std::vector<Pool::Ranked> all;
   for (const auto& [id, entry] : pool.entries()) {
-    for (const Candidate& c : entry.candidates) all.push_back({c.score * factor[index_of(c.shape)], id, c.ordinal, c.stamp});
+    for (const Candidate& c : entry.candidates)
+      all.push_back({c.score * factor[index_of(c.shape)], id, c.ordinal, c.stamp});
   }
   std::sort(all.begin(), all.end());
   return all;

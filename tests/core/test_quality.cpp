@@ -92,8 +92,8 @@ TEST(Quality, BoundariesAreSharedAcrossASeam) {
   EXPECT_EQ(measure(make_seamless_canvas(220, 200, true, false), apart_by_one).shared_boundary, 0);
 }
 
-/// Between a square and its images: a disc round the corner of the period touches four corners of squares, with one seam
-/// alone it lies between two sides.
+/// Between a square and its images: a disc round the corner of the period touches four corners of squares, with one
+/// seam alone it lies between two sides.
 TEST(Quality, AGapGoesOnAcrossASeam) {
   const std::vector<Placement> square{at(kSquare, 40, {50, 50})};
   EXPECT_NEAR(measure(make_seamless_canvas(100, 100, true, true), square).largest_gap_px, 30 * std::sqrt(2.), 0.5);
@@ -149,7 +149,8 @@ TEST(Quality, ScaleQuantilesAndDistinctShapes) {
 
 TEST(Quality, ThreeHundredPiecesTakeLessThanASecond) {
   std::vector<Placement> placements;
-  for (int i = 0; i < 300; ++i) placements.push_back(at(i % 3, 50, {float(29 + 55 * (i % 18)), float(29 + 55 * (i / 18))}));
+  for (int i = 0; i < 300; ++i)
+    placements.push_back(at(i % 3, 50, {float(29 + 55 * (i % 18)), float(29 + 55 * (i / 18))}));
   const double start_s = processor_time_s();
   const Quality q = measure(make_rectangle_canvas(1000, 1000), placements);
   const double taken_s = processor_time_s() - start_s;

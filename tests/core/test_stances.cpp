@@ -25,7 +25,8 @@ ShapeWish wish_of(const PoseWish& poses) {
 }
 
 bool inside(const std::vector<Interval>& intervals, float value) {
-  return std::any_of(intervals.begin(), intervals.end(), [&](const Interval& i) { return i.min <= value && value <= i.max; });
+  return std::any_of(intervals.begin(), intervals.end(),
+                     [&](const Interval& i) { return i.min <= value && value <= i.max; });
 }
 
 TEST(Stances, WithoutWishesEveryShapeHasTheJobsOwn) {

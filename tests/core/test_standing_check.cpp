@@ -52,7 +52,8 @@ TEST(StandingCheck, AZoneIsNoOutside) {
 }
 
 TEST(StandingCheck, AcrossASeamNothingIsOutside) {
-  const StandingCheck found = check(make_seamless_canvas(200, 100, true, false), {piece(40, {0, 50}), piece(40, {190, 50})});
+  const StandingCheck found =
+      check(make_seamless_canvas(200, 100, true, false), {piece(40, {0, 50}), piece(40, {190, 50})});
   EXPECT_EQ(found.outside, Places{});
   EXPECT_EQ(found.overlapping, Places{1});
 }

@@ -11,8 +11,8 @@
 
 namespace tessera::test {
 
-/// What is said of a drawing that makes librsvg panic. With the address sanitizer a panic aborts before the drawer's own
-/// end for it is reached.
+/// What is said of a drawing that makes librsvg panic. With the address sanitizer a panic aborts before the drawer's
+/// own end for it is reached.
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr const char* kPanicReason = "crashed its process (Aborted)";
 #else

@@ -17,7 +17,8 @@ class ForgingChance {
   const std::vector<Column>& columns() const { return columns_; }
   const Column& any_column() { return columns_[below(columns_.size())]; }
 
-  /// Half of the files lose the digests of their parts, as an older version wrote them: nothing but the limits tells then.
+  /// Half of the files lose the digests of their parts, as an older version wrote them: nothing but the limits tells
+  /// then.
   bool make_older(hid_t file) {
     if (below(2) == 0) return false;
     H5Ldelete(file, "/shapes/part_digest", H5P_DEFAULT);

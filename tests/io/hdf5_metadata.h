@@ -1,4 +1,5 @@
-// The metadata blocks of an HDF5 file, and how to change one so that its checksum holds: what HDF5 itself has to survive.
+// The metadata blocks of an HDF5 file, and how to change one so that its checksum holds: what HDF5 itself has to
+// survive.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +26,8 @@ inline std::vector<MetadataBlock> metadata_blocks(const std::string& file) {
     std::memcpy(&stored, file.data() + begin + count, sizeof stored);
     return stored != 0 && stored == H5_checksum_metadata(file.data() + begin, count, 0);
   };
-  for (const char* kind : {"OHDR", "OCHK", "BTHD", "BTIN", "BTLF", "FRHP", "FHDB", "FHIB", "EAHD", "EAIB", "EASB", "EADB",
-                           "FAHD", "FADB", "FSHD", "FSSE"}) {
+  for (const char* kind : {"OHDR", "OCHK", "BTHD", "BTIN", "BTLF", "FRHP", "FHDB", "FHIB", "EAHD", "EAIB", "EASB",
+                           "EADB", "FAHD", "FADB", "FSHD", "FSSE"}) {
     for (std::size_t at = file.find(kind); at != std::string::npos; at = file.find(kind, at + 4)) {
       for (std::size_t count = 8; count < kLongest && at + count + 4 <= file.size(); ++count) {
         if (!holds(at, count)) continue;

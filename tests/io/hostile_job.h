@@ -91,7 +91,8 @@ class HostileJob {
     const io::JobTable& table = any(io::job_tables());
     std::string text = "[[" + table.name + "]]\n";
     for (const io::JobKey& column : table.columns) {
-      if (below(3) > 0) text += (below(12) == 0 ? any(strange_names()) : column.name) + " = " + value_for(column) + "\n";
+      if (below(3) == 0) continue;
+      text += (below(12) == 0 ? any(strange_names()) : column.name) + " = " + value_for(column) + "\n";
     }
     return text;
   }
@@ -158,8 +159,9 @@ class HostileJob {
 
   static const std::vector<std::string>& strange_names() {
     static const std::vector<std::string> list = {
-        "\"\"", "seed", "pieces", "piecse", "canvas.size_px", "\"a.b\"", "\"new\\nline\"", "\"\\u0000\"", "\"ключ\"",
-        "a", std::string(5000, 'k'), repeated("a.", 7000) + "a", "\"" + std::string(3000, '.') + "\"", "-", "1", "__proto__"};
+        "\"\"", "seed", "pieces", "piecse", "canvas.size_px", "\"a.b\"", "\"new\\nline\"", "\"\\u0000\"",
+        "\"ключ\"", "a", std::string(5000, 'k'), repeated("a.", 7000) + "a", "\"" + std::string(3000, '.') + "\"", "-",
+        "1", "__proto__"};
     return list;
   }
 
@@ -167,7 +169,8 @@ class HostileJob {
   static const std::vector<std::string>& structures() {
     static const std::vector<std::string> list = {
         "[pieces]\nuses = 1\nuses = 2", "[pieces]\nuses = 1\n[pieces]\nuses = 2", "[[pieces]]\nuses = 1",
-        "[stop]\npieces = " + std::string(15000, '['), "[stop]\npieces = " + std::string(200, '[') + std::string(200, ']'),
+        "[stop]\npieces = " + std::string(15000, '['),
+        "[stop]\npieces = " + std::string(200, '[') + std::string(200, ']'),
         "[stop]\npieces = " + repeated("{a = ", 2500) + "1" + std::string(2500, '}'), "[stop]\npieces = " +
         repeated("{a = ", 100) + "1" + std::string(100, '}'), "[" + repeated("a.", 7500) + "a]",
         "[stop]\n" + repeated("a.", 7500) + "a = 1", "[stop", "pieces = \"", "pieces = '''", "= 1", "[]", "[[]]",

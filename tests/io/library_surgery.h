@@ -1,4 +1,5 @@
-// Changing a library through the HDF5 API: its data sets as they are declared, and chunks packed as the program packs them.
+// Changing a library through the HDF5 API: its data sets as they are declared, and chunks packed as the program packs
+// them.
 #pragma once
 
 #include <hdf5.h>

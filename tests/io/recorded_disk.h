@@ -15,8 +15,8 @@ class RecordedDisk {
   RecordedDisk(const RecordedDisk&) = delete;
   RecordedDisk& operator=(const RecordedDisk&) = delete;
 
-  /// "flush a.txt.tmp (3 bytes)", "flush folder", "link a b", "rename a.txt.tmp a.txt": names without their folders, and
-  /// the size at the moment of the flush.
+  /// "flush a.txt.tmp (3 bytes)", "flush folder", "link a b", "rename a.txt.tmp a.txt": names without their folders,
+  /// and the size at the moment of the flush.
   const std::vector<std::string>& steps() const { return steps_; }
 
   /// Every flush of a file fails from now on, with the reason ENOSPC: a disk that finds out late that it is full.

@@ -177,7 +177,8 @@ TEST_F(CanvasFile, only_regular_files_are_opened) {
   const std::string pipe = folder_.path("pipe.svg");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   const CanvasSpec from_pipe{.width_px = 99, .height_px = 99, .file = pipe};  // would wait for a writer
-  EXPECT_EQ(mistake(from_pipe), "canvas.file: " + pipe + ": not a readable file: found a pipe, allowed: a regular file");
+  EXPECT_EQ(mistake(from_pipe),
+            "canvas.file: " + pipe + ": not a readable file: found a pipe, allowed: a regular file");
   EXPECT_NE(mistake({.width_px = 99, .height_px = 99, .file = "/dev/zero"}).find("found a device"), std::string::npos);
   EXPECT_NE(mistake({.width_px = 99, .height_px = 99, .file = folder_.path("")}).find("found a folder"),
             std::string::npos);
@@ -191,8 +192,10 @@ TEST_F(CanvasFile, large_canvases_fit_into_the_memory_of_a_drawing) {
 
 /// Beyond what a drawing may have, the page is drawn smaller and its edge interpolated.
 TEST_F(CanvasFile, may_be_as_large_as_a_rectangle) {
-  const std::string file = svg("<rect x=\"10\" y=\"1\" width=\"1000\" height=\"11\"/><circle r=\"3\" cx=\"200\" cy=\"7\" "
-                               "fill=\"red\"/>", "width=\"1020\" height=\"13\"");
+  const std::string file =
+      svg("<rect x=\"10\" y=\"1\" width=\"1000\" height=\"11\"/>"
+          "<circle r=\"3\" cx=\"200\" cy=\"7\" fill=\"red\"/>",
+          "width=\"1020\" height=\"13\"");
   const CanvasSpec spec{.width_px = 20000, .height_px = 5000, .file = file};
   const Canvas canvas = load_canvas(spec);
   EXPECT_EQ(canvas.width_px, 20000);
@@ -249,8 +252,11 @@ TEST_F(CanvasFile, all_regions_together_are_bounded) {
 class Grounds : public CanvasFile {
  protected:
   std::vector<Ground> grounds(std::vector<std::string> backgrounds) {
-    const CanvasSpec spec{.width_px = 200, .height_px = 100, .file = svg(kStripes),
-                          .region_colours = {"#e00000", "#00a000", "#0000e0"}, .region_backgrounds = std::move(backgrounds)};
+    const CanvasSpec spec{.width_px = 200,
+                          .height_px = 100,
+                          .file = svg(kStripes),
+                          .region_colours = {"#e00000", "#00a000", "#0000e0"},
+                          .region_backgrounds = std::move(backgrounds)};
     Drawers drawers(canvas_drawer_settings(spec));
     return canvas_edge(spec, drawers).grounds;
   }
@@ -297,7 +303,9 @@ TEST_F(CanvasFile, and_seamless_exclude_each_other) {
                 ", allowed with a file: \"none\", as only a rectangle goes on across its edges");
 }
 
-KeepOutRectangle zone(Vec2 middle_px, Vec2 half_size_px) { return {.middle_px = middle_px, .half_size_px = half_size_px}; }
+KeepOutRectangle zone(Vec2 middle_px, Vec2 half_size_px) {
+  return {.middle_px = middle_px, .half_size_px = half_size_px};
+}
 
 TEST_F(CanvasFile, what_the_keep_out_file_shows_is_taken_out) {
   CanvasSpec spec{.width_px = 200, .height_px = 160, .file = ""};
@@ -310,7 +318,8 @@ TEST_F(CanvasFile, what_the_keep_out_file_shows_is_taken_out) {
 }
 
 TEST_F(CanvasFile, zones_go_with_a_mask_its_regions_and_seams) {
-  CanvasSpec spec{.width_px = 200, .height_px = 100, .file = svg("<rect width=\"100\" height=\"50\" fill=\"#00ff00\"/>")};
+  CanvasSpec spec{
+      .width_px = 200, .height_px = 100, .file = svg("<rect width=\"100\" height=\"50\" fill=\"#00ff00\"/>")};
   spec.region_colours = {"#00ff00"};
   spec.keep_out_rectangles = {zone({100, 50}, {20, 20})};
   const Canvas regions = load_canvas(spec);

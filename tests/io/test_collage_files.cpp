@@ -63,7 +63,8 @@ TEST(CollageFiles, TheSameReportGivesTheSameBytes) {
 TEST(CollageFiles, ThePicturesOfTheRunBeforeDoNotStandBesideNewPieces) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
-  for (const char* name : {"collage.png", "collage.svg", "collage.pdf", "collage.tiff", "collage.png.tmp"}) folder.write(name, "old");
+  for (const char* name : {"collage.png", "collage.svg", "collage.pdf", "collage.tiff", "collage.png.tmp"})
+    folder.write(name, "old");
   publish_result(folder.path(""), sample.report, sample.origin(), true);
   EXPECT_EQ(names_in(folder.path("")),
             (std::set<std::string>{"pieces.geojson", "card.json", "card.txt", "job.toml", "manifest.json"}));

@@ -1,5 +1,5 @@
-// What is on the disk before what: after a power cut there is a whole file under every name, and what the program called
-// done is still there.
+// What is on the disk before what: after a power cut there is a whole file under every name, and what the program
+// called done is still there.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Checkpoints that someone made to harm: each is refused with its name, or goes on as it would have; no crash, no hang, no
-// more than 1 GB.
+// Checkpoints that someone made to harm: each is refused with its name, or goes on as it would have; no crash, no hang,
+// no more than 1 GB.
 #include <gtest/gtest.h>
 
 #include "forged_checkpoint.h"

@@ -1,5 +1,5 @@
-// 200 job files that nobody should write: each is refused in one line that says where, what and what is allowed, or it is
-// a legal job.
+// 200 job files that nobody should write: each is refused in one line that says where, what and what is allowed, or it
+// is a legal job.
 #include <gtest/gtest.h>
 
 #include <cmath>

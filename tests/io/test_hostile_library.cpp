@@ -1,5 +1,5 @@
-// Libraries that someone made to harm: each is refused with its name, or read as it was before; no crash, no hang, no more
-// than 1 GB, and no shape whose field is not its outline's.
+// Libraries that someone made to harm: each is refused with its name, or read as it was before; no crash, no hang, no
+// more than 1 GB, and no shape whose field is not its outline's.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -111,7 +111,8 @@ TEST_F(HostileLibrary, ForgedMetadata) {
   }
 }
 
-// What is read must be one shape: a field that is too shallow lets pieces overlap, and the run ends as if all were well.
+// What is read must be one shape: a field that is too shallow lets pieces overlap, and the run ends as if all were
+// well.
 TEST_F(HostileLibrary, AFieldThatIsNotItsOutlines) {
   std::vector<Shape> shapes = good_;
   const auto refusal = [&] {

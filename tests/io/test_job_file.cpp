@@ -98,8 +98,8 @@ TEST_F(JobFile, names_line_key_found_and_allowed) {
 
 TEST_F(JobFile, names_the_nearest_key) {
   EXPECT_EQ(mistake("[pieces]\n\nscale = [20, 160]"),
-            "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); "
-            "allowed in [pieces]: scale_px, sizes, rotation_deg, mirrored, uses, fit, padding_px, apart_px, overlap_px");
+            "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); allowed in [pieces]: scale_px, "
+            "sizes, rotation_deg, mirrored, uses, fit, padding_px, apart_px, overlap_px");
   EXPECT_EQ(mistake("[checkpoint]\nuses = 3"),
             "job.toml:2: unknown key checkpoint.uses (did you mean pieces.uses?); "
             "allowed in [checkpoint]: every_s");

@@ -38,21 +38,24 @@ TEST(PictureSize, has_limits_in_px_either_way) {
   EXPECT_EQ(mistake({.width_px = 6000}, make_rectangle_canvas(16, 161)),
             "output.width_px: found 6000, which makes collage.png 6000 x 60375 px large; allowed for this canvas: 5962 "
             "or less");
-  EXPECT_EQ(mistake({.width_mm = 1000, .dpi = 2400}, kCanvas),
-            "output.width_mm: found 1000.000 at an output.dpi of 2400.000, which makes collage.png 94488 x 62992 px large; "
-            "allowed for this canvas: 635.0 mm or less");
-  EXPECT_EQ(mistake({.width_mm = 1, .dpi = 600}, kCanvas),
-            "output.width_mm: found 1.000 at an output.dpi of 600.000, which makes collage.png 24 px wide; allowed: 64 px or "
-            "more");
+  EXPECT_EQ(
+      mistake({.width_mm = 1000, .dpi = 2400}, kCanvas),
+      "output.width_mm: found 1000.000 at an output.dpi of 2400.000, which makes collage.png 94488 x 62992 px large; "
+      "allowed for this canvas: 635.0 mm or less");
+  EXPECT_EQ(
+      mistake({.width_mm = 1, .dpi = 600}, kCanvas),
+      "output.width_mm: found 1.000 at an output.dpi of 600.000, which makes collage.png 24 px wide; allowed: 64 px or "
+      "more");
 }
 
 TEST(PictureSize, of_canvases_that_go_on_downwards_has_a_whole_height) {
   const OutputSpec output{.width_px = 1000, .background = "#000000"};
   EXPECT_NO_THROW(check_picture_size(output, make_seamless_canvas(1200, 600, true, true)));
   EXPECT_NO_THROW(check_picture_size(output, make_seamless_canvas(1200, 500, true, false)));
-  EXPECT_EQ(test::message_of([&] { check_picture_size(output, make_seamless_canvas(1200, 500, false, true)); }),
-            "output.width_px: found 1000, which makes collage.png 416.67 px high; allowed for a canvas that is seamless "
-            "from top to bottom: a width that is a multiple of 12 px");
+  EXPECT_EQ(
+      test::message_of([&] { check_picture_size(output, make_seamless_canvas(1200, 500, false, true)); }),
+      "output.width_px: found 1000, which makes collage.png 416.67 px high; allowed for a canvas that is seamless "
+      "from top to bottom: a width that is a multiple of 12 px");
 }
 
 }  // namespace

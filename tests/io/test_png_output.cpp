@@ -26,12 +26,14 @@ namespace {
 using test::drawn_picture;
 using test::SampleCollage;
 
-constexpr char kSvgHead[] = R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100">)";
+constexpr char kSvgHead[] =
+    R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100">)";
 
 /// A page of 100 x 100 whose left half is red and right half blue, in a square of 80.
 const std::string kTwoHalves =
     std::string(kSvgHead) +
-    R"(<rect x="10" y="10" width="40" height="80" fill="red"/><rect x="50" y="10" width="40" height="80" fill="blue"/></svg>)";
+    R"(<rect x="10" y="10" width="40" height="80" fill="red"/>)"
+    R"(<rect x="50" y="10" width="40" height="80" fill="blue"/></svg>)";
 
 cv::Vec3b at(const cv::Mat& picture, int x, int y) { return picture.at<cv::Vec3b>(y, x); }
 
@@ -240,8 +242,10 @@ TEST(Png, LostOriginalsGiveWayToTheThumbnail) {
 TEST(Png, ABadOriginalCostsItsDrawingAndIsNamed) {
   std::string matrix;
   for (int i = 0; i < 100 * 100; ++i) matrix += "1 ";
-  const std::string aborts_librsvg = std::string(kSvgHead) + "<filter id=\"f\"><feConvolveMatrix order=\"100\" kernelMatrix=\"" +
-                                     matrix + "\"/></filter><circle cx=\"30\" cy=\"25\" r=\"20\" filter=\"url(#f)\"/></svg>";
+  const std::string filter =
+      "<filter id=\"f\"><feConvolveMatrix order=\"100\" kernelMatrix=\"" + matrix + "\"/></filter>";
+  const std::string aborts_librsvg =
+      kSvgHead + filter + "<circle cx=\"30\" cy=\"25\" r=\"20\" filter=\"url(#f)\"/></svg>";
   std::string takes_minutes = kSvgHead;
   for (int i = 0; i < 40; ++i) takes_minutes += "<g filter=\"url(#f)\">";
   takes_minutes += "<rect width=\"100\" height=\"100\"/>";
@@ -259,7 +263,8 @@ TEST(Png, ABadOriginalCostsItsDrawingAndIsNamed) {
     ASSERT_EQ(notes.notes.size(), 1u);
     EXPECT_EQ(notes.notes[0].shape, "disc");
     EXPECT_EQ(notes.notes[0].from, DrawnFrom::silhouette);
-    EXPECT_NE(drawing_text(notes).find("drawn as silhouette     1 piece of disc: "), std::string::npos) << drawing_text(notes);
+    EXPECT_NE(drawing_text(notes).find("drawn as silhouette     1 piece of disc: "), std::string::npos)
+        << drawing_text(notes);
     EXPECT_NE(drawing_json(notes).find("\"pieces_from_originals\":1"), std::string::npos) << drawing_json(notes);
   }
 }
@@ -346,7 +351,8 @@ TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   sample.report.canvas_edge.curves = {{{3.3f, 7.1f}, {190.7f, 2.2f}, {120.4f, 98.6f}}};
   sample.job.output.outline_px = 0.7;
   sample.job.output.shadow_strength = 0.6;
-  for (int i = 0; i < 12; ++i) sample.place(ShapeId{7}, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));
+  for (int i = 0; i < 12; ++i)
+    sample.place(ShapeId{7}, 9.f + 11.f * float(i % 7), {15.f * float(i), 8.f * float(i)}, 0.5f * float(i));
   test::DrawnCollage drawn(sample.report);
   const cv::Mat expected = drawn.picture();
   ASSERT_EQ(expected.size(), cv::Size(1500, 750));

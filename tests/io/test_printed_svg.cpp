@@ -28,8 +28,9 @@ cv::Mat drawn(const std::string& svg, int width, int height) {
 
 /// A page of 100 x 20 whose first fifth is red and the rest blue, by a gradient over the box of a bar.
 std::string collage(const std::string& transform) {
-  return R"~(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="400" height="200")~"
-         R"~( viewBox="0 0 200 100"><defs><g id="a0"><svg width="100" height="20"><linearGradient id="a0-g">)~"
+  return R"~(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink")~"
+         R"~( width="400" height="200" viewBox="0 0 200 100"><defs><g id="a0"><svg width="100" height="20">)~"
+         R"~(<linearGradient id="a0-g">)~"
          R"~(<stop offset=".2" stop-color="#f00"/><stop offset=".2" stop-color="#00f"/></linearGradient>)~"
          R"~(<rect width="100" height="20" fill="url(#a0-g)" fill-opacity=".5"/></svg></g>)~"
          R"~(<clipPath id="c0"><path d="M0 0L100 0L100.000 15.000L0 15Z"/></clipPath></defs>)~"
@@ -58,8 +59,8 @@ TEST(PrintedSvg, GradientsOfPiecesThatAreTurnedFollowTheirObject) {
 }
 
 TEST(PrintedSvg, MayBeAnySvg) {
-  const cv::Mat image = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" width="8" height="4"><rect width="4" height="4"/></svg>)",
-                              80, 40);
+  const cv::Mat image = drawn(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" width="8" height="4"><rect width="4" height="4"/></svg>)", 80, 40);
   EXPECT_EQ(image.at<cv::Vec4b>(20, 20), cv::Vec4b(0, 0, 0, 255));
   EXPECT_EQ(image.at<cv::Vec4b>(20, 60), cv::Vec4b());
   EXPECT_EQ(test::message_of([] { PrintedSvg(bytes("x"), "a.svg"); }), "a.svg: not a readable SVG file");

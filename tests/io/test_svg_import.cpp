@@ -26,7 +26,8 @@ std::string import_body(const std::string& body, const std::string& attributes =
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(SvgImport, KeepsTheDrawingOnItsPage) {
-  const std::string g = import_body(R"~(<path d="M0 0L5 5" fill="red"/>)~", R"~( width="1cm" height="2cm" version="1.0")~");
+  const std::string g =
+      import_body(R"~(<path d="M0 0L5 5" fill="red"/>)~", R"~( width="1cm" height="2cm" version="1.0")~");
   EXPECT_TRUE(g.starts_with(R"~(<g id="a4"><svg width="10.000000" height="20.000000" viewBox="0 0 10 20">)~")) << g;
   EXPECT_TRUE(contains(g, R"~(<path d="M0 0L5 5" fill="red"/>)~")) << g;
 }
@@ -49,7 +50,8 @@ TEST(SvgImport, ScriptsHandlersAnimationsAndForeignContentAreDropped) {
 TEST(SvgImport, ReferencesLeaveTheDocumentNowhere) {
   const std::string g = import_body(
       R"~(<image xlink:href="http://evil/x.png"/><image href="file:///etc/passwd"/><use xlink:href="evil.svg#x"/>)~"
-      R"~(<image xlink:href="data:image/svg+xml;base64,PHN2Zz4="/><image xlink:href="data:image/png;base64,PHN2Zz4="/>)~"
+      R"~(<image xlink:href="data:image/svg+xml;base64,PHN2Zz4="/>)~"
+      R"~(<image xlink:href="data:image/png;base64,PHN2Zz4="/>)~"
       R"~(<rect fill="url(http://evil/#x)"/><rect style="fill:url( 'evil.svg#x' );stroke:red"/>)~"
       R"~(<rect filter="u\72l(evil)" mask="image-set('evil' 1x)"/><feImage xlink:href="//evil/x"/>)~");
   EXPECT_FALSE(contains(g, "evil")) << g;
@@ -61,7 +63,8 @@ TEST(SvgImport, ReferencesLeaveTheDocumentNowhere) {
 TEST(SvgImport, EmbeddedBitmapsStayWhateverTheyCallThemselves) {
   EXPECT_TRUE(contains(import_body(R"~(<image xlink:href="data:;base64,iVBORw0K Ggo&#10;AAAA"/>)~"),
                        R"~(xlink:href="data:image/png;base64,iVBORw0KGgoAAAA")~"));
-  EXPECT_TRUE(contains(import_body(R"~(<image href="data:image/jpg;base64,/9j/4AAQ"/>)~"), "data:image/jpeg;base64,/9j/4AAQ"));
+  EXPECT_TRUE(
+      contains(import_body(R"~(<image href="data:image/jpg;base64,/9j/4AAQ"/>)~"), "data:image/jpeg;base64,/9j/4AAQ"));
 }
 
 TEST(SvgImport, IdsAndReferencesGetThePrefix) {
@@ -69,10 +72,9 @@ TEST(SvgImport, IdsAndReferencesGetThePrefix) {
       R"~(<linearGradient id="x"/><linearGradient id="y" xlink:href="#x"/><rect fill="url(#y)"/>)~"
       R"~(<rect style="stroke:url('#y');fill:url(#x) red"/><use href="#r"/><text>#x</text>)~",
       R"~( id="root")~");
-  for (const char* part :
-       {R"~(<linearGradient id="a4-x"/>)~", R"~(<linearGradient id="a4-y" xlink:href="#a4-x"/>)~",
-        R"~(<rect fill="url(#a4-y)"/>)~", R"~(style="stroke:url(#a4-y);fill:url(#a4-x) red")~", R"~(<use xlink:href="#a4-r"/>)~",
-        R"~(<text>#x</text>)~", R"~(id="a4-root")~"}) {
+  for (const char* part : {R"~(<linearGradient id="a4-x"/>)~", R"~(<linearGradient id="a4-y" xlink:href="#a4-x"/>)~",
+                           R"~(<rect fill="url(#a4-y)"/>)~", R"~(style="stroke:url(#a4-y);fill:url(#a4-x) red")~",
+                           R"~(<use xlink:href="#a4-r"/>)~", R"~(<text>#x</text>)~", R"~(id="a4-root")~"}) {
     EXPECT_TRUE(contains(g, part)) << part << "\n" << g;
   }
 }

@@ -68,7 +68,8 @@ TEST_F(CollagePool, WhatCannotBeMadeClearIsGivenUpForTheNextBest) {
   test::RoundsByHand rounds(make_rectangle_canvas(300, 220), s, library());
   const std::vector<TargetSample> all = rounds.collage().take_stale_samples();
   MatchRound round;
-  round.refined = {found_at(ShapeId{3}, 21, {-60, -60}, 1), found_at(ShapeId{4}, 40, test::centre_at_upper_left(library()[4], 40), 0.2f)};
+  round.refined = {found_at(ShapeId{3}, 21, {-60, -60}, 1),
+                   found_at(ShapeId{4}, 40, test::centre_at_upper_left(library()[4], 40), 0.2f)};
   round.truncated = {false};
   rounds.collage().add_candidates({all.front()}, round);
   Candidate best;

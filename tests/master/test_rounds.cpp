@@ -1,4 +1,5 @@
-// What holds from round to round: pieces are scored where they end, and what is computed ahead or undone leaves no trace.
+// What holds from round to round: pieces are scored where they end, and what is computed ahead or undone leaves no
+// trace.
 #include <gtest/gtest.h>
 
 #include "core/collage/exact_terms.h"
@@ -84,8 +85,8 @@ TEST(Rounds, CheckingAheadChangesNothing) {
   }
 }
 
-/// Across a seam, too, a piece changes what the candidates beside it are worth. Bringing them into one period rounds their
-/// poses, and now and then the contact of a boundary point with it.
+/// Across a seam, too, a piece changes what the candidates beside it are worth. Bringing them into one period rounds
+/// their poses, and now and then the contact of a boundary point with it.
 TEST(Rounds, ASeamlessCollageMeasuresWhatEachPieceTouches) {
   test::RoundsByHand rounds(canvases()[1], settings(), library());
   test::VectorShapes shapes(library());
@@ -102,7 +103,8 @@ TEST(Rounds, ASeamlessCollageMeasuresWhatEachPieceTouches) {
             docking_terms(c.canvas_from_shape, shapes.model(c.shape), collage.free().view(), rounds.context());
         EXPECT_EQ(canvases()[1].period.wrapped(c.canvas_from_shape), c.canvas_from_shape);
         ++candidates;
-        outdated += std::abs(now.matched_px - c.terms.matched_px) > 2 || std::abs(now.overlap_px2 - c.terms.overlap_px2) > 5;
+        outdated +=
+            std::abs(now.matched_px - c.terms.matched_px) > 2 || std::abs(now.overlap_px2 - c.terms.overlap_px2) > 5;
       }
     }
   }

@@ -61,7 +61,8 @@ TEST(Scoring, AShapesOwnNumberOfUsesCounts) {
   s.wishes.class_of_shape = {0, 0, 1, 2, 0};
   Scoring scoring = scoring_of(s);
   for (const std::uint32_t shape : {1u, 2u, 3u}) {
-    for (int uses = 0; uses < 9 && scoring.may_use(ShapeId{shape}); ++uses) scoring.count(placement_at(ShapeId{shape}, 20, {}));
+    for (int uses = 0; uses < 9 && scoring.may_use(ShapeId{shape}); ++uses)
+      scoring.count(placement_at(ShapeId{shape}, 20, {}));
   }
   EXPECT_FALSE(scoring.may_use(ShapeId{1})) << "after two, as the job says";
   EXPECT_FALSE(scoring.may_use(kShape)) << "after one";

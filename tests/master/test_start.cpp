@@ -185,7 +185,8 @@ TEST(WarmStart, ACheckpointGoesOnWithTheSamePiecesOnly) {
   };
   EXPECT_EQ(test::message_of(go_on), "");
   s.wishes.given[1].canvas_from_shape.tx += 1;
-  EXPECT_NE(test::message_of(go_on).find("begun with other pieces than [[given]] and start.pieces have now"), std::string::npos);
+  EXPECT_NE(test::message_of(go_on).find("begun with other pieces than [[given]] and start.pieces have now"),
+            std::string::npos);
   s.wishes.given[1].canvas_from_shape.tx -= 1;
   EXPECT_EQ(test::message_of(go_on), "");
   s.wishes.given[1].locked = false;

@@ -13,8 +13,8 @@
 
 namespace tessera::test {
 
-/// What was done, and whether a reader may take the file for another good one: numbers that are possible are no mistake,
-/// whoever made them.
+/// What was done, and whether a reader may take the file for another good one: numbers that are possible are no
+/// mistake, whoever made them.
 struct Forgery {
   std::string what;
   bool may_differ = false;

@@ -18,7 +18,8 @@ struct ChildReport {
   std::size_t peak_bytes = 0;  // resident memory at most
 };
 
-/// Runs `use`, which returns a text, in a child that is ended after 20 s. Call it while the process has a single thread.
+/// Runs `use`, which returns a text, in a child that is ended after 20 s. Call it while the process has a single
+/// thread.
 template <class Use>
 ChildReport in_child(Use use) {
   constexpr unsigned kMost_s = 20;

@@ -66,7 +66,8 @@ TEST(OwnDevices, TooFewAreRefusedWithTheCure) {
     own_devices(2, {0, 3, 1});
     FAIL() << "three workers had two devices";
   } catch (const InputError& error) {
-    EXPECT_TRUE(has(error.what(), "devices.per_worker = 1: 3 workers of this node need 3 devices, and it has 2; allowed"))
+    EXPECT_TRUE(
+        has(error.what(), "devices.per_worker = 1: 3 workers of this node need 3 devices, and it has 2; allowed"))
         << error.what();
   }
 }

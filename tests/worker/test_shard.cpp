@@ -13,7 +13,8 @@ TEST(Shard, bytes_are_known_beforehand) {
     CollageSettings settings;
     settings.pieces.max_scale_px = max_scale_px;
     const MatchingContext context = make_matching_context(settings, 3);
-    const Shard shard = make_shard(make_match_record(context, {0, 3}), context.pad.levels, test::models_of(shapes, context, 0, 3));
+    const Shard shard =
+        make_shard(make_match_record(context, {0, 3}), context.pad.levels, test::models_of(shapes, context, 0, 3));
     EXPECT_EQ(shard_bytes(context, 3), shard.bytes());
   }
   EXPECT_EQ(shard_bytes(make_matching_context(CollageSettings(), 1), 0), 0u);
