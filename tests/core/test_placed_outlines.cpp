@@ -260,7 +260,6 @@ TEST(PlacedOutlines, PaddingIsKeptBetweenRoundedPositionsToo) {
   EXPECT_TRUE(conflicts(kPadding_px + 0.003f).empty());
 }
 
-/// From one middle to the other.
 TEST(PlacedOutlines, TheWayOutOfALargeOverlapLeadsAwayFromTheNeighbour) {
   for (const float padding_px : {0.f, kPadding_px}) {
     Scene scene(padding_px);
@@ -269,6 +268,34 @@ TEST(PlacedOutlines, TheWayOutOfALargeOverlapLeadsAwayFromTheNeighbour) {
     ASSERT_FALSE(ways.empty());
     for (const Vec2 way : ways) EXPECT_GT(way.x, 5 * std::abs(way.y)) << padding_px;
   }
+}
+
+/// As long as the deepest vertex lies deep, and what is needed: less would have to be repeated, step by step.
+TEST(PlacedOutlines, TheWayOutOfACrossingLeadsTheDeepestVertexOut) {
+  EXPECT_TRUE(rc::check([] {
+    const float padding_px = *rc::gen::element(0.f, kPadding_px);
+    PieceSettings pieces = padded_by(padding_px);
+    pieces.overlap_px = 0;
+    Scene scene(pieces);
+    scene.add(any_shape(), any_pose(200, 5));
+    const std::uint32_t shape = any_shape();
+    const Similarity where = pose_beside(scene.placed[0], shape, any_number(-3, 0));
+    const Outline piece = placed_outline(shapes()[shape].outline, where);
+    const Outline& other = scene.placed[0];
+    const Deepest of_piece = deepest_vertex(piece, other);
+    const Deepest of_other = deepest_vertex(other, piece);
+    const bool by_own = of_piece.depth_px > of_other.depth_px;
+    const Deepest& deepest = by_own ? of_piece : of_other;
+    RC_PRE(deepest.depth_px > 0.1 && std::abs(of_piece.depth_px - of_other.depth_px) > kRounding_px);
+    RC_PRE(deepest.depth_px < kHopelessDepth_px);
+    const std::vector<Vec2> ways = scene.outlines.conflicts(shapes()[shape], where);
+    RC_ASSERT(ways.size() == 1u);
+    const double needed_px = padding_px + kWritten_px;
+    RC_ASSERT(std::abs(double(norm(ways[0])) - (deepest.depth_px + needed_px)) < kRounding_px);
+    const Vec2 way = ways[0] * (by_own ? 1.f : -1.f);
+    const Vec2 out = deepest.vertex + way * float(deepest.depth_px / norm(way));
+    RC_ASSERT(test::boundary_distance({{{out}}}, by_own ? other : piece) < kRounding_px);
+  }));
 }
 
 /// It may reach into a long side and touch no vertex.

@@ -3,8 +3,10 @@
 #include <hdf5.h>
 
 #include <filesystem>
+#include <set>
 
 #include "core/base/error.h"
+#include "io/job/job_library.h"
 #include "io/library/library_copy.h"
 #include "io/library/library_view.h"
 #include "random_shape.h"
@@ -70,14 +72,30 @@ TEST_F(LibraryViews, OfOneWholeFileIsTheFile) {
   EXPECT_EQ(LibraryView({{path}, {{"*"}, {}}}).content_digest(), file.content_digest());
 }
 
-TEST_F(LibraryViews, DrawnSizesCountInTheDigestWhereTheyAreKnown) {
-  const std::uint64_t unknown = LibraryFile(write("a.h5", animals_)).content_digest();
+/// A library that is built again, now with the sizes, still draws what was made from it.
+TEST_F(LibraryViews, DrawnSizesCountInTheDigestOnlyForThoseWhoUseThem) {
   std::vector<Shape> drawn = animals_;
-  drawn[1].drawn_scale_px = 30;
-  const std::uint64_t known = LibraryFile(write("b.h5", drawn)).content_digest();
-  EXPECT_NE(known, unknown);
-  drawn[1].drawn_scale_px = 31;
-  EXPECT_NE(LibraryFile(write("c.h5", drawn)).content_digest(), known);
+  const auto digests = [&](bool drawn_sizes) {
+    std::set<std::uint64_t> all;
+    for (const float scale_px : {0.f, 30.f, 31.f}) {
+      drawn[1].drawn_scale_px = scale_px;
+      const std::string path = write("a.h5", drawn);
+      for (const NameGlobs& names : {NameGlobs{}, NameGlobs{{"*"}, {}}})
+        all.insert(LibraryView({{path}, names, {}, drawn_sizes}).content_digest());
+    }
+    return all.size();
+  };
+  EXPECT_EQ(digests(false), 1u);
+  EXPECT_EQ(digests(true), 3u);
+}
+
+TEST_F(LibraryViews, JobsWithDrawnSizesTellThemApart) {
+  Job job;
+  job.library = write("a.h5", animals_);
+  const std::uint64_t any_sizes = open_library_of(job).content_digest();
+  EXPECT_EQ(any_sizes, LibraryFile(job.library).content_digest());
+  job.drawn_sizes = true;
+  EXPECT_NE(open_library_of(job).content_digest(), any_sizes);
 }
 
 TEST_F(LibraryViews, ChooseByName) {

@@ -73,6 +73,17 @@ bool deepest_vertex(const PolygonIndex& inner, const PolygonIndex& outer, float 
   return deepest > limit;
 }
 
+/// For a piece that crosses the other, until they are so far apart; by its deepest vertices where there are any.
+Vec2 way_out(const PolygonIndex& piece, const PolygonIndex& other, float apart_px) {
+  const auto suspect = [](Vec2) { return true; };
+  Vec2 own, others;
+  const bool in_other = deepest_vertex(piece, other, 0, suspect, own);
+  const bool in_piece = deepest_vertex(other, piece, 0, suspect, others);
+  if (!in_other && !in_piece) return along(middle(piece.box()) - middle(other.box()), apart_px);
+  const Vec2 out = !in_piece || (in_other && norm(own) >= norm(others)) ? own : others * -1.f;
+  return along(out, norm(out) + apart_px);
+}
+
 auto key_of(const Placement& p) {
   const Similarity& s = p.canvas_from_shape;
   return std::tuple(p.shape, s.a, s.b, s.tx, s.ty);
@@ -125,7 +136,7 @@ bool PlacedOutlines::too_near(const PolygonIndex& piece, const PolygonIndex& oth
   // Apart or not, one may lie in the other.
   const bool crossed = nearest.distance <= 0 || other.contains(piece.outline().curves.front().front()) ||
                        piece.contains(other.outline().curves.front().front());
-  if (crossed) way = along(middle(piece.box()) - middle(other.box()), needed_px_);
+  if (crossed) way = way_out(piece, other, needed_px_);
   return crossed;
 }
 

@@ -39,7 +39,8 @@ std::vector<MirroringRule> mirroring_of(const Job& job) {
 
 LibraryView open_library_of(const Job& job) {
   try {
-    return LibraryView({library_paths(job), {job.library_include, job.library_exclude}, mirroring_of(job)});
+    return LibraryView(
+        {library_paths(job), {job.library_include, job.library_exclude}, mirroring_of(job), job.drawn_sizes});
   } catch (const NamesNotFound& error) {
     throw InputError(job.path + ": library." + error.what());
   } catch (const InputError& error) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -35,11 +36,12 @@ void check_built_alike(const std::vector<LibraryFile>& files) {
   }
 }
 
-template <class Take>
-void for_each_head(const LibraryFile& file, Take take) {
-  for (std::size_t at = 0; at < file.size(); at += kBatchShapes) {
+template <class Library, class Take>
+void for_each_head(const Library& library, Take take) {
+  for (std::size_t at = 0; at < library.size(); at += kBatchShapes) {
     std::size_t index = at;
-    for (ShapeHead& head : file.heads(at, std::min(file.size(), at + kBatchShapes))) take(index++, std::move(head));
+    for (ShapeHead& head : library.heads(at, std::min(library.size(), at + kBatchShapes)))
+      take(index++, std::move(head));
   }
 }
 
@@ -111,7 +113,7 @@ class LibraryView::Gathering {
   std::unordered_map<std::uint64_t, std::size_t> of_outline_;
 };
 
-LibraryView::LibraryView(const LibraryChoice& choice) {
+LibraryView::LibraryView(const LibraryChoice& choice) : drawn_sizes_(choice.drawn_sizes) {
   for (const std::string& file : choice.files) {
     files_.emplace_back(file);
     path_ += (path_.empty() ? "" : ", ") + file;
@@ -137,14 +139,16 @@ void LibraryView::gather(const NameGlobs& names) {
   }
 }
 
-/// Of the entries.
 std::vector<std::string> LibraryView::names() const {
   std::vector<std::string> names;
-  for (std::size_t at = 0; at < entries_.size(); at += kBatchShapes) {
-    for (ShapeHead& head : heads(at, std::min(entries_.size(), at + kBatchShapes)))
-      names.push_back(std::move(head.name));
-  }
+  for_each_head(*this, [&](std::size_t, ShapeHead head) { names.push_back(std::move(head.name)); });
   return names;
+}
+
+std::vector<float> LibraryView::drawn_scales_px() const {
+  std::vector<float> scales_px;
+  for_each_head(*this, [&](std::size_t, const ShapeHead& head) { scales_px.push_back(head.drawn_scale_px); });
+  return scales_px;
 }
 
 void LibraryView::add_mirror_images(const std::vector<MirroringRule>& rules) {
@@ -166,13 +170,20 @@ void LibraryView::add_mirror_images(const std::vector<MirroringRule>& rules) {
 }
 
 std::uint64_t LibraryView::content_digest() const {
-  if (whole_file()) return files_.front().content_digest();
   const std::uint64_t shapes = digest_of_heads(
       pad_parameters(), size(), [&](std::size_t begin, std::size_t end) { return heads(begin, end); });
-  if (std::none_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.mirrored; })) return shapes;
+  const bool mirrors =
+      std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.mirrored; });
+  if (!mirrors && !drawn_sizes_) return shapes;
   Digest digest;
   digest.add(shapes);
-  for (const Entry& entry : entries_) digest.add(std::uint64_t(entry.mirrored));
+  if (mirrors) {
+    for (const Entry& entry : entries_) digest.add(std::uint64_t(entry.mirrored));
+  }
+  if (drawn_sizes_) {
+    const std::vector<float> scales_px = drawn_scales_px();
+    digest.add_all(std::span<const float>(scales_px));
+  }
   return digest.value();
 }
 
@@ -201,6 +212,7 @@ std::size_t LibraryView::run_end(std::size_t begin, std::size_t end) const {
 }
 
 std::vector<ShapeHead> LibraryView::heads(std::size_t begin, std::size_t end) const {
+  if (whole_file()) return files_.front().heads(begin, end);
   std::vector<ShapeHead> heads;
   for (std::size_t at = begin, next = at; at < end; at = next) {
     next = run_end(at, end);

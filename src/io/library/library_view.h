@@ -17,6 +17,7 @@ struct LibraryChoice {
   std::vector<std::string> files;  // one at least
   NameGlobs names;                 // as they are in the files
   std::vector<MirroringRule> mirroring = {};  // by the names of the view; of several the last one holds; none: never
+  bool drawn_sizes = false;                   // content_digest() tells libraries apart whose drawings' sizes differ
 };
 
 /// The shapes come in the order of the files, and in a file's order, then mirror images under the names of their shapes.
@@ -43,6 +44,9 @@ class LibraryView : public ShapeLibrary {
   std::vector<std::uint32_t> drawings() const override;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;
 
+  /// Of the shapes [begin, end).
+  std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
+
   /// What was left out for being there already.
   const std::vector<Twin>& twins() const { return twins_; }
 
@@ -62,12 +66,13 @@ class LibraryView : public ShapeLibrary {
 
   bool whole_file() const { return entries_.empty(); }
   std::size_t run_end(std::size_t begin, std::size_t end) const;
-  std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
   std::vector<std::string> names() const;
+  std::vector<float> drawn_scales_px() const;
 
   std::vector<LibraryFile> files_;
   std::string path_;
   std::vector<Entry> entries_;  // empty: all of the only file
+  bool drawn_sizes_;
   std::vector<Twin> twins_;
 };
 

@@ -45,20 +45,15 @@ std::uint64_t digest_of_heads(const PadParameters& pad, std::size_t shapes,
   digest.add(std::bit_cast<std::uint32_t>(pad.delta_tau));
   std::vector<std::uint32_t> variant_of;
   bool variants = false;
-  std::vector<float> drawn_scales_px;
-  bool drawn = false;
   for (std::size_t at = 0; at < shapes; at += kBatchShapes) {
     const std::vector<ShapeHead> batch = heads(at, std::min(shapes, at + kBatchShapes));
     add_heads(batch, digest);
     for (const ShapeHead& head : batch) {
       variants = variants || head.variant_of != variant_of.size();
       variant_of.push_back(head.variant_of);
-      drawn = drawn || head.drawn_scale_px > 0;
-      drawn_scales_px.push_back(head.drawn_scale_px);
     }
   }
   if (variants) digest.add_all(std::span<const std::uint32_t>(variant_of));
-  if (drawn) digest.add_all(std::span<const float>(drawn_scales_px));
   return digest.value();
 }
 

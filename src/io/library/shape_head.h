@@ -28,8 +28,8 @@ struct ShapeHead {
 };
 
 /// ShapeLibrary::content_digest() of so many shapes; `heads` gives those of any range. Where every shape is its own
-/// variant nothing is added for that, nor where no drawn scale is known: so a library has the digest which it had before
-/// there were any.
+/// variant nothing is added for that, and the drawings' sizes do not count (LibraryChoice says where they do): so a
+/// library has the digest which it had before there were either.
 std::uint64_t digest_of_heads(const PadParameters& pad, std::size_t shapes,
                               const std::function<std::vector<ShapeHead>(std::size_t begin, std::size_t end)>& heads);
 
