@@ -45,7 +45,7 @@ io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, cons
       comm::stop_signalled};
   io::Drawers drawers({.processes = arguments.settings.files_at_a_time});
   const io::LibraryBuildReport report = io::build_library(files, arguments.output, arguments.settings,
-                                                          io::artwork_loader(drawers, arguments.settings.pad), monitor);
+                                                          io::artwork_loader(drawers, arguments.settings.tracing), monitor);
   if (io::any_failed(drawers.layers())) print_warning(io::layers_note(drawers.layers()));
   return report;
 }
@@ -123,12 +123,17 @@ void add_library_build_command(CLI::App& library, Command& selected) {
   build->add_option("--processes", settings.files_at_a_time, "How many files are traced at a time; default: all cores")
       ->check(CLI::Range(1, 1024));
   build
-      ->add_option("--pad-levels", settings.pad.levels,
+      ->add_option("--edge-opacity", settings.tracing.edge_opacity,
+                   "Where the outline runs: at this opacity of the drawing; 0.05 takes in halos and soft shadows")
+      ->check(CLI::Range(0.02, 0.9))
+      ->capture_default_str();
+  build
+      ->add_option("--pad-levels", settings.tracing.pad.levels,
                    "Levels n of the stored PADs; for jobs with another match.levels they are computed anew")
       ->check(CLI::Range(2, kMaxPadLevels))
       ->capture_default_str();
   build
-      ->add_option("--delta-tau", settings.pad.delta_tau,
+      ->add_option("--delta-tau", settings.tracing.pad.delta_tau,
                    "Their base interval of integral curvature, rad; the same goes for match.delta_tau")
       ->check(CLI::Range(0.05, 1.0))
       ->capture_default_str();

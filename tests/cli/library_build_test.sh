@@ -20,7 +20,12 @@ build 2 drawings --strict
 grep -qF 'own.h5 was not written: --strict; 8 files: 5 shapes, 1 merged with these, 2 skipped; the first is' errors ||
   fail "another message of --strict"
 [[ $(wc -l <own.left_out.txt) == 3 ]] || fail "another list of --strict"
+build 0 drawings --edge-opacity 0.1
+cp own.h5 wide.h5
+build 2 drawings --edge-opacity 0.01
+grep -q -e '--edge-opacity.*0.02' errors || fail "another message for an opacity out of range"
 build 0 drawings
+cmp -s own.h5 wide.h5 && fail "--edge-opacity changes nothing"
 grep -qE '^own.h5, .* s; of 8 files: 5 shapes, 1 merged with these, 2 skipped$' output ||
   fail "numbers that do not add up"
 grep -qF "$(printf 'skipped\t%s\t%s' "$PWD/drawings/old.gif" "$reason")" own.left_out.txt ||

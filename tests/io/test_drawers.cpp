@@ -61,9 +61,11 @@ TEST(Drawers, ImportWhatIsImportedInOneProcess) {
 
 TEST(Drawers, TraceWhatIsTracedInOneProcess) {
   Drawers drawers(kTwo);
-  const auto traced = drawers.shape(svg(kDisc), "/some/disc.svg", {});
-  const auto expected = shape_from_artwork(svg(kDisc), "/some/disc.svg", {});
-  EXPECT_EQ(encode_shape(std::get<ArtworkShape>(traced).shape), encode_shape(std::get<ArtworkShape>(expected).shape));
+  for (const TracingSettings& settings : {TracingSettings{}, {{3, 0.25f}, 0.5f}, {{}, 0.1f}}) {
+    const auto traced = drawers.shape(svg(kDisc), "/some/disc.svg", settings);
+    const auto expected = shape_from_artwork(svg(kDisc), "/some/disc.svg", settings);
+    EXPECT_EQ(encode_shape(std::get<ArtworkShape>(traced).shape), encode_shape(std::get<ArtworkShape>(expected).shape));
+  }
   EXPECT_EQ(std::get<SkipReason>(drawers.shape(svg(""), "empty.svg", {})), SkipReason::empty);
 }
 

@@ -165,10 +165,10 @@ TEST_F(LibraryBuilder, SkipsWithReasons) {
 
 TEST_F(LibraryBuilder, StrictWritesNothingWhereAFileIsSkipped) {
   write("a.svg", "1");
-  EXPECT_TRUE(build({.pad = {}, .embed = false, .strict = true}).written);
+  EXPECT_TRUE(build({.tracing = {}, .embed = false, .strict = true}).written);
   std::filesystem::remove(folder_.path("out.h5"));
   write("b.svg", "unreadable");
-  EXPECT_FALSE(build({.pad = {}, .embed = false, .strict = true}).written);
+  EXPECT_FALSE(build({.tracing = {}, .embed = false, .strict = true}).written);
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5")));
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5.tmp")));
 }
@@ -204,7 +204,7 @@ TEST_F(LibraryBuilder, NamesAreUnique) {
 
 TEST_F(LibraryBuilder, EmbedsTheFiles) {
   write("a.svg", "17");
-  build({.pad = {}, .embed = true, .strict = false});
+  build({.tracing = {}, .embed = true, .strict = false});
   EXPECT_EQ(shapes()[0].artwork.original, (std::vector<std::uint8_t>{'1', '7'}));
 }
 

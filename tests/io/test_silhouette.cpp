@@ -172,6 +172,18 @@ TEST(ArtworkShape, KnowsHowLargeItWasDrawn) {
   EXPECT_NEAR(shape_of(encoded(mask, ".png")).drawn_scale_px, 40 * std::sqrt(kPi), 1);
 }
 
+/// Opaque up to a radius of 12, then fading out up to 24.
+TEST(ArtworkShape, TheOutlineRunsAtTheOpacityAskedFor) {
+  const Bytes halo = svg(R"svg(<defs><radialGradient id="g"><stop offset="0.5"/><stop offset="1" stop-opacity="0"/>
+      </radialGradient></defs><circle cx="50" cy="25" r="24" fill="url(#g)"/>)svg");
+  for (const auto& [opacity, radius_px] : {std::pair(0.5f, 18.), {0.1f, 22.8}, {0.9f, 13.2}}) {
+    const auto shape = std::get<ArtworkShape>(shape_from_artwork(halo, "halo.svg", {{}, opacity})).shape;
+    EXPECT_NEAR(shape.drawn_scale_px, radius_px * std::sqrt(kPi), 0.3) << opacity;
+  }
+  EXPECT_EQ(std::get<ArtworkShape>(shape_from_artwork(halo, "halo.svg", {})).shape.drawn_scale_px,
+            std::get<ArtworkShape>(shape_from_artwork(halo, "halo.svg", {{}, 0.5f})).shape.drawn_scale_px);
+}
+
 TEST(ArtworkShape, SameSilhouetteGivesTheSameOutline) {
   const Shape red = shape_of(svg(kDisc));
   const Shape blue = shape_of(svg(R"(<circle cx="30" cy="25" r="20" fill="#0000ff"/>)"));

@@ -44,8 +44,11 @@ class TargetCurve::Walk {
   const LinkedContour::Vertex& here() const { return curve_->contour_.measured(at_); }
   void visit() { curve_->visit(at_, *support_); }
   void go(int to) {
-    const Vec2 next = curve_->contour_.measured(to).smooth;
-    beyond_px_ = beyond_px_ + (curve_->contour_.grid().period().nearest(next, here().smooth) - next);
+    const Period& period = curve_->contour_.grid().period();
+    if (period.repeats()) {  // 1 % of a run's time where it does not
+      const Vec2 next = curve_->contour_.measured(to).smooth;
+      beyond_px_ = beyond_px_ + (period.nearest(next, here().smooth) - next);
+    }
     at_ = to;
     visit();
   }

@@ -13,7 +13,6 @@
 namespace tessera {
 namespace {
 
-constexpr float kInside = 0.5f;
 constexpr float kOpeningCells = 4.2f;  // radius of the disc that seeks hairlines, in cells: round enough, and quick
 
 struct Component {
@@ -105,8 +104,9 @@ std::optional<SkipReason> reason_to_skip(const Component& component, float sourc
 
 }  // namespace
 
-std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px) {
-  std::vector<std::vector<Vec2>> curves = contours(alpha, kInside);
+std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px,
+                                                      float edge_opacity) {
+  std::vector<std::vector<Vec2>> curves = contours(alpha, edge_opacity);
   if (curves.empty()) return SkipReason::empty;
   Component component = largest_component(std::move(curves));
   if (const auto reason = reason_to_skip(component, source_px)) return *reason;

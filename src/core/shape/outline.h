@@ -19,6 +19,8 @@ struct TracedOutline {
   float other_area_fraction = 0;     // what they enclose, in parts of what the largest one encloses
 };
 
+/// What a drawing covers by half is in; halos and shadows that fade out are not.
+inline constexpr float kEdgeOpacity = 0.5f;
 /// Width of the smoothing (see smoothing_spline) in pixels of alpha or, where these are larger, of the source: as
 /// much as takes the stairs out.
 inline constexpr float kSmoothing_px = 1;
@@ -38,7 +40,9 @@ inline constexpr float kHairlineRest = 0.7f;
 inline constexpr float kLongest = 8;
 
 /// `alpha`: coverage 0..1; node (i, j) is the pixel whose centre lies at origin_px + (i + 0.5, j + 0.5). `source_px`:
-/// size of a pixel of the source in pixels of alpha: 0 for vectors, above 1 for an enlarged image.
-std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px);
+/// size of a pixel of the source in pixels of alpha: 0 for vectors, above 1 for an enlarged image. The outline runs
+/// where alpha is `edge_opacity`.
+std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px,
+                                                      float edge_opacity = kEdgeOpacity);
 
 }  // namespace tessera

@@ -15,13 +15,14 @@ float drawn_scale_px(float scale_px) { return scale_px >= 1e-3f && scale_px <= 1
 }  // namespace
 
 std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
-                                                          const PadParameters& pad) {
-  Silhouette silhouette = make_silhouette(bytes, path);
-  const auto traced = trace_outline(silhouette.alpha, silhouette.origin_px, silhouette.source_px);
+                                                          const TracingSettings& settings) {
+  Silhouette silhouette = make_silhouette(bytes, path, settings.edge_opacity);
+  const auto traced =
+      trace_outline(silhouette.alpha, silhouette.origin_px, silhouette.source_px, settings.edge_opacity);
   if (const auto* reason = std::get_if<SkipReason>(&traced)) return *reason;
 
   const auto& outline = std::get<TracedOutline>(traced);
-  Shape shape = make_shape(outline, pad);
+  Shape shape = make_shape(outline, settings.pad);
   shape.name = std::filesystem::path(path).stem();
   shape.mean_lab = silhouette.colour.mean_lab;
   shape.colour_spread = silhouette.colour.spread;

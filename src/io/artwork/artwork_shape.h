@@ -18,9 +18,14 @@ struct ArtworkShape {
   float other_area_fraction = 0;  // see TracedOutline
 };
 
+struct TracingSettings {
+  PadParameters pad;
+  float edge_opacity = kEdgeOpacity;  // see trace_outline
+};
+
 /// `bytes` is the content of the file `path` (read_artwork_file). Two files with the same silhouette give equal
 /// Shape::outline. Throws InputError where it is no artwork; a drawing that is of no use gives the reason.
 std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
-                                                          const PadParameters& pad);
+                                                          const TracingSettings& settings);
 
 }  // namespace tessera::io

@@ -17,10 +17,10 @@ constexpr double kLeastZoom = 1.15;
 constexpr int kMargin_px = 4;
 
 /// What is drawn on, with a margin; empty where nothing is.
-cv::Rect drawn_part(const cv::Mat& bgra) {
+cv::Rect drawn_part(const cv::Mat& bgra, float edge_opacity) {
   cv::Mat alpha;
   cv::extractChannel(bgra, alpha, 3);
-  const cv::Rect part = cv::boundingRect(alpha >= 128);
+  const cv::Rect part = cv::boundingRect(alpha >= int(std::ceil(255 * edge_opacity)));
   if (part.empty()) return {};
   const cv::Rect grown = part + cv::Size(2 * kMargin_px, 2 * kMargin_px) - cv::Point(kMargin_px, kMargin_px);
   return grown & cv::Rect({0, 0}, bgra.size());
@@ -33,8 +33,8 @@ struct Drawing {
 };
 
 /// The drawn part at the resolution wanted. A small drawing on a large page needs a second look.
-Drawing drawn_finely(const ArtworkPage& page, const cv::Mat& first) {
-  const cv::Rect part = drawn_part(first);
+Drawing drawn_finely(const ArtworkPage& page, const cv::Mat& first, float edge_opacity) {
+  const cv::Rect part = drawn_part(first, edge_opacity);
   if (part.empty()) return {kSilhouetteSide_px, {}, {}};
   const double wanted = double(kSilhouetteSide_px) / std::max(part.width, part.height);
   const double possible = double(page.finest_side_px()) / kSilhouetteSide_px;
@@ -96,10 +96,10 @@ std::vector<std::uint8_t> png_of(const cv::Mat& bgra) {
 
 }  // namespace
 
-Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path) {
+Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path, float edge_opacity) {
   const std::unique_ptr<ArtworkPage> page = open_artwork_page(bytes, path);
   const cv::Mat first = page->draw(kSilhouetteSide_px, cv::Rect({0, 0}, page_size_px(*page, kSilhouetteSide_px)));
-  const Drawing drawing = drawn_finely(*page, first);
+  const Drawing drawing = drawn_finely(*page, first, edge_opacity);
   const cv::Size size = page_size_px(*page, drawing.longest_side_px);
   const cv::Mat thumbnail = thumbnail_of(first);
 

@@ -9,6 +9,7 @@
 
 #include "core/geometry/grid.h"
 #include "core/geometry/vec2.h"
+#include "core/shape/outline.h"
 
 namespace tessera::io {
 
@@ -35,7 +36,9 @@ struct Silhouette {
   std::vector<std::uint8_t> thumbnail_png;  // the whole page, RGBA, longest side kThumbnailSide_px
 };
 
-/// Throws InputError as open_artwork_page (artwork_page.h) does. `path` is kept and stands in messages.
-Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path);
+/// Drawn on is what has `edge_opacity` at least. Throws InputError as open_artwork_page (artwork_page.h) does. `path` is
+/// kept and stands in messages.
+Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path,
+                           float edge_opacity = kEdgeOpacity);
 
 }  // namespace tessera::io

@@ -40,8 +40,10 @@ RequestHeader header_of(const DrawingRequest& request) {
   return {.kind = request.kind,
           .longest_side_px = request.longest_side_px,
           .width_pt = request.width_pt,
-          .pad_levels = request.pad.levels,
-          .pad_delta_tau = request.pad.delta_tau,
+          .pad_levels = request.tracing.pad.levels,
+          .pad_delta_tau = request.tracing.pad.delta_tau,
+          .edge_opacity = request.tracing.edge_opacity,
+          .unused = 0,
           .path_bytes = request.path.size(),
           .scope_id_bytes = request.scope_id.size(),
           .bytes = request.bytes.size()};

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "core/pad/pad.h"
+#include "io/artwork/artwork_shape.h"
 #include "io/drawing/drawer_layers.h"
 
 namespace tessera::io {
@@ -44,7 +44,7 @@ struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
   int longest_side_px = 0;                   // of page and png
   double width_pt = 0;                       // of the PDFs
-  PadParameters pad = {};                    // of shape
+  TracingSettings tracing = {};              // of shape
   std::string path = {};                     // stands in messages; a shape's name
   std::string scope_id = {};                 // of svg_import
   std::span<const std::uint8_t> bytes = {};  // the file
@@ -57,6 +57,8 @@ struct RequestHeader {
   double width_pt;
   std::int32_t pad_levels;
   float pad_delta_tau;
+  float edge_opacity;
+  std::uint32_t unused;
   std::uint64_t path_bytes;
   std::uint64_t scope_id_bytes;
   std::uint64_t bytes;

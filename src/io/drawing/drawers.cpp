@@ -221,8 +221,9 @@ std::string Drawers::import_svg(std::span<const std::uint8_t> bytes, const std::
 }
 
 std::variant<ArtworkShape, SkipReason> Drawers::shape(std::span<const std::uint8_t> bytes, const std::string& path,
-                                                      const PadParameters& pad) {
-  const DrawingAnswer answer = crew_->draw({.kind = DrawingKind::shape, .pad = pad, .path = path, .bytes = bytes});
+                                                      const TracingSettings& settings) {
+  const DrawingAnswer answer =
+      crew_->draw({.kind = DrawingKind::shape, .tracing = settings, .path = path, .bytes = bytes});
   try {
     ShapeOrReason result = decode_shape_answer(answer.bytes());
     if (auto* artwork = std::get_if<ArtworkShape>(&result)) {

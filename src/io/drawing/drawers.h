@@ -13,7 +13,6 @@
 #include <variant>
 #include <vector>
 
-#include "core/pad/pad.h"
 #include "io/artwork/artwork_shape.h"
 #include "io/drawing/drawer_layers.h"
 
@@ -60,7 +59,7 @@ class Drawers {
 
   /// See artwork_shape.h. Shape::name and Artwork::path follow from `path`.
   std::variant<ArtworkShape, SkipReason> shape(std::span<const std::uint8_t> bytes, const std::string& path,
-                                               const PadParameters& pad);
+                                               const TracingSettings& settings);
 
   /// A PDF file with one page, the SVG's, `width_pt` points of 1/72 inch wide. Vectors stay vectors. The same SVG gives
   /// the same bytes. See printed_svg.h; where that is too much for cairo, librsvg alone draws it.

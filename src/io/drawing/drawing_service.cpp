@@ -59,14 +59,14 @@ std::string_view without_path(std::string_view message, const std::string& path)
 }  // namespace
 
 DrawingAnswer answer_of(const DrawingRequest& request) {
-  const auto& [kind, longest_side_px, width_pt, pad, path, scope_id, bytes] = request;
+  const auto& [kind, longest_side_px, width_pt, tracing, path, scope_id, bytes] = request;
   switch (kind) {
     case DrawingKind::page: return image_answer(render_artwork(bytes, path, longest_side_px));
     case DrawingKind::png: return image_answer(png_picture(bytes, path, longest_side_px));
     case DrawingKind::natural_size: return size_answer(open_artwork_page(bytes, path)->natural_size());
     case DrawingKind::svg_import:
       return text_answer(import_svg(bytes, path, scope_id, open_artwork_page(bytes, path)->natural_size()));
-    case DrawingKind::shape: return bytes_answer(encode_shape_answer(shape_from_artwork(bytes, path, pad)));
+    case DrawingKind::shape: return bytes_answer(encode_shape_answer(shape_from_artwork(bytes, path, tracing)));
     case DrawingKind::pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, true));
     case DrawingKind::plain_pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, false));
   }

@@ -66,7 +66,7 @@ class Builder {
       : files_(files),
         settings_(settings),
         monitor_(monitor),
-        writer_(output, settings.pad) {
+        writer_(output, settings.tracing.pad) {
     report_.files = files.paths.size() + files.left_out.size();
     report_.skipped = files.left_out;
   }
@@ -136,9 +136,9 @@ class Builder {
 
 }  // namespace
 
-ShapeLoader artwork_loader(Drawers& drawers, const PadParameters& pad) {
-  const auto load = [&drawers, pad](const std::string& path) {
-    return drawers.shape(read_artwork_file(path), path, pad);
+ShapeLoader artwork_loader(Drawers& drawers, const TracingSettings& settings) {
+  const auto load = [&drawers, settings](const std::string& path) {
+    return drawers.shape(read_artwork_file(path), path, settings);
   };
   return {.load = load, .stop = [&drawers] { drawers.stop(); }};
 }

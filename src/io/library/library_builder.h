@@ -17,7 +17,7 @@
 namespace tessera::io {
 
 struct LibraryBuildSettings {
-  PadParameters pad;
+  TracingSettings tracing;
   bool embed = false;   // keep the artwork files' bytes
   bool strict = false;  // write nothing where a file cannot be used
   int files_at_a_time = 1;
@@ -45,7 +45,7 @@ struct ShapeLoader {
 };
 
 /// Drawers::shape of the file. The drawers must outlive the loader.
-ShapeLoader artwork_loader(Drawers& drawers, const PadParameters& pad);
+ShapeLoader artwork_loader(Drawers& drawers, const TracingSettings& settings);
 
 /// What the caller wants to see and say while it lasts; both are called in the calling thread.
 struct BuildMonitor {
