@@ -313,8 +313,7 @@ TEST(Refine, KeepsTheOneAllowedAngle) {
   }));
 }
 
-/// The smallest piece in a hole of exactly its size: its scale ends at the lower bound, where rounding must not reject
-/// it.
+/// Holes a little beyond a bound of the scale, so that the descent presses against it: rounding must not reject it.
 TEST(Refine, RoundingRejectsNothingAtTheBoundsOfScale) {
   const Shape shape = test::make_library_shape("bean", test::bean_outline());
   for (const float bound_px : {20.f, 20.001f, 33.333f, 47.11f, 90.07f}) {
@@ -324,7 +323,6 @@ TEST(Refine, RoundingRejectsNothingAtTheBoundsOfScale) {
       s.pieces.max_scale_px = lower ? 120 : bound_px;
       const MatchingContext context = make_matching_context(s, 1);
       const ShapeModel model = test::models_of({shape}, context, 0, 1).front();
-      // The hole is a little beyond the bound, so that the descent presses against it.
       const CanvasField hole = hole_of(shape, {bound_px * (lower ? 0.995f : 1.02f), 0, 128, 128}, 256);
       for (float angle = 0; angle < 0.05f; angle += 0.003f) {
         Similarity pose{bound_px * std::cos(angle), bound_px * std::sin(angle), 128, 128};
