@@ -25,7 +25,7 @@ done
 echo "ok all files"
 
 # Nothing but PATH and a HOME for the kernels' cache.
-bare() { env -i PATH="$prefix/bin:/usr/bin:/bin" HOME="${HOME-/tmp}" LSAN_OPTIONS="${LSAN_OPTIONS-}" "$@"; }
+bare() { env -i PATH="$prefix/bin:/usr/bin:/bin" HOME="${HOME-/tmp}" ASAN_OPTIONS="${ASAN_OPTIONS-}" LSAN_OPTIONS="${LSAN_OPTIONS-}" "$@"; }
 bare tessera --version >output || fail "--version"
 readelf -d "$prefix/bin/tessera" | grep -qiE 'R(UN)?PATH' && fail "the program looks for libraries in fixed folders"
 make_drawings drawings
