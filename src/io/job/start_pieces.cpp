@@ -1,17 +1,16 @@
 #include "io/job/start_pieces.h"
 
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <unordered_map>
 
 #include "core/base/error.h"
 #include "io/job/job_entry.h"
 #include "io/nearest_name.h"
 #include "io/number_text.h"
+#include "io/pose.h"
 #include "io/regular_file.h"
 
 namespace tessera::io {
@@ -129,11 +128,9 @@ GivenPiece piece_of(const json& feature, const Names& names, bool locked) {
   const json& properties = member(feature, "properties", "an object with shape, scale, rotation_deg, x_px and y_px");
   const ShapeId shape = names.id(properties);
   const double scale_px = number(properties, kScale);
-  const double rotation_rad = number(properties, kRotation) * std::numbers::pi / 180;
-  return {shape,
-          {float(scale_px * std::cos(rotation_rad)), float(scale_px * std::sin(rotation_rad)),
-           float(number(properties, kX)), float(number(properties, kY))},
-          locked};
+  const double rotation_deg = number(properties, kRotation);
+  const double x_px = number(properties, kX), y_px = number(properties, kY);
+  return {shape, pose_of(scale_px, rotation_deg, x_px, y_px), locked};
 }
 
 std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const Names& names, bool locked) {

@@ -19,12 +19,6 @@ constexpr std::size_t kMostFileBytes = std::size_t(1) << 20;
 constexpr std::size_t kMostShownBytes = 300;  // of a path
 constexpr std::size_t kMostCellBytes = 4096;  // few enough for whatever TOML they are
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 bool is_text(JobKind kind) { return kind == JobKind::texts || kind == JobKind::name || kind == JobKind::word; }
 
 /// A text stands in its cell as it is, a list of them as in TOML: ["owl*", "eagle"].

@@ -9,6 +9,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
+#include "core/base/split_text.h"
 #include "core/shape/mirrored_shape.h"
 #include "io/library/library_names.h"
 #include "io/library/same_colour.h"
@@ -112,10 +113,8 @@ class LibraryView::Gathering {
 };
 
 LibraryView::LibraryView(const LibraryChoice& choice) {
-  for (const std::string& file : choice.files) {
-    files_.emplace_back(file);
-    path_ += (path_.empty() ? "" : ", ") + file;
-  }
+  for (const std::string& file : choice.files) files_.emplace_back(file);
+  path_ = joined(choice.files);
   check_built_alike(files_);
   const bool mirrors = std::any_of(choice.mirroring.begin(), choice.mirroring.end(), [](const MirroringRule& rule) {
     return rule.mirroring != Mirroring::never;

@@ -1,11 +1,11 @@
 #include "io/result/geojson_output.h"
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "io/job/shape_group.h"
 #include "io/number_text.h"
+#include "io/pose.h"
 
 namespace tessera::io {
 namespace {
@@ -82,10 +82,6 @@ void append_feature(const Placement& placement, std::size_t index, const Shape& 
 }
 
 }  // namespace
-
-double rotation_deg(const Similarity& canvas_from_shape) {
-  return double(canvas_from_shape.rotation_rad()) * 180 / std::numbers::pi;
-}
 
 std::string geojson_text(const CollageReport& report) {
   std::string text = R"({"type":"FeatureCollection","features":[)";
