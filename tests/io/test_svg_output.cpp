@@ -141,11 +141,15 @@ Shape flag_shape() {
   return shape;
 }
 
+Shape mirrored_flag() { return mirror_image(flag_shape(), PadParameters{}.levels); }
+
 /// The flag as library shape 7, its mirror image as 3; the background is white.
 struct Flags : SampleCollage {
   Flags() {
     job.output.background = "#ffffff";
-    report.shapes = {flag_shape(), mirror_image(flag_shape(), PadParameters{}.levels)};
+    report.shapes = {};
+    report.shapes.add(ShapeId{7}, flag_shape());
+    report.shapes.add(ShapeId{3}, mirrored_flag());
     report.placements.clear();
     place(ShapeId{3}, 50, {60, 50}, 0.6f);
     place(ShapeId{7}, 50, {140, 50}, -2.f);
@@ -174,12 +178,12 @@ TEST(SvgOutput, MirroredArtworkLiesInItsOutline) {
   const cv::Rect left_half(0, 0, 200, 200), right_half(200, 0, 200, 200);
   for (const bool original_there : {true, false}) {
     if (!original_there) {  // a mirror image alone, as of a shape that stands mirrored only
-      sample.report.shape_ids.erase(sample.report.shape_ids.begin());
-      sample.report.shapes.erase(sample.report.shapes.begin());
+      sample.report.shapes = {};
+      sample.report.shapes.add(ShapeId{3}, mirrored_flag());
       sample.report.placements.pop_back();
     }
     for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
-      const Outline& own = sample.report.shapes.back().outline;
+      const Outline& own = sample.report.shapes[sample.report.shapes.size() - 1].outline;
       EXPECT_LT(disagreement(picture, own, left, left_half), 0.04);
       EXPECT_GT(disagreement(picture, flag_shape().outline, left, left_half), 0.3) << "as drawn it lies elsewhere";
       if (!original_there) continue;
@@ -202,7 +206,7 @@ TEST(SvgOutput, MirroredArtworkIsDefinedOnceWithItsOriginal) {
 
 TEST(SvgOutput, MirroredSilhouettesLieInTheirOutline) {
   Flags sample;
-  for (Shape& shape : sample.report.shapes) shape.artwork.original.clear();
+  for (const std::size_t slot : {0, 1}) sample.report.shapes[slot].artwork.original.clear();
   const Similarity left = sample.report.placements[0].canvas_from_shape;
   const auto expect_in_outline = [&] {
     for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
@@ -216,7 +220,7 @@ TEST(SvgOutput, MirroredSilhouettesLieInTheirOutline) {
 
 TEST(SvgOutput, NotesCountMirroredPiecesWithTheirDrawing) {
   Flags sample;
-  for (Shape& shape : sample.report.shapes) shape.artwork.original.clear();
+  for (const std::size_t slot : {0, 1}) sample.report.shapes[slot].artwork.original.clear();
   test::DrawnCollage drawn(sample.report);
   drawn.picture();
   const DrawingNotes notes = drawn.artworks.notes();
@@ -242,7 +246,7 @@ TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
   const test::Bytes png = test::encoded(page, ".png");
   test::embed_artwork(sample.report.shapes[0], std::string(png.begin(), png.end()), 300, 200, 106);
   sample.report.placements = {sample.report.placements[1]};
-  sample.report.placements[0].shape = sample.report.shape_ids[0];
+  sample.report.placements[0].shape = ShapeId{7};
   const int outside = 280 + int(2 * 60 * (0.5642 + 0.06));  // a disc of area 1 has this radius
   for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
     EXPECT_GT(picture.at<cv::Vec3b>(100, 280)[2], 200) << "inside";
@@ -258,7 +262,7 @@ TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
 TEST(SvgOutput, BitmapsAndLostOriginalsAreEmbeddedAsPictures) {
   SampleCollage sample;
   const test::Bytes png = test::encoded(test::disc_with_alpha(), ".png");
-  for (Shape& shape : sample.report.shapes) test::embed_artwork(shape, std::string(png.begin(), png.end()), 300, 200, 106);
+  for (const std::size_t slot : {0, 1}) test::embed_artwork(sample.report.shapes[slot], std::string(png.begin(), png.end()), 300, 200, 106);
   Artwork& lost = sample.report.shapes[1].artwork;
   lost.original.clear();
   lost.path = "/nowhere/lost.png";

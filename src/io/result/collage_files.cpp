@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <stdexcept>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -41,22 +40,6 @@ void withdraw(const std::string& dir) {
 }
 
 }  // namespace
-
-std::size_t CollageReport::slot_of(ShapeId id) const {
-  const auto found = std::find(shape_ids.begin(), shape_ids.end(), id);
-  if (found == shape_ids.end()) {
-    throw std::out_of_range("shape " + std::to_string(index_of(id)) + " is not in the report");
-  }
-  return std::size_t(found - shape_ids.begin());
-}
-
-std::size_t CollageReport::slot_of_drawing(std::size_t slot) const {
-  if (!shapes[slot].artwork.mirrored) return slot;
-  const auto drawn = std::find_if(shapes.begin(), shapes.end(), [&](const Shape& shape) {
-    return !shape.artwork.mirrored && shape.name == shapes[slot].name;
-  });
-  return drawn == shapes.end() ? slot : std::size_t(drawn - shapes.begin());
-}
 
 void create_output_directory(const std::string& dir) {
   std::error_code error;

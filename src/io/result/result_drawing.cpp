@@ -106,8 +106,7 @@ void add_shapes(const ShapeLibrary& library, const StopWatcher& stop, CollageRep
   for (const ShapeId id : placed) {
     stop.check();
     const std::uint32_t index = index_of(id);
-    report.shape_ids.push_back(id);
-    report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
+    report.shapes.add(id, std::move(library.read(index, index + 1, parts).front()));
   }
 }
 
