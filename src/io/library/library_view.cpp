@@ -44,12 +44,27 @@ void for_each_head(const LibraryFile& file, Take take) {
   }
 }
 
+/// For each shape of the files, one after the other, whether it is chosen.
 std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std::string& path,
                                 const NameGlobs& globs) {
   std::vector<std::string> names;
   for (const LibraryFile& file : files)
     for_each_head(file, [&](std::size_t, ShapeHead head) { names.push_back(std::move(head.name)); });
-  return chosen_names(names, globs, path);
+  const NameIndex index(std::move(names));
+  std::vector<bool> chosen(index.names().size());
+  for (const std::uint32_t place : chosen_names(index, globs, path)) chosen[place] = true;
+  return chosen;
+}
+
+/// Of each name what the last rule that has it says.
+std::vector<Mirroring> mirroring_of(const NameIndex& names, const std::vector<MirroringRule>& rules) {
+  std::vector<Mirroring> mirroring(names.names().size(), Mirroring::never);
+  for (const MirroringRule& rule : rules) {
+    for (const std::string& glob : rule.names) {
+      for (const std::uint32_t place : names.matching(glob)) mirroring[place] = rule.mirroring;
+    }
+  }
+  return mirroring;
 }
 
 }  // namespace
@@ -147,15 +162,12 @@ std::vector<std::string> LibraryView::names() const {
 }
 
 void LibraryView::add_mirror_images(const std::vector<MirroringRule>& rules) {
-  const std::vector<std::string> names = this->names();
-  for (std::uint32_t own = 0; own < names.size(); ++own) {
-    const auto rule = std::find_if(rules.rbegin(), rules.rend(), [&](const MirroringRule& r) {
-      return matches_any(r.names, names[own]);
-    });
-    if (rule == rules.rend() || rule->mirroring == Mirroring::never) continue;
+  const std::vector<Mirroring> mirroring = mirroring_of(NameIndex(names()), rules);
+  for (std::uint32_t own = 0; own < mirroring.size(); ++own) {
+    if (mirroring[own] == Mirroring::never) continue;
     Entry image = entries_[own];
     image.mirrored = true;
-    if (rule->mirroring == Mirroring::only) {
+    if (mirroring[own] == Mirroring::only) {
       entries_[own] = image;
     } else {
       entries_.push_back(image);
