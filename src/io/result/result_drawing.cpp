@@ -32,9 +32,16 @@
 namespace tessera::io {
 namespace {
 
-Job job_of(const WholeResult& result, const PictureRequest& request) {
-  Job job = result.job;
-  set_drawing_keys(job, request.keys);
+/// A result's job with what is asked for instead.
+struct DrawnJob {
+  Job job;
+  bool other_colours = false;  // else those of the result
+};
+
+DrawnJob job_of(const WholeResult& result, const PictureRequest& request) {
+  DrawnJob drawn{result.job};
+  Job& job = drawn.job;
+  drawn.other_colours = set_drawing_keys(job, request.keys);
   if (request.library.size() == 1) {
     job.library = request.library.front();
     job.library_files.clear();
@@ -42,7 +49,7 @@ Job job_of(const WholeResult& result, const PictureRequest& request) {
     job.library.clear();
     job.library_files = request.library;
   }
-  return job;
+  return drawn;
 }
 
 LibraryView opened_library(const Job& job) {
@@ -116,11 +123,6 @@ OutputSpec output_of(const WholeResult& result, const PictureRequest& request, c
   job.output = on_paper(job.output, job.canvas, canvas);
   set_drawing_keys(job, request.keys);
   return job.output;
-}
-
-bool asks_for_colours(const PictureRequest& request) {
-  return std::any_of(request.keys.begin(), request.keys.end(),
-                     [](const std::string& key) { return key.find("colour") < key.find('='); });
 }
 
 std::vector<std::string> distinct(std::vector<std::string> colours) {
@@ -238,9 +240,9 @@ class ResultPictures {
 DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, DrawingObserver& observer) {
   const WholeResult result = read_result(dir);
   const ResultManifest& manifest = result.manifest;
-  Job job = job_of(result, request);
+  auto [job, other_colours] = job_of(result, request);
   const std::vector<std::string> palette =
-      asks_for_colours(request) ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
+      other_colours ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
   Drawers drawers({.processes = available_cores()});
   const StopWatcher stop(observer, drawers);
   stop.check();
@@ -256,7 +258,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   report.keep_out = std::move(canvas.keep_out);
   report.placements = placements_of(dir, manifest, library.size());
   add_shapes(library, stop, report);
-  if (!asks_for_colours(request)) {
+  if (!other_colours) {
     report.colours = manifest.colours;
   } else if (draws_palette(job.colour, library)) {
     report.colours = piece_colours(report, palette);
