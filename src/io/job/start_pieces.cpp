@@ -148,6 +148,16 @@ std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const 
   return pieces;
 }
 
+/// What people give instead of a result.
+void check_is_there(const std::string& given, const std::string& file) {
+  constexpr const char* kAllowed = "; allowed: the folder of a result, or its pieces.geojson";
+  std::error_code error;
+  if (!fs::exists(given, error) && !error) throw InputError(given + ": no such file or folder" + kAllowed);
+  if (fs::is_directory(given, error) && !fs::exists(file, error) && !error) {
+    throw InputError(given + ": found a folder without pieces.geojson" + kAllowed);
+  }
+}
+
 }  // namespace
 
 std::string start_file(const Job& job) {
@@ -161,6 +171,7 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
   if (file.empty()) return;
   const std::string where = job.path + ": start.pieces: ";
   try {
+    check_is_there(job.start.pieces, file);
     const std::vector<GivenPiece> pieces =
         pieces_in(read_regular_file(file, kMostBytes), Names(shapes), !job.start.free);
     std::vector<GivenPiece>& given = job.settings.wishes.given;
@@ -170,7 +181,7 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
                      "; allowed: lines with commas between them, none behind the last");
   } catch (const InputError& error) {
     const std::string what = error.what();
-    throw InputError(where + (what.starts_with(file) ? what : file + ": " + what));
+    throw InputError(where + (what.starts_with(job.start.pieces) ? what : file + ": " + what));
   }
 }
 
