@@ -19,6 +19,7 @@
 #include "io/job/palette.h"
 #include "io/job/picture_size.h"
 #include "io/result/card_drawing.h"
+#include "io/result/card_input.h"
 #include "io/result/finished_result.h"
 #include "io/result/piece_colours.h"
 #include "io/result/placed_pieces.h"
@@ -26,8 +27,10 @@
 #include "io/result/png_stream.h"
 #include "io/result/result_file.h"
 #include "io/result/result_manifest.h"
+#include "io/result/run_record.h"
 #include "io/result/svg_output.h"
 #include "io/result/tiff_pyramid.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
@@ -60,11 +63,22 @@ LibraryView opened_library(const Job& job) {
   }
 }
 
-LibraryView library_of(const Job& job, const ResultManifest& manifest) {
+/// What the digests are, and how to come by the right library.
+std::string another_library(const std::string& dir, const ResultManifest& manifest, const LibraryView& library) {
+  const bool same_place = manifest.library == library.path();
+  const std::string maker = made_by(dir);
+  return library.path() + ": not the library that the collage was made from: the digest of its content is " +
+         digest_text(library.content_digest()) + ", that was " + digest_text(manifest.library_digest) +
+         (same_place ? ", built or changed since" : ", then in " + printable_utf8(manifest.library)) +
+         (maker.empty() ? "" : "; the collage was made by " + maker) +
+         "; --library FILE says where that library is; where it is gone, tessera library build makes it again of the same "
+         "drawings, or tessera collage a collage of this one";
+}
+
+LibraryView library_of(const std::string& dir, const Job& job, const ResultManifest& manifest) {
   LibraryView library = opened_library(job);
   if (library.content_digest() == manifest.library_digest) return library;
-  throw InputError(library.path() +
-                   ": not the library that the collage was made from; --library FILE says where that is");
+  throw InputError(another_library(dir, manifest, library));
 }
 
 struct DrawnCanvas {
@@ -246,7 +260,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   Drawers drawers({.processes = available_cores()});
   const StopWatcher stop(observer, drawers);
   stop.check();
-  const LibraryView library = library_of(job, manifest);
+  const LibraryView library = library_of(dir, job, manifest);
   stop.check();
   DrawnCanvas canvas = canvas_of(job, manifest, observer);
   job.output = output_of(result, request, canvas.canvas);
