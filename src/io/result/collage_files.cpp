@@ -39,6 +39,31 @@ void withdraw(const std::string& dir) {
   }
 }
 
+ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& origin, bool finished,
+                           const std::string& pieces, const std::string& job) {
+  ResultManifest manifest;
+  manifest.finished = finished;
+  manifest.pieces_digest = digest_text(pieces);
+  manifest.job_digest = digest_text(job);
+  manifest.library = library_text(*report.job);
+  manifest.library_digest = origin.library_digest;
+  manifest.canvas_digest = origin.canvas_digest;
+  for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
+  manifest.colours = report.colours;
+  return manifest;
+}
+
+/// Returns the text of the card.
+std::string write_cards(const std::string& dir, const CollageReport& report) {
+  const Quality quality = measured_quality(report);
+  const CollageSettings& settings = report.job->settings;
+  const std::string card = card_text(quality, report.statistics, settings);
+  write_file_atomically(in_directory(dir, "card.json"),
+                        card_json(quality, report.statistics, settings, report.ranks, report.record));
+  write_file_atomically(in_directory(dir, "card.txt"), card);
+  return card;
+}
+
 }  // namespace
 
 void create_output_directory(const std::string& dir) {
@@ -79,24 +104,15 @@ std::string publish_result(const std::string& dir, const CollageReport& report, 
   withdraw(dir);
   const std::string pieces = geojson_text(report);
   const std::string job = to_toml(*report.job);
-  const Quality quality = measured_quality(report);
-  const CollageSettings& settings = report.job->settings;
-  const std::string card = card_text(quality, report.statistics, settings);
   write_file_atomically(in_directory(dir, "pieces.geojson"), pieces);
-  write_file_atomically(in_directory(dir, "card.json"),
-                        card_json(quality, report.statistics, settings, report.ranks, report.record));
-  write_file_atomically(in_directory(dir, "card.txt"), card);
   write_file_atomically(in_directory(dir, "job.toml"), job);
-  ResultManifest manifest;
-  manifest.finished = finished;
-  manifest.pieces_digest = digest_text(pieces);
-  manifest.job_digest = digest_text(job);
-  manifest.library = library_text(*report.job);
-  manifest.library_digest = origin.library_digest;
-  manifest.canvas_digest = origin.canvas_digest;
-  for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
-  manifest.colours = report.colours;
-  write_manifest(dir, manifest);
+  const ResultManifest manifest = manifest_of(report, origin, finished, pieces, job);
+  if (!finished) {
+    for (const char* card : {"card.json", "card.txt"}) remove_file(in_directory(dir, card));
+    write_manifest(dir, manifest);
+  }
+  const std::string card = write_cards(dir, report);
+  if (finished) write_manifest(dir, manifest);
   return card;
 }
 
