@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/split_text.h"
 
 namespace tessera::bench {
 namespace {
@@ -27,12 +28,6 @@ class SpawnActions {
  private:
   posix_spawn_file_actions_t actions_;
 };
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
 
 int wait_for(pid_t process) {
   int status = 0;
@@ -56,7 +51,7 @@ void run_program(const std::vector<std::string>& command) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   const std::string how = WIFEXITED(status) ? "exit code " + std::to_string(WEXITSTATUS(status))
                                             : "signal " + std::to_string(WTERMSIG(status));
-  throw EnvironmentError("ended with " + how + ": " + joined(command));
+  throw EnvironmentError("ended with " + how + ": " + joined(command, " "));
 }
 
 std::vector<std::string> words_of(const std::string& text) {

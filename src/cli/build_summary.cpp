@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "core/base/split_text.h"
 #include "io/utf8_text.h"
 
 namespace tessera::cli {
@@ -25,22 +26,16 @@ std::string count_column(std::size_t count) {
 /// Where a reason has details after a colon (a parser's message), files are counted by what stands before it.
 std::string reason_class(const std::string& reason) { return io::printable_utf8(reason.substr(0, reason.find(": "))); }
 
-std::string text_of(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 /// Collections keep copies of one drawing in several folders: a name is shown once.
 std::string first_names(const std::vector<std::string>& paths) {
   std::vector<std::string> names;
   for (const std::string& path : paths) {
     if (const std::string name = file_name(path); std::find(names.begin(), names.end(), name) == names.end()) {
-      if (names.size() == kNamesShown) return text_of(names) + ", ...";
+      if (names.size() == kNamesShown) return joined(names) + ", ...";
       names.push_back(name);
     }
   }
-  return text_of(names);
+  return joined(names);
 }
 
 std::string skipped_lines(const std::vector<io::UnusedFile>& skipped) {

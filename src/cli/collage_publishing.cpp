@@ -18,8 +18,7 @@ void add_placed_shapes(const io::ShapeLibrary& library, io::CollageReport& repor
   const io::LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = false};
   for (const ShapeId id : placed) {
     const std::uint32_t index = index_of(id);
-    report.shape_ids.push_back(id);
-    report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
+    report.shapes.add(id, std::move(library.read(index, index + 1, parts).front()));
   }
 }
 

@@ -105,6 +105,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   journal->warn(replaced_result_warning(input.earlier, input.job));
+  journal->warn(idle_keys_warning(input.job));
   journal->warn(standing_warning_of(input));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);

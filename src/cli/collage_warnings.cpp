@@ -110,6 +110,22 @@ std::string standing_warning(const io::Job& job, const Canvas& canvas,
   return text.empty() ? text : text + "; they stand as they are";
 }
 
+std::string idle_dpi_warning(const io::Job& job) {
+  if (is_default(job, "output", "dpi") || job.output.width_mm > 0 || job.canvas.width_mm > 0) return "";
+  return with_value(job, "output", "dpi") +
+         " means nothing without a size on paper: output.width_mm, or canvas.size_mm; the picture is " +
+         std::to_string(job.output.width_px) + " px wide (output.width_px)";
+}
+
+std::string idle_keys_warning(const io::Job& job) {
+  std::string text = idle_dpi_warning(job);
+  if (job.settings.pieces.padding_px > 0 && !is_default(job, "pieces", "overlap_px")) {
+    text += (text.empty() ? "" : "; ") + with_value(job, "pieces", "overlap_px") +
+            " does not count beside " + with_value(job, "pieces", "padding_px") + ", which keeps all pieces apart";
+  }
+  return text;
+}
+
 void print_warning(const std::string& warning) {
   if (!warning.empty()) std::fprintf(stderr, "tessera: warning: %s\n", warning.c_str());
 }

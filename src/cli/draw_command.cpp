@@ -1,9 +1,13 @@
+#include <unistd.h>
+
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/collage_run.h"
+#include "cli/collage_warnings.h"
 #include "cli/commands.h"
 #include "cli/result_drawing_run.h"
 #include "comm/stop_signals.h"
@@ -66,45 +70,69 @@ std::vector<std::string> drawing_keys(const DrawArguments& arguments) {
   return keys;
 }
 
-void check_is_result(const std::string& folder) {
+bool has_checkpoint(const std::string& folder) {
+  const io::CheckpointFolder checkpoints(folder);
+  return checkpoints.has_latest() || checkpoints.has_previous();
+}
+
+/// The job that a result was made by.
+io::Job job_of_result(const std::string& folder) {
   try {
-    io::read_result(folder);
+    return io::read_result(folder).job;
   } catch (const InputError& error) {
-    const io::CheckpointFolder checkpoints(folder);
-    if (!checkpoints.has_latest() && !checkpoints.has_previous()) throw;
+    if (!has_checkpoint(folder)) throw;
     throw InputError(std::string(error.what()) +
                      "; a checkpoint is there: tessera collage with --resume makes the result");
   }
 }
 
-/// Pictures of one result are none of another.
-void check_is_no_result(const std::string& folder) {
-  if (!io::is_in_result(folder, io::kManifestName)) return;
-  throw InputError("--to " + folder + ": found a result there, allowed: a folder without one");
+/// Of what is asked for; what the result's job says was told when it was run.
+std::string idle_keys_warning(io::Job job, const std::vector<std::string>& keys) {
+  const double dpi = job.output.dpi;
+  io::set_drawing_keys(job, keys);
+  return job.output.dpi == dpi ? "" : idle_dpi_warning(job);
 }
 
-/// Where the pictures go, which is there then.
-std::string drawing_folder(const DrawArguments& arguments) {
-  const std::string& to = arguments.request.to;
-  if (to.empty()) return arguments.folder;
-  check_is_no_result(to);
-  io::prepare_output_directory(to);
-  return to;
+/// Pictures of one result are none of another, nor of a run that is to go on.
+void check_takes_pictures(const std::string& folder) {
+  if (io::is_in_result(folder, io::kManifestName)) {
+    throw InputError("--to " + folder + ": found a result there, allowed: a folder without one");
+  }
+  if (has_checkpoint(folder)) {
+    throw InputError("--to " + folder + ": found the checkpoint of an interrupted run there, allowed: a folder without one");
+  }
 }
+
+/// Keeps other runs out of the folders.
+class DrawingLocks {
+ public:
+  DrawingLocks(const std::string& result, const std::string& to) {
+    // A result on which one has no right to write can be drawn elsewhere.
+    if (to.empty() || ::access(result.c_str(), W_OK) == 0) result_.emplace(io::folder_lock_path(result), result);
+    if (to.empty()) return;
+    io::prepare_output_directory(to);
+    pictures_.emplace(io::folder_lock_path(to), to);
+    check_takes_pictures(to);
+  }
+
+ private:
+  std::optional<io::OutputLock> result_;
+  std::optional<io::OutputLock> pictures_;  // where they have a folder of their own
+};
 
 int run(DrawArguments arguments) {
   io::PictureRequest& wanted = arguments.request;
   if (!wanted.png && !wanted.svg && !wanted.pdf && !wanted.tiff) wanted.png = wanted.svg = true;
   wanted.keys = drawing_keys(arguments);
-  check_is_result(arguments.folder);  // no lock is left where there is no result
-  const std::string folder = drawing_folder(arguments);
-  const io::OutputLock lock(io::folder_lock_path(folder), folder);
+  const io::Job job = job_of_result(arguments.folder);  // no lock is left where there is no result
+  print_warning(idle_keys_warning(job, wanted.keys));
+  const DrawingLocks locks(arguments.folder, wanted.to);
   comm::install_stop_handlers();
   if (!draw(arguments.folder, wanted, arguments.quiet, comm::stop_signalled)) {
     std::fprintf(stderr, "tessera: drawing interrupted: the same command goes on\n");
     return kUnfinishedExitCode;
   }
-  if (!arguments.quiet) std::printf("drawn in %s\n", folder.c_str());
+  if (!arguments.quiet) std::printf("drawn in %s\n", (wanted.to.empty() ? arguments.folder : wanted.to).c_str());
   return 0;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -69,8 +70,9 @@ class Collage {
   void check_ahead();
 
   /// Finds the candidate of the pool that is worth most after the finalists were checked exactly, made clear of their
-  /// neighbours and grown. False where the pool is dry.
-  bool choose(Candidate& best);
+  /// neighbours and grown. False where the pool is dry. `look` is called again and again and may throw: what has
+  /// changed then would have changed anyway, and the next call finds what this one would have found.
+  bool choose(Candidate& best, const std::function<void()>& look = [] {});
 
   /// Merge: takes the piece out of the free region and brings the target curve up to date. Returns the nodes within
   /// which candidates have to be measured anew.
@@ -104,9 +106,19 @@ class Collage {
   std::size_t open_samples() const { return curve_.sample_count(); }
 
  private:
+  /// A copy of a candidate, which the pool does not know as it is here.
+  struct Finalist {
+    Pool::Ranked ranked;
+    Candidate candidate;
+    bool given_up = false;
+  };
+
   std::vector<Pool::Ranked> finalists();
+  std::vector<Finalist> checked_finalists(const std::function<void()>& look);
+  bool settle_best(std::vector<Finalist>& finalists, Candidate& best, const std::function<void()>& look);
+  void keep_checks(std::vector<Finalist>& finalists);
   bool needs_first_piece() const;
-  bool choose_first(Candidate& first);
+  bool choose_first(Candidate& first, const std::function<void()>& look);
   bool may_dock(SampleId id) const;
   float score(const Candidate& candidate) const;
   ExactAreas check_exactly(Candidate& candidate);

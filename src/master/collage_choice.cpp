@@ -65,13 +65,14 @@ bool Collage::needs_first_piece() const {
 }
 
 /// Any shape, large and as upright as it may be, in the middle.
-bool Collage::choose_first(Candidate& first) {
+bool Collage::choose_first(Candidate& first, const std::function<void()>& look) {
   const Window& nodes = free_.grid().one_period();
   Vec2 middle_px = free_.field().origin + Vec2{0.5f * float(nodes.x0 + nodes.x1), 0.5f * float(nodes.y0 + nodes.y1)};
   if (growth_) middle_px = growth_->first_piece_px();
   const StanceTable& stances = context_.stances;
   float scale_px = context_.max_scale_px;
   for (std::uint64_t draw = 0; draw < kFirstPieceDraws && stances.open_shapes() > 0; ++draw) {
+    look();
     const std::uint64_t random = mix_bits(settings_.seed ^ mix_bits(kFirstPiece ^ (draw << 32)));
     first = {};
     first.shape = stances.open_shape(std::uint32_t(((random >> 32) * stances.open_shapes()) >> 32));
@@ -86,41 +87,67 @@ bool Collage::choose_first(Candidate& first) {
   return false;
 }
 
+/// Best first.
+std::vector<Collage::Finalist> Collage::checked_finalists(const std::function<void()>& look) {
+  std::vector<Finalist> checked;
+  for (const Pool::Ranked& ranked : finalists()) {
+    look();
+    Finalist finalist{ranked, pool_.at(ranked)};
+    if (!finalist.candidate.exact) check_exactly(finalist.candidate);
+    finalist.ranked.value = finalist.candidate.score * scoring_.preference(finalist.candidate);
+    checked.push_back(finalist);
+  }
+  std::sort(checked.begin(), checked.end(), [](const Finalist& a, const Finalist& b) { return a.ranked < b.ranked; });
+  return checked;
+}
+
 /// Settling may cost a candidate its place: it is the best only if no other is worth more before its own.
-bool Collage::choose(Candidate& best) {
-  if (needs_first_piece()) return choose_first(best);
+bool Collage::settle_best(std::vector<Finalist>& finalists, Candidate& best, const std::function<void()>& look) {
+  float best_value = -1;
+  for (Finalist& finalist : finalists) {
+    if (best_value >= finalist.ranked.value) break;
+    look();
+    Candidate settled = finalist.candidate;
+    if (!settle(settled)) {
+      finalist.given_up = true;
+      continue;
+    }
+    const float value = settled.score * scoring_.preference(settled);
+    if (value <= best_value) continue;
+    best_value = value;
+    best = settled;
+  }
+  return best_value >= 0;
+}
+
+/// What was found out about the finalists, for the pool.
+void Collage::keep_checks(std::vector<Finalist>& finalists) {
+  for (Finalist& finalist : finalists) {
+    Candidate& pooled = pool_.at(finalist.ranked);
+    if (!pooled.exact) {
+      pooled.score = finalist.candidate.score;
+      pooled.exact = true;
+      pool_.rank_again(finalist.ranked);
+    }
+    if (finalist.given_up) pool_.erase(finalist.ranked);
+  }
+}
+
+/// Where nothing fits any more all of the pool is given up, eight at a time. The pool changes only where eight are
+/// through: from there on a run that goes on does the same.
+bool Collage::choose(Candidate& best, const std::function<void()>& look) {
+  if (needs_first_piece()) return choose_first(best, look);
   for (;;) {
-    std::vector<Pool::Ranked> ranked = finalists();
-    for (Pool::Ranked& r : ranked) {
-      Candidate& c = pool_.at(r);
-      if (!c.exact) {
-        check_exactly(c);
-        pool_.rank_again(r);
-      }
-      r.value = c.score * scoring_.preference(c);
+    std::vector<Finalist> finalists = checked_finalists(look);
+    if (finalists.empty()) return false;
+    bool found = true;
+    if (settings_.settle) {
+      found = settle_best(finalists, best, look);
+    } else {
+      best = finalists.front().candidate;
     }
-    if (ranked.empty()) return false;
-    std::sort(ranked.begin(), ranked.end());
-    if (!settings_.settle) {
-      best = pool_.at(ranked.front());
-      return true;
-    }
-    float best_value = -1;
-    std::vector<Pool::Ranked> given_up;
-    for (const Pool::Ranked& r : ranked) {
-      if (best_value >= r.value) break;
-      Candidate settled = pool_.at(r);
-      if (!settle(settled)) {
-        given_up.push_back(r);
-        continue;
-      }
-      const float value = settled.score * scoring_.preference(settled);
-      if (value <= best_value) continue;
-      best_value = value;
-      best = settled;
-    }
-    for (const Pool::Ranked& r : given_up) pool_.erase(r);
-    if (best_value >= 0) return true;
+    keep_checks(finalists);
+    if (found) return true;
   }
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
@@ -26,11 +28,15 @@ Canvas region_of(const Canvas& canvas, std::uint32_t region) {
   return part;
 }
 
+/// The observer asked to stop while no question was under way.
+struct StoppedBetween : Interrupted {};
+
 /// A region of the canvas, while it is filled.
 struct Part {
   Part(const Canvas& region, const CollageSettings& settings, const MatchingContext& context, Matcher& matcher,
-       ShapeSource& shapes, RunStatistics& statistics)
-      : collage(region, settings, context, shapes), filling(collage, context, settings, matcher, statistics) {}
+       ShapeSource& shapes, RunStatistics& statistics, std::function<void()> look)
+      : collage(region, settings, context, shapes),
+        filling(collage, context, settings, matcher, statistics, std::move(look)) {}
 
   Collage collage;
   Filling filling;
@@ -62,6 +68,8 @@ class Run {
         if (!improving_) fill();
         if (improving_) improve();
       } while (begin_next_region());
+    } catch (const StoppedBetween& stopped) {
+      stop_unfinished(stopped.reason);
     } catch (const Interrupted& interrupted) {
       stop_unfinished(interrupted.reason);
       gave_up_question_ = true;
@@ -92,7 +100,9 @@ class Run {
   /// The first `given` of the standing pieces stand to the end.
   void begin(std::uint32_t region, std::vector<Placement> standing, std::size_t given) {
     const Canvas part = region_of(canvas_, region);
-    part_ = std::make_unique<Part>(part, settings_, context_, matcher_, shapes_, statistics_);
+    part_ = std::make_unique<Part>(part, settings_, context_, matcher_, shapes_, statistics_, [this] {
+      if (const char* reason = observer_.stop_requested()) throw StoppedBetween{{reason}};
+    });
     if (settings_.start.grow_outward) collage().grow_by(OutwardGrowth(part, settings_.pieces, standing, shapes_));
     collage().begin(std::move(standing), given, region, size_of_attempt(attempt_));
     improving_ = false;

@@ -1,6 +1,7 @@
 #include "master/filling.h"
 
 #include <optional>
+#include <utility>
 
 #include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
@@ -9,10 +10,11 @@
 
 namespace tessera::master {
 Filling::Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
-                 RunStatistics& statistics)
+                 RunStatistics& statistics, std::function<void()> look)
     : collage_(collage),
       matcher_(matcher),
       statistics_(&statistics),
+      look_(std::move(look)),
       most_empty_passes_(settings.match.tangent_dockings > 0 ? kEmptyPasses : 0) {
   statistics_->shapes = context.library_shapes;
   statistics_->pads_per_shape = double(pads_per_shape(context));
@@ -77,7 +79,7 @@ void Filling::check_ahead() {
 
 bool Filling::choose(Candidate& best) {
   Stopwatch watch;
-  const bool found = collage_.choose(best);
+  const bool found = collage_.choose(best, look_);
   statistics_->objective_s += watch.lap();
   return found;
 }

@@ -1,6 +1,8 @@
 // Filling the free region greedily: match what is stale, place the best candidate, again (paper section 4, Fig. 15).
 #pragma once
 
+#include <functional>
+
 #include "core/matching/matcher.h"
 #include "master/collage.h"
 
@@ -8,16 +10,17 @@ namespace tessera::master {
 
 class Filling {
  public:
-  /// Adds to the counters and times of `statistics`.
+  /// Adds to the counters and times of `statistics`. `look` is called while the master computes by itself, and may throw
+  /// what it likes to end that.
   Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
-          RunStatistics& statistics);
+          RunStatistics& statistics, std::function<void()> look = [] {});
 
   /// Pieces are wanted at these nodes from now on; at first that is the whole canvas.
   void start(const Window& region);
 
   /// Places the best piece. Where the pool is dry, the region's samples are matched again with other random dockings;
   /// false when that finds nothing either. Throws Interrupted where the matcher does: the question is undone or its
-  /// piece is placed to the end, so that the collage can be saved.
+  /// piece is placed to the end, so that the collage can be saved. So it can where `look` throws.
   bool place_one();
 
   /// How often the region's samples were matched again since the last piece. Saved and restored with the collage: an
@@ -40,6 +43,7 @@ class Filling {
   Collage& collage_;
   Matcher& matcher_;
   RunStatistics* statistics_;
+  std::function<void()> look_;
   std::uint64_t library_pads_ = 0;
   MatchPlan usual_plan_;
   PairReach reach_;

@@ -19,7 +19,7 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual void progressed(const Progress& progress) = 0;
-  /// Asked before every round and trial. What asks to stop ("signal", "time_limit") ends the loop with what is placed;
+  /// Asked before every round and trial, and while a piece is chosen. What asks to stop ("signal", "time_limit") ends the loop with what is placed;
   /// null: go on.
   virtual const char* stop_requested() = 0;
 };

@@ -39,10 +39,23 @@ run 0 draw in_mm --svg --width 300 --quiet
 grep -q 'width="300" height="225"' in_mm/collage.svg || fail "--width gives no px"
 run 0 draw in_mm --svg --set output.width_mm=30 --quiet
 grep -q 'width="30.000mm"' in_mm/collage.svg || fail "output.width_mm does not win"
+run 0 draw in_mm --svg --set output.dpi=600 --quiet
+[[ ! -s errors ]] || fail "a warning of a dpi that counts"
 run 2 collage in_px.toml --out none --set 'canvas.size_mm=[0, 0]' --set pieces.scale_mm=3
 grep -q 'pieces.scale_mm: found 3; needed: canvas.size_mm' errors || fail "another message without size_mm"
 grep -q '"overlap_fraction": *\(0.000000\|0.0[,}]\|0[,}]\)' in_mm/card.json || fail "pieces overlap"
 echo "ok millimetres"
+
+printf "[library]\nfile = 'own.h5'\n[stop]\npieces = 2\n[canvas]\nsize_px = [120, 90]\n[pieces]\nscale_px = [14, 40]\n" >plain.toml
+run 0 collage plain.toml --out plain --quiet --set output.dpi=600 --set pieces.padding_px=2 --set pieces.overlap_px=1
+grep -q 'warning: output.dpi (now 600) means nothing .*; pieces.overlap_px (now 1) does not count beside' errors ||
+  fail "keys that mean nothing are not told"
+grep -q 'output.dpi (now 600) means nothing' plain/run.log || fail "nor in the log"
+run 0 draw plain --svg --quiet
+[[ ! -s errors ]] || fail "what was told is told again"
+run 0 draw plain --svg --set output.dpi=500 --quiet
+grep -q 'warning: output.dpi (now 500) means nothing' errors || fail "tessera draw does not tell"
+echo "ok keys that mean nothing"
 
 run 0 collage in_px.toml --out dusk --quiet --set colour.pieces=palette
 cp dusk/collage.png dusk.png
@@ -65,15 +78,40 @@ cmp artwork/collage.png drawn/collage.png || fail "the artwork is drawn otherwis
 printf '#ff0000\n' >red.txt
 run 0 draw drawn --palette red.txt --to red --quiet
 grep -q 'fill="#ff0000"' red/collage.svg || fail "a palette's file is not seen"
+run 0 collage in_px.toml --out reds --quiet --set colour.pieces=palette --set colour.palette=red.txt
+mv red.txt gone.txt
+run 0 draw reds --svg --set output.outline_colour=#123456 --set output.outline_px=1 --quiet
+grep -q 'fill="#ff0000"' reds/collage.svg || fail "a line's colour takes those of the pieces"
 run 2 draw drawn --palette none.gpl
 grep -q 'colour.palette: .*none.gpl.*allowed: dusk' errors || fail "another message for a palette that is not there"
 run 2 draw drawn --palette '#12'
 grep -q 'colour.palette: found .*#12.*, allowed: "dusk"' errors || fail "another message for no colour"
 run 2 draw drawn --to dusk
-grep -q -- '--to dusk: found a result there, allowed: a folder without one' errors ||
-  fail "another message for a result"
+grep -q -- '--to dusk: found a result there, allowed: a folder without one' errors || fail "another message for a result"
+for name in checkpoint.h5 checkpoint.previous.h5; do
+  mkdir killed && touch "killed/$name"
+  run 2 draw drawn --to killed
+  grep -q -- '--to killed: found the checkpoint of an interrupted run there' errors || fail "another message for $name"
+  [[ $(ls killed) == "$name" ]] || fail "pictures beside $name: $(ls killed)"
+  rm -r killed
+done
+printf 'host elsewhere\npid 7\nboot another\n' >drawn/run.lock
+run 2 draw drawn --to elsewhere
+grep -q 'drawn: another run may still be at work here: process 7 on elsewhere' errors || fail "a run into RESULT is not seen"
+rm drawn/run.lock
+run 0 draw drawn --to elsewhere --quiet
+[[ ! -e drawn/run.lock && ! -e elsewhere/run.lock ]] || fail "a lock is left"
 run 2 draw drawn --set pieces.uses=1
 run 1 draw drawn --to /proc/none
+# A stranger, who may read the result.
+if as_stranger=$(command -v setpriv) && [[ $(id -u) == 0 ]]; then
+  as_stranger+=' --reuid=65534 --regid=65534 --clear-groups'
+  mkdir -m 777 strangers
+  if $as_stranger test -x "$tessera" -a -w strangers; then
+    $as_stranger "$tessera" draw drawn --svg --to strangers --quiet >output 2>errors || fail "a result of another user"
+    cmp strangers/collage.svg drawn/collage.svg || fail "a stranger gets another picture"
+  fi
+fi
 echo "ok other colours"
 
 cat >regions.svg <<'SVG'

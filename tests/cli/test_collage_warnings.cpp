@@ -40,6 +40,27 @@ TEST(EmptyResultWarning, is_none_where_there_are_pieces_or_may_be_later) {
   EXPECT_EQ(empty_result_warning("out/a", io::Job(), result), "");
 }
 
+TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
+  io::Job job;
+  EXPECT_EQ(idle_keys_warning(job), "");
+  job.settings.pieces.overlap_px = 0.5f;
+  EXPECT_EQ(idle_keys_warning(job), "");
+  job.settings.pieces.padding_px = 3;
+  EXPECT_EQ(idle_keys_warning(job),
+            "pieces.overlap_px (now 0.5) does not count beside pieces.padding_px (now 3), which keeps all pieces apart");
+  job.output.dpi = 600;
+  EXPECT_EQ(idle_keys_warning(job).substr(0, 140),
+            "output.dpi (now 600) means nothing without a size on paper: output.width_mm, or canvas.size_mm; the picture is "
+            "2000 px wide (output.width_px");
+  job.settings.pieces.overlap_px = io::Job().settings.pieces.overlap_px;
+  EXPECT_EQ(idle_keys_warning(job), idle_dpi_warning(job));
+  job.output.width_mm = 100;
+  EXPECT_EQ(idle_keys_warning(job), "");
+  job.output.width_mm = 0;
+  job.canvas.width_mm = 100;
+  EXPECT_EQ(idle_keys_warning(job), "");
+}
+
 TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
   io::Job job;
   job.settings.pieces.min_scale_px = 20;

@@ -24,5 +24,11 @@ TEST(SplitOutside, ToleratesWhatIsNeverClosedOrNeverOpened) {
 
 TEST(FindOutside, StartsWhereItIsTold) { EXPECT_EQ(find_outside("a:b:c", ":", 2), 3u); }
 
+TEST(Joined, PutsSeparatorsBetween) {
+  EXPECT_EQ(joined({}), "");
+  EXPECT_EQ(joined({"", "a", ""}), ", a, ") << "empty parts are parts";
+  EXPECT_EQ(joined({"a", "b c"}, " "), "a b c");
+}
+
 }  // namespace
 }  // namespace tessera

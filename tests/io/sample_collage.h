@@ -18,8 +18,8 @@ struct SampleCollage {
     job.output.background = "#ffe0c0";
     report.job = &job;
     report.canvas = &canvas;
-    report.shape_ids = {ShapeId{7}, ShapeId{3}};
-    report.shapes = {make_test_shape("disc", disc_outline()), make_test_shape("ring", ring_outline())};
+    report.shapes.add(ShapeId{7}, make_test_shape("disc", disc_outline()));
+    report.shapes.add(ShapeId{3}, make_test_shape("ring", ring_outline()));
     place(ShapeId{7}, 40, {50, 50}, 0.5f);
     place(ShapeId{3}, 60, {140, 50}, 0);
   }

@@ -74,9 +74,21 @@ TEST(CollageFiles, WhereAFileCannotBeWrittenThereIsNoResult) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
   publish_result(folder.path(""), sample.report, sample.origin(), true);
-  fs::create_directories(folder.path("job.toml.tmp/in_the_way"));  // of the last file before the manifest
+  fs::create_directories(folder.path("card.txt.tmp/in_the_way"));  // of the last file before the manifest
   EXPECT_THROW(publish_result(folder.path(""), sample.report, sample.origin(), true), EnvironmentError);
   EXPECT_THROW(read_manifest(folder.path("")), InputError);
+}
+
+/// The launcher may kill the program while it measures.
+TEST(CollageFiles, AnUnfinishedResultIsOneBeforeItsCards) {
+  const test::ScratchFolder folder;
+  const test::SampleCollage sample;
+  publish_result(folder.path(""), sample.report, sample.origin(), false);
+  fs::create_directories(folder.path("card.json.tmp/in_the_way"));
+  EXPECT_THROW(publish_result(folder.path(""), sample.report, sample.origin(), false), EnvironmentError);
+  EXPECT_FALSE(read_manifest(folder.path("")).finished);
+  EXPECT_FALSE(fs::exists(folder.path("card.json"))) << "that of the result before";
+  EXPECT_FALSE(fs::exists(folder.path("card.txt")));
 }
 
 TEST(CollageFiles, AManifestBelongsToItsFiles) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/number_text.h"
+#include "io/pose.h"
 #include "io/result/geojson_output.h"
 #include "sample_collage.h"
 
@@ -19,6 +20,14 @@ double ring_area(const json& ring) {
     sum += ring[i][0].get<double>() * ring[i + 1][1].get<double>() - ring[i + 1][0].get<double>() * ring[i][1].get<double>();
   }
   return sum / 2;
+}
+
+TEST(Pose, IsOfSizeDegreesAndPlace) {
+  const Similarity pose = pose_of(300, 120, 100, -5);
+  EXPECT_FLOAT_EQ(pose.scale(), 300);
+  EXPECT_NEAR(rotation_deg(pose), 120, 1e-4);
+  EXPECT_EQ(pose.translation(), (Vec2{100, -5}));
+  EXPECT_FLOAT_EQ(pose_of(2, 90, 0, 0).apply({1, 0}).y, 2) << "clockwise on the picture";
 }
 
 TEST(GeoJson, OneFeatureAPlacementWithItsProperties) {

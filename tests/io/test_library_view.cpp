@@ -114,6 +114,15 @@ TEST_F(LibraryViews, SayWhatNamesAreNear) {
   const std::string path = write("a.h5", animals_);
   EXPECT_EQ(message_of([&] { LibraryView({{path}, {{"cat", "DOG*"}, {}}}); }),
             "include: no shape of " + path + " has a name like \"DOG*\"; near it are: dog, Cat, cat, cow");
+  const std::string many = write("many.h5", {make_shape("emu", 5), make_shape("snowy_owl_3", 6), make_shape("owl_of_night", 7),
+                                             make_shape("hen", 8), make_shape("ox", 9), make_shape("yak", 10)});
+  const auto near = [&](const std::string& glob) {
+    const std::string said = message_of([&] { LibraryView({{many}, {{glob}, {}}}); });
+    return said.substr(said.find("near it are: ") + 13);
+  };
+  EXPECT_EQ(near("owll*").substr(0, 12), "owl_of_night") << near("owll*");
+  EXPECT_EQ(near("*_owll_?").substr(0, 11), "snowy_owl_3") << near("*_owll_?");
+  EXPECT_EQ(near("[kx]ak").substr(0, 3), "yak") << near("[kx]ak");
   EXPECT_EQ(message_of([&] { LibraryView({{path}, {{}, {"*"}}}); }), "exclude: nothing is left of the 4 shapes of " + path);
 }
 

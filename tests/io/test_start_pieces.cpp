@@ -143,8 +143,14 @@ TEST_F(StartPieces, FilesThatWouldEatTheMachineAreRefused) {
 TEST_F(StartPieces, ThereMustBeAFile) {
   Job job;
   job.start.pieces = folder_.path("none.geojson");
-  const std::string said = test::message_of([&] { added(job); });
-  EXPECT_EQ(said.find("job.toml: start.pieces: " + folder_.path("none.geojson")), 0u) << said;
+  const std::string allowed = "; allowed: the folder of a result, or its pieces.geojson";
+  EXPECT_EQ(test::message_of([&] { added(job); }),
+            "job.toml: start.pieces: " + folder_.path("none.geojson") + ": no such file or folder" + allowed);
+  job.start.pieces = folder_.path("");
+  EXPECT_EQ(test::message_of([&] { added(job); }),
+            "job.toml: start.pieces: " + folder_.path("") + ": found a folder without pieces.geojson" + allowed);
+  job.start.pieces = "/dev/null";
+  EXPECT_NE(test::message_of([&] { added(job); }).find("/dev/null: not a readable file: found a device"), std::string::npos);
 }
 
 TEST_F(StartPieces, TheRunMayNotReplaceThem) {

@@ -31,11 +31,15 @@ Shape flag_shape() {
   return shape;
 }
 
+Shape mirrored_flag() { return mirror_image(flag_shape(), PadParameters{}.levels); }
+
 /// The flag as library shape 7, its mirror image as 3; the background is white.
 struct Flags : SampleCollage {
   Flags() {
     job.output.background = "#ffffff";
-    report.shapes = {flag_shape(), mirror_image(flag_shape(), PadParameters{}.levels)};
+    report.shapes = {};
+    report.shapes.add(ShapeId{7}, flag_shape());
+    report.shapes.add(ShapeId{3}, mirrored_flag());
     report.placements.clear();
     place(ShapeId{3}, 50, {60, 50}, 0.6f);
     place(ShapeId{7}, 50, {140, 50}, -2.f);
@@ -65,12 +69,12 @@ TEST(SvgOutput, MirroredArtworkLiesInItsOutline) {
   const cv::Rect left_half(0, 0, 200, 200), right_half(200, 0, 200, 200);
   for (const bool original_there : {true, false}) {
     if (!original_there) {  // a mirror image alone, as of a shape that stands mirrored only
-      sample.report.shape_ids.erase(sample.report.shape_ids.begin());
-      sample.report.shapes.erase(sample.report.shapes.begin());
+      sample.report.shapes = {};
+      sample.report.shapes.add(ShapeId{3}, mirrored_flag());
       sample.report.placements.pop_back();
     }
     for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
-      const Outline& own = sample.report.shapes.back().outline;
+      const Outline& own = sample.report.shapes[sample.report.shapes.size() - 1].outline;
       EXPECT_LT(disagreement(picture, own, left, left_half), 0.04);
       EXPECT_GT(disagreement(picture, flag_shape().outline, left, left_half), 0.3) << "as drawn it lies elsewhere";
       if (!original_there) continue;
@@ -93,7 +97,7 @@ TEST(SvgOutput, MirroredArtworkIsDefinedOnceWithItsOriginal) {
 
 TEST(SvgOutput, MirroredSilhouettesLieInTheirOutline) {
   Flags sample;
-  for (Shape& shape : sample.report.shapes) shape.artwork.original.clear();
+  for (const std::size_t slot : {0, 1}) sample.report.shapes[slot].artwork.original.clear();
   const Similarity left = sample.report.placements[0].canvas_from_shape;
   const auto expect_in_outline = [&] {
     for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
@@ -107,7 +111,7 @@ TEST(SvgOutput, MirroredSilhouettesLieInTheirOutline) {
 
 TEST(SvgOutput, NotesCountMirroredPiecesWithTheirDrawing) {
   Flags sample;
-  for (Shape& shape : sample.report.shapes) shape.artwork.original.clear();
+  for (const std::size_t slot : {0, 1}) sample.report.shapes[slot].artwork.original.clear();
   test::DrawnCollage drawn(sample.report);
   drawn.picture();
   const DrawingNotes notes = drawn.artworks.notes();

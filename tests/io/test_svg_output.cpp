@@ -105,7 +105,7 @@ TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
   const test::Bytes png = test::encoded(page, ".png");
   test::embed_artwork(sample.report.shapes[0], std::string(png.begin(), png.end()), 300, 200, 106);
   sample.report.placements = {sample.report.placements[1]};
-  sample.report.placements[0].shape = sample.report.shape_ids[0];
+  sample.report.placements[0].shape = ShapeId{7};
   const int outside = 280 + int(2 * 60 * (0.5642 + 0.06));  // a disc of area 1 has this radius
   for (const cv::Mat& picture : {drawn_picture(sample.report), drawn(drawn_svg(sample.report), 400)}) {
     EXPECT_GT(picture.at<cv::Vec3b>(100, 280)[2], 200) << "inside";
@@ -121,8 +121,8 @@ TEST(SvgOutput, ArtworkDoesNotStickOutOfItsOutline) {
 TEST(SvgOutput, BitmapsAndLostOriginalsAreEmbeddedAsPictures) {
   SampleCollage sample;
   const test::Bytes png = test::encoded(test::disc_with_alpha(), ".png");
-  for (Shape& shape : sample.report.shapes) {
-    test::embed_artwork(shape, std::string(png.begin(), png.end()), 300, 200, 106);
+  for (const std::size_t slot : {0, 1}) {
+    test::embed_artwork(sample.report.shapes[slot], std::string(png.begin(), png.end()), 300, 200, 106);
   }
   Artwork& lost = sample.report.shapes[1].artwork;
   lost.original.clear();

@@ -19,5 +19,12 @@ TEST(PrintableUtf8, ReplacesControlsAndBrokenBytes) {
   EXPECT_EQ(printable_utf8("\xc2\x85"), "__");             // a C1 control
 }
 
+TEST(IsUtf8, AsksNotWhatTheCharactersAre) {
+  EXPECT_TRUE(is_utf8(""));
+  EXPECT_TRUE(is_utf8("aé€\n\x1b\xc2\x85"));
+  EXPECT_FALSE(is_utf8("a\xe4t"));
+  EXPECT_FALSE(is_utf8("a\xc3"));
+}
+
 }  // namespace
 }  // namespace tessera::io

@@ -57,6 +57,47 @@ TEST_F(WishResolution, LaterTablesWinKeyByKey) {
   EXPECT_TRUE(of(3).poses.rotation_rad.empty());
 }
 
+/// What tables say one after the other, of each shape alone.
+TEST_F(WishResolution, ClassesAreOfTheShapesThatTheSameTablesAreAbout) {
+  const std::vector<std::vector<std::string>> names = {{"*"}, {"owl*"}, {"cat", "owl"}, {"c*"}, {"owl_2"}, {"?o?"}};
+  std::string tables;
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    tables += "[[shapes]]\nnames = [";
+    for (const std::string& name : names[row]) tables += "'" + name + "',";
+    tables += "]\n" + std::string(row % 2 ? "weight" : "uses") + " = " + std::to_string(row + 1) + "\n";
+  }
+  const Wishes wishes = resolved(tables).settings.wishes;
+  EXPECT_EQ(wishes.class_of_shape, (std::vector<std::uint32_t>{0, 1, 2, 3})) << "numbered as the library has them";
+  const auto expect = [&](std::size_t shape, float weight, int uses) {
+    EXPECT_EQ(wishes.classes.at(shape).weight, weight) << shape;
+    EXPECT_EQ(wishes.classes.at(shape).uses, uses) << shape;
+  };
+  expect(0, 4, 3);
+  expect(1, 6, 1);
+  expect(2, 2, 3);
+  expect(3, 2, 5);
+}
+
+TEST_F(WishResolution, ThousandsOfTablesAboutThousandsOfShapesTakeNoTime) {
+  std::vector<NamedShape> shapes;
+  Job job;
+  for (int i = 0; i < 10'000; ++i) {
+    shapes.push_back({"shape_" + std::to_string(i), float(20 + i % 2)});
+    for (const std::string& name : {shapes.back().name, std::string("*")}) {
+      JobRow row;
+      row["names"].texts = {name};
+      row["weight"].numbers = {double(i % 7)};
+      if (name != "*" || i % 10 == 0) job.tables["shapes"].push_back(row);
+    }
+  }
+  resolve_wishes(shapes, job);
+  const Wishes& wishes = job.settings.wishes;
+  ASSERT_EQ(wishes.classes.size(), shapes.size());
+  for (std::uint32_t i = 0; i < shapes.size(); ++i) ASSERT_EQ(wishes.class_of_shape[i], i);
+  EXPECT_EQ(wishes.classes[9'999].weight, 9'999 % 7);
+  EXPECT_EQ(wishes.classes[5].weight, 9'990 % 7) << "a later table about all";
+}
+
 TEST_F(WishResolution, SizesOfShapesAndRegionsWidenTheRange) {
   const Job job = resolved(
       "[[shapes]]\nnames = 'cat'\nscale_px = [60, 200]\n[[regions]]\nname = 'sea'\ncolour = '#0000ff'\nscale_px = 10\n");
@@ -115,9 +156,8 @@ TEST_F(WishResolution, TheLastTableThatNamesAGroupHolds) {
   const Job job = resolved(
       "[[shapes]]\nnames = '*'\ngroup = 'animals'\n[[shapes]]\nnames = 'owl*'\ngroup = 'birds'\n"
       "[[shapes]]\nnames = 'owl'\nweight = 2\n");
-  EXPECT_EQ(shape_group(job, "cat"), "animals");
-  EXPECT_EQ(shape_group(job, "owl"), "birds");
-  EXPECT_EQ(shape_group(resolved(""), "owl"), "");
+  EXPECT_EQ(shape_groups(job, {"owl", "cat"}), (std::vector<std::string>{"birds", "animals"}));
+  EXPECT_EQ(shape_groups(resolved(""), {"owl"}), (std::vector<std::string>{""}));
 }
 
 TEST_F(WishResolution, GivenPiecesHaveTheirPose) {

@@ -124,13 +124,18 @@ TEST_F(WishesFile, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(mistake("names,weight\n*,1\ncat,200\n"),
             "job.toml: library.wishes: wishes.csv:3: [[shapes]] weight: found 200, allowed: a number from 0 to 100");
   EXPECT_EQ(mistake("names,weight\ncat,\"0,5\"\n"),
-            "job.toml: library.wishes: wishes.csv:2: [[shapes]] weight: found \"0,5\", allowed: a number from 0 to 100");
+            "job.toml: library.wishes: wishes.csv:2: [[shapes]] weight: found \"0,5\", allowed: a number with a point, 0.5, "
+            "or a list in brackets, [0,5]");
+  EXPECT_EQ(mistake("names,weight\ncat,\"1,2,3\"\n"),
+            "job.toml: library.wishes: wishes.csv:2: [[shapes]] weight: found \"1,2,3\", allowed: a number from 0 to 100");
   EXPECT_EQ(mistake("names,mirrored\ncat,yes\n"),
             "job.toml: library.wishes: wishes.csv:2: [[shapes]] mirrored: found \"yes\", allowed: \"never\" or \"also\" or "
             "\"only\"");
   EXPECT_EQ(mistake("names;weight\ncat;2\n"),
             "job.toml: library.wishes: wishes.csv:1: found \"names;weight\", allowed: columns with commas between them; "
-            "write the table as CSV with commas, not with semicolons or tabulators");
+            "write the table as CSV with commas, not with semicolons or tabulators, and its numbers with points");
+  EXPECT_NE(mistake("names;scale_px,weight\ncat;2\n").find("found \"names;scale_px\", allowed: columns with commas"),
+            std::string::npos);
   EXPECT_NE(mistake("names,wight\ncat,2\n").find("wishes.csv:1: unknown column \"wight\" (did you mean weight?); allowed: "
                                                 "names, weight, uses, "),
             std::string::npos);
@@ -143,10 +148,35 @@ TEST_F(WishesFile, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(mistake("names,uses\n,2\n"), "job.toml: library.wishes: wishes.csv:2: names is missing in [[shapes]]; needed: "
                                          "patterns of names, as in library.include");
   EXPECT_EQ(mistake("names\n\"cat\n"), "job.toml: library.wishes: wishes.csv:2: a quote \" is not closed");
-  EXPECT_EQ(mistake("names\nc\xe4t\n"), "job.toml: library.wishes: wishes.csv:2: names: found \"c_t\", allowed: UTF-8 "
+  EXPECT_EQ(mistake("names\nc\x01t\n"), "job.toml: library.wishes: wishes.csv:2: names: found \"c_t\", allowed: UTF-8 "
                                         "without control characters, 4096 bytes or less");
   EXPECT_EQ(mistake(""), "job.toml: library.wishes: wishes.csv: empty; needed: a first row with the names of the columns");
   EXPECT_NE(mistake("names\n" + std::string(2'000'000, 'x')).find("allowed: a CSV file"), std::string::npos);
+}
+
+TEST_F(WishesFile, OfAnotherEncodingIsRefused) {
+  const std::string save = "; allowed: UTF-8; save the table as CSV in UTF-8";
+  const std::string utf16 = "job.toml: library.wishes: wishes.csv: found UTF-16, or no text" + save;
+  const std::string text = "names\ncat\n";
+  std::string low_first, high_first;
+  for (const char c : text) {
+    low_first += {c, '\0'};
+    high_first += {'\0', c};
+  }
+  EXPECT_EQ(mistake("\xff\xfe" + low_first), utf16);
+  EXPECT_EQ(mistake("\xfe\xff" + high_first), utf16);
+  EXPECT_EQ(mistake(low_first), utf16) << "without a byte order mark";
+  EXPECT_EQ(mistake("names\nb\xc3\xa4r\nb\xe4r\n"), "job.toml: library.wishes: wishes.csv:3: found \"b_r\", which is not "
+                                                     "UTF-8 but another encoding, such as Latin-1" + save);
+  EXPECT_EQ(mistake("names\nb\xc3\xa4r\n"), "");
+}
+
+TEST_F(WishesFile, TooManyCellsComeFromListsAndCommasWithoutQuotes) {
+  const std::string hint = "; a list needs quotes, \"[20, 80]\", and a number has a point, 0.5, not a comma";
+  EXPECT_EQ(mistake("names,scale_px\ncat,30\nowl,[20, 80]\n"),
+            "job.toml: library.wishes: wishes.csv:3: found 3 cells, allowed: 2, as many as the first row has" + hint);
+  EXPECT_EQ(mistake("names,weight\ncat,0,5\n"),
+            "job.toml: library.wishes: wishes.csv:2: found 3 cells, allowed: 2, as many as the first row has" + hint);
 }
 
 TEST_F(WishesFile, NamesThatThereAreNotAreToldWithTheirLine) {

@@ -22,6 +22,15 @@ class StopAtQuestion : public SilentObserver {
   std::size_t left_;
 };
 
+class CountQuestions : public SilentObserver {
+ public:
+  const char* stop_requested() override {
+    ++questions;
+    return nullptr;
+  }
+  std::size_t questions = 0;
+};
+
 /// Steps of the whole loop, and what it gives.
 struct Whole {
   explicit Whole(const CollageSettings& s) {
@@ -95,14 +104,7 @@ TEST(Restart, AfterEveryRoundAndTrialGivesTheSameCollage) {
 }
 
 TEST(Restart, InTheMiddleOfATrialGivesTheSameCollage) {
-  class CountQuestions : public SilentObserver {
-   public:
-    const char* stop_requested() override {
-      ++questions;
-      return nullptr;
-    }
-    std::size_t questions = 0;
-  } count;
+  CountQuestions count;
   const CollageResult whole = run(improved(), {}, count);
   ASSERT_GT(count.questions, 2 * whole.statistics.trials) << "asked within trials, too";
   EXPECT_TRUE(rc::check([&] {
@@ -114,6 +116,29 @@ TEST(Restart, InTheMiddleOfATrialGivesTheSameCollage) {
     SilentObserver silent;
     expect_same(run(improved(), {4}, silent, {&keeper.latest, nullptr}), whole);
   }));
+}
+
+/// Where hardly anything fits, much of the pool is tried before a piece is chosen.
+TEST(Restart, InTheMiddleOfAChoiceGivesTheSameCollage) {
+  for (CollageSettings s : {settings(), with_few_uses()}) {
+    s.improve.trials = 0;
+    s.pieces.overlap_px = 0;
+    CountQuestions count;
+    const CollageResult whole = run(s, {}, count);
+    ASSERT_GT(count.questions, 5 * whole.statistics.rounds) << "asked within rounds, too";
+    EXPECT_TRUE(rc::check([&] {
+      KeepLatest keeper;
+      StopAtQuestion stop(*rc::gen::inRange<std::size_t>(1, count.questions));
+      const CollageResult interrupted = run(s, {}, stop, {nullptr, &keeper});
+      RC_ASSERT(interrupted.unfinished);
+      RC_ASSERT(!interrupted.gave_up_question);
+      StopAtQuestion again(*rc::gen::inRange<std::size_t>(1, 40));
+      const CheckpointState first = keeper.latest;
+      const CollageResult second = run(s, {4}, again, {&first, &keeper});
+      SilentObserver silent;
+      expect_same(second.unfinished ? run(s, {4}, silent, {&keeper.latest, nullptr}) : second, whole);
+    }));
+  }
 }
 
 TEST(Restart, CheckpointsChangeNothing) {

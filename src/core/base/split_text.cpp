@@ -45,4 +45,10 @@ std::vector<std::string_view> split_outside(std::string_view text, char separato
   return parts;
 }
 
+std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) text.append(i ? separator : "").append(parts[i]);
+  return text;
+}
+
 }  // namespace tessera

@@ -1,6 +1,7 @@
-// Splits lists in texts: in the command line, in job files, in style sheets.
+// Lists in texts, split and joined: in the command line, in job files, in style sheets, in messages.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,5 +17,7 @@ std::size_t find_outside(std::string_view text, std::string_view wanted, std::si
 /// What stands between the separators that are outside of quotes and brackets, trimmed. An empty text has one empty
 /// part. The parts point into `text`.
 std::vector<std::string_view> split_outside(std::string_view text, char separator);
+
+std::string joined(const std::vector<std::string>& parts, std::string_view separator = ", ");
 
 }  // namespace tessera

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/split_text.h"
 #include "io/job/job_value.h"
 #include "io/job/millimetres.h"
 #include "io/job/palette.h"
@@ -33,12 +34,6 @@ std::vector<std::string> key_names(const std::string& section) {
     if (key.section == section) names.push_back(key.name);
   }
   return names;
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 std::string full_name(const JobEntry& entry) {

@@ -115,9 +115,9 @@ struct Job {
 /// Throws InputError that names file and line (or the override), key, what was found and what is allowed.
 Job load_job(const std::string& path, const std::vector<std::string>& overrides);
 
-/// Sets keys of the sections [output] and [colour] alone, which may be others than when the collage was made. Throws
-/// InputError as load_job does, and where the key is of another section.
-void set_drawing_keys(Job& job, const std::vector<std::string>& overrides);
+/// Sets keys of the sections [output] and [colour] alone, which may be others than when the collage was made. Returns
+/// whether one of them is of [colour]. Throws InputError as load_job does, and where the key is of another section.
+bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides);
 
 /// The effective job with every key, readable by load_job, which then gives the same values bit by bit.
 std::string to_toml(const Job& job);

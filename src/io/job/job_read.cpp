@@ -139,6 +139,8 @@ class Entries {
     for (const std::string& text : overrides) entries_.push_back(entry_of(text, tables_.emplace_back()));
   }
 
+  const std::vector<JobEntry>& all() const { return entries_; }
+
   bool has(const std::string& section, const std::string& name) const {
     return given_from(0, entries_.size(), section, name);
   }
@@ -271,15 +273,17 @@ Job load_job(const std::string& path, const std::vector<std::string>& overrides)
   return read_job(read_bytes(path), path, overrides);
 }
 
-void set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
-  for (const std::string& override : overrides) {
-    const std::string name = without_blanks(override);
-    if (name.starts_with("output.") || name.starts_with("colour.")) continue;
-    throw InputError(place_of(override) + ": allowed where a result is drawn: output.key=value or colour.key=value");
-  }
+bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
   const Entries entries({}, overrides);
+  bool of_colour = false;
+  for (const JobEntry& entry : entries.all()) {
+    of_colour |= entry.section == "colour";
+    if (entry.section == "output" || entry.section == "colour") continue;
+    throw InputError(entry.where + ": allowed where a result is drawn: output.key=value or colour.key=value");
+  }
   entries.apply_all_but_mm(job);
   entries.apply_mm(job);
+  return of_colour;
 }
 
 Job job_from_toml(const std::string& text, const std::string& path) { return read_job(text, path, {}); }

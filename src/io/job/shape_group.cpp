@@ -1,19 +1,21 @@
 #include "io/job/shape_group.h"
 
-#include <algorithm>
-
-#include "io/library/name_globs.h"
+#include "io/library/name_index.h"
 
 namespace tessera::io {
 
-std::string shape_group(const Job& job, const std::string& shape_name) {
+std::vector<std::string> shape_groups(const Job& job, const std::vector<std::string>& names) {
+  std::vector<std::string> groups(names.size());
   const auto table = job.tables.find("shapes");
-  if (table == job.tables.end()) return {};
-  const std::vector<JobRow>& rows = table->second;
-  const auto row = std::find_if(rows.rbegin(), rows.rend(), [&](const JobRow& r) {
-    return r.contains("group") && matches_any(r.at("names").texts, shape_name);
-  });
-  return row == rows.rend() ? std::string() : row->at("group").text;
+  if (table == job.tables.end()) return groups;
+  const NameIndex index(names);
+  for (const JobRow& row : table->second) {
+    if (!row.contains("group")) continue;
+    for (const std::string& glob : row.at("names").texts) {
+      for (const std::uint32_t place : index.matching(glob)) groups[place] = row.at("group").text;
+    }
+  }
+  return groups;
 }
 
 }  // namespace tessera::io

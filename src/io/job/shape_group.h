@@ -2,12 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/job/job_file.h"
 
 namespace tessera::io {
 
-/// The `group` of the last row of [[shapes]] that says one of shapes with this name; empty: none.
-std::string shape_group(const Job& job, const std::string& shape_name);
+/// For each of the shapes' names the `group` of the last row of [[shapes]] that says one of it; empty: none.
+std::vector<std::string> shape_groups(const Job& job, const std::vector<std::string>& names);
 
 }  // namespace tessera::io

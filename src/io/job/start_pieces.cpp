@@ -1,17 +1,16 @@
 #include "io/job/start_pieces.h"
 
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <unordered_map>
 
 #include "core/base/error.h"
 #include "io/job/job_entry.h"
 #include "io/nearest_name.h"
 #include "io/number_text.h"
+#include "io/pose.h"
 #include "io/regular_file.h"
 
 namespace tessera::io {
@@ -129,11 +128,9 @@ GivenPiece piece_of(const json& feature, const Names& names, bool locked) {
   const json& properties = member(feature, "properties", "an object with shape, scale, rotation_deg, x_px and y_px");
   const ShapeId shape = names.id(properties);
   const double scale_px = number(properties, kScale);
-  const double rotation_rad = number(properties, kRotation) * std::numbers::pi / 180;
-  return {shape,
-          {float(scale_px * std::cos(rotation_rad)), float(scale_px * std::sin(rotation_rad)),
-           float(number(properties, kX)), float(number(properties, kY))},
-          locked};
+  const double rotation_deg = number(properties, kRotation);
+  const double x_px = number(properties, kX), y_px = number(properties, kY);
+  return {shape, pose_of(scale_px, rotation_deg, x_px, y_px), locked};
 }
 
 std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const Names& names, bool locked) {
@@ -151,6 +148,16 @@ std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const 
   return pieces;
 }
 
+/// What people give instead of a result.
+void check_is_there(const std::string& given, const std::string& file) {
+  constexpr const char* kAllowed = "; allowed: the folder of a result, or its pieces.geojson";
+  std::error_code error;
+  if (!fs::exists(given, error) && !error) throw InputError(given + ": no such file or folder" + kAllowed);
+  if (fs::is_directory(given, error) && !fs::exists(file, error) && !error) {
+    throw InputError(given + ": found a folder without pieces.geojson" + kAllowed);
+  }
+}
+
 }  // namespace
 
 std::string start_file(const Job& job) {
@@ -164,6 +171,7 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
   if (file.empty()) return;
   const std::string where = job.path + ": start.pieces: ";
   try {
+    check_is_there(job.start.pieces, file);
     const std::vector<GivenPiece> pieces =
         pieces_in(read_regular_file(file, kMostBytes), Names(shapes), !job.start.free);
     std::vector<GivenPiece>& given = job.settings.wishes.given;
@@ -173,7 +181,7 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
                      "; allowed: lines with commas between them, none behind the last");
   } catch (const InputError& error) {
     const std::string what = error.what();
-    throw InputError(where + (what.starts_with(file) ? what : file + ": " + what));
+    throw InputError(where + (what.starts_with(job.start.pieces) ? what : file + ": " + what));
   }
 }
 

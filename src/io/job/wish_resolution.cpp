@@ -1,7 +1,6 @@
 #include "io/job/wish_resolution.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -9,9 +8,12 @@
 
 #include "core/base/error.h"
 #include "io/job/job_keys.h"
+#include "io/job/wish_parts.h"
 #include "io/library/name_globs.h"
+#include "io/library/name_index.h"
 #include "io/nearest_name.h"
 #include "io/number_text.h"
+#include "io/pose.h"
 
 namespace tessera::io {
 namespace {
@@ -35,6 +37,12 @@ void read_poses(const JobRow& row, PoseWish& poses) {
   if (const JobValue* value = cell(row, "rotation_deg")) poses.rotation_rad = intervals_of(*value, kDegreesPerRad);
 }
 
+std::vector<std::string> names_of(const std::vector<NamedShape>& shapes) {
+  std::vector<std::string> names;
+  for (const NamedShape& shape : shapes) names.push_back(shape.name);
+  return names;
+}
+
 class Resolution {
  public:
   Resolution(const std::vector<NamedShape>& shapes, const Job& job)
@@ -42,9 +50,8 @@ class Resolution {
         job_(job),
         shape_rows_(rows_of(job, "shapes")),
         region_rows_(rows_of(job, "regions")),
-        given_rows_(rows_of(job, "given")) {
-    for (const NamedShape& shape : shapes) names_.push_back(shape.name);
-  }
+        given_rows_(rows_of(job, "given")),
+        names_(names_of(shapes)) {}
 
   Wishes wishes() {
     if (!region_rows_.empty() && job_.settings.pieces.fit_all) {
@@ -68,8 +75,8 @@ class Resolution {
     throw InputError((row < places.size() ? places[row] : job_.path) + ": [[shapes]] " + what);
   }
 
-  /// For each shape whether the table is about it.
-  std::vector<bool> chosen_by(std::size_t row) const {
+  /// The shapes that the table is about.
+  std::vector<std::uint32_t> chosen_by(std::size_t row) const {
     try {
       return chosen_names(names_, {shape_rows_[row].at("names").texts, {}}, "the library");
     } catch (const NamesNotFound& error) {
@@ -78,22 +85,18 @@ class Resolution {
   }
 
   [[noreturn]] void fail_no_shape(const std::string& name) const {
-    const std::string nearest = nearest_name(name, names_);
+    const std::string nearest = nearest_name(name, names_.names());
     fail("[[given]] shape: the library has no shape \"" + name + "\"" +
          (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)") +
          "; tessera library info FILE --names lists them");
   }
 
   GivenPiece given_piece(const JobRow& row) const {
-    const auto name = std::find(names_.begin(), names_.end(), row.at("shape").text);
-    if (name == names_.end()) fail_no_shape(row.at("shape").text);
-    const double scale_px = row.at("scale_px").numbers[0];
+    const auto place = names_.find(row.at("shape").text);
+    if (!place) fail_no_shape(row.at("shape").text);
     const JobValue* turned = cell(row, "rotation_deg");
-    const double rotation_rad = turned ? turned->numbers[0] / kDegreesPerRad : 0;
     const std::vector<double>& at_px = row.at("at_px").numbers;
-    return {ShapeId(std::uint32_t(name - names_.begin())),
-            {float(scale_px * std::cos(rotation_rad)), float(scale_px * std::sin(rotation_rad)), float(at_px[0]),
-             float(at_px[1])}};
+    return {ShapeId(*place), pose_of(row.at("scale_px").numbers[0], turned ? turned->numbers[0] : 0, at_px[0], at_px[1])};
   }
 
   void add_region(const JobRow& row) {
@@ -111,7 +114,7 @@ class Resolution {
   Interval as_drawn(std::size_t shape) const {
     const JobKey& range = *find_job_key("pieces", "scale_px");
     const float scale_px = shapes_[shape].drawn_scale_px;
-    const std::string sizes = "pieces.sizes: found \"drawn\", but the shape \"" + names_[shape] + "\" ";
+    const std::string sizes = "pieces.sizes: found \"drawn\", but the shape \"" + shapes_[shape].name + "\" ";
     if (scale_px == 0) fail(sizes + "does not say how large it was drawn; tessera library build makes its library anew");
     if (!job_.settings.pieces.fit_all && (scale_px < float(range.min) || scale_px > float(range.max))) {
       fail(sizes + "was drawn at " + fixed(scale_px, 1) + " px, allowed: " + fixed(range.min, 0) + " to " +
@@ -122,39 +125,33 @@ class Resolution {
 
   /// Shapes of one size that the same tables are about are one class.
   void add_classes() {
-    std::vector<std::vector<bool>> chosen;
-    for (std::size_t row = 0; row < shape_rows_.size(); ++row) chosen.push_back(chosen_by(row));
-    std::map<std::pair<std::vector<std::size_t>, float>, std::uint32_t> class_of;
-    for (std::size_t shape = 0; shape < names_.size(); ++shape) {
-      std::vector<std::size_t> rows;
-      for (std::size_t row = 0; row < chosen.size(); ++row) {
-        if (chosen[row][shape]) rows.push_back(row);
-      }
-      ShapeWish wish = wish_of(rows);
-      if (job_.drawn_sizes && wish.weight > 0 && wish.poses.scale_px.empty()) {
-        wish.poses.scale_px = {as_drawn(shape)};
-      }
-      const float size_px = wish.poses.scale_px.empty() ? 0 : wish.poses.scale_px.front().min;
-      const auto [at, is_new] = class_of.try_emplace({rows, size_px}, std::uint32_t(wishes_.classes.size()));
-      if (is_new) wishes_.classes.push_back(std::move(wish));
+    WishParts parts(shapes_.size());
+    for (std::size_t row = 0; row < shape_rows_.size(); ++row) {
+      parts.add_row(chosen_by(row), [&](ShapeWish& wish) { read_row(row, wish); });
+    }
+    std::map<std::pair<std::uint32_t, float>, std::uint32_t> class_of;  // of a part and a size as drawn
+    for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
+      const std::uint32_t part = parts.part_of(shape);
+      const ShapeWish& wish = parts.wish(part);
+      const bool drawn = job_.drawn_sizes && wish.weight > 0 && wish.poses.scale_px.empty();
+      const Interval scale_px = drawn ? as_drawn(shape) : Interval{};
+      const auto [at, is_new] = class_of.try_emplace({part, scale_px.min}, std::uint32_t(wishes_.classes.size()));
+      if (is_new) wishes_.classes.push_back(wish);
+      if (is_new && drawn) wishes_.classes.back().poses.scale_px = {scale_px};
       wishes_.class_of_shape.push_back(at->second);
     }
   }
 
-  ShapeWish wish_of(const std::vector<std::size_t>& rows) const {
-    ShapeWish wish;
-    for (const std::size_t i : rows) {
-      const JobRow& row = shape_rows_[i];
-      read_poses(row, wish.poses);
-      if (const JobValue* value = cell(row, "weight")) wish.weight = float(value->numbers[0]);
-      if (const JobValue* value = cell(row, "uses")) {
-        wish.least_uses = int(value->numbers[0]);
-        wish.uses = int(value->numbers[1]);
-      }
-      if (const JobValue* value = cell(row, "apart_px")) wish.apart = {std::uint32_t(i), float(value->numbers[0])};
-      if (const JobValue* value = cell(row, "regions")) wish.in_region = regions_named(value->texts, i);
+  void read_row(std::size_t i, ShapeWish& wish) const {
+    const JobRow& row = shape_rows_[i];
+    read_poses(row, wish.poses);
+    if (const JobValue* value = cell(row, "weight")) wish.weight = float(value->numbers[0]);
+    if (const JobValue* value = cell(row, "uses")) {
+      wish.least_uses = int(value->numbers[0]);
+      wish.uses = int(value->numbers[1]);
     }
-    return wish;
+    if (const JobValue* value = cell(row, "apart_px")) wish.apart = {std::uint32_t(i), float(value->numbers[0])};
+    if (const JobValue* value = cell(row, "regions")) wish.in_region = regions_named(value->texts, i);
   }
 
   std::vector<std::uint8_t> regions_named(const std::vector<std::string>& names, std::size_t shape_row) const {
@@ -171,11 +168,11 @@ class Resolution {
   }
 
   const std::vector<NamedShape>& shapes_;
-  std::vector<std::string> names_;
   const Job& job_;
   const std::vector<JobRow>& shape_rows_;
   const std::vector<JobRow>& region_rows_;
   const std::vector<JobRow>& given_rows_;
+  const NameIndex names_;
   Wishes wishes_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "core/base/error.h"
@@ -18,12 +19,6 @@ namespace {
 constexpr std::size_t kMostFileBytes = std::size_t(1) << 20;
 constexpr std::size_t kMostShownBytes = 300;  // of a path
 constexpr std::size_t kMostCellBytes = 4096;  // few enough for whatever TOML they are
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 bool is_text(JobKind kind) { return kind == JobKind::texts || kind == JobKind::name || kind == JobKind::word; }
 
@@ -57,6 +52,7 @@ class WishesFile {
 
   std::vector<CsvRow> read() const {
     const std::string text = read_text();
+    check_is_utf8(text);
     try {
       return read_csv(text);
     } catch (const InputError& error) {
@@ -75,6 +71,21 @@ class WishesFile {
     }
   }
 
+  /// Spreadsheets save in other encodings, too.
+  void check_is_utf8(const std::string& text) const {
+    constexpr const char* kSaveAsUtf8 = "; allowed: UTF-8; save the table as CSV in UTF-8";
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || text.find('\0') != text.npos) {
+      throw InputError(shown_ + ": found UTF-16, or no text" + kSaveAsUtf8);
+    }
+    std::istringstream lines(text);
+    std::string line;
+    for (std::size_t number = 1; std::getline(lines, line); ++number) {
+      if (is_utf8(line)) continue;
+      throw InputError(shown_ + ":" + std::to_string(number) + ": found \"" + printable(printable_utf8(line)) +
+                       "\", which is not UTF-8 but another encoding, such as Latin-1" + kSaveAsUtf8);
+    }
+  }
+
   std::vector<std::string> known_columns() const {
     std::vector<std::string> names;
     for (const JobKey& column : table_.columns) names.push_back(column.name);
@@ -88,10 +99,11 @@ class WishesFile {
   }
 
   void check_header(const CsvRow& header) const {
-    if (header.cells.size() == 1 && header.cells.front().find_first_of(";\t") != std::string::npos) {
-      throw InputError(place(header) + ": found \"" + printable(printable_utf8(header.cells.front())) +
+    for (const std::string& cell : header.cells) {
+      if (cell.find_first_of(";\t") == std::string::npos) continue;
+      throw InputError(place(header) + ": found \"" + printable(printable_utf8(cell)) +
                        "\", allowed: columns with commas between them; write the table as CSV with commas, not with "
-                       "semicolons or tabulators");
+                       "semicolons or tabulators, and its numbers with points");
     }
     for (std::size_t i = 0; i < header.cells.size(); ++i) check_column(header, i);
     if (std::find(header.cells.begin(), header.cells.end(), "names") == header.cells.end()) {
@@ -115,8 +127,10 @@ class WishesFile {
 
   void check_width(const CsvRow& row, const CsvRow& header) const {
     if (row.cells.size() == header.cells.size()) return;
+    const bool more = row.cells.size() > header.cells.size();
     throw InputError(place(row) + ": found " + std::to_string(row.cells.size()) + " cells, allowed: " +
-                     std::to_string(header.cells.size()) + ", as many as the first row has");
+                     std::to_string(header.cells.size()) + ", as many as the first row has" +
+                     (more ? "; a list needs quotes, \"[20, 80]\", and a number has a point, 0.5, not a comma" : ""));
   }
 
   /// An empty cell says nothing.
@@ -126,9 +140,22 @@ class WishesFile {
       const std::string cell = checked_cell(row, i, header);
       if (cell.empty()) continue;
       const std::string& name = header.cells[i];
+      check_points(row, name, cell);
       value_of(*column_of(name), cell).get("value")->visit([&](auto& value) { values.insert(name, std::move(value)); });
     }
     return values;
+  }
+
+  /// "0,5" is how spreadsheets write a half in some languages.
+  void check_points(const CsvRow& row, const std::string& column, const std::string& cell) const {
+    const std::size_t comma = cell.find(',');
+    if (is_text(column_of(column)->kind) || comma == cell.npos) return;
+    std::string with_point = cell;
+    with_point[comma] = '.';
+    if (with_point.find_first_not_of("+-.0123456789") != cell.npos) return;
+    throw InputError(place(row) + ": [[shapes]] " + column + ": found \"" + printable(cell) +
+                     "\", allowed: a number with a point, " + printable(with_point) + ", or a list in brackets, [" + printable(cell) +
+                     "]");
   }
 
   std::string checked_cell(const CsvRow& row, std::size_t i, const CsvRow& header) const {

@@ -10,6 +10,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
+#include "core/base/split_text.h"
 #include "core/shape/mirrored_shape.h"
 #include "io/library/library_names.h"
 #include "io/library/same_colour.h"
@@ -45,12 +46,27 @@ void for_each_head(const Library& library, Take take) {
   }
 }
 
+/// For each shape of the files, one after the other, whether it is chosen.
 std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std::string& path,
                                 const NameGlobs& globs) {
   std::vector<std::string> names;
   for (const LibraryFile& file : files)
     for_each_head(file, [&](std::size_t, ShapeHead head) { names.push_back(std::move(head.name)); });
-  return chosen_names(names, globs, path);
+  const NameIndex index(std::move(names));
+  std::vector<bool> chosen(index.names().size());
+  for (const std::uint32_t place : chosen_names(index, globs, path)) chosen[place] = true;
+  return chosen;
+}
+
+/// Of each name what the last rule that has it says.
+std::vector<Mirroring> mirroring_of(const NameIndex& names, const std::vector<MirroringRule>& rules) {
+  std::vector<Mirroring> mirroring(names.names().size(), Mirroring::never);
+  for (const MirroringRule& rule : rules) {
+    for (const std::string& glob : rule.names) {
+      for (const std::uint32_t place : names.matching(glob)) mirroring[place] = rule.mirroring;
+    }
+  }
+  return mirroring;
 }
 
 }  // namespace
@@ -114,10 +130,8 @@ class LibraryView::Gathering {
 };
 
 LibraryView::LibraryView(const LibraryChoice& choice) : drawn_sizes_(choice.drawn_sizes) {
-  for (const std::string& file : choice.files) {
-    files_.emplace_back(file);
-    path_ += (path_.empty() ? "" : ", ") + file;
-  }
+  for (const std::string& file : choice.files) files_.emplace_back(file);
+  path_ = joined(choice.files);
   check_built_alike(files_);
   const bool mirrors = std::any_of(choice.mirroring.begin(), choice.mirroring.end(), [](const MirroringRule& rule) {
     return rule.mirroring != Mirroring::never;
@@ -152,15 +166,12 @@ std::vector<float> LibraryView::drawn_scales_px() const {
 }
 
 void LibraryView::add_mirror_images(const std::vector<MirroringRule>& rules) {
-  const std::vector<std::string> names = this->names();
-  for (std::uint32_t own = 0; own < names.size(); ++own) {
-    const auto rule = std::find_if(rules.rbegin(), rules.rend(), [&](const MirroringRule& r) {
-      return matches_any(r.names, names[own]);
-    });
-    if (rule == rules.rend() || rule->mirroring == Mirroring::never) continue;
+  const std::vector<Mirroring> mirroring = mirroring_of(NameIndex(names()), rules);
+  for (std::uint32_t own = 0; own < mirroring.size(); ++own) {
+    if (mirroring[own] == Mirroring::never) continue;
     Entry image = entries_[own];
     image.mirrored = true;
-    if (rule->mirroring == Mirroring::only) {
+    if (mirroring[own] == Mirroring::only) {
       entries_[own] = image;
     } else {
       entries_.push_back(image);

@@ -1,10 +1,12 @@
 // A choice of shapes by their names.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/library/name_index.h"
 
 namespace tessera::io {
 
@@ -23,12 +25,8 @@ class NamesNotFound : public InputError {
   using InputError::InputError;
 };
 
-/// Whether one of the patterns is this name's.
-bool matches_any(const std::vector<std::string>& globs, const std::string& name);
-
-/// Which of the names of `library` are chosen. Throws NamesNotFound where a pattern of `include` matches no name, and
-/// tells names that are near it, or where nothing is left.
-std::vector<bool> chosen_names(const std::vector<std::string>& names, const NameGlobs& globs,
-                               const std::string& library);
+/// The places, ascending, of the names of `library` that are chosen. Throws NamesNotFound where a pattern of `include`
+/// matches no name, and tells names that are near it, or where nothing is left.
+std::vector<std::uint32_t> chosen_names(const NameIndex& names, const NameGlobs& globs, const std::string& library);
 
 }  // namespace tessera::io

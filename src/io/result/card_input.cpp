@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/result/result_file.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
@@ -64,6 +65,17 @@ ResultCard read_card(const std::string& folder) {
   result.total_s = number(card, path, "run", "total_s");
   result.stopped_by = text(card, path, "run", "stopped_by");
   return result;
+}
+
+std::string made_by(const std::string& folder) {
+  try {
+    const std::string path = path_in_result(folder, "card.json");
+    const json card = parsed(folder, path);
+    const auto word = [&](const char* key) { return printable_utf8(text(card, path, "provenance", key)); };
+    return "tessera " + word("version") + ", commit " + word("commit");
+  } catch (const InputError&) {
+    return "";
+  }
 }
 
 }  // namespace tessera::io

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <stdexcept>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -40,23 +39,32 @@ void withdraw(const std::string& dir) {
   }
 }
 
+ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& origin, bool finished,
+                           const std::string& pieces, const std::string& job) {
+  ResultManifest manifest;
+  manifest.finished = finished;
+  manifest.pieces_digest = digest_text(pieces);
+  manifest.job_digest = digest_text(job);
+  manifest.library = library_text(*report.job);
+  manifest.library_digest = origin.library_digest;
+  manifest.canvas_digest = origin.canvas_digest;
+  for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
+  manifest.colours = report.colours;
+  return manifest;
+}
+
+/// Returns the text of the card.
+std::string write_cards(const std::string& dir, const CollageReport& report) {
+  const Quality quality = measured_quality(report);
+  const CollageSettings& settings = report.job->settings;
+  const std::string card = card_text(quality, report.statistics, settings);
+  write_file_atomically(in_directory(dir, "card.json"),
+                        card_json(quality, report.statistics, settings, report.ranks, report.record));
+  write_file_atomically(in_directory(dir, "card.txt"), card);
+  return card;
+}
+
 }  // namespace
-
-std::size_t CollageReport::slot_of(ShapeId id) const {
-  const auto found = std::find(shape_ids.begin(), shape_ids.end(), id);
-  if (found == shape_ids.end()) {
-    throw std::out_of_range("shape " + std::to_string(index_of(id)) + " is not in the report");
-  }
-  return std::size_t(found - shape_ids.begin());
-}
-
-std::size_t CollageReport::slot_of_drawing(std::size_t slot) const {
-  if (!shapes[slot].artwork.mirrored) return slot;
-  const auto drawn = std::find_if(shapes.begin(), shapes.end(), [&](const Shape& shape) {
-    return !shape.artwork.mirrored && shape.name == shapes[slot].name;
-  });
-  return drawn == shapes.end() ? slot : std::size_t(drawn - shapes.begin());
-}
 
 void create_output_directory(const std::string& dir) {
   std::error_code error;
@@ -96,24 +104,15 @@ std::string publish_result(const std::string& dir, const CollageReport& report, 
   withdraw(dir);
   const std::string pieces = geojson_text(report);
   const std::string job = to_toml(*report.job);
-  const Quality quality = measured_quality(report);
-  const CollageSettings& settings = report.job->settings;
-  const std::string card = card_text(quality, report.statistics, settings);
   write_file_atomically(in_directory(dir, "pieces.geojson"), pieces);
-  write_file_atomically(in_directory(dir, "card.json"),
-                        card_json(quality, report.statistics, settings, report.ranks, report.record));
-  write_file_atomically(in_directory(dir, "card.txt"), card);
   write_file_atomically(in_directory(dir, "job.toml"), job);
-  ResultManifest manifest;
-  manifest.finished = finished;
-  manifest.pieces_digest = digest_text(pieces);
-  manifest.job_digest = digest_text(job);
-  manifest.library = library_text(*report.job);
-  manifest.library_digest = origin.library_digest;
-  manifest.canvas_digest = origin.canvas_digest;
-  for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
-  manifest.colours = report.colours;
-  write_manifest(dir, manifest);
+  const ResultManifest manifest = manifest_of(report, origin, finished, pieces, job);
+  if (!finished) {
+    for (const char* card : {"card.json", "card.txt"}) remove_file(in_directory(dir, card));
+    write_manifest(dir, manifest);
+  }
+  const std::string card = write_cards(dir, report);
+  if (finished) write_manifest(dir, manifest);
   return card;
 }
 

@@ -1,7 +1,6 @@
 // What a run leaves in its directory: pieces, quality card, effective job, manifest. The pictures are made from these.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,35 +8,31 @@
 #include "core/collage/placement.h"
 #include "core/field/canvas.h"
 #include "core/ranks/rank_statistics.h"
-#include "core/shape/shape.h"
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/job/canvas_edge.h"
 #include "io/job/job_file.h"
 #include "io/result/keep_out_drawing.h"
+#include "io/result/placed_shapes.h"
 #include "io/result/run_record.h"
 
 namespace tessera::io {
 
-/// All that the output files and pictures are made from. `shapes[i]` is the library's shape `shape_ids[i]`; only shapes
-/// that were placed are there, read with outline, field, thumbnail and embedded original.
+/// All that the output files and pictures are made from. The shapes have outline, field, thumbnail and, for pictures,
+/// the embedded original.
 struct CollageReport {
   const Job* job = nullptr;
   const Canvas* canvas = nullptr;
   CanvasEdge canvas_edge;  // for pictures
   KeepOutDrawing keep_out;  // for pictures; mostly none
   std::vector<Placement> placements;
-  std::vector<ShapeId> shape_ids;
-  std::vector<Shape> shapes;
+  PlacedShapes shapes;
   std::vector<std::string> colours;  // of the placements, "#rrggbb": silhouettes are drawn; empty: the artwork is
   RunStatistics statistics;
   RankStatistics ranks;
   RunRecord record;
 
-  /// The place of the shape in `shapes`. Throws std::out_of_range where it is not.
-  std::size_t slot_of(ShapeId id) const;
-  const Shape& shape(ShapeId id) const { return shapes[slot_of(id)]; }
-  /// The first place in `shapes` of what has the same drawing: a shape and its mirror image, of one name, have one.
-  std::size_t slot_of_drawing(std::size_t slot) const;
+  /// Throws std::out_of_range where it was not placed.
+  const Shape& shape(ShapeId id) const { return shapes[shapes.slot_of(id)]; }
 };
 
 /// Creates the folder with its parents. Throws EnvironmentError.
@@ -52,8 +47,9 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
 
 /// Makes the run's placements the result in `dir`, so that a crash at any moment leaves either what the folder's
 /// checkpoints hold or a result that is whole: the manifest of the run before goes first, and its pictures with it;
-/// then come pieces.geojson, card.json, card.txt and job.toml, each to a temporary name and renamed; and manifest.json
-/// last, when they are on the disk. Nothing is drawn (result_drawing.h). Before the call there must be a checkpoint
+/// then come pieces.geojson, job.toml, card.json and card.txt, each to a temporary name and renamed; and manifest.json
+/// last, when they are on the disk. Of an unfinished result it comes before the cards, whose measuring takes a second on a
+/// large canvas: mpirun kills two seconds after Ctrl-C. Nothing is drawn (result_drawing.h). Before the call there must be a checkpoint
 /// where the work must not be lost. Returns the text of the card. Throws EnvironmentError.
 std::string publish_result(const std::string& dir, const CollageReport& report, const CheckpointOrigin& origin,
                            bool finished);

@@ -19,7 +19,7 @@ std::vector<DrawnPiece> drawn_pieces(const CollageReport& report, const ShapeArt
   std::vector<DrawnPiece> drawn;
   for (std::size_t piece = 0; piece < report.placements.size(); ++piece) {
     const Placement& placement = report.placements[piece];
-    const Outline& clip = artworks.clip(report.slot_of(placement.shape));
+    const Outline& clip = artworks.clip(report.shapes.slot_of(placement.shape));
     for (const Vec2 offset : canvas.period.offsets()) {
       Placement image = placement;
       image.canvas_from_shape = moved(placement.canvas_from_shape, offset);

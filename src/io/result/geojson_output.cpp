@@ -1,11 +1,11 @@
 #include "io/result/geojson_output.h"
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "io/job/shape_group.h"
 #include "io/number_text.h"
+#include "io/pose.h"
 
 namespace tessera::io {
 namespace {
@@ -83,17 +83,14 @@ void append_feature(const Placement& placement, std::size_t index, const Shape& 
 
 }  // namespace
 
-double rotation_deg(const Similarity& canvas_from_shape) {
-  return double(canvas_from_shape.rotation_rad()) * 180 / std::numbers::pi;
-}
-
 std::string geojson_text(const CollageReport& report) {
   std::string text = R"({"type":"FeatureCollection","features":[)";
+  const std::vector<std::string> groups = shape_groups(*report.job, report.shapes.names());
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
     const Placement& placement = report.placements[i];
     text += i ? ",\n" : "\n";
-    const Shape& shape = report.shape(placement.shape);
-    append_feature(placement, i, shape, shape_group(*report.job, shape.name), text);
+    const std::size_t slot = report.shapes.slot_of(placement.shape);
+    append_feature(placement, i, report.shapes[slot], groups[slot], text);
   }
   text += "\n]}\n";
   return text;

@@ -71,8 +71,8 @@ class PictureBands {
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
     for (const auto& [placement, piece] : drawn_pieces(report, artworks)) {
       if (!report.colours.empty()) tints_.push_back(parse_colour(report.colours[piece]));
-      const std::size_t slot = report.slot_of(placement.shape);
-      pieces_.push_back(make_piece_drawing(placement, report.slot_of_drawing(slot), report.shapes[slot],
+      const std::size_t slot = report.shapes.slot_of(placement.shape);
+      pieces_.push_back(make_piece_drawing(placement, report.shapes.slot_of_drawing(slot), report.shapes[slot],
                                            artworks.clip(slot), line_px(), picture_px_, size_));
     }
     tiles_.resize(pieces_.size());

@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "core/base/error.h"
 #include "io/number_text.h"
+#include "io/pose.h"
 #include "io/result/geojson_output.h"
 #include "io/result/result_file.h"
 
@@ -19,16 +19,11 @@ bool keep(int, json::parse_event_t event, json& parsed) {
   return event != json::parse_event_t::key || parsed != "geometry";
 }
 
-Similarity transform(double scale, double rotation_deg, double x_px, double y_px) {
-  const double angle = rotation_deg * std::numbers::pi / 180;
-  return {float(scale * std::cos(angle)), float(scale * std::sin(angle)), float(x_px), float(y_px)};
-}
-
 Similarity transform_of(const json& feature) {
   const json& properties = feature.at("properties");
   const double scale = properties.at("scale");
   const Similarity t =
-      transform(scale, properties.at("rotation_deg"), properties.at("x_px"), properties.at("y_px"));
+      pose_of(scale, properties.at("rotation_deg"), properties.at("x_px"), properties.at("y_px"));
   if (!(scale > 0) || !std::isfinite(t.a + t.b + t.tx + t.ty)) throw InputError("a piece without a size or place");
   return t;
 }
@@ -57,7 +52,7 @@ std::vector<Placement> as_written(std::vector<Placement> placements) {
   for (Placement& placement : placements) {
     const Similarity& t = placement.canvas_from_shape;
     placement.canvas_from_shape =
-        transform(written(t.scale()), written(rotation_deg(t)), written(t.tx), written(t.ty));
+        pose_of(written(t.scale()), written(rotation_deg(t)), written(t.tx), written(t.ty));
   }
   return placements;
 }

@@ -19,6 +19,7 @@
 #include "io/job/palette.h"
 #include "io/job/picture_size.h"
 #include "io/result/card_drawing.h"
+#include "io/result/card_input.h"
 #include "io/result/finished_result.h"
 #include "io/result/piece_colours.h"
 #include "io/result/placed_pieces.h"
@@ -26,15 +27,24 @@
 #include "io/result/png_stream.h"
 #include "io/result/result_file.h"
 #include "io/result/result_manifest.h"
+#include "io/result/run_record.h"
 #include "io/result/svg_output.h"
 #include "io/result/tiff_pyramid.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
 
-Job job_of(const WholeResult& result, const PictureRequest& request) {
-  Job job = result.job;
-  set_drawing_keys(job, request.keys);
+/// A result's job with what is asked for instead.
+struct DrawnJob {
+  Job job;
+  bool other_colours = false;  // else those of the result
+};
+
+DrawnJob job_of(const WholeResult& result, const PictureRequest& request) {
+  DrawnJob drawn{result.job};
+  Job& job = drawn.job;
+  drawn.other_colours = set_drawing_keys(job, request.keys);
   if (request.library.size() == 1) {
     job.library = request.library.front();
     job.library_files.clear();
@@ -42,7 +52,7 @@ Job job_of(const WholeResult& result, const PictureRequest& request) {
     job.library.clear();
     job.library_files = request.library;
   }
-  return job;
+  return drawn;
 }
 
 LibraryView opened_library(const Job& job) {
@@ -53,11 +63,22 @@ LibraryView opened_library(const Job& job) {
   }
 }
 
-LibraryView library_of(const Job& job, const ResultManifest& manifest) {
+/// What the digests are, and how to come by the right library.
+std::string another_library(const std::string& dir, const ResultManifest& manifest, const LibraryView& library) {
+  const bool same_place = manifest.library == library.path();
+  const std::string maker = made_by(dir);
+  return library.path() + ": not the library that the collage was made from: the digest of its content is " +
+         digest_text(library.content_digest()) + ", that was " + digest_text(manifest.library_digest) +
+         (same_place ? ", built or changed since" : ", then in " + printable_utf8(manifest.library)) +
+         (maker.empty() ? "" : "; the collage was made by " + maker) +
+         "; --library FILE says where that library is; where it is gone, tessera library build makes it again of the same "
+         "drawings, or tessera collage a collage of this one";
+}
+
+LibraryView library_of(const std::string& dir, const Job& job, const ResultManifest& manifest) {
   LibraryView library = opened_library(job);
   if (library.content_digest() == manifest.library_digest) return library;
-  throw InputError(library.path() +
-                   ": not the library that the collage was made from; --library FILE says where that is");
+  throw InputError(another_library(dir, manifest, library));
 }
 
 struct DrawnCanvas {
@@ -106,8 +127,7 @@ void add_shapes(const ShapeLibrary& library, const StopWatcher& stop, CollageRep
   for (const ShapeId id : placed) {
     stop.check();
     const std::uint32_t index = index_of(id);
-    report.shape_ids.push_back(id);
-    report.shapes.push_back(std::move(library.read(index, index + 1, parts).front()));
+    report.shapes.add(id, std::move(library.read(index, index + 1, parts).front()));
   }
 }
 
@@ -117,11 +137,6 @@ OutputSpec output_of(const WholeResult& result, const PictureRequest& request, c
   job.output = on_paper(job.output, job.canvas, canvas);
   set_drawing_keys(job, request.keys);
   return job.output;
-}
-
-bool asks_for_colours(const PictureRequest& request) {
-  return std::any_of(request.keys.begin(), request.keys.end(),
-                     [](const std::string& key) { return key.find("colour") < key.find('='); });
 }
 
 std::vector<std::string> distinct(std::vector<std::string> colours) {
@@ -239,13 +254,13 @@ class ResultPictures {
 DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, DrawingObserver& observer) {
   const WholeResult result = read_result(dir);
   const ResultManifest& manifest = result.manifest;
-  Job job = job_of(result, request);
+  auto [job, other_colours] = job_of(result, request);
   const std::vector<std::string> palette =
-      asks_for_colours(request) ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
+      other_colours ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
   Drawers drawers({.processes = available_cores()});
   const StopWatcher stop(observer, drawers);
   stop.check();
-  const LibraryView library = library_of(job, manifest);
+  const LibraryView library = library_of(dir, job, manifest);
   stop.check();
   DrawnCanvas canvas = canvas_of(job, manifest, observer);
   job.output = output_of(result, request, canvas.canvas);
@@ -257,7 +272,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   report.keep_out = std::move(canvas.keep_out);
   report.placements = placements_of(dir, manifest, library.size());
   add_shapes(library, stop, report);
-  if (!asks_for_colours(request)) {
+  if (!other_colours) {
     report.colours = manifest.colours;
   } else if (draws_palette(job.colour, library)) {
     report.colours = piece_colours(report, palette);

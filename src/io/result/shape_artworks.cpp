@@ -96,7 +96,7 @@ SvgSymbol ShapeArtworks::symbol(std::size_t slot, const std::string& id) {
 DrawingNotes ShapeArtworks::notes() const {
   std::map<std::size_t, std::size_t> uses;  // of drawings, by slot
   for (const Placement& placement : report_.placements)
-    ++uses[report_.slot_of_drawing(report_.slot_of(placement.shape))];
+    ++uses[report_.shapes.slot_of_drawing(report_.shapes.slot_of(placement.shape))];
   DrawingNotes result;
   result.pieces = report_.placements.size();
   const std::lock_guard lock(mutex_);

@@ -27,7 +27,7 @@ bool has_outlines(const OutputSpec& output) { return output.outline_px > 0 || ha
 std::vector<SvgSymbol> make_symbols(const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done) {
   std::vector<SvgSymbol> symbols(report.shapes.size());
   parallel_for(symbols.size(), [&](std::size_t slot) {
-    if (report.slot_of_drawing(slot) == slot) symbols[slot] = artworks.symbol(slot, symbol_id(slot));
+    if (report.shapes.slot_of_drawing(slot) == slot) symbols[slot] = artworks.symbol(slot, symbol_id(slot));
     done();
   });
   return symbols;
@@ -40,7 +40,7 @@ struct Drawing {
 };
 
 Drawing drawing_of(const CollageReport& report, const std::vector<SvgSymbol>& symbols, const Placement& placement) {
-  const std::size_t slot = report.slot_of_drawing(report.slot_of(placement.shape));
+  const std::size_t slot = report.shapes.slot_of_drawing(report.shapes.slot_of(placement.shape));
   return {slot, symbols[slot].artwork_px_per_unit};
 }
 
@@ -159,10 +159,10 @@ void write_definitions(const CollageReport& report, const ShapeArtworks& artwork
   const OutputSpec& output = report.job->output;
   svg.raw("\n").start("defs");
   for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
-    if (report.slot_of_drawing(slot) == slot) svg.raw("\n").raw(symbols[slot].xml);
+    if (report.shapes.slot_of_drawing(slot) == slot) svg.raw("\n").raw(symbols[slot].xml);
   }
   for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
-    if (report.slot_of_drawing(slot) != slot) continue;
+    if (report.shapes.slot_of_drawing(slot) != slot) continue;
     if (output.clip != kNoClip) write_clip(report.shapes[slot], symbols[slot], artworks.clip(slot), slot, svg);
     if (has_outlines(output)) write_outline(report.shapes[slot], symbols[slot], slot, svg);
   }

@@ -1,0 +1,50 @@
+#include "io/library/name_index.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+namespace tessera::io {
+namespace {
+
+constexpr const char* kWildCards = "*?[\\";
+
+}  // namespace
+
+NameIndex::NameIndex(std::vector<std::string> names) : names_(std::move(names)), in_order_(names_.size()) {
+  std::iota(in_order_.begin(), in_order_.end(), 0u);
+  std::stable_sort(in_order_.begin(), in_order_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return names_[a] < names_[b]; });
+}
+
+std::span<const std::uint32_t> NameIndex::candidates(const std::string& glob) const {
+  const std::string_view start = std::string_view(glob).substr(0, glob.find_first_of(kWildCards));
+  const bool is_name = start.size() == glob.size();
+  const auto beginning = [&](std::uint32_t place) {
+    return std::string_view(names_[place]).substr(0, is_name ? std::string_view::npos : start.size());
+  };
+  const auto found = std::ranges::equal_range(in_order_, start, std::less<std::string_view>(), beginning);
+  return {found.begin(), found.end()};
+}
+
+std::optional<std::uint32_t> NameIndex::find(const std::string& name) const {
+  const auto at = std::ranges::lower_bound(in_order_, name, std::less<std::string_view>(),
+                                           [&](std::uint32_t place) { return std::string_view(names_[place]); });
+  if (at == in_order_.end() || names_[*at] != name) return std::nullopt;
+  return *at;
+}
+
+std::vector<std::uint32_t> NameIndex::matching(const std::string& glob) const {
+  std::vector<std::uint32_t> places;
+  for (const std::uint32_t place : candidates(glob)) {
+    if (::fnmatch(glob.c_str(), names_[place].c_str(), 0) == 0) places.push_back(place);
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,34 @@
+// Names in order, so that a pattern is compared only with those that begin as it does.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tessera::io {
+
+/// Places are those in the list that it was made of; a name may stand there several times.
+class NameIndex {
+ public:
+  explicit NameIndex(std::vector<std::string> names);
+
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// The first place of exactly this name.
+  std::optional<std::uint32_t> find(const std::string& name) const;
+
+  /// The places, ascending, of the names that the pattern (name_globs.h) is of.
+  std::vector<std::uint32_t> matching(const std::string& glob) const;
+
+  /// The places, by name, of all that the pattern may be of: those that begin as it does up to its first wild card, and
+  /// where it has none those of this very name.
+  std::span<const std::uint32_t> candidates(const std::string& glob) const;
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::uint32_t> in_order_;  // by name; of equal ones by place
+};
+
+}  // namespace tessera::io

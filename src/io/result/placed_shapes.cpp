@@ -1,0 +1,34 @@
+#include "io/result/placed_shapes.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace tessera::io {
+
+void PlacedShapes::add(ShapeId id, Shape shape) {
+  slot_of_.emplace(id, shapes_.size());
+  if (!shape.artwork.mirrored) slot_as_drawn_.emplace(shape.name, shapes_.size());
+  shapes_.push_back(std::move(shape));
+}
+
+std::vector<std::string> PlacedShapes::names() const {
+  std::vector<std::string> names;
+  for (const Shape& shape : shapes_) names.push_back(shape.name);
+  return names;
+}
+
+std::size_t PlacedShapes::slot_of(ShapeId id) const {
+  const auto found = slot_of_.find(id);
+  if (found == slot_of_.end()) {
+    throw std::out_of_range("shape " + std::to_string(index_of(id)) + " is not among those that were placed");
+  }
+  return found->second;
+}
+
+std::size_t PlacedShapes::slot_of_drawing(std::size_t slot) const {
+  if (!shapes_[slot].artwork.mirrored) return slot;
+  const auto drawn = slot_as_drawn_.find(shapes_[slot].name);
+  return drawn == slot_as_drawn_.end() ? slot : drawn->second;
+}
+
+}  // namespace tessera::io

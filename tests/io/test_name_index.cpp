@@ -1,0 +1,52 @@
+// A pattern finds the names that it is of, and looks at few others.
+#include "io/library/name_index.h"
+
+#include <fnmatch.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace tessera::io {
+namespace {
+
+using Places = std::vector<std::uint32_t>;
+
+TEST(NameIndex, FindsNamesAndPatterns) {
+  const NameIndex index({"owl", "cat", "owl_2", "Owl", "cat"});
+  EXPECT_EQ(index.matching("owl"), (Places{0}));
+  EXPECT_EQ(index.matching("cat"), (Places{1, 4})) << "each of one name, as mirror images have";
+  EXPECT_EQ(index.matching("owl*"), (Places{0, 2}));
+  EXPECT_EQ(index.matching("[oO]wl"), (Places{0, 3}));
+  EXPECT_EQ(index.matching("*"), (Places{0, 1, 2, 3, 4}));
+  EXPECT_EQ(index.matching("ow"), Places{});
+  EXPECT_EQ(index.matching(""), Places{});
+  EXPECT_EQ(index.find("cat"), 1u);
+  EXPECT_EQ(index.find("owl*"), std::nullopt) << "no name";
+  EXPECT_EQ(NameIndex({}).matching("*"), Places{});
+}
+
+TEST(NameIndex, ANameIsComparedWithItselfAndAPatternWithWhatBeginsLikeIt) {
+  std::vector<std::string> names;
+  for (int i = 0; i < 10'000; ++i) names.push_back("shape_" + std::to_string(i));
+  const NameIndex index(names);
+  EXPECT_EQ(index.candidates("shape_77").size(), 1u);
+  EXPECT_EQ(index.candidates("shape_77*").size(), 111u);
+  EXPECT_EQ(index.candidates("shape_7[7]").size(), 1111u);
+  EXPECT_EQ(index.candidates("owl").size(), 0u);
+  EXPECT_EQ(index.candidates("*").size(), names.size());
+}
+
+RC_GTEST_PROP(NameIndex, finds_what_fnmatch_finds, ()) {
+  const auto text = [](const char* letters) {
+    return rc::gen::container<std::string>(rc::gen::elementOf(std::string(letters)));
+  };
+  const auto names = *rc::gen::container<std::vector<std::string>>(text("ab*[]\\"));
+  const std::string glob = *text("ab*?[]\\");
+  Places expected;
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    if (::fnmatch(glob.c_str(), names[i].c_str(), 0) == 0) expected.push_back(i);
+  }
+  RC_ASSERT(NameIndex(names).matching(glob) == expected);
+}
+
+}  // namespace
+}  // namespace tessera::io
