@@ -53,7 +53,8 @@ Options parsed(int argc, char** argv) {
   app.add_option("--out", options.out, "Names of the CSV and the plot, without ending")->capture_default_str();
   app.add_option("--hosts", options.hosts, "Numbers of workers, a host each")
       ->check(CLI::PositiveNumber)
-      ->delimiter(',')->capture_default_str();
+      ->delimiter(',')
+      ->capture_default_str();
   app.add_option("--shapes", options.shapes, "Sizes of the library")->delimiter(',')->capture_default_str();
   app.add_option("--fan-out", options.fan_out, "Workers that a rank asks itself")
       ->check(CLI::PositiveNumber)
@@ -62,7 +63,8 @@ Options parsed(int argc, char** argv) {
   app.add_option("--gigabytes-per-s", options.gigabytes_per_s, "Of a link, each way")->capture_default_str();
   app.add_option("--worker-speed", options.worker_speed, "A host's devices, in workers as they were measured")
       ->capture_default_str();
-  app.add_option("--master-speed", options.master_speed, "What if the master's serial work, asking left out, were so many times as fast")
+  app.add_option("--master-speed", options.master_speed,
+                 "What if the master's serial work, asking left out, were so many times as fast")
       ->capture_default_str();
   app.add_flag("--processor-time", options.processor_time,
                "Model the processor time of the runs: where other programs took part of the cores");
@@ -117,7 +119,8 @@ std::string validation(const RoundModel& model, const std::vector<SimulatedRound
 }
 
 std::string prediction_table(const std::vector<Prediction>& predictions) {
-  io::TextTable table({"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "asking all itself"});
+  io::TextTable table(
+      {"shapes", "hosts", "ms a round", "speed-up", "efficiency", "master busy %", "asking all itself"});
   const Prediction* one = nullptr;
   for (const Prediction& p : predictions) {
     if (p.job.workers == 1) one = &p;

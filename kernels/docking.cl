@@ -1,5 +1,5 @@
-// core/matching/docking.cpp in OpenCL C (paper section 3.3): from a pair, or from random bits, to a similarity, and how well it
-// looks on a few points of the free field.
+// core/matching/docking.cpp in OpenCL C (paper section 3.3): from a pair, or from random bits, to a similarity, and how
+// well it looks on a few points of the free field.
 
 #define NO_DOCKING (-1.f)
 #define NOT_EVALUATED (-2.f)  // nor looked at the field
@@ -63,8 +63,8 @@ bool fit_within(const StanceRecord* stance, const Moments* m, Fit* fit) {
   return true;
 }
 
-// `shape_x`, `shape_y`: key points of the shape's sample, steps. Least squares at the longest level at which both agree,
-// by the stance that fits best.
+// `shape_x`, `shape_y`: key points of the shape's sample, steps. Least squares at the longest level at which both
+// agree, by the stance that fits best.
 Alignment align_pyramids(const Stances* stances, global const short* shape_x, global const short* shape_y, float step,
                          global const SampleRecord* target, float scale_low_px, float scale_high_px) {
   Alignment result;
@@ -127,7 +127,8 @@ float docking_key(global const float* contour, global const ShapeRecord* shape, 
     const int16 used = lane_index() + block * kLanes < coarse_points;
     covered += count_lanes(used & (field_values(field, p.x, p.y) < 0));
   }
-  const float interior = shape->interior_points == 0 ? 0.f : kCoveredCost * (float)covered / (float)shape->interior_points;
+  const float points = (float)shape->interior_points;
+  const float interior = shape->interior_points == 0 ? 0.f : kCoveredCost * (float)covered / points;
   return (contact - interior) * size;
 }
 
@@ -293,6 +294,7 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
   const float key = docking_key(contour, shapes + shape, pose, &field, match->max_scale_px);
   keys[place] = key < kLeastDockingKey ? NO_DOCKING : key * stance.weight;
   if (key < kLeastDockingKey) return;
-  const DockingRecord docking = {t, library_shape, kTangentSource + draw, standing.list.first + k, key * stance.weight, pose};
+  const uint source = kTangentSource + draw;
+  const DockingRecord docking = {t, library_shape, source, standing.list.first + k, key * stance.weight, pose};
   dockings[place] = docking;
 }

@@ -1,8 +1,8 @@
 // core/matching/pair_selection.cpp in OpenCL C (paper section 3.3): scale window, sign, PAD distance, local
 // minima along the shape's curve, the best few of each (target sample, shape).
 //
-// First an exact filter of bytes (core/pad/pad_filter.h), then the distance itself where a pair may be near. The filter's
-// loop over kFilterLanes sources is left to the compiler: it knows how many bytes the device handles at once.
+// First an exact filter of bytes (core/pad/pad_filter.h), then the distance itself where a pair may be near. The
+// filter's loop over kFilterLanes sources is left to the compiler: it knows how many bytes the device handles at once.
 
 enum PairSizes { kPadElements = 2 * (kPadLevels - 1), kFilterRows = kPadElements + 2 };
 
@@ -208,8 +208,8 @@ kernel void select_pairs(constant MatchRecord* match, global const StanceRecord*
   }
 }
 
-// Work item as in select_pairs, whose pairs begin with sample `first_paired`. `histogram`: kDistanceBins for each target
-// sample. Whole numbers: any order will do.
+// Work item as in select_pairs, whose pairs begin with sample `first_paired`. `histogram`: kDistanceBins for each
+// target sample. Whole numbers: any order will do.
 kernel void count_pairs(constant MatchRecord* match, uint first_sample, uint end_sample, uint first_paired,
                         global const SampleRecord* samples, global const PairRecord* pairs,
                         global const uint* pair_count, global uint* histogram) {

@@ -1,4 +1,5 @@
-// keep_shortlist of core/matching/matcher.cpp in OpenCL C: of all dockings of a target sample the best few, in a total order.
+// keep_shortlist of core/matching/matcher.cpp in OpenCL C: of all dockings of a target sample the best few, in a total
+// order.
 
 // docks_better of core/matching/docking.h.
 bool docks_better(global const DockingRecord* a, global const DockingRecord* b) {

@@ -95,7 +95,8 @@ class Comparison {
 Canvas seeded_canvas(int size_px, const PieceSettings& pieces, ShapeSource& shapes) {
   Canvas canvas = make_rectangle_canvas(size_px, size_px);
   PieceSettings widest = pieces;
-  widest.max_scale_px = 8.f * float(size_px);  // a stamp reaches over the whole canvas: its distances are true everywhere
+  widest.max_scale_px =
+      8.f * float(size_px);  // a stamp reaches over the whole canvas: its distances are true everywhere
   FreeField free(canvas, widest);
   const float scale_px = std::min(pieces.max_scale_px, 0.3f * float(size_px));
   free.stamp(shapes.shape(ShapeId{0}), {scale_px, 0, 0.5f * float(size_px), 0.5f * float(size_px)});

@@ -20,7 +20,8 @@ namespace {
 
 constexpr double kPaper_s = 0.064;
 constexpr std::uint64_t kPaperPositions = 25'000'000;
-/// In the middle of the docked shape's scales, so that most pairs fit in scale: a larger one would have hardly any work.
+/// In the middle of the docked shape's scales, so that most pairs fit in scale: a larger one would have hardly any
+/// work.
 constexpr float kLyingScale_px = 80;
 constexpr double kPaperTopPercent = 1;                       // K of the paper
 constexpr int kFinestSamples = kSmoothingLevels[2].samples;  // a model has as many at every level finer than this one
@@ -61,8 +62,7 @@ std::vector<TargetSample> samples_around(const TracedOutline& outline, const Sha
   std::vector<TargetSample> samples;
   for (int i = 0; i < count; ++i) {
     const Vec2 along = curve[std::size_t((i + 1) % count)] - curve[std::size_t((i + count - 1) % count)];
-    samples.push_back(
-        {SampleId(i), 0, curve[std::size_t(i)], along * (1 / norm(along)), pyramids[std::size_t(i)]});
+    samples.push_back({SampleId(i), 0, curve[std::size_t(i)], along * (1 / norm(along)), pyramids[std::size_t(i)]});
   }
   return samples;
 }
@@ -129,7 +129,8 @@ struct Measured {
 };
 
 Measured measure(const HeadlineScene& scene, const std::string& devices_use, int runs) {
-  const auto matcher = worker::make_device_matcher(devices_use, scene.context, all_of(scene.models), given(scene.models));
+  const auto matcher =
+      worker::make_device_matcher(devices_use, scene.context, all_of(scene.models), given(scene.models));
   const Grid<float>& field = scene.field.value;
   matcher->start_field(field.width(), field.height(), scene.field.origin);
   matcher->update_field(read_patch(field, field.bounds()));

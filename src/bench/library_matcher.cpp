@@ -9,8 +9,7 @@ namespace tessera::bench {
 std::unique_ptr<Matcher> library_matcher(const io::LibraryFile& library, std::size_t shapes,
                                          const CollageSettings& settings, const std::string& devices_use) {
   const MatchingContext context = make_matching_context(settings, std::uint32_t(shapes));
-  return worker::make_device_matcher(devices_use, context, {0, std::uint32_t(shapes)},
-                                     io::models_of(library, context));
+  return worker::make_device_matcher(devices_use, context, {0, std::uint32_t(shapes)}, io::models_of(library, context));
 }
 
 }  // namespace tessera::bench

@@ -66,7 +66,8 @@ std::uint32_t usual_reach(Matcher& matcher, const PairScene& scene) {
 
 /// In another order each time: a device does not count twice for the same samples.
 double device_s(const PairScene& scene, const std::string& devices_use, int runs) {
-  const auto matcher = worker::make_device_matcher(devices_use, scene.context, all_of(scene.models), given(scene.models));
+  const auto matcher =
+      worker::make_device_matcher(devices_use, scene.context, all_of(scene.models), given(scene.models));
   matcher->start_field(scene.field.value.width(), scene.field.value.height(), scene.field.origin);
   matcher->update_field(read_patch(scene.field.value, scene.field.value.bounds()));
   CountRequest request{scene.samples, std::vector<std::uint32_t>(scene.samples.size(), usual_reach(*matcher, scene))};

@@ -98,8 +98,7 @@ void PaperMatcher::dock_sample(const DockRequest& request, std::uint32_t t) {
                                   context_.pad.levels);
                    const ScaleRange& range = context_.level_range[slot];
                    const float scale = pose.scale();
-                   const std::span<const Stance> stances =
-                       context_.stances.of(context_.stances.list(ShapeId{m}));
+                   const std::span<const Stance> stances = context_.stances.of(context_.stances.list(ShapeId{m}));
                    const bool stands = std::any_of(stances.begin(), stances.end(),
                                                    [&](const Stance& s) { return s.poses.contains(pose); });
                    if (scale < range.low || scale > range.high || !stands) return;

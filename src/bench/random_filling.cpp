@@ -19,7 +19,9 @@ Similarity resized(const Similarity& s, float factor) { return {s.a * factor, s.
 /// `pose` has scale 1. Zero where not even the smallest piece fits.
 float largest_scale_px(const Similarity& pose, const ShapeModel& model, const FieldView& field,
                        const PieceSettings& pieces) {
-  const auto fits = [&](float scale_px) { return depth_px(resized(pose, scale_px), model, field) <= hard_depth_px(pieces); };
+  const auto fits = [&](float scale_px) {
+    return depth_px(resized(pose, scale_px), model, field) <= hard_depth_px(pieces);
+  };
   float fitting_px = pieces.min_scale_px;
   float too_large_px = pieces.max_scale_px;
   if (!fits(fitting_px)) return 0;

@@ -105,9 +105,11 @@ RoundModel::RoundModel(std::vector<ScalingCase> cases, Clock clock) : cases_(std
   samples_ = median_over(cases_, [](C c) { return c.samples; });
   rounds_ = median_over(cases_, [](C c) { return c.rounds; });
   counts_ = std::max(1., std::round(median_over(cases_, [](C c) { return c.counts / c.rounds; })));
-  notice_s_ = clock == Clock::processor  // which does not tell how long a rank slept
-                  ? kRoundTrip_s
-                  : std::max(0., median_over(cases_, [](C c) { return (c.waiting_s + c.ahead_s - c.busiest_s) / questions(c); }));
+  notice_s_ =
+      clock == Clock::processor  // which does not tell how long a rank slept
+          ? kRoundTrip_s
+          : std::max(0.,
+                     median_over(cases_, [](C c) { return (c.waiting_s + c.ahead_s - c.busiest_s) / questions(c); }));
   imbalance_ = median_over(cases_, [](C c) { return c.busiest_s / std::max(1e-9, worker_stages_s(c)) - 1; });
   master_ = fit([](C c) { return c.serial_s(); }, by_asked);
   ahead_ = fit([](C c) { return c.ahead_s; }, constant);

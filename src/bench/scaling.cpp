@@ -226,8 +226,8 @@ AmdahlFit fit(const std::vector<Compared>& strong, double (*seconds)(const Repea
 }
 
 std::string case_rows(const std::vector<Compared>& series, bool weak) {
-  io::TextTable table({weak ? "weak" : "strong", "shapes", "loop s", "speed-up", "efficiency", "undisturbed s", "speed-up",
-               "master %", "undisturbed"});
+  io::TextTable table({weak ? "weak" : "strong", "shapes", "loop s", "speed-up", "efficiency", "undisturbed s",
+                       "speed-up", "master %", "undisturbed"});
   for (const Compared& c : series) {
     const double growth = weak ? c.more_workers() : 1;  // of the work
     const double speed_up = growth * loop_s(*c.base) / loop_s(*c.run);
@@ -358,7 +358,7 @@ Report bench_scaling(const Setting& setting, const ScalingOptions& options) {
                       {"amdahl_undisturbed", fit_json(quiet)},
                       {"cases", Json::array()}});
   for (const Repeated& c : cases) report.json["cases"].push_back(case_json(c));
-  report.text = case_rows(strong, false) + "\n" + case_rows(weak, true) + "\n" + 
+  report.text = case_rows(strong, false) + "\n" + case_rows(weak, true) + "\n" +
                 explanation(plan, amdahl_text(plan, setting.quick, wall, quiet));
   return report;
 }

@@ -154,8 +154,8 @@ Report bench_table2(const Setting& setting, const Table2Options& options) {
   const int size_px = setting.quick ? 300 : 1000;
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
 
-  io::TextTable table({"", "candidates", "PADs a shape", "iterations", "docking choices", "pruned %", "total s", "prune %",
-               "dock %", "objective %", "merge %"});
+  io::TextTable table({"", "candidates", "PADs a shape", "iterations", "docking choices", "pruned %", "total s",
+                       "prune %", "dock %", "objective %", "merge %"});
   Report report;
   report.json = report_head("table2", setting);
   report.json.update({{"library", options.library}, {"canvas_px", size_px}, {"rows", Json::array()}});

@@ -37,7 +37,8 @@ CLI::App* add_benchmark(CLI::App& bench, Command& selected, const std::string& n
   const auto setting = std::make_shared<bench::Setting>();
   setting->out = "out/bench_" + name + ".json";
   sub->add_option("--out", setting->out, "The JSON file")->type_name("FILE.json")->capture_default_str();
-  sub->add_flag("--quick", setting->quick, "A small version, which only shows that it runs; what is asked for beside it holds");
+  sub->add_flag("--quick", setting->quick,
+                "A small version, which only shows that it runs; what is asked for beside it holds");
   sub->add_option("--devices", setting->devices, "OpenCL devices, as the job key devices.use")
       ->type_name("USE")
       ->capture_default_str();
@@ -92,8 +93,9 @@ void add_scaling(CLI::App& bench, Command& selected) {
   CLI::App* sub = add_benchmark(bench, selected, "scaling", "Speed-up with more workers; starts mpirun itself",
                                 [options](const bench::Setting& s) { return bench::bench_scaling(s, *options); });
   add_library_option(*sub, options->library);
-  sub->add_option("--shapes", options->shapes, "Shapes for the most workers; default: the library's. More than it has: "
-                                               "mirrored and stretched ones")
+  sub->add_option("--shapes", options->shapes,
+                  "Shapes for the most workers; default: the library's. More than it has: "
+                  "mirrored and stretched ones")
       ->type_name("N");
   sub->add_option("--ranks", options->ranks, "Numbers of ranks, one of them the master")
       ->type_name("N,..")

@@ -18,8 +18,8 @@ void CollageJournal::ranks_are(std::vector<RankSite> sites) {
   record_.ranks = std::move(sites);
   for (std::size_t rank = 0; rank < record_.ranks.size(); ++rank) {
     const RankSite& site = record_.ranks[rank];
-    log_.info("rank " + std::to_string(rank) + " of " + std::to_string(record_.ranks.size()) + " on " + site.host + ": " +
-              io::devices_text(site.devices));
+    log_.info("rank " + std::to_string(rank) + " of " + std::to_string(record_.ranks.size()) + " on " + site.host +
+              ": " + io::devices_text(site.devices));
   }
 }
 

@@ -5,7 +5,6 @@
 
 #include "comm/stop_signals.h"
 
-
 namespace tessera::cli {
 namespace {
 
@@ -28,7 +27,8 @@ double share_by_coverage(double coverage, double goal) {
 }  // namespace
 
 CollageProgress::CollageProgress(const StopSettings& stop, bool quiet, const TimeLimit& limit)
-    : stop_(stop), limit_(limit) {
+    : stop_(stop),
+      limit_(limit) {
   if (!quiet) bar_.emplace("collage", kBarTotal);
 }
 

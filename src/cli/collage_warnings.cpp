@@ -48,8 +48,8 @@ std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t be
   const auto first = std::lower_bound(found.begin(), found.end(), begin);
   const auto last = std::lower_bound(found.begin(), found.end(), end);
   if (first == last) return "";
-  return std::to_string(last - first) + " lie " + where + ", the first is number " +
-         std::to_string(*first - begin) + ", \"" + name(*first) + "\"";
+  return std::to_string(last - first) + " lie " + where + ", the first is number " + std::to_string(*first - begin) +
+         ", \"" + name(*first) + "\"";
 }
 
 }  // namespace
@@ -98,10 +98,10 @@ std::string standing_warning(const io::Job& job, const Canvas& canvas,
   const char* in_a_zone = "in a zone that pieces keep out of";
   const std::string given = those_that_lie(found.kept_out, 0, first_of_start, in_a_zone, name);
   std::string start;
-  for (const std::string& part : {
-           those_that_lie(found.kept_out, first_of_start, pieces.size(), in_a_zone, name),
-           those_that_lie(found.outside, first_of_start, pieces.size(), "outside the canvas", name),
-           those_that_lie(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name)}) {
+  for (const std::string& part :
+       {those_that_lie(found.kept_out, first_of_start, pieces.size(), in_a_zone, name),
+        those_that_lie(found.outside, first_of_start, pieces.size(), "outside the canvas", name),
+        those_that_lie(found.overlapping, first_of_start, pieces.size(), "on pieces before them", name)}) {
     if (!part.empty()) start += (start.empty() ? "" : "; ") + part;
   }
   std::string text;
@@ -120,8 +120,8 @@ std::string idle_dpi_warning(const io::Job& job) {
 std::string idle_keys_warning(const io::Job& job) {
   std::string text = idle_dpi_warning(job);
   if (job.settings.pieces.padding_px > 0 && !is_default(job, "pieces", "overlap_px")) {
-    text += (text.empty() ? "" : "; ") + with_value(job, "pieces", "overlap_px") +
-            " does not count beside " + with_value(job, "pieces", "padding_px") + ", which keeps all pieces apart";
+    text += (text.empty() ? "" : "; ") + with_value(job, "pieces", "overlap_px") + " does not count beside " +
+            with_value(job, "pieces", "padding_px") + ", which keeps all pieces apart";
   }
   return text;
 }

@@ -12,7 +12,7 @@ namespace tessera::cli {
 /// What the chosen sub-command runs: one of the two. Both return the exit code and throw InputError and
 /// EnvironmentError.
 struct Command {
-  std::function<int()> run;                                  // on rank 0 alone
+  std::function<int()> run;  // on rank 0 alone
   std::function<int(comm::Communicator&)> run_on_all_ranks;
 };
 

@@ -16,7 +16,8 @@ constexpr const char* kExamples =
 }  // namespace
 
 void add_devices_command(CLI::App& app, Command& selected) {
-  CLI::App* devices = app.add_subcommand("devices", "List the OpenCL devices of this machine, and what a job would use");
+  CLI::App* devices =
+      app.add_subcommand("devices", "List the OpenCL devices of this machine, and what a job would use");
   devices->footer(kExamples);
   devices->callback([&selected] {
     selected.run = [] {

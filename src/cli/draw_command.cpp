@@ -99,7 +99,8 @@ void check_takes_pictures(const std::string& folder) {
     throw InputError("--to " + folder + ": found a result there, allowed: a folder without one");
   }
   if (has_checkpoint(folder)) {
-    throw InputError("--to " + folder + ": found the checkpoint of an interrupted run there, allowed: a folder without one");
+    throw InputError("--to " + folder +
+                     ": found the checkpoint of an interrupted run there, allowed: a folder without one");
   }
 }
 

@@ -44,8 +44,8 @@ io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, cons
       [&](std::size_t done, std::size_t shapes) { bar.update(done, std::to_string(shapes) + " shapes"); },
       comm::stop_signalled};
   io::Drawers drawers({.processes = arguments.settings.files_at_a_time});
-  const io::LibraryBuildReport report = io::build_library(files, arguments.output, arguments.settings,
-                                                          io::artwork_loader(drawers, arguments.settings.tracing), monitor);
+  const io::LibraryBuildReport report = io::build_library(
+      files, arguments.output, arguments.settings, io::artwork_loader(drawers, arguments.settings.tracing), monitor);
   if (io::any_failed(drawers.layers())) print_warning(io::layers_note(drawers.layers()));
   return report;
 }

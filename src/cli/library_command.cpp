@@ -6,8 +6,8 @@
 namespace tessera::cli {
 
 void add_library_command(CLI::App& app, Command& selected) {
-  CLI::App* library =
-      app.add_subcommand("library", "Build a library of shapes from artwork, look into one, merge some, choose from one");
+  CLI::App* library = app.add_subcommand(
+      "library", "Build a library of shapes from artwork, look into one, merge some, choose from one");
   library->require_subcommand(1);
   add_library_build_command(*library, selected);
   add_library_info_command(*library, selected);

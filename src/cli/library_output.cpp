@@ -52,7 +52,8 @@ void copy_to_library(const io::LibraryChoice& choice, const std::string& output)
   comm::install_stop_handlers();  // the half library is removed
   {
     ProgressBar bar("library", library.size());
-    io::copy_library(library, output, [&](std::size_t done) { bar.update(done); }, comm::stop_signalled);
+    io::copy_library(
+        library, output, [&](std::size_t done) { bar.update(done); }, comm::stop_signalled);
   }
   const io::LibraryBuildReport report = report_of(library);
   io::write_left_out_list(output, report);

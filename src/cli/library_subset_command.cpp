@@ -13,7 +13,8 @@ constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library subset animals.h5 --include 'cat*' 'dog*' --exclude '*bird*' -o pets.h5\n"
     "  tessera library info animals.h5 --names                       what the names are\n"
-    "GLOB is a pattern as the shell has them, compared with the whole name, case told: * any characters, ? one, [ab] one\n"
+    "GLOB is a pattern as the shell has them, compared with the whole name, case told: * any characters, ? one, [ab] "
+    "one\n"
     "of these. Quote it, or the shell takes it for files. A job can also choose by itself: library.include and\n"
     "library.exclude in docs/job-format.md.";
 

@@ -11,8 +11,8 @@
 namespace tessera::cli {
 namespace {
 
-// Measured with release builds on two cores of a Xeon (2.0 GHz, PoCL 3.1, hardly any other work beside it): libraries of
-// 120 to 10,000 shapes, canvases of 500 to 1500 px, pieces of 14-90, 20-160 and 30-240 px, one process, 12 runs. The
+// Measured with release builds on two cores of a Xeon (2.0 GHz, PoCL 3.1, hardly any other work beside it): libraries
+// of 120 to 10,000 shapes, canvases of 500 to 1500 px, pieces of 14-90, 20-160 and 30-240 px, one process, 12 runs. The
 // ranges say how far the constants of single runs lie apart.
 
 // Pieces: canvas area by pieces, in products of the smallest and the largest scale: 1.4 (5 shapes) to 2.9 (815).
@@ -22,8 +22,8 @@ constexpr double kSamplesOfAPiece = 80;
 // The most samples that were open at a time, by the pieces of the whole collage: 10.3 to 11.6 (four runs).
 constexpr double kOpenSamplesOfAPiece = 11;
 
-// prune_s by samples: a line through PADs of the library and their square root, as the best pairs are nearer in a denser
-// library. Measured 0.5 to 1.2 times what it says.
+// prune_s by samples: a line through PADs of the library and their square root, as the best pairs are nearer in a
+// denser library. Measured 0.5 to 1.2 times what it says.
 constexpr double kPairs_s = 0.16e-9;
 constexpr double kPairsOfRoot_s = 0.27e-6;
 // dock_s by samples: 80 us (120 shapes) to 280 (10,000), by the square root of shapes; 0.8 to 1.5 times what it says.
@@ -95,8 +95,8 @@ void add_memory(const PlanInput& input, const MatchingContext& context, PlanEsti
   const double library = passing + (input.host_devices ? shard + lists : 0);
   const double kept = kWholeShape_bytes * std::min(double(input.shapes), kKeptShapes);
   const double counting = priced(input.canvas_nodes, kFineCanvas_px2, kCountedNode_bytes, kCoarseNode_bytes);
-  const double drawing = kDrawnNode_bytes * input.canvas_nodes +
-                         std::min(kPicture_bytes * input.picture_px2, kMostPicture_bytes);
+  const double drawing =
+      kDrawnNode_bytes * input.canvas_nodes + std::min(kPicture_bytes * input.picture_px2, kMostPicture_bytes);
   const double master = kept + std::max(counting, drawing);  // counted and drawn one after the other
   plan.worker_bytes = kWorkerProcess_bytes + field + library;
   plan.master_bytes = kMasterProcess_bytes + master;
@@ -111,8 +111,8 @@ void add_times(const PlanInput& input, PlanEstimate& plan) {
   const CollageSettings& s = input.settings;
   const double shapes = double(input.shapes);
   const double pads = shapes * double(plan.pads_per_shape);
-  const double sample_s = kPairs_s * pads + kPairsOfRoot_s * std::sqrt(pads) + kDocking_s +
-                          kDockingOfRoot_s * std::sqrt(shapes);
+  const double sample_s =
+      kPairs_s * pads + kPairsOfRoot_s * std::sqrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
   const double filling_s = plan.pieces * kSamplesOfAPiece * sample_s;
   const double trial_s = kSamplesOfATrial * sample_s;
   const double trials = s.improve.trials > 0    ? double(s.improve.trials)
@@ -122,7 +122,8 @@ void add_times(const PlanInput& input, PlanEstimate& plan) {
   plan.master_s = plan.pieces * kMasterOfAPiece_s + trials * kMasterOfATrial_s;
   const double improving_s = limited(trials * (trial_s / plan.workers + kMasterOfATrial_s), s.improve.seconds);
   const double loop_s = filling_s / plan.workers + plan.pieces * kMasterOfAPiece_s;
-  plan.total_s = kOverhead_s + double(plan.shapes_per_worker) * kLoadingAShape_s + plan.pieces * kWritingAPiece_s + limited(loop_s + improving_s, s.stop.seconds);
+  plan.total_s = kOverhead_s + double(plan.shapes_per_worker) * kLoadingAShape_s + plan.pieces * kWritingAPiece_s +
+                 limited(loop_s + improving_s, s.stop.seconds);
 }
 
 }  // namespace

@@ -57,15 +57,16 @@ std::string slurm_time(double seconds) {
 
 std::string plan_text(const PlanInput& input, const PlanEstimate& plan) {
   return "Estimates for " + ranks_text(input, plan) + "\n" +
-         line("library", std::to_string(input.shapes) + " shapes, " + std::to_string(plan.levels) + " smoothing levels, " +
-                             std::to_string(plan.pads_per_shape) + " PADs a shape; " +
+         line("library", std::to_string(input.shapes) + " shapes, " + std::to_string(plan.levels) +
+                             " smoothing levels, " + std::to_string(plan.pads_per_shape) + " PADs a shape; " +
                              std::to_string(plan.shapes_per_worker) + " shapes a worker") +
          line("pieces", "about " + io::fixed(plan.pieces, 0)) + memory_text(input, plan) +
          line("time", "about " + time_text(plan.total_s) + ": matching " + time_text(plan.matching_s) + " / " +
                           std::to_string(plan.workers) + ", master " + time_text(plan.master_s)) +
          line("checkpoint", "about " + megabytes(plan.checkpoint_bytes)) +
          "\nFrom formulas with figures of one machine, 120 to 10,000 shapes and 30 to 500 pieces; a worker has two CPU "
-         "cores of\n2 GHz. Half or twice the time is likely; the network is not in it, nor what a GPU changes. In 12 runs on a "
+         "cores of\n2 GHz. Half or twice the time is likely; the network is not in it, nor what a GPU changes. In 12 "
+         "runs on a "
          "quiet\nmachine the memory was 0.8 to 1.0 and the time 0.5 to 0.7 times the estimate.\n";
 }
 

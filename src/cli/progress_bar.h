@@ -37,8 +37,8 @@ class ProgressBar {
   Clock::time_point last_;
 };
 
-/// "label  [####....]  42 %  note  0:31 left" in `width` columns: the bar takes what the words leave, and goes where that is
-/// little; what is too long even then is cut. Without a bar ("label: 42 %, note, 0:31 left")
+/// "label  [####....]  42 %  note  0:31 left" in `width` columns: the bar takes what the words leave, and goes where
+/// that is little; what is too long even then is cut. Without a bar ("label: 42 %, note, 0:31 left")
 /// where width is 0. The time left is not shown before anything is done.
 std::string progress_text(const std::string& label, std::size_t done, std::size_t total, const std::string& note,
                           double elapsed_s, int width);

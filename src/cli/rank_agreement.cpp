@@ -63,8 +63,9 @@ io::Job receive_job(comm::Communicator& ranks, const std::string& program) {
   const std::string masters_job = receive_text(ranks);
   io::Job job = io::job_from_toml(masters_job, "the master's job");
   if (io::to_toml(job) != masters_job) {
-    throw EnvironmentError("this rank understands the master's job otherwise than the master; install the same program "
-                           "and the same libraries on every node");
+    throw EnvironmentError(
+        "this rank understands the master's job otherwise than the master; install the same program "
+        "and the same libraries on every node");
   }
   job.size_factor = std::strtod(receive_text(ranks).c_str(), nullptr);
   return job;

@@ -14,8 +14,10 @@ constexpr double kMostPeriod_s = 5;  // whatever silence is allowed, faults of l
 }  // namespace
 
 Heart::Heart(Communicator& ranks, double silence_s)
-    : ranks_(ranks), thread_([this, period_s = std::min(silence_s / kBeatsPerSilence, kMostPeriod_s)](
-                                 const std::stop_token& stop) { beat(stop, period_s); }) {}
+    : ranks_(ranks),
+      thread_([this, period_s = std::min(silence_s / kBeatsPerSilence, kMostPeriod_s)](const std::stop_token& stop) {
+        beat(stop, period_s);
+      }) {}
 
 void Heart::beat(const std::stop_token& stop, double period_s) {
   std::uint64_t activity = 0;

@@ -20,9 +20,7 @@ class IdleWait {
     sleep_ = std::min(2 * sleep_, kLongestSleep);
   }
 
-  double waited_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  double waited_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
  private:
   // About the time of a round trip between idle ranks of one node: shorter waits end without a sleep.

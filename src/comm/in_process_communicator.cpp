@@ -20,7 +20,9 @@ InProcessNetwork::~InProcessNetwork() = default;
 class InProcessCommunicator : public Communicator {
  public:
   InProcessCommunicator(InProcessNetwork& network, int rank)
-      : network_(network), rank_(rank), node_ranks_(network.queues_.size()) {
+      : network_(network),
+        rank_(rank),
+        node_ranks_(network.queues_.size()) {
     std::iota(node_ranks_.begin(), node_ranks_.end(), 0);
   }
 

@@ -70,8 +70,7 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Worke
                  measured_answer(request, matcher, clock, &Times::count_s, &Times::counts, count));
       break;
     case Tag::dock_request:
-      ranks.send(asker, Tag::dock_reply,
-                 measured_answer(request, matcher, clock, &Times::dock_s, &Times::docks, dock));
+      ranks.send(asker, Tag::dock_reply, measured_answer(request, matcher, clock, &Times::dock_s, &Times::docks, dock));
       break;
     case Tag::refine_request:
       ranks.send(asker, Tag::refine_reply,
@@ -95,8 +94,8 @@ void serve(Communicator& ranks, std::unique_ptr<Matcher> own) {
   WorkerClock clock(ranks);
   for (;;) {
     const Message request =
-        ranks.receive_any(asker, {Tag::start_field, Tag::update_field, Tag::limit, Tag::count_request, Tag::dock_request,
-                                  Tag::refine_request, Tag::measure_request, Tag::times_request});
+        ranks.receive_any(asker, {Tag::start_field, Tag::update_field, Tag::limit, Tag::count_request,
+                                  Tag::dock_request, Tag::refine_request, Tag::measure_request, Tag::times_request});
     // While this rank computes it cannot help a large reply along, which others may be waiting for.
     ranks.flush();
     answer(request, ranks, *matcher, clock);

@@ -14,8 +14,8 @@ using Bytes = std::vector<char>;
 using SharedBytes = std::shared_ptr<const Bytes>;
 
 enum class Tag : int {
-  hello,          // worker -> who asks it: its part of the library, with those below it
-  start_field,    // down the tree of ranks (worker_tree.h), as are the requests below; replies carry the request's name
+  hello,        // worker -> who asks it: its part of the library, with those below it
+  start_field,  // down the tree of ranks (worker_tree.h), as are the requests below; replies carry the request's name
   update_field,
   limit,
   count_request,
@@ -30,22 +30,24 @@ enum class Tag : int {
   times_reply,
   broadcast,
   barrier,
-  site,           // worker -> rank 0: where it runs, on which devices
-  turn,           // worker -> worker of the same node: it is your turn
-  failure,        // any rank -> rank 0: this rank cannot go on
-  end,            // rank 0 -> all: leave
-  bye,            // any rank -> rank 0: nothing more comes from here
-  leave,          // rank 0 -> all: nothing more comes from anywhere
-  heartbeat,      // worker -> rank 0: it is alive
+  site,       // worker -> rank 0: where it runs, on which devices
+  turn,       // worker -> worker of the same node: it is your turn
+  failure,    // any rank -> rank 0: this rank cannot go on
+  end,        // rank 0 -> all: leave
+  bye,        // any rank -> rank 0: nothing more comes from here
+  leave,      // rank 0 -> all: nothing more comes from anywhere
+  heartbeat,  // worker -> rank 0: it is alive
 };
 
 inline constexpr std::size_t kTags = std::size_t(Tag::heartbeat) + 1;
 
+// clang-format off
 inline constexpr std::array<std::string_view, kTags> kTagNames = {
     "hello",          "start field",  "update field", "limit", "count request", "count reply",
     "dock request",   "dock reply",   "refine request", "refine reply", "measure request",
     "measure reply",  "times request", "times reply", "broadcast",     "barrier",        "site",
     "turn",           "failure",       "end",         "bye",           "leave",          "heartbeat"};
+// clang-format on
 
 inline std::string_view tag_name(Tag tag) { return kTagNames[std::size_t(tag)]; }
 

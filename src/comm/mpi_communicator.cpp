@@ -41,7 +41,8 @@ auto content(BytesOrConst& bytes) {
 }  // namespace
 
 MpiCommunicator::MpiCommunicator()
-    : world_(MPI_COMM_WORLD, mpi::comm_duplicate), node_ranks_(ranks_of_this_node(world_)) {
+    : world_(MPI_COMM_WORLD, mpi::comm_duplicate),
+      node_ranks_(ranks_of_this_node(world_)) {
   mpi::all_gather(world_, mpi::environment::processor_name(), hosts_);
 }
 

@@ -15,12 +15,12 @@ struct PieceSettings {
   float max_scale_px = 160;
   float min_rotation_rad = -3.14159265f;
   float max_rotation_rad = 3.14159265f;
-  PoseWish several = {};  // where there are several intervals; empty: those from min to max
-  int uses = 0;          // how often one shape may be placed; 0 = unlimited
-  int least_uses = 0;    // so many of each shape come before more of any, while there is room
-  bool fit_all = false;  // sizes are relative: multiplied so that every shape finds its place
-  float padding_px = 0;  // distance kept between pieces, and between pieces and the canvas' edge
-  float apart_px = 0;    // distance kept between the outlines of pieces of one silhouette
+  PoseWish several = {};    // where there are several intervals; empty: those from min to max
+  int uses = 0;             // how often one shape may be placed; 0 = unlimited
+  int least_uses = 0;       // so many of each shape come before more of any, while there is room
+  bool fit_all = false;     // sizes are relative: multiplied so that every shape finds its place
+  float padding_px = 0;     // distance kept between pieces, and between pieces and the canvas' edge
+  float apart_px = 0;       // distance kept between the outlines of pieces of one silhouette
   float overlap_px = 1.4f;  // without padding: how deep a vertex of a piece may lie in another, and beyond the edge
 
   /// What a pose may be where no shape or region wishes otherwise.

@@ -1,6 +1,7 @@
 // The fixed numbers of the method: what counts as fitting, how far is looked, when something is given up, each with its
-// unit and why it has that value. What a job may set is in settings.h. Beside their code stand how finely shapes and fields
-// are sampled, what rounding needs, and how work is portioned. worker/kernel_options.cpp hands them to the kernels.
+// unit and why it has that value. What a job may set is in settings.h. Beside their code stand how finely shapes and
+// fields are sampled, what rounding needs, and how work is portioned. worker/kernel_options.cpp hands them to the
+// kernels.
 #pragma once
 
 #include <algorithm>
@@ -120,11 +121,12 @@ inline constexpr float kMaxOverlap = 0.05f;    // of the piece's area, along the
 inline constexpr float kLeastMatched = 0.03f;  // of the piece's boundary: it must touch something
 inline constexpr float kWindowMargin_px = 3;   // round a candidate's boundary points: the outline bulges between them
 inline constexpr int kRefillBelow = 2;         // a target sample with fewer candidates left is matched again
-inline constexpr float kNearTwinReach = 0.5f;  // two of a shape are near twins with no more than this between, times scale
+// Two of a shape are near twins with no more than this between, times scale.
+inline constexpr float kNearTwinReach = 0.5f;
 inline constexpr float kUseInOtherColours = 0.75f;  // as repetition: of variants that fit alike the rarer one is chosen
-inline constexpr int kFinalists = 8;  // candidates checked exactly in a round
-inline constexpr int kFinalistsLookedAt = 64;   // to find so many that differ
-inline constexpr float kSameCandidate = 0.07f;  // of the scale: two finalists that would look the same
+inline constexpr int kFinalists = 8;                // candidates checked exactly in a round
+inline constexpr int kFinalistsLookedAt = 64;       // to find so many that differ
+inline constexpr float kSameCandidate = 0.07f;      // of the scale: two finalists that would look the same
 inline constexpr int kEmptyPasses = 2;  // over all samples, with new random dockings each, before the region is full
 
 // The first piece of a canvas without edges: shapes are drawn until one stands, each a little smaller.
@@ -132,17 +134,17 @@ inline constexpr std::uint64_t kFirstPieceDraws = 64;
 inline constexpr float kFirstPieceShrink = 0.95f;
 
 // Growing outward from what stands (start.grow).
-inline constexpr float kOnEdge_px = 1;           // target samples that near to the canvas' edge lie on it
-inline constexpr float kOnRoundedEdge = 0.3f;    // of the opening radius, beyond: the curve cuts its corners
-inline constexpr float kGrowthFading = 1;        // of the largest piece: over which nearness to the seed falls to 1 / e
+inline constexpr float kOnEdge_px = 1;         // target samples that near to the canvas' edge lie on it
+inline constexpr float kOnRoundedEdge = 0.3f;  // of the opening radius, beyond: the curve cuts its corners
+inline constexpr float kGrowthFading = 1;      // of the largest piece: over which nearness to the seed falls to 1 / e
 
 // Every drawing at least once (pieces.fit = "all").
 inline constexpr double kFilledByTheRest = 0.85;  // of the free area, by the shapes that are still to come
 inline constexpr float kSizeStep = 0.9f;          // of the ladder of largest sizes: each step drops what is too large
 inline constexpr double kNearlyOneSize = 1.001;   // ratio of two sizes
 inline constexpr double kFirstFilling = 0.8;      // of the canvas, by the sizes of the first attempt
-inline constexpr double kNearTheTop = 1.3;        // pieces that may choose become so much larger than by the mean square
-inline constexpr float kNextAttempt = 0.95f;      // times the sizes of the one before, when not all found room
+inline constexpr double kNearTheTop = 1.3;    // pieces that may choose become so much larger than by the mean square
+inline constexpr float kNextAttempt = 0.95f;  // times the sizes of the one before, when not all found room
 inline constexpr int kMostAttempts = 9;
 
 // Settling of a chosen piece.
@@ -157,7 +159,8 @@ inline constexpr int kExactSteps = 8;          // out of the outlines that field
 
 // Ruin and recreate. Small pieces alone, some at once: the hole of a large one takes ten rounds to fill and hardly ever
 // ends better. Measured: 6.5 px² gained a matching, against 1.3 with pieces of any size, and 4.7 with one at a time.
-// Where every shape is to stand once (fit = "all") a hole has nothing but the pieces that were there: those of any size.
+// Where every shape is to stand once (fit = "all") a hole has nothing but the pieces that were there: those of any
+// size.
 inline constexpr float kRuinedScale = 2.5f;  // of the smallest piece
 inline constexpr int kMostRuined = 4;
 inline constexpr int kRuinedLookedAt = 16;  // small pieces whose distance from the gap is measured

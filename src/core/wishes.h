@@ -1,5 +1,5 @@
-// Wishes: which shape may stand where, how large and how turned, and how often. A job's tables and lists are resolved to
-// this once, by the names of the library's shapes and of the canvas' regions (io/job/wish_resolution.h).
+// Wishes: which shape may stand where, how large and how turned, and how often. A job's tables and lists are resolved
+// to this once, by the names of the library's shapes and of the canvas' regions (io/job/wish_resolution.h).
 #pragma once
 
 #include <cstdint>
@@ -38,10 +38,10 @@ struct ApartWish {
 /// Of all shapes of a class.
 struct ShapeWish {
   PoseWish poses;
-  float weight = 1;                    // of the score; 0: never
-  std::optional<int> uses;             // at most so many of each shape; 0 = no limit; empty: as the job says
-  std::optional<int> least_uses;       // at least so many of each, while there is room; empty: as the job says
-  std::optional<ApartWish> apart;      // empty: those of one silhouette, as the job says
+  float weight = 1;                     // of the score; 0: never
+  std::optional<int> uses;              // at most so many of each shape; 0 = no limit; empty: as the job says
+  std::optional<int> least_uses;        // at least so many of each, while there is room; empty: as the job says
+  std::optional<ApartWish> apart;       // empty: those of one silhouette, as the job says
   std::vector<std::uint8_t> in_region;  // per region: whether they may stand there; empty = everywhere
 
   friend bool operator==(const ShapeWish&, const ShapeWish&) = default;
@@ -63,9 +63,9 @@ struct GivenPiece {
 };
 
 struct Wishes {
-  std::vector<ShapeWish> classes;              // empty: one class, without wishes
-  std::vector<std::uint32_t> class_of_shape;   // per shape of the library; empty: all of class 0
-  std::vector<RegionWish> regions;             // of the canvas, in the order in which they are filled; empty: one
+  std::vector<ShapeWish> classes;             // empty: one class, without wishes
+  std::vector<std::uint32_t> class_of_shape;  // per shape of the library; empty: all of class 0
+  std::vector<RegionWish> regions;            // of the canvas, in the order in which they are filled; empty: one
 
   std::vector<GivenPiece> given;  // the locked ones first
 

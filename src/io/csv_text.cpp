@@ -51,7 +51,8 @@ class CsvReader {
       cell += text_[at_];
     }
     if (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\r' && text_[at_] != '\n') {
-      throw InputError(std::to_string(line_) + ": text behind a closing quote \"; a quote within quotes is written \"\"");
+      throw InputError(std::to_string(line_) +
+                       ": text behind a closing quote \"; a quote within quotes is written \"\"");
     }
     return cell;
   }

@@ -89,8 +89,7 @@ bool is_over(const Holder& then, const Holder& now, bool locks_work) {
   if (then.empty()) return true;
   if (word(then, "boot") == word(now, "boot")) return locks_work || !is_alive(then);
   const std::string job = word(now, "slurm_job");
-  return job != "0" && job == word(then, "slurm_job") &&
-         number(now, "slurm_restart") > number(then, "slurm_restart");
+  return job != "0" && job == word(then, "slurm_job") && number(now, "slurm_restart") > number(then, "slurm_restart");
 }
 
 enum class Locking { locked, held_by_another, not_supported };

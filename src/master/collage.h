@@ -36,8 +36,8 @@ class Collage {
 
   /// From begin() on pieces dock where this says.
   void grow_by(OutwardGrowth growth) { growth_ = std::move(growth); }
-  /// Begins with these pieces, of which the first `given` stand to the end, in this region of the canvas, with all sizes
-  /// times `size_factor`.
+  /// Begins with these pieces, of which the first `given` stand to the end, in this region of the canvas, with all
+  /// sizes times `size_factor`.
   void begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region, float size_factor);
   /// So many of the placements, the first ones, were given.
   std::size_t given() const { return given_; }
@@ -72,7 +72,8 @@ class Collage {
   /// Finds the candidate of the pool that is worth most after the finalists were checked exactly, made clear of their
   /// neighbours and grown. False where the pool is dry. `look` is called again and again and may throw: what has
   /// changed then would have changed anyway, and the next call finds what this one would have found.
-  bool choose(Candidate& best, const std::function<void()>& look = [] {});
+  bool choose(
+      Candidate& best, const std::function<void()>& look = [] {});
 
   /// Merge: takes the piece out of the free region and brings the target curve up to date. Returns the nodes within
   /// which candidates have to be measured anew.
@@ -141,9 +142,9 @@ class Collage {
   std::uint64_t rebuilt_digest() const;
 
   CollageSettings settings_;
-  MatchingContext context_;      // with the stances within the limits
-  StanceTable all_stances_;      // of the settings
-  StanceTable region_stances_;   // of the region, at the sizes of this attempt
+  MatchingContext context_;     // with the stances within the limits
+  StanceTable all_stances_;     // of the settings
+  StanceTable region_stances_;  // of the region, at the sizes of this attempt
   StandingLimits limits_;
   bool limits_changed_ = true;
   std::size_t given_ = 0;

@@ -57,7 +57,8 @@ bool Collage::settle(Candidate& candidate) {
   return scoring_.acceptable(candidate) && scoring_.overlaps_little(candidate, areas) && keeps_apart(candidate);
 }
 
-/// Where the canvas repeats both ways there is no boundary until something stands, and what grows outward docks to none.
+/// Where the canvas repeats both ways there is no boundary until something stands, and what grows outward docks to
+/// none.
 bool Collage::needs_first_piece() const {
   if (placements_.size() != given_ || !(growth_ || free_.grid().period().repeats_both_ways())) return false;
   const std::vector<SampleId> samples = curve_.samples();

@@ -137,8 +137,8 @@ class Run {
   void restore(const CheckpointState& from) {
     if (from.region >= std::max<std::size_t>(1, canvas_.regions.size()) || from.given > from.placements.size() ||
         from.attempt >= std::uint32_t(kMostAttempts)) {
-      throw InputError(from.name + ": not a checkpoint of this job: region " + std::to_string(from.region) + ", attempt " +
-                       std::to_string(from.attempt) + "; --restart removes it and starts again");
+      throw InputError(from.name + ": not a checkpoint of this job: region " + std::to_string(from.region) +
+                       ", attempt " + std::to_string(from.attempt) + "; --restart removes it and starts again");
     }
     for (std::size_t i = 0; i < from.given; ++i) {
       if (index_of(from.placements[i].shape) < context_.library_shapes) continue;
@@ -301,7 +301,7 @@ class Run {
   RunStatistics statistics_;  // of the greedy part, with the number of trials
   RunStatistics trial_work_;
   std::unique_ptr<Part> part_;
-  int attempt_ = 0;  // at the sizes, where every shape is to have a place
+  int attempt_ = 0;    // at the sizes, where every shape is to have a place
   bool over_ = false;  // a limit of the job was reached
   double setup_processor_s_ = 0;
   Stopwatch watch_;
@@ -313,8 +313,8 @@ class Run {
 
 }  // namespace
 
-CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
-                           ShapeSource& shapes, Observer& observer, const Checkpoints& checkpoints) {
+CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
+                           Observer& observer, const Checkpoints& checkpoints) {
   return Run(canvas, settings, matcher, shapes, observer, checkpoints).finish();
 }
 

@@ -31,7 +31,7 @@ struct Checkpoints {
 /// asked it to stop, and the state that is kept is that before the question. A loop that was interrupted and goes on
 /// `from` its checkpoint, with the same canvas, settings and library, places what it would have placed without the
 /// interruption. Throws InputError where `from` belongs to another canvas or library.
-CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
-                           ShapeSource& shapes, Observer& observer, const Checkpoints& checkpoints = {});
+CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
+                           Observer& observer, const Checkpoints& checkpoints = {});
 
 }  // namespace tessera::master

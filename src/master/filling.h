@@ -10,10 +10,11 @@ namespace tessera::master {
 
 class Filling {
  public:
-  /// Adds to the counters and times of `statistics`. `look` is called while the master computes by itself, and may throw
-  /// what it likes to end that.
-  Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
-          RunStatistics& statistics, std::function<void()> look = [] {});
+  /// Adds to the counters and times of `statistics`. `look` is called while the master computes by itself, and may
+  /// throw what it likes to end that.
+  Filling(
+      Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
+      RunStatistics& statistics, std::function<void()> look = [] {});
 
   /// Pieces are wanted at these nodes from now on; at first that is the whole canvas.
   void start(const Window& region);

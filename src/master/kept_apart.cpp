@@ -38,8 +38,10 @@ KeptApart::Company KeptApart::company_of(ShapeId shape) const {
 KeptApart::Boundary KeptApart::boundary_of(ShapeId shape, const Similarity& canvas_from_shape) {
   const ShapeModel& model = shapes_.model(shape);
   const float scale_px = canvas_from_shape.scale();
-  Boundary boundary{canvas_from_shape.translation(), model.radius * scale_px,
-                    0.5f * model.perimeter * scale_px / float(kBoundaryPoints), {}};
+  Boundary boundary{canvas_from_shape.translation(),
+                    model.radius * scale_px,
+                    0.5f * model.perimeter * scale_px / float(kBoundaryPoints),
+                    {}};
   for (const Vec2 p : model.boundary) boundary.points_px.push_back(canvas_from_shape.apply(p));
   return boundary;
 }

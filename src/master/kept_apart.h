@@ -42,7 +42,7 @@ class KeptApart {
 
  private:
   struct Company {
-    bool wished = false;   // by name; else: of one silhouette
+    bool wished = false;  // by name; else: of one silhouette
     std::uint32_t id = 0;
     float distance_px = 0;
 

@@ -12,7 +12,7 @@
 namespace tessera::master {
 namespace {
 
-constexpr int kStep = 4;  // px between the places where the distance to the seed is known
+constexpr int kStep = 4;                  // px between the places where the distance to the seed is known
 constexpr float kLeastFading = 1.f / 60;  // of the canvas' width and height together, so that no score becomes 0
 
 Vec2 deepest_px(const Canvas& canvas) {
@@ -69,8 +69,8 @@ OutwardGrowth::OutwardGrowth(const Canvas& canvas, const PieceSettings& pieces, 
     : zones_(canvas.keep_out),
       kept_px_(kept_distance_px(pieces)),
       on_edge_px_(kOnEdge_px + kOnRoundedEdge * opening_radius_px(pieces)),
-      fading_px_(std::max(kGrowthFading * pieces.max_scale_px,
-                          kLeastFading * float(canvas.width_px + canvas.height_px))),
+      fading_px_(
+          std::max(kGrowthFading * pieces.max_scale_px, kLeastFading * float(canvas.width_px + canvas.height_px))),
       first_piece_px_(deepest_px(canvas)),
       to_seed_px_(squared_distance_to(seed_at(canvas, standing, shapes, first_piece_px_))),
       origin_(canvas.distance.origin) {

@@ -13,8 +13,8 @@ namespace tessera::master {
 
 class OutwardGrowth {
  public:
-  /// The seed is what stands at first: zones of the canvas, and `standing` pieces. Where nothing does, it is the place of
-  /// the first piece.
+  /// The seed is what stands at first: zones of the canvas, and `standing` pieces. Where nothing does, it is the place
+  /// of the first piece.
   OutwardGrowth(const Canvas& canvas, const PieceSettings& pieces, const std::vector<Placement>& standing,
                 ShapeSource& shapes);
 
@@ -31,7 +31,7 @@ class OutwardGrowth {
   CanvasField zones_;  // Canvas::keep_out
   float kept_px_;      // round zones, and within the canvas' edge
   float on_edge_px_;
-  float fading_px_;    // over which nearness falls to 1 / e
+  float fading_px_;  // over which nearness falls to 1 / e
   Vec2 first_piece_px_;
   Grid<float> to_seed_px_;  // at every kStep-th node of the canvas
   Vec2 origin_;

@@ -8,19 +8,19 @@ namespace tessera::master {
 
 struct Progress {
   std::size_t pieces = 0;
-  double coverage = 0;   // fraction of the canvas, from the pieces' areas
-  double seconds = 0;    // since the loop started
-  std::size_t open_samples = 0;  // target samples left on the free region's boundary
-  std::uint64_t trials = 0;      // of ruin and recreate
-  std::uint64_t most_trials = 0; // 0: no limit
+  double coverage = 0;            // fraction of the canvas, from the pieces' areas
+  double seconds = 0;             // since the loop started
+  std::size_t open_samples = 0;   // target samples left on the free region's boundary
+  std::uint64_t trials = 0;       // of ruin and recreate
+  std::uint64_t most_trials = 0;  // 0: no limit
 };
 
 class Observer {
  public:
   virtual ~Observer() = default;
   virtual void progressed(const Progress& progress) = 0;
-  /// Asked before every round and trial, and while a piece is chosen. What asks to stop ("signal", "time_limit") ends the loop with what is placed;
-  /// null: go on.
+  /// Asked before every round and trial, and while a piece is chosen. What asks to stop ("signal", "time_limit") ends
+  /// the loop with what is placed; null: go on.
   virtual const char* stop_requested() = 0;
 };
 

@@ -67,9 +67,7 @@ int Scoring::least_uses(ShapeId shape) const {
   return pieces_.fit_all ? std::max(1, least) : least;
 }
 
-bool Scoring::is_missing(ShapeId shape) const {
-  return uses_of(shape) < least_uses(shape) && may_use(shape);
-}
+bool Scoring::is_missing(ShapeId shape) const { return uses_of(shape) < least_uses(shape) && may_use(shape); }
 
 std::vector<ShapeId> Scoring::closed_shapes(const std::vector<ShapeId>& missing) const {
   std::vector<ShapeId> closed;

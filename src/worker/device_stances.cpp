@@ -5,8 +5,8 @@ namespace {
 
 StanceRecord record_of(const Stance& s) {
   const DirectionRange& rotations = s.poses.rotations;
-  return {s.poses.min_scale_px, s.poses.max_scale_px, s.log2_scale_ratio, s.weight,
-          rotations.middle.x,   rotations.middle.y,   rotations.edge.x,   rotations.edge.y,
+  return {s.poses.min_scale_px,      s.poses.max_scale_px,     s.log2_scale_ratio, s.weight,
+          rotations.middle.x,        rotations.middle.y,       rotations.edge.x,   rotations.edge.y,
           s.docked_rotations.edge.x, s.docked_rotations.edge.y};
 }
 

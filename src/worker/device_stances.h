@@ -24,7 +24,6 @@ class DeviceStances {
   bool all_open() const { return all_open_; }
 
  private:
-
   DeviceBuffer<StanceRecord> stances_;
   DeviceBuffer<StanceListRecord> lists_;
   DeviceBuffer<std::uint32_t> shape_class_;

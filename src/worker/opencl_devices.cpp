@@ -50,7 +50,8 @@ std::vector<cl::Platform> platforms() {
 /// A folder that PoCL's cache must not be written to leaves PoCL without devices, and it does not say so.
 std::string why_no_devices(const std::vector<cl::Platform>& found) {
   if (found.empty()) {
-    return "no OpenCL platform is installed (Debian: package pocl-opencl-icd for CPUs; OCL_ICD_VENDORS, where it is set, "
+    return "no OpenCL platform is installed (Debian: package pocl-opencl-icd for CPUs; OCL_ICD_VENDORS, where it is "
+           "set, "
            "names the folder of the list)";
   }
   std::string names;
@@ -124,9 +125,9 @@ std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& sha
   const std::size_t first = share.per_worker > 0 ? count * std::size_t(share.worker) : 0;
   const std::size_t wanted = share.per_worker > 0 ? count * std::size_t(share.workers) : devices;
   if (wanted > devices) {
-    throw InputError("devices.per_worker = " + std::to_string(share.per_worker) + ": " +
-                     std::to_string(share.workers) + " workers of this node need " + std::to_string(wanted) +
-                     " devices, and it has " + std::to_string(devices) +
+    throw InputError("devices.per_worker = " + std::to_string(share.per_worker) + ": " + std::to_string(share.workers) +
+                     " workers of this node need " + std::to_string(wanted) + " devices, and it has " +
+                     std::to_string(devices) +
                      "; allowed: fewer ranks on a node (--ntasks-per-node, mpirun -N), or devices.per_worker = 0, "
                      "where all workers share all devices");
   }
@@ -137,7 +138,7 @@ std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& sha
 
 std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share) {
   const std::vector<cl::Device> all = opencl_devices();
-  const std::vector<cl::Device> named = use == "all"                    ? all
+  const std::vector<cl::Device> named = use == "all"                   ? all
                                         : use == "cpu" || use == "gpu" ? devices_of_kind(all, use)
                                                                        : devices_by_index(all, use);
   std::vector<cl::Device> own;

@@ -117,7 +117,8 @@ class DeviceBuffer {
 };
 
 /// More work than this goes to the device in several launches, so that a stop is seen between them, however large the
-/// library: a few hundred milliseconds on two CPU cores, and enough to fill a large GPU. Kernels see their global ids alone.
+/// library: a few hundred milliseconds on two CPU cores, and enough to fill a large GPU. Kernels see their global ids
+/// alone.
 inline constexpr std::size_t kMostWorkItems = std::size_t(1) << 20;
 
 /// Work items; the first dimension comes in groups of `group` (at most kMostWorkItems), rounded up: kernels check it.

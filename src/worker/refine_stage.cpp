@@ -10,8 +10,12 @@ static_assert(sizeof(DockingTerms) == sizeof(TermsRecord) && sizeof(Similarity) 
 
 RefinedDocking refined_docking(Docking docking, const RefinedRecord& record) {
   docking.canvas_from_shape = std::bit_cast<Similarity>(record.canvas_from_shape);
-  return {docking,          std::bit_cast<DockingTerms>(record.terms),
-          record.feasible != 0, std::bit_cast<Extent>(record.extent), record.perimeter, record.radius};
+  return {docking,
+          std::bit_cast<DockingTerms>(record.terms),
+          record.feasible != 0,
+          std::bit_cast<Extent>(record.extent),
+          record.perimeter,
+          record.radius};
 }
 
 }  // namespace
@@ -44,8 +48,8 @@ void RefineStage::post(const std::vector<Docking>& dockings) {
   const std::uint32_t count = upload(dockings);
   posted_ = dockings;
   refined_.reserve(count);
-  launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(),
-         library_->stances().stances(), library_->field(), library_->contours(), library_->shapes(), count, dockings_, refined_);
+  launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(), library_->stances().stances(),
+         library_->field(), library_->contours(), library_->shapes(), count, dockings_, refined_);
   library_->session().flush();
 }
 

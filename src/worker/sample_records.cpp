@@ -65,8 +65,7 @@ std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& s
   std::vector<SampleRecord> records;
   records.reserve(samples.size());
   for (std::size_t t = 0; t < samples.size(); ++t) {
-    records.push_back(
-        make_sample_record(samples[t], reach_of_bins(bin_reach[t], match.beta_steps), match, pad_levels));
+    records.push_back(make_sample_record(samples[t], reach_of_bins(bin_reach[t], match.beta_steps), match, pad_levels));
   }
   return records;
 }

@@ -45,10 +45,10 @@ TEST_F(Journal, keeps_what_happens_in_the_record_and_in_the_log) {
   EXPECT_EQ(record.resumed_pieces, 3u);
   EXPECT_EQ(record.warnings, std::vector<std::string>{"no checkpoint"});
   EXPECT_FALSE(record.ended_utc.empty());
-  for (const char* text : {"start: tessera 1.2, commit abc", "command: tessera collage my.toml",
-                           "rank 0 of 2 on node1: no devices", "rank 1 of 2 on node2: gpu \"G\" of P, driver D",
-                           "going on from out/checkpoint.h5, 3 pieces", "warning: no checkpoint",
-                           "end: stopped by full, 7 pieces"}) {
+  for (const char* text :
+       {"start: tessera 1.2, commit abc", "command: tessera collage my.toml", "rank 0 of 2 on node1: no devices",
+        "rank 1 of 2 on node2: gpu \"G\" of P, driver D", "going on from out/checkpoint.h5, 3 pieces",
+        "warning: no checkpoint", "end: stopped by full, 7 pieces"}) {
     EXPECT_TRUE(log_has(text)) << text;
   }
 }

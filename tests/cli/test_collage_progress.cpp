@@ -34,11 +34,11 @@ RC_GTEST_PROP(CollageProgress, the_share_grows_and_stays_below_one, ()) {
   const auto percent = [] { return double(*rc::gen::inRange(0, 101)) / 100; };
   const double low = percent();
   const double high = low + (1 - low) * percent();
-  const StopSettings stop{.pieces = *rc::gen::inRange(0, 50), .coverage = float(0.01 + 0.99 * percent()),
-                          .seconds = 10 * percent()};
+  const StopSettings stop{
+      .pieces = *rc::gen::inRange(0, 50), .coverage = float(0.01 + 0.99 * percent()), .seconds = 10 * percent()};
   const auto at = [&](double share) {
-    return expected_time_share({.pieces = std::size_t(100 * share), .coverage = share, .seconds = 9 * share,
-                                .open_samples = 0}, stop);
+    return expected_time_share(
+        {.pieces = std::size_t(100 * share), .coverage = share, .seconds = 9 * share, .open_samples = 0}, stop);
   };
   RC_ASSERT(0 <= at(low));
   RC_ASSERT(at(low) <= at(high));

@@ -46,12 +46,14 @@ TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
   job.settings.pieces.overlap_px = 0.5f;
   EXPECT_EQ(idle_keys_warning(job), "");
   job.settings.pieces.padding_px = 3;
-  EXPECT_EQ(idle_keys_warning(job),
-            "pieces.overlap_px (now 0.5) does not count beside pieces.padding_px (now 3), which keeps all pieces apart");
+  EXPECT_EQ(
+      idle_keys_warning(job),
+      "pieces.overlap_px (now 0.5) does not count beside pieces.padding_px (now 3), which keeps all pieces apart");
   job.output.dpi = 600;
-  EXPECT_EQ(idle_keys_warning(job).substr(0, 140),
-            "output.dpi (now 600) means nothing without a size on paper: output.width_mm, or canvas.size_mm; the picture is "
-            "2000 px wide (output.width_px");
+  EXPECT_EQ(
+      idle_keys_warning(job).substr(0, 140),
+      "output.dpi (now 600) means nothing without a size on paper: output.width_mm, or canvas.size_mm; the picture is "
+      "2000 px wide (output.width_px");
   job.settings.pieces.overlap_px = io::Job().settings.pieces.overlap_px;
   EXPECT_EQ(idle_keys_warning(job), idle_dpi_warning(job));
   job.output.width_mm = 100;
@@ -92,13 +94,15 @@ TEST(CollageWarnings, PiecesThatStandBadlyAreTold) {
   io::Job job;
   job.tables["given"].resize(3);
   job.settings.wishes.given = {piece(0), piece(10), piece(200)};
-  EXPECT_EQ(standing_warning(job, canvas, shape),
-            "of [[given]] 1 lie in a zone that pieces keep out of, the first is number 2, \"square\"; they stand as they are")
+  EXPECT_EQ(
+      standing_warning(job, canvas, shape),
+      "of [[given]] 1 lie in a zone that pieces keep out of, the first is number 2, \"square\"; they stand as they are")
       << "elsewhere they may lie";
   job.settings.wishes.given = {piece(60), piece(100), piece(140), piece(300), piece(310), piece(390), piece(315)};
-  EXPECT_EQ(standing_warning(job, canvas, shape),
-            "of start.pieces 1 lie outside the canvas, the first is number 2, \"square\"; 2 lie on pieces before them, the "
-            "first is number 1, \"square\"; they stand as they are");
+  EXPECT_EQ(
+      standing_warning(job, canvas, shape),
+      "of start.pieces 1 lie outside the canvas, the first is number 2, \"square\"; 2 lie on pieces before them, the "
+      "first is number 1, \"square\"; they stand as they are");
   job.settings.wishes.given.resize(4);
   EXPECT_EQ(standing_warning(job, canvas, shape), "");
 }

@@ -18,7 +18,8 @@ using tessera::test::MatcherSuite;
 class ThreadedJob {
  public:
   ThreadedJob(const MatchingContext& context, std::uint32_t first, const std::vector<ShapeModel>& models, int workers)
-      : network_(workers + 1), master_(network_.connect(0)) {
+      : network_(workers + 1),
+        master_(network_.connect(0)) {
     const std::vector<ShapeRange> parts = balanced_ranges(std::vector<std::uint64_t>(models.size(), 1), workers);
     for (int w = 0; w < workers; ++w) {
       auto part = std::make_unique<ReferenceMatcher>(
@@ -54,7 +55,8 @@ class ThreadedJob {
 class ThreadedTeam : ThreadedJob, public CompositeMatcher {
  public:
   ThreadedTeam(const MatchingContext& context, std::uint32_t first, const std::vector<ShapeModel>& models, int workers)
-      : ThreadedJob(context, first, models, workers), CompositeMatcher(gathered()) {}
+      : ThreadedJob(context, first, models, workers),
+        CompositeMatcher(gathered()) {}
 };
 
 MatcherKind team_of(int workers) {

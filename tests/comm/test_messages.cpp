@@ -40,14 +40,13 @@ TargetSample any_sample() {
 }
 
 Docking any_docking() {
-  return {any_index(), ShapeId{any_index()}, any_index(), any_index(), any_float(),
-          {any_float(), any_float(), any_float(), any_float()}};
+  return {any_index(), ShapeId{any_index()}, any_index(),
+          any_index(), any_float(),          {any_float(), any_float(), any_float(), any_float()}};
 }
 
 RefinedDocking any_refined() {
-  return {any_docking(),
-          {any_float(), any_float(), any_float(), any_float(), any_float()},
-          *rc::gen::arbitrary<bool>()};
+  return {
+      any_docking(), {any_float(), any_float(), any_float(), any_float(), any_float()}, *rc::gen::arbitrary<bool>()};
 }
 
 DistanceHistogram any_histogram() {

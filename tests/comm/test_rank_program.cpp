@@ -27,7 +27,8 @@ void wait_for_ever(Communicator& ranks) { ranks.receive(0, Tag::turn); }
 TEST(RankProgram, RankZerosExitCodeIsTheJobs) {
   for (const int code : {0, 3}) {
     on_all_ranks([code](Communicator& ranks) {
-      const JobOutcome outcome = run_job(ranks, [code](Communicator&) { return code; }, [](Communicator&) {});
+      const JobOutcome outcome = run_job(
+          ranks, [code](Communicator&) { return code; }, [](Communicator&) {});
       expect_outcome(ranks, outcome, code, {});
     });
   }

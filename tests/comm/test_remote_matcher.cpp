@@ -108,9 +108,7 @@ void with_team(const std::function<void(Matcher&)>& master, MakeMatcher make_mat
           master(*gather_workers(c));
           return 0;
         },
-        [&](Communicator& c) {
-          serve(c, make_matcher(c));
-        });
+        [&](Communicator& c) { serve(c, make_matcher(c)); });
     EXPECT_EQ(outcome.result.exit_code, 0);
     EXPECT_TRUE(outcome.reported.empty()) << outcome.reported[0];
   });
@@ -238,9 +236,7 @@ TEST(RemoteMatcher, AWorkersErrorReachesWhoeverTakes) {
           ADD_FAILURE() << "no error came";
           return 0;
         },
-        [](Communicator& c) {
-          serve(c, std::make_unique<FailingMatcher>(part_of(kEchoShapes, c)));
-        });
+        [](Communicator& c) { serve(c, std::make_unique<FailingMatcher>(part_of(kEchoShapes, c))); });
     if (ranks.rank() != 0) return;
     EXPECT_EQ(outcome.result.exit_code, 1);
     ASSERT_EQ(outcome.reported.size(), 1u);

@@ -212,9 +212,8 @@ TEST_P(MatcherSuite, ADrawPutsItsBoundaryPointOnTheSample) {
     const TargetSample& sample = scene().samples[docking.sample];
     const TangentDraw draw = draw_tangent(scene().context, sample, docking.source - kTangentSource);
     EXPECT_EQ(draw.shape, docking.shape);
-    const Vec2 point = docking.canvas_from_shape.apply(
-        scene().models[index_of(draw.shape)].boundary[docked_point(scene().models[index_of(draw.shape)], draw, sample,
-                                                         scene().context.stances[draw.stance].docked_rotations)]);
+    const Vec2 point = docking.canvas_from_shape.apply(scene().models[index_of(draw.shape)].boundary[docked_point(
+        scene().models[index_of(draw.shape)], draw, sample, scene().context.stances[draw.stance].docked_rotations)]);
     EXPECT_LT(norm(point - sample.position), 0.01f);
   }
 }

@@ -18,7 +18,9 @@ struct Target {
   TargetCurve curve;
 
   Target(FreeField field, const PieceSettings& pieces)
-      : free(std::move(field)), opened(free, pieces), curve(pieces, PadParameters{}) {
+      : free(std::move(field)),
+        opened(free, pieces),
+        curve(pieces, PadParameters{}) {
     trace(free.grid().nodes());
   }
   Target(const Canvas& canvas, const PieceSettings& pieces) : Target(FreeField(canvas, pieces), pieces) {}

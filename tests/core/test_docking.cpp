@@ -5,9 +5,9 @@
 
 #include <set>
 
-#include "core/geometry/closed_curve.h"
 #include "core/base/portable_math.h"
 #include "core/field/free_field.h"
+#include "core/geometry/closed_curve.h"
 #include "core/matching/matcher.h"
 #include "core/matching/pair_selection.h"
 #include "core/matching/refinement.h"

@@ -79,8 +79,8 @@ TEST(Quality, NothingIsOutsideAcrossASeam) {
 }
 
 TEST(Quality, PiecesOverlapAcrossASeam) {
-  const Quality q = measure(make_seamless_canvas(100, 100, true, false),
-                            {at(kSquare, 40, {5, 50}), at(kSquare, 40, {85, 50})});
+  const Quality q =
+      measure(make_seamless_canvas(100, 100, true, false), {at(kSquare, 40, {5, 50}), at(kSquare, 40, {85, 50})});
   EXPECT_NEAR(q.coverage, 0.24, 1e-3);
   EXPECT_NEAR(q.overlap, 0.08, 1e-3);
 }

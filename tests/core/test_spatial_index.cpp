@@ -38,9 +38,8 @@ TEST(EdgeTable, EqualsAMap) {
     }
     const Window window = any_window(-30, 70);
     std::map<std::uint32_t, int> found;
-    table.each(window, [&](const GridEdge& edge, int value) {
-      RC_ASSERT(found.emplace(edge.number(kWidth), value).second);
-    });
+    table.each(window,
+               [&](const GridEdge& edge, int value) { RC_ASSERT(found.emplace(edge.number(kWidth), value).second); });
     std::erase_if(expected, [&](const auto& e) { return !GridEdge::of(e.first, kWidth).touches(window); });
     RC_ASSERT(found == expected);
   }));

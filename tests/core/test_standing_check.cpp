@@ -30,9 +30,9 @@ TEST(StandingCheck, PiecesThatLieWellAreNotTold) {
 }
 
 TEST(StandingCheck, TellsWhatLiesOutsideAndOnOthers) {
-  const StandingCheck found =
-      check(make_rectangle_canvas(200, 100), {piece(40, {100, 50}), piece(40, {4, 50}), piece(40, {120, 50}),
-                                              piece(40, {900, 50}), piece(40, {138, 50})});
+  const StandingCheck found = check(
+      make_rectangle_canvas(200, 100),
+      {piece(40, {100, 50}), piece(40, {4, 50}), piece(40, {120, 50}), piece(40, {900, 50}), piece(40, {138, 50})});
   EXPECT_EQ(found.outside, (Places{1, 3}));
   EXPECT_EQ(found.overlapping, (Places{2, 4})) << "the later one is told";
 }

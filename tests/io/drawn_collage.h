@@ -21,7 +21,8 @@ class SilentDrawing : public io::DrawingObserver {
 /// The shapes of a report, ready to be drawn.
 struct DrawnCollage {
   explicit DrawnCollage(const io::CollageReport& its_report, const io::DrawerSettings& settings = {.processes = 2})
-      : report(its_report), drawers(settings) {}
+      : report(its_report),
+        drawers(settings) {}
 
   cv::Mat picture(const io::PictureLimits& limits = {}) {
     cv::Mat whole;

@@ -50,8 +50,8 @@ class RandomShape {
 
   /// The chunks of a small RGBA PNG around bytes that no decoder would take.
   static std::vector<std::uint8_t> png(const std::vector<std::uint8_t>& pixels) {
-    std::vector<std::uint8_t> file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0, 0,
-                                   0,    9,   0,   0,   0,    7,    8,    6,    0, 0, 0, 0,  0,   0,   0,   0};
+    std::vector<std::uint8_t> file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0,
+                                   0,    0,   9,   0,   0,    0,    7,    8,    6, 0, 0, 0,  0,   0,   0,   0,   0};
     file.resize(8 + 12 + 13);
     const auto count = std::uint32_t(pixels.size());
     file.insert(file.end(), {0, 0, std::uint8_t(count >> 8), std::uint8_t(count), 'I', 'D', 'A', 'T'});

@@ -33,9 +33,8 @@ inline std::size_t count(const std::string& text, const std::string& part) {
 }
 
 inline std::string face(const std::string& colour, const std::string& head) {
-  return head + R"~(<style>.a{fill:)~" + colour +
-         R"~(}</style><defs><linearGradient id="g"><stop stop-color=")~" + colour +
-         R"~("/><stop offset="1" stop-color="white"/></linearGradient></defs>)~" +
+  return head + R"~(<style>.a{fill:)~" + colour + R"~(}</style><defs><linearGradient id="g"><stop stop-color=")~" +
+         colour + R"~("/><stop offset="1" stop-color="white"/></linearGradient></defs>)~" +
          R"~(<circle class="a" cx="40" cy="30" r="28"/>)~" +
          R"~(<rect x="30" y="20" width="20" height="10" fill="url(#g)"/></svg>)~";
 }

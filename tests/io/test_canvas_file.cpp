@@ -55,7 +55,8 @@ TEST_F(CanvasFile, without_file_it_is_a_rectangle) {
 
 TEST_F(CanvasFile, opaque_part_of_an_svg_is_filled_and_holes_stay_free) {
   const Canvas canvas = load_canvas(
-      {.width_px = 200, .height_px = 200,
+      {.width_px = 200,
+       .height_px = 200,
        .file = svg("<path fill-rule=\"evenodd\" d=\"M10 5h80v40h-80z M40 15v20h20v-20z\" fill=\"yellow\"/>")});
   EXPECT_EQ(canvas.width_px, 200);
   EXPECT_EQ(canvas.height_px, 100);
@@ -77,7 +78,8 @@ TEST_F(CanvasFile, aspect_is_kept_in_the_box) {
 
 TEST_F(CanvasFile, opaque_svg_is_filled_where_it_differs_from_its_background) {
   const Canvas canvas = load_canvas(
-      {.width_px = 200, .height_px = 100,
+      {.width_px = 200,
+       .height_px = 100,
        .file = svg("<rect width=\"100\" height=\"50\" fill=\"white\"/><circle r=\"20\" cx=\"50\" cy=\"25\"/>")});
   EXPECT_NEAR(canvas.area_px2, 3.1416 * 40 * 40, 30);
   EXPECT_NEAR(distance_at(canvas, 100, 50), 40, 1);
@@ -121,7 +123,8 @@ std::vector<std::vector<Vec2>> edge_of(const CanvasSpec& spec) {
 }
 
 TEST_F(CanvasFile, the_edge_for_pictures_is_the_drawings_own) {
-  const auto edge = edge_of({.width_px = 200, .height_px = 300,
+  const auto edge = edge_of({.width_px = 200,
+                             .height_px = 300,
                              .file = svg("<path fill-rule=\"evenodd\" "
                                          "d=\"M10 5h80v40h-80z M38 25a12 12 0 0 0 24 0a12 12 0 0 0 -24 0z\"/>")});
   ASSERT_EQ(edge.size(), 2u);  // the rectangle and the hole in it
@@ -159,8 +162,7 @@ TEST_F(CanvasFile, nothing_to_fill_is_a_mistake) {
   const CanvasSpec empty{.width_px = 100, .height_px = 100, .file = svg("")};
   EXPECT_NE(mistake(empty).find("no area to fill"), std::string::npos);
   const cv::Mat grey(50, 50, CV_8UC3, cv::Scalar(128, 128, 128));
-  EXPECT_NE(mistake({.width_px = 100, .height_px = 100, .file = png(grey)}).find("no area to fill"),
-            std::string::npos);
+  EXPECT_NE(mistake({.width_px = 100, .height_px = 100, .file = png(grey)}).find("no area to fill"), std::string::npos);
 }
 
 TEST_F(CanvasFile, unusable_files_and_sizes_are_mistakes) {
@@ -276,7 +278,8 @@ TEST_F(Grounds, end_where_the_next_one_begins) {
     double least = 1e9, most = -1e9;
     for (const Vec2 p : stripes[k].curves[0]) {
       EXPECT_TRUE(p.x <= 0.01f || p.x >= 199.99f || p.y <= 0.01 || p.y >= 99.99 ||
-                  std::min(std::abs(p.y - top[k]), std::abs(p.y - bottom[k])) < 0.02) << k << ": " << p.x << " " << p.y;
+                  std::min(std::abs(p.y - top[k]), std::abs(p.y - bottom[k])) < 0.02)
+          << k << ": " << p.x << " " << p.y;
       least = std::min(least, double(p.y)), most = std::max(most, double(p.y));
     }
     EXPECT_NEAR(std::max(least, 0.), top[k], 0.02) << k;

@@ -17,7 +17,8 @@ using nlohmann::json;
 double ring_area(const json& ring) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-    sum += ring[i][0].get<double>() * ring[i + 1][1].get<double>() - ring[i + 1][0].get<double>() * ring[i][1].get<double>();
+    sum += ring[i][0].get<double>() * ring[i + 1][1].get<double>() -
+           ring[i + 1][0].get<double>() * ring[i][1].get<double>();
   }
   return sum / 2;
 }

@@ -174,8 +174,9 @@ TEST_F(JobFile, intervals_may_be_several_or_one_value) {
 }
 
 TEST_F(JobFile, tables_come_any_number_of_times) {
-  const Job job = load(minimal_ + "[[shapes]]\nnames = 'owl'\nweight = 2\n"
-                                  "[[shapes]]\nnames = ['a*', 'b']\nuses = [1, 3]\n");
+  const Job job = load(minimal_ +
+                       "[[shapes]]\nnames = 'owl'\nweight = 2\n"
+                       "[[shapes]]\nnames = ['a*', 'b']\nuses = [1, 3]\n");
   ASSERT_EQ(job.tables.at("shapes").size(), 2u);
   EXPECT_EQ(job.tables.at("shapes")[0].at("names").texts, std::vector<std::string>{"owl"});
   EXPECT_EQ(job.tables.at("shapes")[0].at("weight").numbers, std::vector<double>{2});
@@ -202,11 +203,13 @@ TEST_F(JobFile, mistakes_in_tables_name_line_key_found_and_allowed) {
 }
 
 TEST_F(JobFile, lists_of_texts_and_paths) {
-  const Job job = load("[library]\nfiles = [\"a.h5\", \"../b.h5\"]\n"
-                       "include = [\"cat*\", \"*\\\"dog\\\"*\"]\nexclude = \"x\"");
+  const Job job = load(
+      "[library]\nfiles = [\"a.h5\", \"../b.h5\"]\n"
+      "include = [\"cat*\", \"*\\\"dog\\\"*\"]\nexclude = \"x\"");
   EXPECT_EQ(job.library, "");
-  EXPECT_EQ(job.library_files, (std::vector<std::string>{folder_.path("a.h5"),
-                                std::filesystem::path(folder_.path("../b.h5")).lexically_normal()}));
+  EXPECT_EQ(job.library_files,
+            (std::vector<std::string>{folder_.path("a.h5"),
+                                      std::filesystem::path(folder_.path("../b.h5")).lexically_normal()}));
   EXPECT_EQ(job.library_include, (std::vector<std::string>{"cat*", "*\"dog\"*"}));
   EXPECT_EQ(job.library_exclude, std::vector<std::string>{"x"});
   EXPECT_NE(to_toml(job).find("file = \"\"\n"), std::string::npos) << to_toml(job);
@@ -220,7 +223,8 @@ TEST_F(JobFile, lists_of_texts_and_paths) {
 TEST_F(JobFile, lists_hold_texts_alone) {
   for (const char* value : {"1", "[1]", "[\"a\", 2]", "[[\"a\"]]", "[\"\"]", "\"a\\u0000\"", "{a = \"b\"}"}) {
     EXPECT_EQ(mistake("[library]\nfile = \"a.h5\"\ninclude = " + std::string(value)).substr(0, 35),
-              "job.toml:3: library.include: found ") << value;
+              "job.toml:3: library.include: found ")
+        << value;
   }
   EXPECT_NE(mistake(minimal_ + "include = [1]").find("allowed: a text, or a list of texts"), std::string::npos);
 }
@@ -233,10 +237,11 @@ TEST_F(JobFile, takes_one_library_or_a_list) {
 }
 
 TEST_F(JobFile, reads_zones_to_keep_out_of) {
-  const Job job = load(minimal_ + "[canvas]\nkeep_out = \"zoo.svg\"\n"
-                                  "[[keep_out]]\nat_px = [500, 480]\nsize_px = [300, 100]\n"
-                                  "rotation_deg = 90\ncorner_px = 12\n"
-                                  "[[keep_out]]\nat_px = [1, 2]\nsize_px = [30, 10]\n");
+  const Job job = load(minimal_ +
+                       "[canvas]\nkeep_out = \"zoo.svg\"\n"
+                       "[[keep_out]]\nat_px = [500, 480]\nsize_px = [300, 100]\n"
+                       "rotation_deg = 90\ncorner_px = 12\n"
+                       "[[keep_out]]\nat_px = [1, 2]\nsize_px = [30, 10]\n");
   EXPECT_EQ(job.canvas.keep_out, folder_.path("zoo.svg"));
   ASSERT_EQ(job.canvas.keep_out_rectangles.size(), 2u);
   const KeepOutRectangle& zone = job.canvas.keep_out_rectangles[0];

@@ -41,8 +41,10 @@ JobValue random_value(const JobKey& key) {
     case JobKind::files:
       return {{}, {}, {"/" + *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')), "/b"}};
     case JobKind::palette:
-      return {{}, {}, *rc::gen::elementOf(std::vector<std::vector<std::string>>{
-                          {"#012345"}, {"forest"}, {"/p.gpl"}, {"#0a0b0c", "#ffffff"}})};
+      return {{},
+              {},
+              *rc::gen::elementOf(
+                  std::vector<std::vector<std::string>>{{"#012345"}, {"forest"}, {"/p.gpl"}, {"#0a0b0c", "#ffffff"}})};
     case JobKind::colour: return {{}, *rc::gen::element<std::string>("#000000", "#12abcf", "#ffffff")};
     case JobKind::devices: return {{}, *rc::gen::element<std::string>("all", "gpu", "3", "5,0,63")};
   }

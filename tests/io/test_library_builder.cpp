@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "artwork_samples.h"
 #include "core/base/error.h"
 #include "io/drawing/shape_codec.h"
 #include "io/library/contact_sheet.h"
@@ -17,7 +18,6 @@
 #include "io/library/library_names.h"
 #include "io/library/skip_reason_text.h"
 #include "io/utf8_text.h"
-#include "artwork_samples.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 

@@ -44,7 +44,8 @@ class LibraryViews : public testing::Test {
   }
 
   std::string copied(const ShapeLibrary& library, const std::string& name) const {
-    copy_library(library, folder_.path(name), [](std::size_t) {}, [] { return false; });
+    copy_library(
+        library, folder_.path(name), [](std::size_t) {}, [] { return false; });
     return folder_.path(name);
   }
 
@@ -112,10 +113,13 @@ TEST_F(LibraryViews, ChooseByName) {
 
 TEST_F(LibraryViews, SayWhatNamesAreNear) {
   const std::string path = write("a.h5", animals_);
-  EXPECT_EQ(message_of([&] { LibraryView({{path}, {{"cat", "DOG*"}, {}}}); }),
+  EXPECT_EQ(message_of([&] {
+              LibraryView({{path}, {{"cat", "DOG*"}, {}}});
+            }),
             "include: no shape of " + path + " has a name like \"DOG*\"; near it are: dog, Cat, cat, cow");
-  const std::string many = write("many.h5", {make_shape("emu", 5), make_shape("snowy_owl_3", 6), make_shape("owl_of_night", 7),
-                                             make_shape("hen", 8), make_shape("ox", 9), make_shape("yak", 10)});
+  const std::string many =
+      write("many.h5", {make_shape("emu", 5), make_shape("snowy_owl_3", 6), make_shape("owl_of_night", 7),
+                        make_shape("hen", 8), make_shape("ox", 9), make_shape("yak", 10)});
   const auto near = [&](const std::string& glob) {
     const std::string said = message_of([&] { LibraryView({{many}, {{glob}, {}}}); });
     return said.substr(said.find("near it are: ") + 13);
@@ -123,13 +127,16 @@ TEST_F(LibraryViews, SayWhatNamesAreNear) {
   EXPECT_EQ(near("owll*").substr(0, 12), "owl_of_night") << near("owll*");
   EXPECT_EQ(near("*_owll_?").substr(0, 11), "snowy_owl_3") << near("*_owll_?");
   EXPECT_EQ(near("[kx]ak").substr(0, 3), "yak") << near("[kx]ak");
-  EXPECT_EQ(message_of([&] { LibraryView({{path}, {{}, {"*"}}}); }), "exclude: nothing is left of the 4 shapes of " + path);
+  EXPECT_EQ(message_of([&] {
+              LibraryView({{path}, {{}, {"*"}}});
+            }),
+            "exclude: nothing is left of the 4 shapes of " + path);
 }
 
 TEST_F(LibraryViews, JoinFilesInOrderAndLeaveTwinsOut) {
   const std::string a = write("a.h5", animals_);
-  const std::string b = write("b.h5", {make_shape("hen", 5), make_shape("kitty", 1, 52), make_shape("cow", 6),
-                                       make_shape("pale", 1, 90)});
+  const std::string b = write(
+      "b.h5", {make_shape("hen", 5), make_shape("kitty", 1, 52), make_shape("cow", 6), make_shape("pale", 1, 90)});
   const LibraryView view({{a, b}, {}});
   EXPECT_EQ(names(view), (Names{"cat", "cow", "dog", "Cat", "hen", "cow (drawings)", "pale"}));
   ASSERT_EQ(view.twins().size(), 1u);
@@ -149,8 +156,9 @@ TEST_F(LibraryViews, ChoosePatternsInAllFiles) {
 }
 
 TEST_F(LibraryViews, KeepVariantsOfWhatIsNotChosen) {
-  const std::string path = write("a.h5", {make_shape("red", 1, 10), make_shape("dog", 2), make_shape("blue", 1, 40),
-                                          make_shape("green", 1, 70)}, {}, {0, 1, 0, 0});
+  const std::string path = write(
+      "a.h5", {make_shape("red", 1, 10), make_shape("dog", 2), make_shape("blue", 1, 40), make_shape("green", 1, 70)},
+      {}, {0, 1, 0, 0});
   EXPECT_EQ(LibraryFile(path).variant_of(), (Variants{0, 1, 0, 0}));
   EXPECT_EQ(LibraryView({{path}, {}}).variant_of(), (Variants{0, 1, 0, 0}));
   EXPECT_EQ(LibraryView({{path}, {{}, {"red"}}}).variant_of(), (Variants{0, 1, 1}));
@@ -165,8 +173,8 @@ TEST_F(LibraryViews, AreCopiedToTheBit) {
     variant_of.push_back(i / 2 * 2);
   }
   const std::string a = write("a.h5", many, {}, variant_of), b = write("b.h5", animals_);
-  for (const LibraryChoice& choice : {LibraryChoice{{a}, {}}, LibraryChoice{{a}, {{"*[37]"}, {}}},
-                                      LibraryChoice{{b, a}, {}}}) {
+  for (const LibraryChoice& choice :
+       {LibraryChoice{{a}, {}}, LibraryChoice{{a}, {{"*[37]"}, {}}}, LibraryChoice{{b, a}, {}}}) {
     const LibraryView view(choice);
     const LibraryFile copy(copied(view, "copy.h5"));
     EXPECT_EQ(copy.content_digest(), view.content_digest());
@@ -199,9 +207,10 @@ TEST_F(LibraryViews, CopiesFindArtworkThatMovedWithItsLibrary) {
 TEST_F(LibraryViews, AnInterruptedCopyLeavesNothing) {
   const LibraryFile file(write("a.h5", animals_));
   std::size_t copied = 0;
-  EXPECT_THROW(copy_library(file, folder_.path("copy.h5"), [&](std::size_t done) { copied = done; },
-                            [&] { return copied == 2; }),
-               EnvironmentError);
+  EXPECT_THROW(
+      copy_library(
+          file, folder_.path("copy.h5"), [&](std::size_t done) { copied = done; }, [&] { return copied == 2; }),
+      EnvironmentError);
   EXPECT_FALSE(std::filesystem::exists(folder_.path("copy.h5")));
   EXPECT_FALSE(std::filesystem::exists(folder_.path("copy.h5.tmp")));
 }
@@ -227,7 +236,8 @@ TEST_F(LibraryViews, HaveMirrorImagesBehindTheirShapes) {
 
 TEST_F(LibraryViews, ShapesThatStandMirroredOnlyAreNotThereTwice) {
   const std::string path = write("a.h5", animals_);
-  const LibraryView view(mirroring(path, {{{"*"}, Mirroring::never}, {{"c*", "dog"}, Mirroring::only}, {{"dog"}, Mirroring::never}}));
+  const LibraryView view(
+      mirroring(path, {{{"*"}, Mirroring::never}, {{"c*", "dog"}, Mirroring::only}, {{"dog"}, Mirroring::never}}));
   EXPECT_EQ(names(view), (Names{"cat", "cow", "dog", "Cat"}));
   EXPECT_EQ(view.drawings(), (Variants{0, 1, 2, 3}));
   const std::vector<Shape> shapes = view.read(0, 4, kEverything);
@@ -252,7 +262,9 @@ TEST_F(LibraryViews, MirrorImagesCountInTheDigest) {
 
 TEST_F(LibraryViews, AreOfLibrariesBuiltAlike) {
   const std::string a = write("a.h5", animals_), b = write("b.h5", animals_, {5, 0.25f});
-  EXPECT_EQ(message_of([&] { LibraryView({{a, b}, {}}); }),
+  EXPECT_EQ(message_of([&] {
+              LibraryView({{a, b}, {}});
+            }),
             b + ": built with --pad-levels 5 --delta-tau 0.250000, but " + a +
                 " with --pad-levels 5 --delta-tau 0.200000; allowed: libraries built alike (tessera library build)");
 }

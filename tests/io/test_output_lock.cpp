@@ -93,8 +93,10 @@ TEST_F(OutputLockTest, is_not_kept_by_a_child_of_a_dead_process) {
 
 TEST_F(OutputLockTest, of_another_machine_is_left_to_the_user) {
   leave_by_another_machine();
-  EXPECT_EQ(complaint(), "result: another run may still be at work here: process 71 on node7, Slurm job 12, of which "
-                         "this machine cannot tell; if it is over, remove " + path_);
+  EXPECT_EQ(complaint(),
+            "result: another run may still be at work here: process 71 on node7, Slurm job 12, of which "
+            "this machine cannot tell; if it is over, remove " +
+                path_);
   EXPECT_TRUE(std::filesystem::exists(path_));
 }
 

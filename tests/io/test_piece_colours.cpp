@@ -66,9 +66,7 @@ TEST(PieceColours, OfASmallPaletteRepeatWhereTheyMust) {
   EXPECT_EQ(std::set<std::string>(one.begin(), one.end()), std::set<std::string>{"#123456"});
 }
 
-cv::Vec3b at_canvas(const cv::Mat& picture, float x, float y) {
-  return picture.at<cv::Vec3b>(int(y * 2), int(x * 2));
-}
+cv::Vec3b at_canvas(const cv::Mat& picture, float x, float y) { return picture.at<cv::Vec3b>(int(y * 2), int(x * 2)); }
 
 TEST(PieceColours, AreSeenInPictureAndVectors) {
   test::SampleCollage collage;
@@ -85,8 +83,10 @@ TEST(PieceColours, AreSeenInPictureAndVectors) {
 
 TEST(PieceColours, StandForArtworkThatIsThere) {
   test::SampleCollage collage;
-  test::embed_artwork(collage.report.shapes[0], "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 10 10'>"
-                      "<rect width='10' height='10' fill='lime'/></svg>", 10, 10, 5);
+  test::embed_artwork(collage.report.shapes[0],
+                      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 10 10'>"
+                      "<rect width='10' height='10' fill='lime'/></svg>",
+                      10, 10, 5);
   EXPECT_EQ(at_canvas(test::drawn_picture(collage.report), 50, 50), cv::Vec3b(0, 255, 0));
   collage.report.colours = {"#aa0000", "#0000cc"};
   EXPECT_EQ(at_canvas(test::drawn_picture(collage.report), 50, 50), cv::Vec3b(0, 0, 0xaa));

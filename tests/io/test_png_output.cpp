@@ -30,10 +30,9 @@ constexpr char kSvgHead[] =
     R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" viewBox="0 0 100 100">)";
 
 /// A page of 100 x 100 whose left half is red and right half blue, in a square of 80.
-const std::string kTwoHalves =
-    std::string(kSvgHead) +
-    R"(<rect x="10" y="10" width="40" height="80" fill="red"/>)"
-    R"(<rect x="50" y="10" width="40" height="80" fill="blue"/></svg>)";
+const std::string kTwoHalves = std::string(kSvgHead) +
+                               R"(<rect x="10" y="10" width="40" height="80" fill="red"/>)"
+                               R"(<rect x="50" y="10" width="40" height="80" fill="blue"/></svg>)";
 
 cv::Vec3b at(const cv::Mat& picture, int x, int y) { return picture.at<cv::Vec3b>(y, x); }
 
@@ -152,8 +151,8 @@ TEST(Png, WithoutABackgroundAllButThePiecesIsTransparent) {
   sample.job.output.background = kNoColour;
   const cv::Mat picture = drawn_picture(sample.report);
   ASSERT_EQ(picture.type(), CV_8UC4);
-  EXPECT_EQ(picture.at<cv::Vec4b>(10, 10), cv::Vec4b());    // outside of the canvas
-  EXPECT_EQ(picture.at<cv::Vec4b>(10, 200), cv::Vec4b());   // and inside
+  EXPECT_EQ(picture.at<cv::Vec4b>(10, 10), cv::Vec4b());   // outside of the canvas
+  EXPECT_EQ(picture.at<cv::Vec4b>(10, 200), cv::Vec4b());  // and inside
   EXPECT_EQ(picture.at<cv::Vec4b>(100, 170), cv::Vec4b(0, 0, 255, 255));
   int mixed = 0;
   for (int x = 0; x < picture.cols; ++x) {
@@ -356,9 +355,9 @@ TEST(Png, TheBytesDependNeitherOnBandsNorOnMemoryNorOnThreads) {
   test::DrawnCollage drawn(sample.report);
   const cv::Mat expected = drawn.picture();
   ASSERT_EQ(expected.size(), cv::Size(1500, 750));
-  for (const PictureLimits& limits : {PictureLimits{64, 1, 0}, PictureLimits{64, 1 << 20, 300'000},
-                                      PictureLimits{192, std::size_t(1) << 30, std::size_t(1) << 30},
-                                      PictureLimits{.band_bytes = 1'000'000}}) {
+  for (const PictureLimits& limits :
+       {PictureLimits{64, 1, 0}, PictureLimits{64, 1 << 20, 300'000},
+        PictureLimits{192, std::size_t(1) << 30, std::size_t(1) << 30}, PictureLimits{.band_bytes = 1'000'000}}) {
     EXPECT_EQ(cv::norm(drawn.picture(limits), expected, cv::NORM_INF), 0) << limits.band_rows;
   }
   const OneCore one;

@@ -52,18 +52,25 @@ TEST(ResultManifest, keeps_what_was_drawn_and_reads_what_earlier_versions_said) 
   publish_result(dir, sample.report, sample.origin(), true);
   ResultManifest manifest = read_manifest(dir);
   manifest.pictures = {{"collage.svg", {.width_px = 300, .background = "#102030"}},
-                       {"collage.png", {.width_px = 1177, .width_mm = 100, .dpi = 299, .background = kNoColour,
-                                        .outline_px = 2, .outline_colour = "#123456", .shadow_strength = 0.25,
-                                        .shadow_offset_px = {-1, 7}, .shadow_blur_px = 9, .clip = kNoClip,
-                                        .keep_out = "artwork"},
-                         std::vector<std::string>{"#123456"}}};
+                       {"collage.png",
+                        {.width_px = 1177,
+                         .width_mm = 100,
+                         .dpi = 299,
+                         .background = kNoColour,
+                         .outline_px = 2,
+                         .outline_colour = "#123456",
+                         .shadow_strength = 0.25,
+                         .shadow_offset_px = {-1, 7},
+                         .shadow_blur_px = 9,
+                         .clip = kNoClip,
+                         .keep_out = "artwork"},
+                        std::vector<std::string>{"#123456"}}};
   write_manifest(dir, manifest);
   EXPECT_EQ(read_manifest(dir).pictures, manifest.pictures);
   std::ifstream file(scratch.path(kManifestName));
   std::string text{std::istreambuf_iterator<char>(file), {}};
   const auto begin = text.find("{\"file\"", text.find("\"pictures\":"));
-  text.replace(begin, text.rfind(']') - begin,
-               R"({"file":"collage.svg","width_px":300,"background":"#102030"})");
+  text.replace(begin, text.rfind(']') - begin, R"({"file":"collage.svg","width_px":300,"background":"#102030"})");
   scratch.write(kManifestName, text);
   ASSERT_EQ(read_manifest(dir).pictures.size(), 1u);
   EXPECT_EQ(read_manifest(dir).pictures[0], manifest.pictures[0]);

@@ -48,7 +48,8 @@ class StartPieces : public testing::Test {
 
   void expect_mistake(const std::string& properties, const std::string& said) {
     const std::string where = "job.toml: start.pieces: " + folder_.path("pieces.geojson") + ": feature 1: ";
-    EXPECT_EQ(mistake(collection(feature(kGood) + "," + feature(properties))).substr(0, (where + said).size()), where + said);
+    EXPECT_EQ(mistake(collection(feature(kGood) + "," + feature(properties))).substr(0, (where + said).size()),
+              where + said);
   }
 
   test::ScratchFolder folder_;
@@ -99,14 +100,16 @@ TEST_F(StartPieces, WhatElseAFileHoldsDoesNotMatter) {
 }
 
 TEST_F(StartPieces, MistakesNameTheFeatureTheKeyAndWhatIsAllowed) {
-  expect_mistake(R"({"shape":"disk","scale":40,"rotation_deg":0,"x_px":0,"y_px":0})",
-                 "shape: found \"disk\", allowed: the name of a shape of the library (tessera library info FILE --names "
-                 "lists them); did you mean \"disc\"?");
+  expect_mistake(
+      R"({"shape":"disk","scale":40,"rotation_deg":0,"x_px":0,"y_px":0})",
+      "shape: found \"disk\", allowed: the name of a shape of the library (tessera library info FILE --names "
+      "lists them); did you mean \"disc\"?");
   expect_mistake(R"({"scale":40,"rotation_deg":0,"x_px":0,"y_px":0})", "shape: found nothing, allowed: the name");
   expect_mistake(R"({"shape":7,"scale":40,"rotation_deg":0,"x_px":0,"y_px":0})", "shape: found 7, allowed: the name");
   expect_mistake(R"({"shape":"disc","scale":"big","rotation_deg":0,"x_px":0,"y_px":0})",
                  "scale: found \"big\", allowed: a number from 0.01 to 20000");
-  expect_mistake(R"({"shape":"disc","scale":0,"rotation_deg":0,"x_px":0,"y_px":0})", "scale: found 0, allowed: a number from 0.01 to 20000");
+  expect_mistake(R"({"shape":"disc","scale":0,"rotation_deg":0,"x_px":0,"y_px":0})",
+                 "scale: found 0, allowed: a number from 0.01 to 20000");
   expect_mistake(R"({"shape":"disc","scale":[40],"rotation_deg":0,"x_px":0,"y_px":0})", "scale: found ");
   expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":361,"x_px":0,"y_px":0})",
                  "rotation_deg: found 361, allowed: a number from -360 to 360");
@@ -129,7 +132,8 @@ TEST_F(StartPieces, WhatIsNoResultIsAMistake) {
   EXPECT_NE(mistake("{}").find("features: found nothing"), std::string::npos);
   EXPECT_NE(mistake("{\"features\":{}}").find("features: found {}, allowed"), std::string::npos);
   EXPECT_NE(mistake(collection("7")).find("feature 0: properties: found nothing"), std::string::npos);
-  EXPECT_NE(mistake(collection(feature(R"({"shape":"disc","scale":1e999,"rotation_deg":0,"x_px":0,"y_px":0})"))).find("no JSON"),
+  EXPECT_NE(mistake(collection(feature(R"({"shape":"disc","scale":1e999,"rotation_deg":0,"x_px":0,"y_px":0})")))
+                .find("no JSON"),
             std::string::npos);
 }
 
@@ -150,7 +154,8 @@ TEST_F(StartPieces, ThereMustBeAFile) {
   EXPECT_EQ(test::message_of([&] { added(job); }),
             "job.toml: start.pieces: " + folder_.path("") + ": found a folder without pieces.geojson" + allowed);
   job.start.pieces = "/dev/null";
-  EXPECT_NE(test::message_of([&] { added(job); }).find("/dev/null: not a readable file: found a device"), std::string::npos);
+  EXPECT_NE(test::message_of([&] { added(job); }).find("/dev/null: not a readable file: found a device"),
+            std::string::npos);
 }
 
 TEST_F(StartPieces, TheRunMayNotReplaceThem) {

@@ -33,13 +33,13 @@ TEST(SvgImport, KeepsTheDrawingOnItsPage) {
 }
 
 TEST(SvgImport, ScriptsHandlersAnimationsAndForeignContentAreDropped) {
-  const std::string g = import_body(
-      R"~(<script>alert(1)</script><g onclick="evil()" ONLOAD="evil()"><rect width="1" height="1"/></g>)~"
-      R"~(<foreignObject><body xmlns="http://www.w3.org/1999/xhtml">evil</body></foreignObject>)~"
-      R"~(<animate attributeName="href" to="evil"/><set attributeName="onclick" to="evil"/>)~"
-      R"~(<h:script xmlns:h="http://www.w3.org/1999/xhtml">evil</h:script><metadata>evil</metadata>)~"
-      R"~(<a xlink:href="javascript:evil()"><circle r="1"/></a><iframe src="evil"/>)~",
-      R"~( onload="evil()")~");
+  const std::string g =
+      import_body(R"~(<script>alert(1)</script><g onclick="evil()" ONLOAD="evil()"><rect width="1" height="1"/></g>)~"
+                  R"~(<foreignObject><body xmlns="http://www.w3.org/1999/xhtml">evil</body></foreignObject>)~"
+                  R"~(<animate attributeName="href" to="evil"/><set attributeName="onclick" to="evil"/>)~"
+                  R"~(<h:script xmlns:h="http://www.w3.org/1999/xhtml">evil</h:script><metadata>evil</metadata>)~"
+                  R"~(<a xlink:href="javascript:evil()"><circle r="1"/></a><iframe src="evil"/>)~",
+                  R"~( onload="evil()")~");
   for (const char* part : {"evil", "script", "alert", "foreignObject", "onclick", "onload", "ONLOAD", "<a "}) {
     EXPECT_FALSE(contains(g, part)) << part << "\n" << g;
   }
@@ -68,10 +68,10 @@ TEST(SvgImport, EmbeddedBitmapsStayWhateverTheyCallThemselves) {
 }
 
 TEST(SvgImport, IdsAndReferencesGetThePrefix) {
-  const std::string g = import_body(
-      R"~(<linearGradient id="x"/><linearGradient id="y" xlink:href="#x"/><rect fill="url(#y)"/>)~"
-      R"~(<rect style="stroke:url('#y');fill:url(#x) red"/><use href="#r"/><text>#x</text>)~",
-      R"~( id="root")~");
+  const std::string g =
+      import_body(R"~(<linearGradient id="x"/><linearGradient id="y" xlink:href="#x"/><rect fill="url(#y)"/>)~"
+                  R"~(<rect style="stroke:url('#y');fill:url(#x) red"/><use href="#r"/><text>#x</text>)~",
+                  R"~( id="root")~");
   for (const char* part : {R"~(<linearGradient id="a4-x"/>)~", R"~(<linearGradient id="a4-y" xlink:href="#a4-x"/>)~",
                            R"~(<rect fill="url(#a4-y)"/>)~", R"~(style="stroke:url(#a4-y);fill:url(#a4-x) red")~",
                            R"~(<use xlink:href="#a4-r"/>)~", R"~(<text>#x</text>)~", R"~(id="a4-root")~"}) {

@@ -14,8 +14,8 @@ using test::count;
 using test::drawn;
 using test::drawn_picture;
 using test::drawn_svg;
-using test::mean_difference;
 using test::kXmlns;
+using test::mean_difference;
 using test::SampleCollage;
 
 /// A flag: no turn brings it onto its mirror image. Its artwork is just its outline, in red.

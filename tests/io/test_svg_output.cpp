@@ -25,9 +25,9 @@ TEST(SvgOutput, AgreesWithThePng) {
   const cv::Mat png = drawn_picture(sample.report);
   ASSERT_EQ(svg.size(), png.size());
   EXPECT_LT(mean_difference(svg, png), 1.2);
-  EXPECT_GT(svg.at<cv::Vec3b>(60, 100)[2], 200);   // the red one kept its colours
+  EXPECT_GT(svg.at<cv::Vec3b>(60, 100)[2], 200);  // the red one kept its colours
   EXPECT_LT(svg.at<cv::Vec3b>(60, 100)[0], 50);
-  EXPECT_GT(svg.at<cv::Vec3b>(60, 280)[0], 200);   // and the blue one
+  EXPECT_GT(svg.at<cv::Vec3b>(60, 280)[0], 200);  // and the blue one
 }
 
 TEST(SvgOutput, EachArtworkIsDefinedOnceAndPlacedOften) {

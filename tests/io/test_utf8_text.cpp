@@ -8,15 +8,16 @@ namespace {
 TEST(CutUtf8, NeverEndsInsideACharacter) {
   const std::string text = "aé€";  // 1, 2 and 3 bytes
   const std::string expected[] = {"", "a", "a", "aé", "aé", "aé", "aé€", "aé€"};
-  for (std::size_t most = 0; most < std::size(expected); ++most) EXPECT_EQ(cut_utf8(text, most), expected[most]) << most;
+  for (std::size_t most = 0; most < std::size(expected); ++most)
+    EXPECT_EQ(cut_utf8(text, most), expected[most]) << most;
 }
 
 TEST(PrintableUtf8, ReplacesControlsAndBrokenBytes) {
   EXPECT_EQ(printable_utf8("é\n\x1b[2J"), "é__[2J");
-  EXPECT_EQ(printable_utf8("\xc3"), "_");                  // cut off
-  EXPECT_EQ(printable_utf8("\xe0\x80\xaf"), "___");        // overlong
-  EXPECT_EQ(printable_utf8("\xed\xa0\x80"), "___");        // a surrogate
-  EXPECT_EQ(printable_utf8("\xc2\x85"), "__");             // a C1 control
+  EXPECT_EQ(printable_utf8("\xc3"), "_");            // cut off
+  EXPECT_EQ(printable_utf8("\xe0\x80\xaf"), "___");  // overlong
+  EXPECT_EQ(printable_utf8("\xed\xa0\x80"), "___");  // a surrogate
+  EXPECT_EQ(printable_utf8("\xc2\x85"), "__");       // a C1 control
 }
 
 TEST(IsUtf8, AsksNotWhatTheCharactersAre) {

@@ -100,7 +100,8 @@ TEST_F(WishResolution, ThousandsOfTablesAboutThousandsOfShapesTakeNoTime) {
 
 TEST_F(WishResolution, SizesOfShapesAndRegionsWidenTheRange) {
   const Job job = resolved(
-      "[[shapes]]\nnames = 'cat'\nscale_px = [60, 200]\n[[regions]]\nname = 'sea'\ncolour = '#0000ff'\nscale_px = 10\n");
+      "[[shapes]]\nnames = 'cat'\nscale_px = [60, 200]\n[[regions]]\nname = 'sea'\ncolour = '#0000ff'\nscale_px = "
+      "10\n");
   EXPECT_EQ(job.settings.pieces.min_scale_px, 10);
   EXPECT_EQ(job.settings.pieces.max_scale_px, 200);
   EXPECT_EQ(job.settings.pieces.poses().scale_px, (std::vector<Interval>{{30, 50}})) << "of all others";
@@ -119,7 +120,8 @@ TEST_F(WishResolution, ShapesNameRegions) {
 }
 
 TEST_F(WishResolution, DrawnSizesAreThoseOfTheDrawings) {
-  const Job job = resolved("sizes = 'drawn'\n[[shapes]]\nnames = 'owl*'\nscale_px = [50, 60]\n[[shapes]]\nnames = 'cow'\nuses = 2\n");
+  const Job job = resolved(
+      "sizes = 'drawn'\n[[shapes]]\nnames = 'owl*'\nscale_px = [50, 60]\n[[shapes]]\nnames = 'cow'\nuses = 2\n");
   const Wishes& wishes = job.settings.wishes;
   const auto sizes = [&](std::size_t shape) { return wishes.classes[wishes.class_of_shape[shape]].poses.scale_px; };
   EXPECT_EQ(sizes(0), (std::vector<Interval>{{40, 40}}));
@@ -131,8 +133,9 @@ TEST_F(WishResolution, DrawnSizesAreThoseOfTheDrawings) {
 }
 
 TEST_F(WishResolution, DrawnSizesThatAreUnknownOrTooSmallAreTold) {
-  EXPECT_NE(mistake("sizes = 'drawn'\nfit = 'all'").find("pieces.sizes: found \"drawn\", but the shape \"owl\" does not say"),
-            std::string::npos);
+  EXPECT_NE(
+      mistake("sizes = 'drawn'\nfit = 'all'").find("pieces.sizes: found \"drawn\", but the shape \"owl\" does not say"),
+      std::string::npos);
   const std::string but_owl = "[[shapes]]\nnames = 'owl'\nweight = 0\n";
   EXPECT_NE(mistake("sizes = 'drawn'\n" + but_owl).find("\"owl_2\" was drawn at 1.5 px, allowed: 2 to 5000 px"),
             std::string::npos);
@@ -172,8 +175,9 @@ TEST_F(WishResolution, GivenPiecesHaveTheirPose) {
 }
 
 TEST_F(WishResolution, NamesThatThereAreNotAreTold) {
-  EXPECT_NE(mistake("[[shapes]]\nnames = 'owls'").find("[[shapes]] names: include: no shape of the library has a name like "
-                                                        "\"owls\"; near it are: owl,"),
+  EXPECT_NE(mistake("[[shapes]]\nnames = 'owls'")
+                .find("[[shapes]] names: include: no shape of the library has a name like "
+                      "\"owls\"; near it are: owl,"),
             std::string::npos)
       << mistake("[[shapes]]\nnames = 'owls'");
   EXPECT_NE(mistake("[[given]]\nshape = 'owls'\nat_px = [1, 2]\nscale_px = 30").find("(did you mean \"owl\"?)"),

@@ -32,7 +32,9 @@ TEST(CsvText, HoldsCellsAndRows) {
 }
 
 TEST(CsvText, IsTakenFromSpreadsheets) {
-  EXPECT_EQ(cells_of("\xef\xbb\xbf" "a,b\r\n1,2\r\n"), (std::vector<Cells>{{"a", "b"}, {"1", "2"}}));
+  EXPECT_EQ(cells_of("\xef\xbb\xbf"
+                     "a,b\r\n1,2\r\n"),
+            (std::vector<Cells>{{"a", "b"}, {"1", "2"}}));
   EXPECT_EQ(cells_of("\"a,\"\"b\"\"\",c\n"), (std::vector<Cells>{{"a,\"b\"", "c"}}));
   EXPECT_EQ(cells_of("\"\",\"x\"\n"), (std::vector<Cells>{{"", "x"}}));
   const std::vector<CsvRow> rows = read_csv("a\n\n\"two\nlines\"\nb\n");
@@ -69,9 +71,10 @@ class WishesFile : public testing::Test {
 };
 
 TEST_F(WishesFile, IsAsGoodAsTables) {
-  const Job job = job_with("names,weight,uses,scale_px,rotation_deg,mirrored,apart_px,group\n"
-                           "owl*,2,\"[1, 3]\",\"[40, 90]\",0,also,120,birds\n"
-                           "\"[\"\"cat\"\", \"\"cow\"\"]\",0.5,,60,,,,\n");
+  const Job job = job_with(
+      "names,weight,uses,scale_px,rotation_deg,mirrored,apart_px,group\n"
+      "owl*,2,\"[1, 3]\",\"[40, 90]\",0,also,120,birds\n"
+      "\"[\"\"cat\"\", \"\"cow\"\"]\",0.5,,60,,,,\n");
   const Job tables = load_job(
       folder_.write("tables.toml",
                     "[library]\nfile = 'x.h5'\n[[shapes]]\nnames = 'owl*'\nweight = 2\nuses = [1, 3]\nscale_px = [40, "
@@ -123,34 +126,43 @@ TEST_F(WishesFile, OfThousandsOfRowsMakesAJob) {
 TEST_F(WishesFile, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(mistake("names,weight\n*,1\ncat,200\n"),
             "job.toml: library.wishes: wishes.csv:3: [[shapes]] weight: found 200, allowed: a number from 0 to 100");
-  EXPECT_EQ(mistake("names,weight\ncat,\"0,5\"\n"),
-            "job.toml: library.wishes: wishes.csv:2: [[shapes]] weight: found \"0,5\", allowed: a number with a point, 0.5, "
-            "or a list in brackets, [0,5]");
-  EXPECT_EQ(mistake("names,weight\ncat,\"1,2,3\"\n"),
-            "job.toml: library.wishes: wishes.csv:2: [[shapes]] weight: found \"1,2,3\", allowed: a number from 0 to 100");
-  EXPECT_EQ(mistake("names,mirrored\ncat,yes\n"),
-            "job.toml: library.wishes: wishes.csv:2: [[shapes]] mirrored: found \"yes\", allowed: \"never\" or \"also\" or "
-            "\"only\"");
-  EXPECT_EQ(mistake("names;weight\ncat;2\n"),
-            "job.toml: library.wishes: wishes.csv:1: found \"names;weight\", allowed: columns with commas between them; "
-            "write the table as CSV with commas, not with semicolons or tabulators, and its numbers with points");
+  EXPECT_EQ(
+      mistake("names,weight\ncat,\"0,5\"\n"),
+      "job.toml: library.wishes: wishes.csv:2: [[shapes]] weight: found \"0,5\", allowed: a number with a point, 0.5, "
+      "or a list in brackets, [0,5]");
+  EXPECT_EQ(
+      mistake("names,weight\ncat,\"1,2,3\"\n"),
+      "job.toml: library.wishes: wishes.csv:2: [[shapes]] weight: found \"1,2,3\", allowed: a number from 0 to 100");
+  EXPECT_EQ(
+      mistake("names,mirrored\ncat,yes\n"),
+      "job.toml: library.wishes: wishes.csv:2: [[shapes]] mirrored: found \"yes\", allowed: \"never\" or \"also\" or "
+      "\"only\"");
+  EXPECT_EQ(
+      mistake("names;weight\ncat;2\n"),
+      "job.toml: library.wishes: wishes.csv:1: found \"names;weight\", allowed: columns with commas between them; "
+      "write the table as CSV with commas, not with semicolons or tabulators, and its numbers with points");
   EXPECT_NE(mistake("names;scale_px,weight\ncat;2\n").find("found \"names;scale_px\", allowed: columns with commas"),
             std::string::npos);
-  EXPECT_NE(mistake("names,wight\ncat,2\n").find("wishes.csv:1: unknown column \"wight\" (did you mean weight?); allowed: "
-                                                "names, weight, uses, "),
+  EXPECT_NE(mistake("names,wight\ncat,2\n")
+                .find("wishes.csv:1: unknown column \"wight\" (did you mean weight?); allowed: "
+                      "names, weight, uses, "),
             std::string::npos);
   EXPECT_EQ(mistake("names,uses,uses\n"),
             "job.toml: library.wishes: wishes.csv:1: the column uses stands there twice; allowed: once");
-  EXPECT_EQ(mistake("uses\n1\n"), "job.toml: library.wishes: wishes.csv:1: the column names is missing; needed: patterns "
-                                  "of names, as in library.include");
+  EXPECT_EQ(mistake("uses\n1\n"),
+            "job.toml: library.wishes: wishes.csv:1: the column names is missing; needed: patterns "
+            "of names, as in library.include");
   EXPECT_EQ(mistake("names,uses\ncat\n"),
             "job.toml: library.wishes: wishes.csv:2: found 1 cells, allowed: 2, as many as the first row has");
-  EXPECT_EQ(mistake("names,uses\n,2\n"), "job.toml: library.wishes: wishes.csv:2: names is missing in [[shapes]]; needed: "
-                                         "patterns of names, as in library.include");
+  EXPECT_EQ(mistake("names,uses\n,2\n"),
+            "job.toml: library.wishes: wishes.csv:2: names is missing in [[shapes]]; needed: "
+            "patterns of names, as in library.include");
   EXPECT_EQ(mistake("names\n\"cat\n"), "job.toml: library.wishes: wishes.csv:2: a quote \" is not closed");
-  EXPECT_EQ(mistake("names\nc\x01t\n"), "job.toml: library.wishes: wishes.csv:2: names: found \"c_t\", allowed: UTF-8 "
-                                        "without control characters, 4096 bytes or less");
-  EXPECT_EQ(mistake(""), "job.toml: library.wishes: wishes.csv: empty; needed: a first row with the names of the columns");
+  EXPECT_EQ(mistake("names\nc\x01t\n"),
+            "job.toml: library.wishes: wishes.csv:2: names: found \"c_t\", allowed: UTF-8 "
+            "without control characters, 4096 bytes or less");
+  EXPECT_EQ(mistake(""),
+            "job.toml: library.wishes: wishes.csv: empty; needed: a first row with the names of the columns");
   EXPECT_NE(mistake("names\n" + std::string(2'000'000, 'x')).find("allowed: a CSV file"), std::string::npos);
 }
 
@@ -166,8 +178,10 @@ TEST_F(WishesFile, OfAnotherEncodingIsRefused) {
   EXPECT_EQ(mistake("\xff\xfe" + low_first), utf16);
   EXPECT_EQ(mistake("\xfe\xff" + high_first), utf16);
   EXPECT_EQ(mistake(low_first), utf16) << "without a byte order mark";
-  EXPECT_EQ(mistake("names\nb\xc3\xa4r\nb\xe4r\n"), "job.toml: library.wishes: wishes.csv:3: found \"b_r\", which is not "
-                                                     "UTF-8 but another encoding, such as Latin-1" + save);
+  EXPECT_EQ(mistake("names\nb\xc3\xa4r\nb\xe4r\n"),
+            "job.toml: library.wishes: wishes.csv:3: found \"b_r\", which is not "
+            "UTF-8 but another encoding, such as Latin-1" +
+                save);
   EXPECT_EQ(mistake("names\nb\xc3\xa4r\n"), "");
 }
 
@@ -182,9 +196,12 @@ TEST_F(WishesFile, TooManyCellsComeFromListsAndCommasWithoutQuotes) {
 TEST_F(WishesFile, NamesThatThereAreNotAreToldWithTheirLine) {
   Job job = job_with("names,uses\ncat,1\nowls,2\n", "[[shapes]]\nnames = 'dog'\nuses = 7\n");
   const std::vector<NamedShape> shapes = {{"cat"}, {"owl"}};
-  EXPECT_NE(message_of([&] { resolve_wishes(shapes, job); }).find("wishes.csv:3: [[shapes]] names: include: no shape of"),
-            std::string::npos);
-  EXPECT_NE(message_of([&] { resolve_wishes({{"cat"}, {"owl"}, {"cat", 0, true}, {"owl", 0, true}}, job); }).find("near it are: owl, cat"),
+  EXPECT_NE(
+      message_of([&] { resolve_wishes(shapes, job); }).find("wishes.csv:3: [[shapes]] names: include: no shape of"),
+      std::string::npos);
+  EXPECT_NE(message_of([&] {
+              resolve_wishes({{"cat"}, {"owl"}, {"cat", 0, true}, {"owl", 0, true}}, job);
+            }).find("near it are: owl, cat"),
             std::string::npos)
       << "each name once, though there are mirror images";
   job = job_with("names,uses\ncat,1\n", "[[shapes]]\nnames = 'dog'\nuses = 7\n");
@@ -194,10 +211,38 @@ TEST_F(WishesFile, NamesThatThereAreNotAreToldWithTheirLine) {
 
 /// Tables that nobody should write: each is refused in one short line, or a legal job.
 TEST_F(WishesFile, OfAnyBytesIsRefusedInOneLineOrLegal) {
-  const std::vector<std::string> parts = {"names", "weight", "scale_px", "group", "\"", "\"\"", ",", ",,", ";", "\n", "\r\n",
-                                          "\r", "[", "]", "[[1, 2]", "{a.a.a = 1}", "nan", "1e999", "owl*", "\xff",
-                                          std::string(1, '\0'), "\xef\xbb\xbf", "= 1\nseed", "'''", "#", "true", " ",
-                                          std::string(5000, 'x'), "{" + std::string(4000, '['), "0.5", "-1", "also"};
+  const std::vector<std::string> parts = {"names",
+                                          "weight",
+                                          "scale_px",
+                                          "group",
+                                          "\"",
+                                          "\"\"",
+                                          ",",
+                                          ",,",
+                                          ";",
+                                          "\n",
+                                          "\r\n",
+                                          "\r",
+                                          "[",
+                                          "]",
+                                          "[[1, 2]",
+                                          "{a.a.a = 1}",
+                                          "nan",
+                                          "1e999",
+                                          "owl*",
+                                          "\xff",
+                                          std::string(1, '\0'),
+                                          "\xef\xbb\xbf",
+                                          "= 1\nseed",
+                                          "'''",
+                                          "#",
+                                          "true",
+                                          " ",
+                                          std::string(5000, 'x'),
+                                          "{" + std::string(4000, '['),
+                                          "0.5",
+                                          "-1",
+                                          "also"};
   std::mt19937 random(2016);
   int legal = 0;
   for (int round = 0; round < 400; ++round) {
@@ -222,7 +267,8 @@ TEST_F(WishesFile, OfAnyBytesIsRefusedInOneLineOrLegal) {
 TEST(DeepKeys, AreRefusedWhereverTheyStand) {
   std::string dots = "a";
   for (int i = 0; i < 9000; ++i) dots += ".a";
-  EXPECT_NE(message_of([&] { job_from_toml(dots + " = 1", "job.toml"); }).find("more than 8192 dots"), std::string::npos);
+  EXPECT_NE(message_of([&] { job_from_toml(dots + " = 1", "job.toml"); }).find("more than 8192 dots"),
+            std::string::npos);
   std::string lines = "# " + std::string(40, '.') + "\n";
   for (int i = 0; i < 300; ++i) lines += "# " + std::string(40, '.') + "\n";
   EXPECT_NE(message_of([&] { job_from_toml(lines, "job.toml"); }).find("more than 8192 dots"), std::string::npos);

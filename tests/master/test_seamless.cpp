@@ -8,9 +8,9 @@
 #include "master/filling.h"
 #include "master/ruin_and_recreate.h"
 #include "offering_matcher.h"
-#include "support/synthetic_shapes.h"
 #include "stopped_collage.h"
 #include "support/polygon_distance.h"
+#include "support/synthetic_shapes.h"
 #include "whole_collage.h"
 
 namespace tessera::master {
@@ -38,8 +38,8 @@ void each_neighbours(const Canvas& canvas, const std::vector<Placement>& placeme
     for (std::size_t k = 0; k < placements.size(); ++k) {
       for (const Vec2 offset : canvas.period.offsets()) {
         if (i == k && offset == Vec2{}) continue;
-        const Vec2 apart = placements[i].canvas_from_shape.translation() -
-                           placements[k].canvas_from_shape.translation() - offset;
+        const Vec2 apart =
+            placements[i].canvas_from_shape.translation() - placements[k].canvas_from_shape.translation() - offset;
         if (norm(apart) > radius_px(placements[i]) + radius_px(placements[k]) + 8) continue;
         f(outline_at(placements[i], {}), outline_at(placements[k], offset));
       }
@@ -79,9 +79,8 @@ TEST(Seamless, KeepsThePaddingAcrossTheSeams) {
     const std::vector<Placement> placements = run(both_ways(), s).placements;
     EXPECT_GT(crossing_seams(both_ways(), placements), 2u);
     double least = 1e9;
-    each_neighbours(both_ways(), placements, [&](const Outline& a, const Outline& b) {
-      least = std::min(least, test::polygon_distance(a, b));
-    });
+    each_neighbours(both_ways(), placements,
+                    [&](const Outline& a, const Outline& b) { least = std::min(least, test::polygon_distance(a, b)); });
     EXPECT_GE(least, padding_px);
   }
 }

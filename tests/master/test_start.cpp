@@ -245,7 +245,8 @@ CollageSettings outward(int pieces) {
 /// As the loop begins a collage.
 struct Beginning {
   Beginning(const Canvas& canvas, const CollageSettings& s, const std::vector<Placement>& standing)
-      : context(make_matching_context(s, std::uint32_t(library().size()))), collage(canvas, s, context, shapes) {
+      : context(make_matching_context(s, std::uint32_t(library().size()))),
+        collage(canvas, s, context, shapes) {
     collage.grow_by(OutwardGrowth(canvas, s.pieces, standing, shapes));
     collage.begin(standing, standing.size(), 0, 1);
   }

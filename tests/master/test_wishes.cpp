@@ -342,9 +342,11 @@ TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
   EXPECT_LT(least_distance_px(result.placements, one), 3) << "with all others they are close";
   EXPECT_GE(least_distance_px(result.placements, others), 20);
   EXPECT_LT(least_distance_px(result.placements, others), 30);
-  EXPECT_LT(least_distance_px(result.placements, [](const Placement& a, const Placement& b) {
-              return index_of(a.shape) == 6 && index_of(b.shape) == 6;
-            }), 20);
+  EXPECT_LT(least_distance_px(result.placements,
+                              [](const Placement& a, const Placement& b) {
+                                return index_of(a.shape) == 6 && index_of(b.shape) == 6;
+                              }),
+            20);
 }
 
 /// There is room for one of the company alone, though each is wished for: the others need not wait.

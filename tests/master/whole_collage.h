@@ -23,7 +23,7 @@ inline CollageSettings settings() {
 
 /// The library divided at `cuts`.
 inline master::CollageResult run(const Canvas& canvas, const CollageSettings& s, std::vector<std::uint32_t> cuts,
-                  master::Observer& observer) {
+                                 master::Observer& observer) {
   const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));
   CompositeMatcher matcher = test::divided_matcher(library(), context, std::move(cuts));
   test::VectorShapes shapes(library());

@@ -34,7 +34,9 @@ inline std::vector<Vec2> reversed(std::vector<Vec2> curve) {
   return curve;
 }
 
-inline Outline disc_outline() { return {{polar_curve([](float) { return 1.f; })}}; }
+inline Outline disc_outline() {
+  return {{polar_curve([](float) { return 1.f; })}};
+}
 
 inline Outline ring_outline(float hole_radius = 0.5f) {
   return {{polar_curve([](float) { return 1.f; }), reversed(polar_curve([=](float) { return hole_radius; }))}};

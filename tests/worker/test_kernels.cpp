@@ -194,7 +194,8 @@ std::vector<float> keys_of(const std::vector<Docking>& dockings) {
 /// Of every target sample `each` dockings, one sample after the other.
 struct DockingsOfSamples {
   DockingsOfSamples(Random& random, std::size_t samples, std::uint32_t each)
-      : each(each), all(tied_dockings(random, samples * each + 1)) {}
+      : each(each),
+        all(tied_dockings(random, samples * each + 1)) {}
 
   void append_worth_docking(std::size_t sample, std::vector<Docking>& to) const {
     for (std::size_t i = sample * each; i < (sample + 1) * each; ++i) {

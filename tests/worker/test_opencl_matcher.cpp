@@ -102,9 +102,9 @@ TEST(OpenCLMatcher, RefusesToRefineAnotherPartsShape) {
 TEST(OpenCLMatcher, RefusesModelsOfOtherLevels) {
   MatchingScene scene = make_scene(scene_settings(), {1, 150, 0, 2});
   scene.models.front().levels.pop_back();
-  EXPECT_THROW(worker::OpenCLMatcher(worker::opencl_devices().front(), scene.context, all_of(scene.models),
-                                     given(scene.models)),
-               std::logic_error);
+  EXPECT_THROW(
+      worker::OpenCLMatcher(worker::opencl_devices().front(), scene.context, all_of(scene.models), given(scene.models)),
+      std::logic_error);
 }
 
 }  // namespace

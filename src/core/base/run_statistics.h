@@ -8,23 +8,23 @@ namespace tessera {
 
 /// Counters and times of one run, with the columns of the paper's Table 2.
 struct RunStatistics {
-  std::uint64_t shapes = 0;            // "No. of candidates"
+  std::uint64_t shapes = 0;  // "No. of candidates"
   double pads_per_shape = 0;
-  std::uint64_t rounds = 0;            // "No. of iterations"
-  std::uint64_t docking_choices = 0;   // all pairs (target sample, shape PAD), and tangent dockings drawn
-  std::uint64_t dockings_evaluated = 0;// those that reached the field
+  std::uint64_t rounds = 0;              // "No. of iterations"
+  std::uint64_t docking_choices = 0;     // all pairs (target sample, shape PAD), and tangent dockings drawn
+  std::uint64_t dockings_evaluated = 0;  // those that reached the field
   std::uint64_t refined = 0;
-  std::uint64_t target_samples = 0;    // matched, repeats included
-  std::uint64_t trials = 0;            // of ruin and recreate
+  std::uint64_t target_samples = 0;  // matched, repeats included
+  std::uint64_t trials = 0;          // of ruin and recreate
   std::uint64_t trials_kept = 0;
   double prune_s = 0;
-  double dock_s = 0;                   // docking, refining, and measuring candidates whose surroundings changed
-  double ahead_s = 0;                  // of prune_s and dock_s, processor time: checking candidates meanwhile
+  double dock_s = 0;   // docking, refining, and measuring candidates whose surroundings changed
+  double ahead_s = 0;  // of prune_s and dock_s, processor time: checking candidates meanwhile
   double objective_s = 0;
   double merge_s = 0;
-  double improve_s = 0;                // of total_s; nothing else here counts what trials do
-  double total_s = 0;                  // of the loop, without the set-up of canvas and collage
-  double setup_processor_s = 0;        // of this process, before the loop
+  double improve_s = 0;          // of total_s; nothing else here counts what trials do
+  double total_s = 0;            // of the loop, without the set-up of canvas and collage
+  double setup_processor_s = 0;  // of this process, before the loop
   /// "full", "used_up" (no shape may be placed once more), "pieces", "coverage" or "seconds"; of an unfinished run
   /// "signal", "time_limit" or "lost_rank".
   std::string stopped_by;

@@ -74,12 +74,10 @@ ExactAreas exact_areas(const Shape& shape, const Similarity& canvas_from_shape, 
     for (int k = 0; k < uncovered.words(); ++k) {
       const std::uint64_t inside = inside_piece.row(y)[k];
       const std::uint64_t free_here = uncovered.row(y)[k];
-      each_node(inside & ~free_here, k, y, [&](int i, int j) {
-        overlap += field.value(window.x0 + i, window.y0 + j) < -kOverlapDepth_px;
-      });
-      each_node(~inside & free_here & ~within_reach.row(y)[k], k, y, [&](int i, int j) {
-        gap += counted.contains(i, j) && opened.reachable(window.x0 + i, window.y0 + j);
-      });
+      each_node(inside & ~free_here, k, y,
+                [&](int i, int j) { overlap += field.value(window.x0 + i, window.y0 + j) < -kOverlapDepth_px; });
+      each_node(~inside & free_here & ~within_reach.row(y)[k], k, y,
+                [&](int i, int j) { gap += counted.contains(i, j) && opened.reachable(window.x0 + i, window.y0 + j); });
     }
   }
   return {float(overlap), float(gap)};

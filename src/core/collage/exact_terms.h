@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/field/free_field.h"
-#include "core/matching/docking_terms.h"
 #include "core/geometry/similarity.h"
+#include "core/matching/docking_terms.h"
 #include "core/settings.h"
 #include "core/shape/shape.h"
 

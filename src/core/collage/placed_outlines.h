@@ -27,8 +27,8 @@ class PlacedOutlines {
 
   /// For each neighbour that the piece comes too near to, and for the canvas' edge, the way (px) by which it would have
   /// to move away; no way, (0, 0), where it is larger than the period of a seamless canvas. With padding_px, or where
-  /// overlap_px is 0, two polygons are at least so far apart, exactly; else no vertex of one lies deeper than overlap_px
-  /// in the other. Where the list is empty, the piece may stand.
+  /// overlap_px is 0, two polygons are at least so far apart, exactly; else no vertex of one lies deeper than
+  /// overlap_px in the other. Where the list is empty, the piece may stand.
   std::vector<Vec2> conflicts(const Shape& shape, const Similarity& canvas_from_shape) const;
 
  private:

@@ -22,10 +22,10 @@ struct Candidate {
   std::uint32_t stance = 0;  // of the matching context's
   Similarity canvas_from_shape;
   DockingTerms terms;
-  float score = 0;        // objective along the contour; exact once `exact` is set
+  float score = 0;  // objective along the contour; exact once `exact` is set
   bool exact = false;
-  Window window;          // nodes whose change changes the score
-  float perimeter = 0;    // the shape's
+  Window window;        // nodes whose change changes the score
+  float perimeter = 0;  // the shape's
   float radius = 0;
   std::uint32_t ordinal = 0;  // among those of its target sample when they were put: the pool's
   std::uint64_t stamp = 0;    // of its latest ranking: the pool's

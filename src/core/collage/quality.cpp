@@ -172,7 +172,8 @@ std::size_t count_distinct_shapes(const std::vector<Placement>& placements,
 Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& placements,
                         const std::function<const Shape&(ShapeId)>& shape) {
   std::vector<Outline> pieces_px;
-  for (const Placement& p : placements) pieces_px.push_back(in_canvas_frame(shape(p.shape).outline, p.canvas_from_shape));
+  for (const Placement& p : placements)
+    pieces_px.push_back(in_canvas_frame(shape(p.shape).outline, p.canvas_from_shape));
   const CellCounts counts = count_cells(canvas, pieces_px);
   Quality quality;
   measure_areas(counts, canvas.area_px2, quality);

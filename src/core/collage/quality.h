@@ -21,12 +21,12 @@ struct Quality {
   std::size_t pieces = 0;
   std::size_t distinct_shapes = 0;
   std::array<double, 5> scale_px_quantiles{};  // minimum, 10 %, median, 90 %, maximum
-  double largest_gap_px = 0;   // radius of the largest disc that still fits into the free region
+  double largest_gap_px = 0;                   // radius of the largest disc that still fits into the free region
 };
 
 /// `shape(i)` gives library shape i with its outline. Areas are counted on cells of a quarter px (of half or a whole px
-/// on canvases above 4 and 16 Mpx); the boundary is sampled every half px. On a seamless canvas all of it is said of one
-/// period, and of gaps no more is seen than half a period on each side of it.
+/// on canvases above 4 and 16 Mpx); the boundary is sampled every half px. On a seamless canvas all of it is said of
+/// one period, and of gaps no more is seen than half a period on each side of it.
 Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& placements,
                         const std::function<const Shape&(ShapeId)>& shape);
 

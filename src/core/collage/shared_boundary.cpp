@@ -39,7 +39,8 @@ void cross_seams(const Canvas& canvas, float reach_px, std::vector<BoundarySampl
     if (offset == Vec2{}) continue;
     for (std::size_t i = 0; i < count; ++i) {
       const Vec2 p = samples[i].position_px + offset;
-      if (p.x > -reach_px && p.x < far_x && p.y > -reach_px && p.y < far_y) samples.push_back({p, samples[i].piece, true});
+      if (p.x > -reach_px && p.x < far_x && p.y > -reach_px && p.y < far_y)
+        samples.push_back({p, samples[i].piece, true});
     }
   }
 }
@@ -56,7 +57,8 @@ std::vector<BoundarySample> sample_boundaries(const std::vector<Outline>& pieces
 class SampleGrid {
  public:
   SampleGrid(const Canvas& canvas, const std::vector<BoundarySample>& samples, float reach_px)
-      : reach_px_(reach_px), first_(int(float(canvas.width_px) / reach_px) + 1, int(float(canvas.height_px) / reach_px) + 1) {
+      : reach_px_(reach_px),
+        first_(int(float(canvas.width_px) / reach_px) + 1, int(float(canvas.height_px) / reach_px) + 1) {
     std::vector<std::uint32_t> size(first_.data().size() + 1, 0);
     for (const BoundarySample& s : samples) ++size[bucket_of(s.position_px)];
     std::uint32_t begin = 0;

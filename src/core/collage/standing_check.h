@@ -18,8 +18,8 @@ struct StandingCheck {
   std::vector<std::size_t> overlapping;  // with some of it on pieces before them
 };
 
-/// `shape(id)` gives library shapes with their outlines. Counted on cells of 1 px; as little of a piece's area as where a
-/// run itself makes pieces touch does not count.
+/// `shape(id)` gives library shapes with their outlines. Counted on cells of 1 px; as little of a piece's area as where
+/// a run itself makes pieces touch does not count.
 StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces,
                              const std::function<const Shape&(ShapeId)>& shape);
 

@@ -46,8 +46,8 @@ Canvas make_rectangle_canvas(int width_px, int height_px);
 /// One period of a plane that is to be filled without a seam from left to right, from top to bottom, or both.
 Canvas make_seamless_canvas(int width_px, int height_px, bool in_x, bool in_y);
 
-/// `coverage` is the fraction (0..1) of each cell that belongs to the region, `cells_per_px` of them to a canvas px both
-/// ways: 2, with which the edge is true to a quarter of a px, or 1, to half a px, where memory counts.
+/// `coverage` is the fraction (0..1) of each cell that belongs to the region, `cells_per_px` of them to a canvas px
+/// both ways: 2, with which the edge is true to a quarter of a px, or 1, to half a px, where memory counts.
 Canvas make_mask_canvas(const Grid<float>& coverage, int cells_per_px = 2);
 
 }  // namespace tessera

@@ -44,8 +44,7 @@ class EdgeTable {
 template <class F>
 void EdgeTable::each(const Window& window, F f) const {
   // An edge that begins left of the window or above it may end in it.
-  const Window begins =
-      Window{window.x0 - 1, window.y0 - 1, window.x1, window.y1}.intersected({0, 0, width_, height_});
+  const Window begins = Window{window.x0 - 1, window.y0 - 1, window.x1, window.y1}.intersected({0, 0, width_, height_});
   if (begins.empty()) return;
   for (int ty = begins.y0 / kTile_nodes; ty <= (begins.y1 - 1) / kTile_nodes; ++ty) {
     for (int tx = begins.x0 / kTile_nodes; tx <= (begins.x1 - 1) / kTile_nodes; ++tx) {

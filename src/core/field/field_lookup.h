@@ -16,7 +16,9 @@ struct FieldView {
 
   FieldView() = default;
   explicit FieldView(const CanvasField& field)
-      : value(field.value.data().data()), width(field.value.width()), height(field.value.height()),
+      : value(field.value.data().data()),
+        width(field.value.width()),
+        height(field.value.height()),
         origin(field.origin) {}
 };
 

@@ -11,7 +11,8 @@
 namespace tessera {
 namespace {
 
-/// A rejected node of the contour field: a little below zero, so that the traced line stays close to the last good node.
+/// A rejected node of the contour field: a little below zero, so that the traced line stays close to the last good
+/// node.
 constexpr float kClosed = -0.3f;
 /// Discs are centred on nodes whose distance is the radius or up to this much more.
 constexpr float kDiscBand_px = 1.5f;

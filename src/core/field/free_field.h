@@ -22,8 +22,8 @@ Window piece_window(const Outline& outline, const Similarity& canvas_from_shape,
 PeriodicGrid free_field_grid(const Canvas& canvas, const PieceSettings& pieces);
 
 /// Signed distance to the free region's boundary, px, positive inside. Exact up to stamp_band_px from a piece and
-/// everywhere near the canvas' edge; beyond, a bound that says "far". On a seamless canvas it repeats itself to the bit,
-/// and windows stand for all of their images.
+/// everywhere near the canvas' edge; beyond, a bound that says "far". On a seamless canvas it repeats itself to the
+/// bit, and windows stand for all of their images.
 class FreeField {
  public:
   FreeField(const Canvas& canvas, const PieceSettings& pieces);

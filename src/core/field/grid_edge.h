@@ -16,7 +16,9 @@ struct GridEdge {
   static GridEdge of(std::uint32_t number, int width) {
     return {int((number >> 1) % std::uint32_t(width)), int((number >> 1) / std::uint32_t(width)), (number & 1) != 0};
   }
-  std::uint32_t number(int width) const { return 2 * (std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x)) + down; }
+  std::uint32_t number(int width) const {
+    return 2 * (std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x)) + down;
+  }
 
   /// Whether one of its two nodes lies in the window.
   bool touches(const Window& w) const {

@@ -60,8 +60,8 @@ namespace {
 
 constexpr int kBlock_px = 16;
 
-/// Those that are the nearest to some node of the block, and few others: a distance changes by no more than the way from
-/// the block's middle.
+/// Those that are the nearest to some node of the block, and few others: a distance changes by no more than the way
+/// from the block's middle.
 std::vector<KeepOutRectangle> nearest_to_any_of(const std::vector<KeepOutRectangle>& zones, const Window& block,
                                                 Vec2 origin) {
   constexpr float kReach_px = 0.75f * kBlock_px;  // more than half the diagonal

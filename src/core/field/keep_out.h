@@ -25,7 +25,8 @@ CanvasField distance_to(const std::vector<KeepOutRectangle>& zones, const Canvas
 /// canvas repeats the zones do, and images that are further away than fields look do not count.
 CanvasField distance_to(const Grid<float>& coverage, const Canvas& canvas);
 
-/// Takes these zones, besides those that it has, out of the canvas and of its regions. The area is that of what is left.
+/// Takes these zones, besides those that it has, out of the canvas and of its regions. The area is that of what is
+/// left.
 void take_out(const CanvasField& zones, Canvas& canvas);
 
 }  // namespace tessera

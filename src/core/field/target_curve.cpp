@@ -29,7 +29,9 @@ MatchedPad matched_pad(SampleId id, const ArclengthPyramid& pyramid) {
 /// A vertex of the curve, seen smoothed; adds to `support` whatever it visits.
 class TargetCurve::Walk {
  public:
-  Walk(TargetCurve& curve, int at, TileIndex::Region& support) : curve_(&curve), at_(at), support_(&support) { visit(); }
+  Walk(TargetCurve& curve, int at, TileIndex::Region& support) : curve_(&curve), at_(at), support_(&support) {
+    visit();
+  }
 
   /// Goes on beyond the period where the curve does.
   Vec2 position() const { return here().smooth + beyond_px_; }

@@ -45,7 +45,7 @@ class TargetCurve {
  private:
   struct Held {
     TargetSample sample;
-    ArclengthPyramid matched;  // as it was when last reported as renewed
+    ArclengthPyramid matched;              // as it was when last reported as renewed
     std::vector<TileIndex::Tile> support;  // of the nodes that it depends on
   };
   class Walk;

@@ -13,9 +13,9 @@ namespace tessera {
 /// A point of the target curve where shapes are docked. Canvas px; the free region lies on the left.
 struct TargetSample {
   SampleId id{};
-  std::uint32_t pass = 0;  // how often it was matched before: other random draws each time
-  Vec2 position;           // on the curve itself
-  Vec2 tangent;            // unit
+  std::uint32_t pass = 0;    // how often it was matched before: other random draws each time
+  Vec2 position;             // on the curve itself
+  Vec2 tangent;              // unit
   ArclengthPyramid pyramid;  // of the curve smoothed by target_sigma_px
 };
 

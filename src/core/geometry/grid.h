@@ -36,7 +36,10 @@ template <class T>
 class Grid {
  public:
   Grid() = default;
-  Grid(int width, int height, T value = T()) : width_(width), height_(height), data_(std::size_t(width) * height, value) {}
+  Grid(int width, int height, T value = T())
+      : width_(width),
+        height_(height),
+        data_(std::size_t(width) * height, value) {}
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -16,7 +16,9 @@ class PeriodicGrid {
   explicit PeriodicGrid(const Window& nodes) : nodes_(nodes), one_period_(nodes) {}
   /// `one_period` is as wide and high as the period where the grid repeats, and as `nodes` where it does not.
   PeriodicGrid(const Window& nodes, const Window& one_period, const Period& period)
-      : nodes_(nodes), one_period_(one_period), period_(period) {}
+      : nodes_(nodes),
+        one_period_(one_period),
+        period_(period) {}
 
   const Window& nodes() const { return nodes_; }
   const Window& one_period() const { return one_period_; }

@@ -30,7 +30,8 @@ void add_crossings(Vec2 p, Vec2 q, const Window& window, std::vector<Crossing>& 
   for (int row = begin; row < end; ++row) crossings.push_back({row, p.x + (float(row) + 0.5f - p.y) * slope});
 }
 
-std::vector<Crossing> sorted_crossings(const Outline& outline, const Similarity& grid_from_shape, const Window& window) {
+std::vector<Crossing> sorted_crossings(const Outline& outline, const Similarity& grid_from_shape,
+                                       const Window& window) {
   std::vector<Crossing> crossings;
   for (const std::vector<Vec2>& curve : outline.curves) {
     if (curve.empty()) continue;
@@ -56,8 +57,8 @@ Window bounding_window(const Outline& outline, const Similarity& grid_from_shape
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  return {int(std::floor(within_int(low.x))), int(std::floor(within_int(low.y))),
-          int(std::ceil(within_int(high.x))), int(std::ceil(within_int(high.y)))};
+  return {int(std::floor(within_int(low.x))), int(std::floor(within_int(low.y))), int(std::ceil(within_int(high.x))),
+          int(std::ceil(within_int(high.y)))};
 }
 
 std::vector<Span> fill_spans(const Outline& outline, const Similarity& grid_from_shape, const Window& window) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/geometry/grid.h"
-#include "core/geometry/similarity.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/similarity.h"
 
 namespace tessera {
 

@@ -50,9 +50,9 @@ Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target,
 /// The tangent docking number `draw` of a target sample: shape, stance, boundary point and log-uniform scale from
 /// counter-based random bits keyed by (seed, sample, pass, draw). Any shape that may stand is as likely.
 struct TangentDraw {
-  bool drawn = false;        // false: no shape may stand
+  bool drawn = false;  // false: no shape may stand
   ShapeId shape{};
-  std::uint32_t stance = 0;  // of the context's
+  std::uint32_t stance = 0;      // of the context's
   std::uint32_t point_bits = 0;  // choose among the boundary points that come into question
   float scale_px = 0;
 };

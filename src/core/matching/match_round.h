@@ -31,9 +31,9 @@ struct MatchRound {
 };
 
 /// Adds to the counters and times of `statistics`. Calls `meanwhile` once where the matcher has a question to work on.
-MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan,
-                 std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics,
-                 const std::function<void()>& meanwhile = [] {});
+MatchRound match(
+    Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan, std::uint64_t library_pads,
+    PairReach& reach, RunStatistics& statistics, const std::function<void()>& meanwhile = [] {});
 
 /// Whether two poses of one shape would look the same: they are closer than `tolerance` of b's scale in place, and in
 /// size and rotation.

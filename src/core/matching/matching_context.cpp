@@ -28,8 +28,8 @@ MatchingContext make_matching_context(const CollageSettings& settings, std::uint
   c.levels = levels_for_scales(pieces.min_scale_px, pieces.max_scale_px, target_sigma_px(pieces));
   for (const int level : c.levels) {
     const ScaleRange range = level_scales(level, target_sigma_px(pieces));
-    c.level_range.push_back(
-        {std::max(pieces.min_scale_px, range.low / kLevelSlack), std::min(pieces.max_scale_px, range.high * kLevelSlack)});
+    c.level_range.push_back({std::max(pieces.min_scale_px, range.low / kLevelSlack),
+                             std::min(pieces.max_scale_px, range.high * kLevelSlack)});
   }
   return c;
 }

@@ -16,9 +16,9 @@ struct MatchingContext {
   std::uint32_t beta_steps = 0;  // pad_steps(beta)
   float delta_px = 0;
   StanceTable stances;
-  float max_scale_px = 0;        // of all stances
-  float hard_depth_px = 0;       // no boundary point of a piece lies deeper in another
-  float gap_px = 0;                // boundary points up to this far from others count as gap
+  float max_scale_px = 0;   // of all stances
+  float hard_depth_px = 0;  // no boundary point of a piece lies deeper in another
+  float gap_px = 0;         // boundary points up to this far from others count as gap
   int tangent_dockings = 0;
   std::uint32_t library_shapes = 0;
   std::vector<int> levels;              // smoothing levels in use

@@ -67,9 +67,9 @@ std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& s
                                   const MatchingContext& context, std::uint32_t reach_steps) {
   if (list.count == 0) return {};
   const int levels = context.pad.levels;
-  const Target target{quantised(make_pad(sample.pyramid, levels)), scale_length(sample.pyramid, levels),
-                      sample.pyramid.convexity,
-                      sample.pyramid.keypoint[chord_ends(levels).last] - sample.pyramid.keypoint[chord_ends(levels).first]};
+  const Target target{
+      quantised(make_pad(sample.pyramid, levels)), scale_length(sample.pyramid, levels), sample.pyramid.convexity,
+      sample.pyramid.keypoint[chord_ends(levels).last] - sample.pyramid.keypoint[chord_ends(levels).first]};
   std::vector<PadPair> pairs;
   std::uint32_t first = 0;
   for (std::size_t slot = 0; slot < shape.levels.size(); ++slot) {

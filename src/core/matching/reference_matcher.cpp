@@ -61,7 +61,8 @@ std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, 
       const std::uint32_t stance = list.first + aligned.stance;
       const float key = docking_key(models_[m], aligned.canvas_from_shape, FieldView(field_), context_.max_scale_px);
       if (key < kLeastDockingKey) continue;
-      of_shape.push_back({t, shape, pair.source, stance, key * context_.stances[stance].weight, aligned.canvas_from_shape});
+      of_shape.push_back(
+          {t, shape, pair.source, stance, key * context_.stances[stance].weight, aligned.canvas_from_shape});
     }
     std::sort(of_shape.begin(), of_shape.end(), docks_better);
     if (of_shape.size() > kDockingsPerShape) of_shape.resize(kDockingsPerShape);

@@ -8,7 +8,8 @@
 
 namespace tessera {
 
-/// Of a shape whose sizes are spread evenly over the octaves from `low_px` to `high_px`: the mean of their squares, px².
+/// Of a shape whose sizes are spread evenly over the octaves from `low_px` to `high_px`: the mean of their squares,
+/// px².
 double mean_square_px2(double low_px, double high_px);
 
 /// The largest size, of a ladder that leads down from the largest of all, at which the shapes that are left, none of

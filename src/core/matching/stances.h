@@ -1,5 +1,6 @@
-// Stances: the ways in which each shape may stand in the region of the canvas that is being filled. Matching makes poses
-// inside them only, so that no slot is spent on what may not stand. kernels/stances.cl looks them up in the same way.
+// Stances: the ways in which each shape may stand in the region of the canvas that is being filled. Matching makes
+// poses inside them only, so that no slot is spent on what may not stand. kernels/stances.cl looks them up in the same
+// way.
 #pragma once
 
 #include <cstdint>

@@ -70,15 +70,13 @@ struct TimedStage {
 };
 
 inline constexpr TimedStage<WorkerTimes> kWorkerStages[] = {
-    {"count", &WorkerTimes::count_s},       {"dock", &WorkerTimes::dock_s},   {"refine", &WorkerTimes::refine_s},
-    {"measure", &WorkerTimes::measure_s},   {"field", &WorkerTimes::field_s}, {"messages", &WorkerTimes::messages_s},
+    {"count", &WorkerTimes::count_s},     {"dock", &WorkerTimes::dock_s},   {"refine", &WorkerTimes::refine_s},
+    {"measure", &WorkerTimes::measure_s}, {"field", &WorkerTimes::field_s}, {"messages", &WorkerTimes::messages_s},
     {"waiting", &WorkerTimes::waiting_s}};
 
-inline constexpr TimedStage<MasterTimes> kMasterStages[] = {{"objective", &MasterTimes::objective_s},
-                                                            {"merge", &MasterTimes::merge_s},
-                                                            {"questions", &MasterTimes::questions_s},
-                                                            {"ahead", &MasterTimes::ahead_s},
-                                                            {"waiting", &MasterTimes::waiting_s},
-                                                            {"other", &MasterTimes::other_s}};
+inline constexpr TimedStage<MasterTimes> kMasterStages[] = {
+    {"objective", &MasterTimes::objective_s}, {"merge", &MasterTimes::merge_s},
+    {"questions", &MasterTimes::questions_s}, {"ahead", &MasterTimes::ahead_s},
+    {"waiting", &MasterTimes::waiting_s},     {"other", &MasterTimes::other_s}};
 
 }  // namespace tessera

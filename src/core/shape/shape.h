@@ -81,23 +81,23 @@ using Sha256 = std::array<std::uint8_t, 32>;
 /// What the picture needs of the original drawing. Artwork frame: px of the raster the outline was traced from
 /// (`width_px` x `height_px`, y down, origin at the upper left corner of the upper left pixel).
 struct Artwork {
-  std::string path;                        // absolute path at build time
-  std::string path_beside_library;         // where it lies if it was moved together with the library; may be empty
-  std::optional<Sha256> sha256;            // of the file at build time; none in libraries of older versions
+  std::string path;                 // absolute path at build time
+  std::string path_beside_library;  // where it lies if it was moved together with the library; may be empty
+  std::optional<Sha256> sha256;     // of the file at build time; none in libraries of older versions
   int width_px = 0;
   int height_px = 0;
-  bool mirrored = false;                   // the shape is the drawing's mirror image: its x runs against the drawing's
-  Vec2 centroid_px;                        // shape origin in the artwork frame
-  float unit_px = 0;                       // artwork px for one shape unit
-  std::vector<std::uint8_t> thumbnail_png; // RGBA PNG, longest side <= 192 px
-  std::vector<std::uint8_t> original;      // the file itself, empty unless embedded (library build --embed)
+  bool mirrored = false;                    // the shape is the drawing's mirror image: its x runs against the drawing's
+  Vec2 centroid_px;                         // shape origin in the artwork frame
+  float unit_px = 0;                        // artwork px for one shape unit
+  std::vector<std::uint8_t> thumbnail_png;  // RGBA PNG, longest side <= 192 px
+  std::vector<std::uint8_t> original;       // the file itself, empty unless embedded (library build --embed)
 };
 
 struct Shape {
-  std::string name;          // file name without extension, unique within a library
-  Outline outline;           // outer curve: 512 points of even arclength; holes in proportion, at least 16
-  float perimeter = 0;       // of all curves
-  float radius = 0;          // largest distance of an outline point from the origin
+  std::string name;     // file name without extension, unique within a library
+  Outline outline;      // outer curve: 512 points of even arclength; holes in proportion, at least 16
+  float perimeter = 0;  // of all curves
+  float radius = 0;     // largest distance of an outline point from the origin
   ShapeField field;
   std::array<LevelCurve, kSmoothingLevels.size()> levels;
   std::array<float, 3> mean_lab{};  // CIELAB (D65), alpha-weighted mean

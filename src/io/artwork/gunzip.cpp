@@ -24,7 +24,8 @@ StreamPtr plain_stream(std::span<const std::uint8_t> bytes) {
 
 bool is_gzip(std::span<const std::uint8_t> bytes) { return bytes.size() >= 2 && bytes[0] == 0x1f && bytes[1] == 0x8b; }
 
-std::vector<std::uint8_t> gunzip(std::span<const std::uint8_t> bytes, const std::string& path, std::size_t limit_bytes) {
+std::vector<std::uint8_t> gunzip(std::span<const std::uint8_t> bytes, const std::string& path,
+                                 std::size_t limit_bytes) {
   const StreamPtr stream = plain_stream(bytes);
   std::vector<std::uint8_t> result;
   std::vector<std::uint8_t> block(1 << 16);

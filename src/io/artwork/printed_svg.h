@@ -15,8 +15,8 @@ namespace tessera::io {
 
 class PrintedSvg {
  public:
-  /// `path` stands in messages. Any SVG will do; without `pieces_apart` it is drawn by librsvg alone. Throws InputError where it is none or is damaged; svg_page.h tells about
-  /// hostile files.
+  /// `path` stands in messages. Any SVG will do; without `pieces_apart` it is drawn by librsvg alone. Throws InputError
+  /// where it is none or is damaged; svg_page.h tells about hostile files.
   PrintedSvg(std::span<const std::uint8_t> svg, const std::string& path, bool pieces_apart = true);
 
   /// Of its page; only the ratio matters.

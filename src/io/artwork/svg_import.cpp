@@ -14,8 +14,8 @@
 #include "core/base/error.h"
 #include "io/artwork/gunzip.h"
 #include "io/artwork/svg_page.h"
-#include "io/number_text.h"
 #include "io/artwork/svg_style.h"
+#include "io/number_text.h"
 #include "io/xml_writer.h"
 
 namespace tessera::io {
@@ -25,6 +25,7 @@ constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
 constexpr std::string_view kXlinkNamespace = "http://www.w3.org/1999/xlink";
 
 /// What draws. Of links only the content is kept; what is not here is dropped with all that it holds.
+// clang-format off
 const std::set<std::string_view> kElements = {
     "svg", "g", "a", "defs", "symbol", "use", "switch", "style",                                          //
     "path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "image",                          //
@@ -34,6 +35,7 @@ const std::set<std::string_view> kElements = {
     "feDiffuseLighting", "feDisplacementMap", "feDistantLight", "feDropShadow", "feFlood", "feFuncA",     //
     "feFuncB", "feFuncG", "feFuncR", "feGaussianBlur", "feImage", "feMerge", "feMergeNode", "feMorphology",  //
     "feOffset", "fePointLight", "feSpecularLighting", "feSpotLight", "feTile", "feTurbulence"};
+// clang-format on
 
 struct FreeXml {
   void operator()(xmlDoc* doc) const { xmlFreeDoc(doc); }
@@ -59,7 +61,8 @@ DocPtr parse(std::span<const std::uint8_t> bytes, const std::string& path) {
   const std::unique_ptr<xmlParserCtxt, FreeXml> context(xmlNewParserCtxt());
   if (!context) throw std::bad_alloc();
   context->sax->entityDecl = declare_internal_entity;
-  constexpr int kOptions = XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
+  constexpr int kOptions =
+      XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
   DocPtr doc(xmlCtxtReadMemory(context.get(), reinterpret_cast<const char*>(bytes.data()), int(bytes.size()), nullptr,
                                nullptr, kOptions));
   context->myDoc = nullptr;
@@ -78,8 +81,8 @@ bool is_svg_element(const xmlNode* node) {
          kElements.contains(view(node->name));
 }
 
-/// An embedded bitmap, told by its first bytes and not by what it says it is: an embedded SVG would bring its own scripts
-/// and references. Nothing for any other address.
+/// An embedded bitmap, told by its first bytes and not by what it says it is: an embedded SVG would bring its own
+/// scripts and references. Nothing for any other address.
 std::optional<std::string> bitmap_uri(std::string_view uri) {
   static constexpr std::array<std::array<std::string_view, 2>, 4> kTypes = {
       {{"iVBORw0KGgo", "png"}, {"/9j/", "jpeg"}, {"R0lGOD", "gif"}, {"UklGR", "webp"}}};
@@ -108,7 +111,10 @@ bool begins_like_handler(std::string_view name) {
 /// Writes what is kept of a parsed SVG.
 class Importer {
  public:
-  Importer(const std::string& scope_id, cv::Size2d page_size) : scope_id_(scope_id), prefix_(scope_id + "-"), page_(page_size) {}
+  Importer(const std::string& scope_id, cv::Size2d page_size)
+      : scope_id_(scope_id),
+        prefix_(scope_id + "-"),
+        page_(page_size) {}
 
   std::string import(const xmlNode* root) {
     writer_.start("g").attribute("id", scope_id_);

@@ -23,8 +23,8 @@ class SvgPage : public ArtworkPage {
 
   cv::Mat draw(int longest_side_px, const cv::Rect& window) const override {
     cv::Mat image(window.height, window.width, CV_8UC4, cv::Scalar::all(0));
-    const CairoSurface surface(cairo_image_surface_create_for_data(
-        image.data, CAIRO_FORMAT_ARGB32, image.cols, image.rows, int(image.step)));  // BGRA in memory
+    const CairoSurface surface(cairo_image_surface_create_for_data(image.data, CAIRO_FORMAT_ARGB32, image.cols,
+                                                                   image.rows, int(image.step)));  // BGRA in memory
     const CairoContext cairo(cairo_create(surface.get()));
     cairo_translate(cairo.get(), -window.x, -window.y);
     document_.draw(cairo.get(), longest_side_px / std::max(natural_size().width, natural_size().height));

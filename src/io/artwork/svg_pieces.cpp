@@ -53,7 +53,8 @@ std::string text_of(xmlDoc* doc) {
 std::map<std::string, cv::Size2d> pages_of(xmlNode* root) {
   std::map<std::string, cv::Size2d> pages;
   xmlNode* definitions = first_element(root, "defs");
-  for (xmlNode* node = definitions ? xmlFirstElementChild(definitions) : nullptr; node; node = xmlNextElementSibling(node)) {
+  for (xmlNode* node = definitions ? xmlFirstElementChild(definitions) : nullptr; node;
+       node = xmlNextElementSibling(node)) {
     xmlNode* page = name_of(node) == "image" ? node : first_element(node, "svg");
     if (!page) continue;
     const double width = std::atof(attribute(page, "width").c_str());
@@ -78,7 +79,8 @@ std::vector<xmlNode*> pieces_of(xmlNode* root) {
 std::map<std::string, std::string> clips_of(xmlNode* root) {
   std::map<std::string, std::string> clips;
   xmlNode* definitions = first_element(root, "defs");
-  for (xmlNode* node = definitions ? xmlFirstElementChild(definitions) : nullptr; node; node = xmlNextElementSibling(node)) {
+  for (xmlNode* node = definitions ? xmlFirstElementChild(definitions) : nullptr; node;
+       node = xmlNextElementSibling(node)) {
     xmlNode* path = name_of(node) == "clipPath" ? first_element(node, "path") : nullptr;
     if (path) clips["url(#" + attribute(node, "id") + ")"] = attribute(path, "d");
   }
@@ -88,7 +90,8 @@ std::map<std::string, std::string> clips_of(xmlNode* root) {
 cairo_matrix_t matrix_of(xmlNode* piece) {
   cairo_matrix_t m;
   const std::string text = attribute(piece, "transform");
-  if (std::sscanf(text.c_str(), "matrix(%lf %lf %lf %lf %lf %lf)", &m.xx, &m.yx, &m.xy, &m.yy, &m.x0, &m.y0) == 6) return m;
+  if (std::sscanf(text.c_str(), "matrix(%lf %lf %lf %lf %lf %lf)", &m.xx, &m.yx, &m.xy, &m.yy, &m.x0, &m.y0) == 6)
+    return m;
   throw InputError(attribute(piece, "id") + ": transform: found \"" + text + "\", allowed: a matrix");
 }
 

@@ -86,7 +86,8 @@ void append_pool(CheckpointColumns& to, const CheckpointState& state) {
 
 void append_samples(CheckpointColumns& to, const CheckpointState& state) {
   for (const SampleId id : state.stale) to.stale.push_back(edge_number(id));
-  for (const SamplePasses& sample : state.passes) to.passes.insert(to.passes.end(), {edge_number(sample.id), sample.passes});
+  for (const SamplePasses& sample : state.passes)
+    to.passes.insert(to.passes.end(), {edge_number(sample.id), sample.passes});
   for (const MatchedPad& pad : state.matched) {
     to.matched_edge.push_back(edge_number(pad.sample));
     to.matched_pad.insert(to.matched_pad.end(), pad.left.begin(), pad.left.end());
@@ -133,8 +134,7 @@ void check_values(const CheckpointColumns& c) {
 /// Columns of one table have as many rows.
 void check_rows(const CheckpointColumns& c) {
   require(c.digests.size() == 3 && c.improving.size() == 1 && c.stage.size() == 5 && c.empty_passes.size() == 1 &&
-              c.counts.size() == std::size(kCounts) &&
-              c.measures.size() == std::size(kMeasures),
+              c.counts.size() == std::size(kCounts) && c.measures.size() == std::size(kMeasures),
           "a list of fixed length has another one");
   const std::size_t placed = c.placed_shape.size();
   require(c.placed_pose.size() == 4 * placed && c.placed_score.size() == placed && c.placed_matched.size() == placed,
@@ -142,9 +142,9 @@ void check_rows(const CheckpointColumns& c) {
   require(c.pool_truncated.size() == c.pool_edge.size() && c.pool_candidates.size() == c.pool_edge.size(),
           "/pool: columns of different length");
   const std::size_t rows = c.shape.size();
-  require(c.source.size() == rows && c.stance.size() == rows && c.pose.size() == 4 * rows && c.terms.size() == 5 * rows &&
-              c.score.size() == rows && c.exact.size() == rows && c.window.size() == 4 * rows &&
-              c.shape_size.size() == 2 * rows,
+  require(c.source.size() == rows && c.stance.size() == rows && c.pose.size() == 4 * rows &&
+              c.terms.size() == 5 * rows && c.score.size() == rows && c.exact.size() == rows &&
+              c.window.size() == 4 * rows && c.shape_size.size() == 2 * rows,
           "/candidates: columns of different length");
   require(c.matched_pad.size() == kMatchedRow * c.matched_edge.size(), "/samples: columns of different length");
   std::uint64_t candidates = 0;

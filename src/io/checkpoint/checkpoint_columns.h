@@ -37,8 +37,10 @@ void each_column(Columns& c, Visit visit) {
   visit("/job", c.job, 1, "", "the effective job, TOML");
   visit("/digests", c.digests, 1, "", "of the library's content, the canvas, the free region with its samples");
   visit("/improving", c.improving, 1, "", "1: ruin and recreate has begun");
-  visit("/stage", c.stage, 1, "", "region that is being filled, pieces that were given to it, attempt at its sizes, digest of the pieces that the "
-        "job gives (lower half, upper half)");
+  visit(
+      "/stage", c.stage, 1, "",
+      "region that is being filled, pieces that were given to it, attempt at its sizes, digest of the pieces that the "
+      "job gives (lower half, upper half)");
   visit("/empty_passes", c.empty_passes, 1, "", "how often all samples were matched again since the last piece");
   visit("/statistics/counts", c.counts, 1, "",
         "shapes, rounds, docking choices, dockings evaluated, refined, target samples, trials, trials kept");

@@ -12,7 +12,8 @@ namespace {
 bool counts(const JobKey& key) { return key.decides && key.kind != JobKind::file && key.kind != JobKind::files; }
 
 std::string differing_file(const char* key, const std::string& then, const std::string& now) {
-  const std::string names = then == now ? "\"" + now + "\" has changed since" : "then \"" + then + "\", now \"" + now + "\"";
+  const std::string names =
+      then == now ? "\"" + now + "\" has changed since" : "then \"" + then + "\", now \"" + now + "\"";
   return std::string("; ") + key + ": another content: " + names;
 }
 

@@ -161,8 +161,8 @@ DrawerLayers DrawerProcess::greet(const std::string& program) {
   throw_cannot_start(program + ": " + reason);
 }
 
-/// Why this drawer is not taken; empty where it is. The mark is judged first: another version may say less after it, and
-/// wait.
+/// Why this drawer is not taken; empty where it is. The mark is judged first: another version may say less after it,
+/// and wait.
 std::string DrawerProcess::refusal(DrawerGreeting& greeting) {
   DrawerMark mark{};
   took_too_long_ = false;

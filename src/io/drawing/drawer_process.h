@@ -23,7 +23,8 @@ class DrawerProcess {
   DrawerProcess& operator=(const DrawerProcess&) = delete;
 
   bool started() const { return socket_ >= 0; }
-  /// Returns what of its confinement holds. Throws EnvironmentError. The process dies with the thread that calls this, at the latest.
+  /// Returns what of its confinement holds. Throws EnvironmentError. The process dies with the thread that calls this,
+  /// at the latest.
   DrawerLayers start();
   /// The answer of a started process; where there is none, it has ended it and failure() says why.
   std::optional<DrawingAnswer> ask(const DrawingRequest& request, double seconds);

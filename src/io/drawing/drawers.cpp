@@ -139,9 +139,9 @@ class Drawers::Crew {
   }
 
   /// What fails in a process that made other drawings before gets a second chance in a fresh one: earlier drawings may
-  /// have left it little memory, and what becomes of a drawing must not depend on them. What took too long gets none: its
-  /// CPU time is counted from its own beginning, whatever was drawn before, so a second attempt would only take as long
-  /// again, and a folder of such drawings twice its time.
+  /// have left it little memory, and what becomes of a drawing must not depend on them. What took too long gets none:
+  /// its CPU time is counted from its own beginning, whatever was drawn before, so a second attempt would only take as
+  /// long again, and a folder of such drawings twice its time.
   DrawingAnswer answered(DrawerProcess& process, const DrawingRequest& request) {
     const bool was_used = process.started();
     std::optional<DrawingAnswer> answer = attempt(process, request);

@@ -13,8 +13,8 @@
 namespace tessera::io {
 namespace {
 
-// px of the page. Drawn coverage has few steps, so that its contour trembles by a tenth of a px: a blur takes that away,
-// and rounds corners by no more than itself.
+// px of the page. Drawn coverage has few steps, so that its contour trembles by a tenth of a px: a blur takes that
+// away, and rounds corners by no more than itself.
 constexpr double kBlur_px = 1;
 constexpr double kBorderBlur_px = 2;  // between regions, whose shares in a place are less certain
 constexpr double kTolerance_px = 0.02;

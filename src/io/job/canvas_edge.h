@@ -24,8 +24,8 @@ struct CanvasEdge {
 };
 
 /// The edge of what load_canvas (canvas_file.h) fills, within a quarter of a px of the page that it is drawn on, traced
-/// at 4096 px or more along the page's longest side; and where regions have backgrounds, the grounds of all regions, each
-/// of which goes on for some px beneath those after it, so that no gap shows between them. Errors as load_canvas.
+/// at 4096 px or more along the page's longest side; and where regions have backgrounds, the grounds of all regions,
+/// each of which goes on for some px beneath those after it, so that no gap shows between them. Errors as load_canvas.
 CanvasEdge canvas_edge(const CanvasSpec& spec, Drawers& drawers);
 
 /// Closed curves in canvas px round what is covered half or more, of a page whose px are `canvas_px` wide.

@@ -65,7 +65,8 @@ void check_images(const Canvas& canvas, const PieceSettings& pieces) {
   const Window nodes = free_field_grid(canvas, pieces).nodes();
   const double px2 = double(nodes.width()) * nodes.height();
   if (px2 <= kMaxCanvas_px2) return;
-  throw InputError("canvas.seamless: " + fixed(px2 / 1e6, 1) + " million px with the images beside the canvas, as far as " +
+  throw InputError("canvas.seamless: " + fixed(px2 / 1e6, 1) +
+                   " million px with the images beside the canvas, as far as " +
                    "pieces of pieces.scale_px reach; allowed: " + fixed(kMaxCanvas_px2 / 1e6, 0) + " million");
 }
 

@@ -17,8 +17,8 @@ constexpr int kMaxMaskCanvas_px = kMaxArtworkSide_px / 2;
 void check_size(const CanvasSpec& spec, const Canvas& canvas) {
   if (std::max(canvas.width_px, canvas.height_px) <= kMaxMaskCanvas_px) return;
   throw InputError("canvas.keep_out: found " + spec.keep_out + " with a canvas of " + std::to_string(canvas.width_px) +
-                   " x " + std::to_string(canvas.height_px) + " px, allowed with a file: " +
-                   std::to_string(kMaxMaskCanvas_px) + " px or less each");
+                   " x " + std::to_string(canvas.height_px) +
+                   " px, allowed with a file: " + std::to_string(kMaxMaskCanvas_px) + " px or less each");
 }
 
 /// The file's silhouette over the whole canvas, at twice its resolution.

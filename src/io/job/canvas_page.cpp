@@ -17,7 +17,8 @@ std::vector<std::uint8_t> read_canvas_file(const std::string& path, const char* 
   }
 }
 
-CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers) {
+CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px,
+                       Drawers& drawers) {
   const cv::Size box = box_px * 2;
   const int side = std::min(std::max(box.width, box.height), kMaxArtworkSide_px);
   cv::Mat page = drawers.render(bytes, path, side);

@@ -27,10 +27,9 @@ struct CanvasPage {
   float canvas_px() const { return cells_per_px == 1 ? float(width_px) / float(bgra.cols) : 0.5f; }
 };
 
-/// The artwork as it fits into a box of canvas px. It is drawn at twice the canvas' resolution, and 8192 px large at most.
-/// Errors as Drawers::render.
-CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px,
-                       Drawers& drawers);
+/// The artwork as it fits into a box of canvas px. It is drawn at twice the canvas' resolution, and 8192 px large at
+/// most. Errors as Drawers::render.
+CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers);
 
 /// The page of the spec's file, which touches the spec's box in width or height. Errors as load_canvas (canvas_file.h).
 CanvasPage canvas_page(const CanvasSpec& spec, Drawers& drawers);

@@ -22,7 +22,8 @@ std::string job_differences(const Job& then, const Job& now, const std::function
     text += "; " + key.full_name() + ": then " + job_value_to_toml(key, then) + ", now " + job_value_to_toml(key, now);
   }
   for (const JobTable& table : job_tables()) {
-    if (rows_text(table, then, counts) != rows_text(table, now, counts)) text += "; [[" + table.name + "]]: others than then";
+    if (rows_text(table, then, counts) != rows_text(table, now, counts))
+      text += "; [[" + table.name + "]]: others than then";
   }
   return text;
 }

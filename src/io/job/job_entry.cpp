@@ -72,7 +72,8 @@ std::string did_you_mean(const std::string& nearest) {
 
 [[noreturn]] void fail_unknown_section(const JobEntry& entry) {
   if (find_job_table(entry.section)) {
-    throw InputError(entry.where + ": [" + entry.section + "] may come several times; allowed: [[" + entry.section + "]]");
+    throw InputError(entry.where + ": [" + entry.section + "] may come several times; allowed: [[" + entry.section +
+                     "]]");
   }
   const std::string nearest = nearest_name(entry.section, section_names());
   throw InputError(entry.where + ": unknown section [" + printable(entry.section) + "]" +
@@ -94,8 +95,8 @@ std::string did_you_mean(const std::string& nearest) {
     for (const JobTable& table : job_tables()) names.push_back(table.name);
     const std::string nearest = nearest_name(entry.name, names);
     throw InputError(entry.where + ": unknown tables [[" + printable(entry.name) + "]]" +
-                     did_you_mean(nearest.empty() ? "" : "[[" + nearest + "]]") + "; allowed: " +
-                     table_names().substr(2));
+                     did_you_mean(nearest.empty() ? "" : "[[" + nearest + "]]") +
+                     "; allowed: " + table_names().substr(2));
   }
   const std::string place = entry.section.empty() ? "at top level" : "in [" + entry.section + "]";
   throw InputError(entry.where + ": unknown key " + printable(full_name(entry)) + did_you_mean(suggestion(entry)) +
@@ -131,7 +132,8 @@ JobValue length_in_px(const JobKey& key, const toml::node& node, const CanvasSpe
 bool is_length_in_mm(const JobEntry& entry) { return length_in_mm(entry) != nullptr; }
 
 std::string printable(std::string text, std::size_t max_bytes) {
-  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
   return text.size() <= max_bytes ? text : cut_utf8(text, max_bytes) + "...";
 }
 
@@ -159,8 +161,8 @@ void apply_entry(const JobEntry& entry, Job& job) {
   if (!key) fail_unknown_key(entry);
   auto value = read_job_value(*key, *entry.value);
   if (!value) {
-    throw InputError(entry.where + ": " + key->full_name() + ": found " + found_text(*entry.value) + ", allowed: " +
-                     allowed_values(*key));
+    throw InputError(entry.where + ": " + key->full_name() + ": found " + found_text(*entry.value) +
+                     ", allowed: " + allowed_values(*key));
   }
   if (key->kind == JobKind::file && !value->text.empty()) {
     value->text = (entry.base / value->text).lexically_normal().string();
@@ -203,7 +205,8 @@ void add_row(const JobTable& table, const toml::table& row, const std::function<
   }
   for (const JobKey& column : table.columns) {
     if (!column.required || cells.contains(column.name)) continue;
-    throw InputError(where(row) + ": " + column.name + " is missing in [[" + table.name + "]]; needed: " + column.meaning);
+    throw InputError(where(row) + ": " + column.name + " is missing in [[" + table.name +
+                     "]]; needed: " + column.meaning);
   }
   job.tables[table.name].push_back(std::move(cells));
 }

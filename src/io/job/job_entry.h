@@ -12,7 +12,7 @@
 namespace tessera::io {
 
 struct JobEntry {
-  std::string section;         // empty = top level
+  std::string section;  // empty = top level
   std::string name;
   const toml::node* value;
   std::string where;           // start of every message about it: "job.toml:12" or "--set a.b=c"
@@ -27,7 +27,8 @@ inline constexpr const char* kBothAreGiven = ": both are given; allowed: one of 
 /// The length in px that a column's name in mm stands for; null where it is no such name.
 const JobKey* length_in_mm(const JobTable& table, const std::string& name);
 
-/// Whether it gives a length of the canvas in mm (millimetres.h), which needs the canvas' size in px and mm to be known.
+/// Whether it gives a length of the canvas in mm (millimetres.h), which needs the canvas' size in px and mm to be
+/// known.
 bool is_length_in_mm(const JobEntry& entry);
 
 /// Sets the key in `job`. Throws InputError: an unknown section or key with the nearest one, or the value found and

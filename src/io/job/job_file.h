@@ -20,11 +20,11 @@ enum class Seamless { none, x, y, both };
 struct CanvasSpec {
   int width_px = 1000;
   int height_px = 1000;
-  std::string file;   // SVG or image mask, absolute path; empty = the rectangle
-  Seamless seamless = Seamless::none;  // of a rectangle
-  std::vector<std::string> region_colours = {};  // of `file`: each place belongs to the nearest; empty: one region
+  std::string file;                                  // SVG or image mask, absolute path; empty = the rectangle
+  Seamless seamless = Seamless::none;                // of a rectangle
+  std::vector<std::string> region_colours = {};      // of `file`: each place belongs to the nearest; empty: one region
   std::vector<std::string> region_backgrounds = {};  // as many, what pictures show there; empty: OutputSpec::background
-  double width_mm = 0;  // of the rectangle or the box on paper; 0 = it has no size there
+  double width_mm = 0;                               // of the rectangle or the box on paper; 0 = it has no size there
   double height_mm = 0;
   std::string keep_out = {};  // SVG or image, absolute path: what it shows is kept out of; empty = nothing
   std::vector<KeepOutRectangle> keep_out_rectangles = {};
@@ -47,23 +47,23 @@ inline constexpr const char* kNoKeepOut = "none";
 
 /// How the pictures look. Nothing of it changes where pieces lie.
 struct OutputSpec {
-  int width_px = 2000;  // of collage.png, where no width_mm is given; its height follows from the canvas
-  double width_mm = 0;  // of the canvas on paper; 0 = the pictures have no physical size
-  double dpi = 300;     // px of collage.png per inch of width_mm
+  int width_px = 2000;                 // of collage.png, where no width_mm is given; its height follows from the canvas
+  double width_mm = 0;                 // of the canvas on paper; 0 = the pictures have no physical size
+  double dpi = 300;                    // px of collage.png per inch of width_mm
   std::string background = "#f3f0ec";  // of the canvas region, outside it is white; kNoColour: both are transparent
-  double outline_px = 0;  // width of a line round every piece, px of the canvas; 0 = none
+  double outline_px = 0;               // width of a line round every piece, px of the canvas; 0 = none
   std::string outline_colour = "#000000";
-  double shadow_strength = 0;    // 0 = none, 1 = black
+  double shadow_strength = 0;               // 0 = none, 1 = black
   double shadow_offset_px[2] = {1.5, 2.5};  // to the right and down, px of the canvas
-  double shadow_blur_px = 2.5;   // standard deviation, px of the canvas
-  std::string clip = "outline";  // artwork is cut off beside its outline; kNoClip: it is drawn whole
-  std::string keep_out = kNoKeepOut;  // "artwork": the drawing in canvas.keep_out is part of the pictures
+  double shadow_blur_px = 2.5;              // standard deviation, px of the canvas
+  std::string clip = "outline";             // artwork is cut off beside its outline; kNoClip: it is drawn whole
+  std::string keep_out = kNoKeepOut;        // "artwork": the drawing in canvas.keep_out is part of the pictures
 
   friend bool operator==(const OutputSpec&, const OutputSpec&) = default;
 };
 
 struct ColourSpec {
-  std::string pieces = "auto";                // "artwork", "palette", or "auto": as the library is
+  std::string pieces = "auto";                  // "artwork", "palette", or "auto": as the library is
   std::vector<std::string> palette = {"dusk"};  // colours "#rrggbb"; or alone: a built-in name, a file's absolute path
 };
 
@@ -88,15 +88,15 @@ struct JobValue {
 using JobRow = std::map<std::string, JobValue>;
 
 struct Job {
-  std::string path;      // the file it came from
-  std::string library;   // absolute path; empty: library_files
+  std::string path;                          // the file it came from
+  std::string library;                       // absolute path; empty: library_files
   std::vector<std::string> library_files;    // absolute paths
   std::vector<std::string> library_include;  // patterns of names (io/library/name_globs.h); empty: all shapes
   std::vector<std::string> library_exclude;
   bool drawn_sizes = false;  // each shape as large as it was drawn, instead of settings.pieces' sizes
   std::string wishes;  // absolute path of a table whose rows come before those of [[shapes]]; empty once they are there
   std::vector<std::string> wishes_places;  // "FILE:LINE" of each row that came from it
-  Mirroring mirrored = Mirroring::never;  // of shapes that no table says otherwise of
+  Mirroring mirrored = Mirroring::never;   // of shapes that no table says otherwise of
   CanvasSpec canvas;
   StartSpec start;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"

@@ -80,16 +80,19 @@ JobKey with_word(JobKey key, Field field) {
 template <class Field>
 JobKey with_texts(JobKey key, Field field) {
   key.get = [field](const Job& job) { return JobValue{{}, {}, field(job)}; };
-  key.set = [field](Job& job, const JobValue& value) { field(job) = value.texts;
-  };
+  key.set = [field](Job& job, const JobValue& value) { field(job) = value.texts; };
   return key;
 }
 
-#define FIELD(member) [](auto& job) -> auto& { return job.member; }
+#define FIELD(member) \
+  [](auto& job) -> auto& { return job.member; }
 
 // 2^53 - 1: beyond it a whole number is not exact in every reader of TOML and JSON.
 constexpr double kMaxSeed = 9007199254740991;
 constexpr double kDegreesPerRad = 180 / std::numbers::pi;
+
+// A table, a key a row.
+// clang-format off
 
 /// A canvas of 1000 x 1000 px is the one that docs/measurements.md measures.
 void add_input_keys(std::vector<JobKey>& keys) {
@@ -277,7 +280,8 @@ void add_checkpoint_keys(std::vector<JobKey>& keys) {
   keys.back().in_result = false;
 }
 
-/// Workers send a sign of life every 5 s, whatever they compute: a minute is for nodes that swap and networks that stall.
+/// Workers send a sign of life every 5 s, whatever they compute: a minute is for nodes that swap and networks that
+/// stall.
 void add_comm_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"comm", "silence_s", JobKind::number, "s", 1, 1e6, {},
                               "a worker that has not been heard of for so long ends the run, with a checkpoint"},
@@ -355,6 +359,8 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
 }
 
 #undef FIELD
+
+// clang-format on
 
 }  // namespace
 

@@ -14,19 +14,19 @@ namespace tessera::io {
 enum class JobKind {
   number,
   integer,
-  intervals,        // one or more [min, max] of numbers, min <= max
-  point,            // [x, y]
-  uses,             // at most so many, or [at least, at most]
-  size,             // [width, height] of whole numbers
-  paper_size,       // [width, height] of numbers, or [0, 0]
-  word,             // one of JobKey::words
-  name,             // a text
-  file,             // a path
-  texts,            // a text, or a list of texts
-  files,            // a list of paths
-  palette,          // one of JobKey::words, a path, or a list of colours
-  colour,           // "#rrggbb" or one of JobKey::words
-  devices,          // "all", "cpu", "gpu", indices
+  intervals,   // one or more [min, max] of numbers, min <= max
+  point,       // [x, y]
+  uses,        // at most so many, or [at least, at most]
+  size,        // [width, height] of whole numbers
+  paper_size,  // [width, height] of numbers, or [0, 0]
+  word,        // one of JobKey::words
+  name,        // a text
+  file,        // a path
+  texts,       // a text, or a list of texts
+  files,       // a list of paths
+  palette,     // one of JobKey::words, a path, or a list of colours
+  colour,      // "#rrggbb" or one of JobKey::words
+  devices,     // "all", "cpu", "gpu", indices
 };
 
 inline constexpr std::size_t kMostIntervals = 16;
@@ -35,17 +35,17 @@ struct JobKey {
   std::string section;  // empty = top level
   std::string name;
   JobKind kind;
-  std::string unit;     // empty = none
-  double min = 0;       // of each number; both ends are allowed
+  std::string unit;  // empty = none
+  double min = 0;    // of each number; both ends are allowed
   double max = 0;
   std::vector<std::string> words = {};
   std::string meaning = {};
   std::function<JobValue(const Job&)> get = {};
   std::function<void(Job&, const JobValue&)> set = {};
-  bool required = false;  // the default, an empty text, will not do
+  bool required = false;     // the default, an empty text, will not do
   std::string or_list = {};  // a list of the same section that may be given instead, but not beside it
-  bool decides = true;    // about the collage; false: may be another one when an interrupted run goes on
-  bool in_result = true;  // shows in the files of the result; false: only in its job.toml
+  bool decides = true;       // about the collage; false: may be another one when an interrupted run goes on
+  bool in_result = true;     // shows in the files of the result; false: only in its job.toml
 
   /// "section.name", or the name alone at top level.
   std::string full_name() const { return section.empty() ? name : section + "." + name; }

@@ -39,8 +39,8 @@ std::string read_bytes(const std::string& path) {
   return bytes;
 }
 
-/// No key of the text has more levels. Each costs a dot, and a dotted key ends with its line: another one below it lies in
-/// an inline table.
+/// No key of the text has more levels. Each costs a dot, and a dotted key ends with its line: another one below it lies
+/// in an inline table.
 std::size_t most_key_levels(const std::string& text) {
   std::size_t all = 0, in_line = 0, most_in_line = 0;
   for (const char c : text) {
@@ -65,8 +65,8 @@ toml::table parse(const std::string& text, const std::string& path) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    throw InputError(path + ":" + std::to_string(error.source().begin.line) + ": not TOML: " +
-                     printable(std::string(error.description()), 200));
+    throw InputError(path + ":" + std::to_string(error.source().begin.line) +
+                     ": not TOML: " + printable(std::string(error.description()), 200));
   }
 }
 

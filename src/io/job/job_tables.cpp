@@ -21,8 +21,8 @@ JobKey required(JobKey key) {
 /// What shapes and regions alike may wish for.
 void add_poses(JobTable& table, const std::string& where) {
   using enum JobKind;
-  table.columns.push_back(column(table.name, "scale_px", intervals, "px", 2, 5000,
-                                 "sizes" + where + ", instead of those of [pieces]"));
+  table.columns.push_back(
+      column(table.name, "scale_px", intervals, "px", 2, 5000, "sizes" + where + ", instead of those of [pieces]"));
   table.columns.push_back(column(table.name, "rotation_deg", intervals, "degrees", -360, 360,
                                  "rotations" + where + ", instead of those of [pieces]"));
 }
@@ -30,11 +30,12 @@ void add_poses(JobTable& table, const std::string& where) {
 JobTable shapes_table() {
   using enum JobKind;
   const std::string t = "shapes";
-  JobTable table{t,
-                 "wishes of some shapes; where several tables are about a shape, the later one wins, key by key",
-                 {required(column(t, "names", texts, "", 0, 0, "patterns of names, as in library.include")),
-                  column(t, "weight", number, "", 0, 100, "how much they are preferred; 1 = as others, 0 = never placed"),
-                  column(t, "uses", uses, "", 0, 1e6, "how often each may be placed, as in [pieces]")}};
+  JobTable table{
+      t,
+      "wishes of some shapes; where several tables are about a shape, the later one wins, key by key",
+      {required(column(t, "names", texts, "", 0, 0, "patterns of names, as in library.include")),
+       column(t, "weight", number, "", 0, 100, "how much they are preferred; 1 = as others, 0 = never placed"),
+       column(t, "uses", uses, "", 0, 1e6, "how often each may be placed, as in [pieces]")}};
   add_poses(table, "");
   JobKey mirrored = column(t, "mirrored", word, "", 0, 0, "whether they may stand mirrored, instead of [pieces]");
   mirrored.words = mirroring_words();

@@ -157,8 +157,8 @@ std::optional<std::vector<double>> split_indices(const std::string& text) {
 }
 
 Result join_indices(const JobKey& key, const std::vector<double>& indices) {
-  const bool in_range = std::all_of(indices.begin(), indices.end(),
-                                    [&](double index) { return index >= key.min && index <= key.max; });
+  const bool in_range =
+      std::all_of(indices.begin(), indices.end(), [&](double index) { return index >= key.min && index <= key.max; });
   const bool distinct = std::set<double>(indices.begin(), indices.end()).size() == indices.size();
   if (indices.empty() || !in_range || !distinct) return {};
   std::string text;
@@ -264,7 +264,8 @@ std::string quoted_list(const std::vector<std::string>& texts) {
 template <class Number>
 std::string value_text(const JobKey& key, const JobValue& value, Number number) {
   if (key.kind == JobKind::texts || key.kind == JobKind::files) return quoted_list(value.texts);
-  if (key.kind == JobKind::palette) return is_colour_list(value.texts) ? quoted_list(value.texts) : quoted(value.texts[0]);
+  if (key.kind == JobKind::palette)
+    return is_colour_list(value.texts) ? quoted_list(value.texts) : quoted(value.texts[0]);
   if (value.numbers.empty()) return quoted(value.text);
   if (value.numbers.size() == 1) return number(0);
   if (key.kind == JobKind::uses && value.numbers[0] == 0) return number(1);
@@ -315,7 +316,8 @@ std::string allowed_values(const JobKey& key) {
     case JobKind::texts: return "a text, or a list of texts";
     case JobKind::files: return "a list of paths";
     case JobKind::palette:
-      return quoted_words(key, ", ") + ", the path of a GIMP palette or of a file with a #rrggbb a line, or a list of "
+      return quoted_words(key, ", ") +
+             ", the path of a GIMP palette or of a file with a #rrggbb a line, or a list of "
              "\"#rrggbb\"";
     case JobKind::colour: return "\"#rrggbb\"" + (key.words.empty() ? "" : " or " + quoted_words(key, " or "));
     case JobKind::devices:

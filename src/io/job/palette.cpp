@@ -96,8 +96,8 @@ std::vector<std::string> colours_of_file(const std::string& path) {
   const std::vector<std::string> colours = distinct(colours_in({bytes.begin(), bytes.end()}, path));
   if (colours.empty()) throw InputError(path + ": no colours in it");
   if (colours.size() > kMostColours) {
-    throw InputError(path + ": " + std::to_string(colours.size()) + " colours, allowed: " +
-                     std::to_string(kMostColours));
+    throw InputError(path + ": " + std::to_string(colours.size()) +
+                     " colours, allowed: " + std::to_string(kMostColours));
   }
   return colours;
 }

@@ -26,12 +26,13 @@ std::string allowed(const OutputSpec& output, int width_px) {
 
 /// Else copies one below the other would not meet.
 void check_whole_height(const OutputSpec& output, int width_px, const Canvas& canvas) {
-  const long long rows = (long long)(width_px) * canvas.height_px;
+  const long long rows = (long long)(width_px)*canvas.height_px;
   if (canvas.period.y_px == 0 || rows % canvas.width_px == 0) return;
   const int step = canvas.width_px / std::gcd(canvas.width_px, canvas.height_px);
-  throw InputError(found(output) + ", which makes collage.png " + fixed(double(rows) / canvas.width_px, 2) +
-                   " px high; allowed for a canvas that is seamless from top to bottom: a width that is a multiple of " +
-                   std::to_string(step) + " px");
+  throw InputError(
+      found(output) + ", which makes collage.png " + fixed(double(rows) / canvas.width_px, 2) +
+      " px high; allowed for a canvas that is seamless from top to bottom: a width that is a multiple of " +
+      std::to_string(step) + " px");
 }
 
 }  // namespace
@@ -61,9 +62,9 @@ void check_picture_size(const OutputSpec& output, const Canvas& canvas) {
   check_whole_height(output, size.width, canvas);
   const double aspect = double(canvas.width_px) / canvas.height_px;
   if (size.width <= int(key.max) && size.height <= int(key.max)) return;
-  throw InputError(found(output) + ", which makes collage.png " + std::to_string(size.width) + " x " +
-                   std::to_string(size.height) + " px large; allowed for this canvas: " +
-                   allowed(output, int(key.max * std::min(1., aspect))) + " or less");
+  throw InputError(
+      found(output) + ", which makes collage.png " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+      " px large; allowed for this canvas: " + allowed(output, int(key.max * std::min(1., aspect))) + " or less");
 }
 
 }  // namespace tessera::io

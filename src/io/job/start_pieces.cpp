@@ -34,8 +34,8 @@ constexpr Range kRotation{"rotation_deg", -360, 360};
 constexpr Range kX{"x_px", -20000, 40000};
 constexpr Range kY{"y_px", -20000, 40000};
 
-/// Hands out one feature after the other and keeps none, nor of any what is not read: polygons, and whatever else the file
-/// holds, take no memory, and no time for looking through what came before.
+/// Hands out one feature after the other and keeps none, nor of any what is not read: polygons, and whatever else the
+/// file holds, take no memory, and no time for looking through what came before.
 class Filter {
  public:
   explicit Filter(std::function<void(const json& feature)> take) : take_(std::move(take)) {}

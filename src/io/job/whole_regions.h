@@ -19,9 +19,9 @@ struct WholeRegions {
   std::vector<BorderPlace> borders;
 };
 
-/// The regions of region_labels (canvas_regions.h), so that every place of the page is in one: where two colours mix, and
-/// outside all of them, each place is in the region that is nearest for certain, as its neighbours are of that region,
-/// too. Labels that are nowhere certain are lost; without any that is, there are no regions (kNoRegion).
+/// The regions of region_labels (canvas_regions.h), so that every place of the page is in one: where two colours mix,
+/// and outside all of them, each place is in the region that is nearest for certain, as its neighbours are of that
+/// region, too. Labels that are nowhere certain are lost; without any that is, there are no regions (kNoRegion).
 WholeRegions whole_regions(const cv::Mat_<short>& labels, const cv::Mat& page_bgra);
 
 }  // namespace tessera::io

@@ -96,7 +96,8 @@ class Resolution {
     if (!place) fail_no_shape(row.at("shape").text);
     const JobValue* turned = cell(row, "rotation_deg");
     const std::vector<double>& at_px = row.at("at_px").numbers;
-    return {ShapeId(*place), pose_of(row.at("scale_px").numbers[0], turned ? turned->numbers[0] : 0, at_px[0], at_px[1])};
+    return {ShapeId(*place),
+            pose_of(row.at("scale_px").numbers[0], turned ? turned->numbers[0] : 0, at_px[0], at_px[1])};
   }
 
   void add_region(const JobRow& row) {
@@ -115,7 +116,8 @@ class Resolution {
     const JobKey& range = *find_job_key("pieces", "scale_px");
     const float scale_px = shapes_[shape].drawn_scale_px;
     const std::string sizes = "pieces.sizes: found \"drawn\", but the shape \"" + shapes_[shape].name + "\" ";
-    if (scale_px == 0) fail(sizes + "does not say how large it was drawn; tessera library build makes its library anew");
+    if (scale_px == 0)
+      fail(sizes + "does not say how large it was drawn; tessera library build makes its library anew");
     if (!job_.settings.pieces.fit_all && (scale_px < float(range.min) || scale_px > float(range.max))) {
       fail(sizes + "was drawn at " + fixed(scale_px, 1) + " px, allowed: " + fixed(range.min, 0) + " to " +
            fixed(range.max, 0) + " px; a scale_px of [[shapes]], or pieces.fit = \"all\"");

@@ -13,7 +13,8 @@ bool has_shape_wishes(const Job& job);
 
 /// Sets wishes and the whole range of sizes in the job's settings. `shapes`: of the library, in its order. Throws
 /// InputError where a table names a shape or a region that there is not, two regions are alike, all shapes are to fit
-/// into several regions, pieces of an earlier result are to be free in several, or a drawn size is wished for that is unknown or not allowed.
+/// into several regions, pieces of an earlier result are to be free in several, or a drawn size is wished for that is
+/// unknown or not allowed.
 void resolve_wishes(const std::vector<NamedShape>& shapes, Job& job);
 
 }  // namespace tessera::io

@@ -42,7 +42,8 @@ class WishesFile {
     check_header(rows.front());
     for (std::size_t i = 1; i < rows.size(); ++i) {
       check_width(rows[i], rows.front());
-      add_row(table_, row_of(rows[i], rows.front()), [&](const toml::node&) { return place(rows[i]); }, job);
+      add_row(
+          table_, row_of(rows[i], rows.front()), [&](const toml::node&) { return place(rows[i]); }, job);
       job.wishes_places.push_back(place(rows[i]));
     }
   }
@@ -128,8 +129,8 @@ class WishesFile {
   void check_width(const CsvRow& row, const CsvRow& header) const {
     if (row.cells.size() == header.cells.size()) return;
     const bool more = row.cells.size() > header.cells.size();
-    throw InputError(place(row) + ": found " + std::to_string(row.cells.size()) + " cells, allowed: " +
-                     std::to_string(header.cells.size()) + ", as many as the first row has" +
+    throw InputError(place(row) + ": found " + std::to_string(row.cells.size()) +
+                     " cells, allowed: " + std::to_string(header.cells.size()) + ", as many as the first row has" +
                      (more ? "; a list needs quotes, \"[20, 80]\", and a number has a point, 0.5, not a comma" : ""));
   }
 
@@ -154,13 +155,14 @@ class WishesFile {
     with_point[comma] = '.';
     if (with_point.find_first_not_of("+-.0123456789") != cell.npos) return;
     throw InputError(place(row) + ": [[shapes]] " + column + ": found \"" + printable(cell) +
-                     "\", allowed: a number with a point, " + printable(with_point) + ", or a list in brackets, [" + printable(cell) +
-                     "]");
+                     "\", allowed: a number with a point, " + printable(with_point) + ", or a list in brackets, [" +
+                     printable(cell) + "]");
   }
 
   std::string checked_cell(const CsvRow& row, std::size_t i, const CsvRow& header) const {
     std::string cell(trimmed(row.cells[i]));
-    std::replace_if(cell.begin(), cell.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    std::replace_if(
+        cell.begin(), cell.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
     if (cell.size() > kMostCellBytes || printable_utf8(cell) != cell) {
       throw InputError(place(row) + ": " + header.cells[i] + ": found \"" + printable(printable_utf8(cell)) +
                        "\", allowed: UTF-8 without control characters, " + std::to_string(kMostCellBytes) +

@@ -5,9 +5,9 @@
 
 namespace tessera::io {
 
-/// Puts the rows of Job::wishes before those of the job's [[shapes]], remembers their places, and empties the path: from
-/// then on they are the job's own, and its job.toml is whole without the file. Throws InputError that names file, line,
-/// column, what was found and what is allowed.
+/// Puts the rows of Job::wishes before those of the job's [[shapes]], remembers their places, and empties the path:
+/// from then on they are the job's own, and its job.toml is whole without the file. Throws InputError that names file,
+/// line, column, what was found and what is allowed.
 void add_wishes_of_file(Job& job);
 
 }  // namespace tessera::io

@@ -37,8 +37,8 @@ constexpr unsigned kMost_s = 600;  // by the clock: disks of clusters are slow a
 }
 
 #ifdef __SANITIZE_ADDRESS__
-/// The sanitizer's allocator, unlike the C library's, is copied by a fork with its locks as they are: where another thread
-/// holds one, the child waits for ever. Then there is no trial; forged files are tested without other threads.
+/// The sanitizer's allocator, unlike the C library's, is copied by a fork with its locks as they are: where another
+/// thread holds one, the child waits for ever. Then there is no trial; forged files are tested without other threads.
 bool has_other_threads() {
   const std::filesystem::directory_iterator threads("/proc/self/task");
   return std::distance(begin(threads), end(threads)) > 1;
@@ -60,8 +60,7 @@ void try_in_child(const std::function<void()>& read) {
   }
   if (ended < 0) throw Hdf5Error("cannot be checked: the process that tried it is lost");
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) throw Hdf5Error("could not be read within ten minutes");
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw Hdf5Error("damaged or forged: HDF5 cannot take it apart");
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw Hdf5Error("damaged or forged: HDF5 cannot take it apart");
 }
 
 }  // namespace tessera::io

@@ -13,7 +13,7 @@ namespace {
 using layout::Column;
 
 // Small enough that a rank's range wastes little at its ends, large enough to compress and to be worth a disk access.
-constexpr std::size_t kChunkBytes = 32 << 10;  // a field: the master reads shapes one at a time
+constexpr std::size_t kChunkBytes = 32 << 10;    // a field: the master reads shapes one at a time
 constexpr std::size_t kMaxChunkBytes = 1 << 20;  // that a reader accepts
 constexpr unsigned kDeflateLevel = 4;
 
@@ -201,9 +201,7 @@ void ColumnWriter::append(const void* data, std::size_t rows) {
   rows_ += rows;
 }
 
-ColumnReader::ColumnReader(hid_t file, const Column& column)
-    : column_(column),
-      data_set_(open_data_set(file, column)) {
+ColumnReader::ColumnReader(hid_t file, const Column& column) : column_(column), data_set_(open_data_set(file, column)) {
   const Hdf5Handle properties = chunked_properties(data_set_.get(), name_of(column));
   check_type(data_set_.get(), column);
   rows_ = check_dims(data_set_.get(), column);

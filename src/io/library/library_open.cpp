@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "io/regular_file.h"
 #include "io/library/hdf5_attributes.h"
 #include "io/library/library_check.h"
 #include "io/library/library_layout.h"
+#include "io/regular_file.h"
 
 namespace tessera::io {
 namespace {

@@ -85,8 +85,8 @@ std::span<const T> part_of(const std::vector<T>& rows, std::size_t i, std::size_
 LevelCurve make_level(const LevelRows& rows, std::size_t n) {
   LevelCurve level{{rows.points.begin(), rows.points.end()}, rows.perimeter, {}};
   for (std::size_t j = 0; j < rows.convexity.size(); ++j) {
-    level.samples.push_back(make_sample(rows.lengths.data() + j * 2 * n, rows.keypoints.data() + j * (2 * n + 1),
-                                        rows.convexity[j], n));
+    level.samples.push_back(
+        make_sample(rows.lengths.data() + j * 2 * n, rows.keypoints.data() + j * (2 * n + 1), rows.convexity[j], n));
   }
   return level;
 }

@@ -88,7 +88,8 @@ class LibraryView::Gathering {
     const std::string name = unique_name(file, index, head.name);
     const auto own = std::uint32_t(view_.entries_.size());
     members.push_back({own, head.mean_lab, name});
-    view_.entries_.push_back({file, index, members.front().entry, name == head.name ? std::string() : name, false, own});
+    view_.entries_.push_back(
+        {file, index, members.front().entry, name == head.name ? std::string() : name, false, own});
   }
 
  private:
@@ -133,9 +134,8 @@ LibraryView::LibraryView(const LibraryChoice& choice) : drawn_sizes_(choice.draw
   for (const std::string& file : choice.files) files_.emplace_back(file);
   path_ = joined(choice.files);
   check_built_alike(files_);
-  const bool mirrors = std::any_of(choice.mirroring.begin(), choice.mirroring.end(), [](const MirroringRule& rule) {
-    return rule.mirroring != Mirroring::never;
-  });
+  const bool mirrors = std::any_of(choice.mirroring.begin(), choice.mirroring.end(),
+                                   [](const MirroringRule& rule) { return rule.mirroring != Mirroring::never; });
   if (files_.size() == 1 && choice.names.empty() && !mirrors) return;
   gather(choice.names);
   if (mirrors) add_mirror_images(choice.mirroring);
@@ -181,10 +181,9 @@ void LibraryView::add_mirror_images(const std::vector<MirroringRule>& rules) {
 }
 
 std::uint64_t LibraryView::content_digest() const {
-  const std::uint64_t shapes = digest_of_heads(
-      pad_parameters(), size(), [&](std::size_t begin, std::size_t end) { return heads(begin, end); });
-  const bool mirrors =
-      std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.mirrored; });
+  const std::uint64_t shapes =
+      digest_of_heads(pad_parameters(), size(), [&](std::size_t begin, std::size_t end) { return heads(begin, end); });
+  const bool mirrors = std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.mirrored; });
   if (!mirrors && !drawn_sizes_) return shapes;
   Digest digest;
   digest.add(shapes);

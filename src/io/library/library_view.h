@@ -14,16 +14,16 @@
 namespace tessera::io {
 
 struct LibraryChoice {
-  std::vector<std::string> files;  // one at least
-  NameGlobs names;                 // as they are in the files
+  std::vector<std::string> files;             // one at least
+  NameGlobs names;                            // as they are in the files
   std::vector<MirroringRule> mirroring = {};  // by the names of the view; of several the last one holds; none: never
   bool drawn_sizes = false;                   // content_digest() tells libraries apart whose drawings' sizes differ
 };
 
-/// The shapes come in the order of the files, and in a file's order, then mirror images under the names of their shapes.
-/// A shape that may stand mirrored only is its mirror image from the start. Of several files those shapes are left
-/// out that have outline and colour of an earlier one, as `tessera library build` does; shapes of one outline in other
-/// colours are variants of the first. A name that was there already gets the folder of the artwork, and a number.
+/// The shapes come in the order of the files, and in a file's order, then mirror images under the names of their
+/// shapes. A shape that may stand mirrored only is its mirror image from the start. Of several files those shapes are
+/// left out that have outline and colour of an earlier one, as `tessera library build` does; shapes of one outline in
+/// other colours are variants of the first. A name that was there already gets the folder of the artwork, and a number.
 class LibraryView : public ShapeLibrary {
  public:
   struct Twin {

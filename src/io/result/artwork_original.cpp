@@ -10,8 +10,8 @@
 namespace tessera::io {
 namespace {
 
-/// A link to a regular file is followed, wherever it leads: the hash decides. The bytes that are hashed are those that are
-/// drawn; the file is not opened a second time.
+/// A link to a regular file is followed, wherever it leads: the hash decides. The bytes that are hashed are those that
+/// are drawn; the file is not opened a second time.
 ArtworkOriginal original_at(const std::string& path, const Sha256& sha256) {
   std::error_code error;
   if (path.empty() || !std::filesystem::exists(path, error)) return {{}, kOriginalMissing};

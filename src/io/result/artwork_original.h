@@ -29,7 +29,8 @@ ArtworkOriginal artwork_original(const Artwork& artwork);
 /// Maps coordinates of the shape as it is drawn to the artwork frame.
 Similarity artwork_from_shape(const Artwork& artwork);
 
-/// Curves of a shape as its drawing has them: of a mirror image (Artwork::mirrored) mirrored back. And the other way round.
+/// Curves of a shape as its drawing has them: of a mirror image (Artwork::mirrored) mirrored back. And the other way
+/// round.
 std::vector<std::vector<Vec2>> as_drawn(const Artwork& artwork, std::vector<std::vector<Vec2>> curves);
 
 }  // namespace tessera::io

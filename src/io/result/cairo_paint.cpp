@@ -15,8 +15,8 @@ void paint_in_parts(cv::Mat& image, cv::Point corner, const std::function<void(c
   const cairo_format_t format = image.channels() == 1 ? CAIRO_FORMAT_A8 : CAIRO_FORMAT_ARGB32;
   for (int left = 0; left < image.cols; left += kMostColumns) {
     const int width = std::min(kMostColumns, image.cols - left);
-    const CairoSurface surface(cairo_image_surface_create_for_data(
-        image.ptr() + std::size_t(left) * image.elemSize(), format, width, image.rows, int(image.step)));
+    const CairoSurface surface(cairo_image_surface_create_for_data(image.ptr() + std::size_t(left) * image.elemSize(),
+                                                                   format, width, image.rows, int(image.step)));
     const CairoContext cairo(cairo_create(surface.get()));
     cairo_translate(cairo.get(), -corner.x - left, -corner.y);
     cairo_set_antialias(cairo.get(), CAIRO_ANTIALIAS_BEST);

@@ -21,7 +21,8 @@ bool is_unfinished(const ResultCard& card);
 /// allowed, and EnvironmentError where it is there and cannot be read.
 ResultCard read_card(const std::string& folder);
 
-/// The program that made the result in `folder`, "tessera 0.1.0, commit 0123456789ab"; empty where its card does not say.
+/// The program that made the result in `folder`, "tessera 0.1.0, commit 0123456789ab"; empty where its card does not
+/// say.
 std::string made_by(const std::string& folder);
 
 }  // namespace tessera::io

@@ -79,18 +79,12 @@ Json provenance_json(const RunRecord& record) {
     }
     ranks.push_back({{"host", site.host}, {"devices", devices}});
   }
-  return {{"version", record.version},
-          {"commit", record.commit},
-          {"command_line", record.command_line},
-          {"job_file", record.job_file},
-          {"library_file", record.library_file},
-          {"library_digest", digest_text(record.library_digest)},
-          {"started_utc", record.started_utc},
-          {"ended_utc", record.ended_utc},
-          {"resumed_from", record.resumed_from},
-          {"resumed_pieces", record.resumed_pieces},
-          {"warnings", record.warnings},
-          {"ranks", ranks}};
+  return {{"version", record.version},           {"commit", record.commit},
+          {"command_line", record.command_line}, {"job_file", record.job_file},
+          {"library_file", record.library_file}, {"library_digest", digest_text(record.library_digest)},
+          {"started_utc", record.started_utc},   {"ended_utc", record.ended_utc},
+          {"resumed_from", record.resumed_from}, {"resumed_pieces", record.resumed_pieces},
+          {"warnings", record.warnings},         {"ranks", ranks}};
 }
 
 std::string percent_text(double fraction, int decimals = 2) { return fixed(100 * fraction, decimals) + " %"; }
@@ -124,11 +118,9 @@ std::string shared_boundary_text(const Quality& q, const PieceSettings& pieces) 
 
 std::string quality_text(const Quality& q, const PieceSettings& pieces) {
   return std::string("Quality\n") + line("coverage", percent_text(q.coverage)) +
-         line("overlap", percent_text(q.overlap, 3)) +
-         line("outside", percent_text(q.outside, 3)) +
+         line("overlap", percent_text(q.overlap, 3)) + line("outside", percent_text(q.outside, 3)) +
          line("pieces", grouped(q.pieces) + " of " + grouped(q.distinct_shapes) + " distinct shapes") +
-         line("shared boundary", shared_boundary_text(q, pieces)) +
-         line("scale", scales_text(q)) +
+         line("shared boundary", shared_boundary_text(q, pieces)) + line("scale", scales_text(q)) +
          line("", "(min / 10 % / median / 90 % / max)") +
          line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)");
 }
@@ -149,11 +141,10 @@ std::string end_text(const RunStatistics& run, const ImproveSettings& improve) {
 
 std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
   const StageShares share = stage_shares(run);
-  return std::string("Run (the paper's Table 2)\n") + line("candidates", grouped(run.shapes) + "  (shapes in the library)") +
-         line("PADs per shape", fixed(run.pads_per_shape, 1)) +
-         line("iterations", grouped(run.rounds)) +
-         line("docking choices", grouped(run.docking_choices)) +
-         line("pruned", percent_text(run.pruned_fraction())) +
+  return std::string("Run (the paper's Table 2)\n") +
+         line("candidates", grouped(run.shapes) + "  (shapes in the library)") +
+         line("PADs per shape", fixed(run.pads_per_shape, 1)) + line("iterations", grouped(run.rounds)) +
+         line("docking choices", grouped(run.docking_choices)) + line("pruned", percent_text(run.pruned_fraction())) +
          line("total time", fixed(run.total_s, 1) + " s") + improvement_text(run) +
          line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
          line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1)) +

@@ -95,7 +95,8 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
   names.insert(names.end(), std::begin(kPictureNames), std::end(kPictureNames));
   for (const char* name : names) {
     if (!is_there(name)) continue;
-    throw InputError(in_directory(dir, name) + ": is there, and no run of tessera left it; give another --out, or remove it");
+    throw InputError(in_directory(dir, name) +
+                     ": is there, and no run of tessera left it; give another --out, or remove it");
   }
 }
 

@@ -22,7 +22,7 @@ namespace tessera::io {
 struct CollageReport {
   const Job* job = nullptr;
   const Canvas* canvas = nullptr;
-  CanvasEdge canvas_edge;  // for pictures
+  CanvasEdge canvas_edge;   // for pictures
   KeepOutDrawing keep_out;  // for pictures; mostly none
   std::vector<Placement> placements;
   PlacedShapes shapes;
@@ -48,9 +48,9 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
 /// Makes the run's placements the result in `dir`, so that a crash at any moment leaves either what the folder's
 /// checkpoints hold or a result that is whole: the manifest of the run before goes first, and its pictures with it;
 /// then come pieces.geojson, job.toml, card.json and card.txt, each to a temporary name and renamed; and manifest.json
-/// last, when they are on the disk. Of an unfinished result it comes before the cards, whose measuring takes a second on a
-/// large canvas: mpirun kills two seconds after Ctrl-C. Nothing is drawn (result_drawing.h). Before the call there must be a checkpoint
-/// where the work must not be lost. Returns the text of the card. Throws EnvironmentError.
+/// last, when they are on the disk. Of an unfinished result it comes before the cards, whose measuring takes a second
+/// on a large canvas: mpirun kills two seconds after Ctrl-C. Nothing is drawn (result_drawing.h). Before the call there
+/// must be a checkpoint where the work must not be lost. Returns the text of the card. Throws EnvironmentError.
 std::string publish_result(const std::string& dir, const CollageReport& report, const CheckpointOrigin& origin,
                            bool finished);
 

@@ -55,8 +55,8 @@ void draw_picture(const Sheet& sheet, std::size_t cell, const cv::Mat& bgra) {
   const int x_px = layout.x_px(cell) + (layout.cell_width_px - bgra.cols) / 2;
   const int y_px = layout.y_px(cell) + (layout.cell_height_px - bgra.rows) / 2;
   cv::Mat pixels = bgra;  // shared; cairo only reads them
-  const CairoSurface surface(
-      cairo_image_surface_create_for_data(pixels.data, CAIRO_FORMAT_ARGB32, pixels.cols, pixels.rows, int(pixels.step)));
+  const CairoSurface surface(cairo_image_surface_create_for_data(pixels.data, CAIRO_FORMAT_ARGB32, pixels.cols,
+                                                                 pixels.rows, int(pixels.step)));
   cairo_set_source_surface(sheet.cairo(), surface.get(), x_px, y_px);
   cairo_paint(sheet.cairo());
   cairo_set_source_rgb(sheet.cairo(), 0, 0, 0);  // lets go of the surface

@@ -20,8 +20,8 @@ struct DrawingNote {
 };
 
 struct DrawingNotes {
-  std::size_t pieces = 0;          // of the collage
-  std::vector<DrawingNote> notes;  // in the order of the library
+  std::size_t pieces = 0;               // of the collage
+  std::vector<DrawingNote> notes;       // in the order of the library
   std::vector<std::string> cards = {};  // why a card does not tell of this drawing
   DrawerLayers layers = {};             // not for the card: it tells of the result, whatever the machine
 };

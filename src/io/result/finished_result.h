@@ -19,8 +19,8 @@ struct WholeResult {
 };
 
 /// Throws InputError that names the file that is missing or differs, also where this version of the program cannot read
-/// the job. Throws EnvironmentError where a file is there and cannot be read. All who ask for a result ask here, so that
-/// none takes for one what another refuses.
+/// the job. Throws EnvironmentError where a file is there and cannot be read. All who ask for a result ask here, so
+/// that none takes for one what another refuses.
 WholeResult read_result(const std::string& dir);
 
 /// What a run finds in its folder.
@@ -36,8 +36,8 @@ struct EarlierResult {
 /// Throws EnvironmentError where a file is there and cannot be read: nobody knows then what would be replaced.
 EarlierResult find_earlier_result(const std::string& dir);
 
-/// Whether this is the finished result of `job`. Throws InputError with the keys that differ where it is that of another
-/// job, which would be lost.
+/// Whether this is the finished result of `job`. Throws InputError with the keys that differ where it is that of
+/// another job, which would be lost.
 bool is_finished_result_of(const EarlierResult& earlier, const Job& job);
 
 /// Throws InputError where the finished result is one of another job, library or canvas than `now`.

@@ -28,7 +28,8 @@ cv::Rect whole_px(const cv::Rect2d& r) {
 }  // namespace
 
 KeepOutStrips::KeepOutStrips(const KeepOutDrawing& drawing, double picture_px, cv::Size picture)
-    : drawing_(drawing), picture_px_(picture_px) {
+    : drawing_(drawing),
+      picture_px_(picture_px) {
   if (drawing.page.empty()) return;
   const cv::Rect2d& place = drawing.place_px;
   const cv::Rect2d place_in_picture(place.tl() * picture_px, place.size() * picture_px);

@@ -113,7 +113,8 @@ class PictureBands {
     return reaching;
   }
 
-  /// A piece is drawn to its end as long as there is room for what later bands need of it; else as far as this one goes.
+  /// A piece is drawn to its end as long as there is room for what later bands need of it; else as far as this one
+  /// goes.
   void draw_tiles(const std::vector<std::size_t>& reaching, int top, int bottom) {
     std::vector<std::size_t> missing;
     std::vector<int> ends;
@@ -198,7 +199,7 @@ class PictureBands {
   SpriteCache sprites_;
   std::vector<PieceDrawing> pieces_;
   std::vector<cv::Vec3b> tints_;  // of the pieces; empty: their own colours
-  std::vector<KeptTile> tiles_;  // of the pieces
+  std::vector<KeptTile> tiles_;   // of the pieces
   std::size_t tile_bytes_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// The picture in pixels, for collage.png and collage.tiff: the artworks as placed, on the canvas. It is drawn in bands of rows, so that memory does not grow with
-// the picture, on all cores.
+// The picture in pixels, for collage.png and collage.tiff: the artworks as placed, on the canvas. It is drawn in bands
+// of rows, so that memory does not grow with the picture, on all cores.
 #pragma once
 
 #include <cstddef>
@@ -22,10 +22,10 @@ struct PictureLimits {
   std::size_t band_bytes = std::size_t(48) << 20;     // of a band, where kStripRows rows have no more; two are there
 };
 
-/// Hands out the picture from top to bottom, some rows at a time: `take` is called from one thread at a time. The canvas
-/// region has the background colour, what lies outside it is white, and the rows are BGR, CV_8UC3; without a background
-/// all that no piece covers is transparent, and the rows are straight BGRA, CV_8UC4. Pieces are drawn in order of
-/// placement and clipped by the picture only. Throws DrawingStopped.
+/// Hands out the picture from top to bottom, some rows at a time: `take` is called from one thread at a time. The
+/// canvas region has the background colour, what lies outside it is white, and the rows are BGR, CV_8UC3; without a
+/// background all that no piece covers is transparent, and the rows are straight BGRA, CV_8UC4. Pieces are drawn in
+/// order of placement and clipped by the picture only. Throws DrawingStopped.
 void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
                   const std::function<void(const cv::Mat& rows)>& take);
 

@@ -34,8 +34,8 @@ int sprite_side(const Artwork& artwork, double picture_px_per_artwork_px) {
   return side;
 }
 
-/// The affine map that cv::warpAffine wants with WARP_INVERSE_MAP: sprite node from node of the supersampled rows, pixel
-/// centres at whole numbers on both sides.
+/// The affine map that cv::warpAffine wants with WARP_INVERSE_MAP: sprite node from node of the supersampled rows,
+/// pixel centres at whole numbers on both sides.
 cv::Matx23d sprite_from_rows(const PieceDrawing& piece, double sprite_px, cv::Point corner) {
   const Similarity inverse = piece.picture_from_artwork.inverse();
   const double a = inverse.a * sprite_px / kSupersampling;
@@ -93,8 +93,7 @@ cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, in
   for (int top = begin, next = 0; top < end; top = next) {
     next = std::min(end, (top / kStripRows + 1) * kStripRows);
     cv::Mat fine;
-    cv::warpAffine(source.bgra, fine,
-                   sprite_from_rows(piece, source.px_per_artwork_px, {piece.box.x, top}),
+    cv::warpAffine(source.bgra, fine, sprite_from_rows(piece, source.px_per_artwork_px, {piece.box.x, top}),
                    cv::Size(piece.box.width, next - top) * kSupersampling, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
     cv::Mat strip = drawn.rowRange(top - begin, next - begin);
     cv::resize(fine, strip, strip.size(), 0, 0, cv::INTER_AREA);

@@ -22,8 +22,7 @@ bool keep(int, json::parse_event_t event, json& parsed) {
 Similarity transform_of(const json& feature) {
   const json& properties = feature.at("properties");
   const double scale = properties.at("scale");
-  const Similarity t =
-      pose_of(scale, properties.at("rotation_deg"), properties.at("x_px"), properties.at("y_px"));
+  const Similarity t = pose_of(scale, properties.at("rotation_deg"), properties.at("x_px"), properties.at("y_px"));
   if (!(scale > 0) || !std::isfinite(t.a + t.b + t.tx + t.ty)) throw InputError("a piece without a size or place");
   return t;
 }
@@ -51,8 +50,7 @@ std::vector<Similarity> read_placed_pieces(const std::string& dir) {
 std::vector<Placement> as_written(std::vector<Placement> placements) {
   for (Placement& placement : placements) {
     const Similarity& t = placement.canvas_from_shape;
-    placement.canvas_from_shape =
-        pose_of(written(t.scale()), written(rotation_deg(t)), written(t.tx), written(t.ty));
+    placement.canvas_from_shape = pose_of(written(t.scale()), written(rotation_deg(t)), written(t.tx), written(t.ty));
   }
   return placements;
 }

@@ -67,7 +67,9 @@ struct PngStream::Encoder {
 };
 
 PngStream::PngStream(const std::string& path, const PictureFormat& format)
-    : path_(path), file_(std::fopen(temporary_path(path).c_str(), "wbe")), encoder_(std::make_unique<Encoder>()) {
+    : path_(path),
+      file_(std::fopen(temporary_path(path).c_str(), "wbe")),
+      encoder_(std::make_unique<Encoder>()) {
   errno = file_ ? 0 : errno;
   if (!file_ || !encoder_->begin(file_, format)) fail(errno);
 }

@@ -69,8 +69,8 @@ std::string message_rows(const RankStatistics& ranks) {
   std::snprintf(text, sizeof text,
                 "  master sends    %9.0f messages  %9.3f MB  %9.0f B/round/worker\n"
                 "  a worker sends  %9.0f messages  %9.3f MB  %9.0f B/round/worker\n",
-                double(ranks.master.sent.messages), double(ranks.master.sent.bytes) / 1e6,
-                bytes_to_a_worker(ranks), messages.average, megabytes.average,
+                double(ranks.master.sent.messages), double(ranks.master.sent.bytes) / 1e6, bytes_to_a_worker(ranks),
+                messages.average, megabytes.average,
                 bytes_a_round(ranks, sent_by_workers(ranks), ranks.workers.size()));
   return text;
 }
@@ -121,21 +121,23 @@ std::string ranks_text(const RankStatistics& ranks) {
   if (ranks.workers.empty()) return "";
   return "Ranks: a master and " + std::to_string(ranks.workers.size()) + " worker" +
          (ranks.workers.size() == 1 ? "" : "s") +
-         (std::size_t(ranks.asked) < ranks.workers.size() ? ", " + std::to_string(ranks.asked) + " asked by it" : "") + ", " + std::to_string(ranks.rounds) + " rounds, " +
-         fixed(ranks.master.loop_s, 3) + " s\n" + row("", {"min s", "average s", "max s", "share", "imbalance"}) +
-         worker_rows(ranks) + master_rows(ranks.master) + message_rows(ranks);
+         (std::size_t(ranks.asked) < ranks.workers.size() ? ", " + std::to_string(ranks.asked) + " asked by it" : "") +
+         ", " + std::to_string(ranks.rounds) + " rounds, " + fixed(ranks.master.loop_s, 3) + " s\n" +
+         row("", {"min s", "average s", "max s", "share", "imbalance"}) + worker_rows(ranks) +
+         master_rows(ranks.master) + message_rows(ranks);
 }
 
 Json ranks_json(const RankStatistics& ranks) {
-  return {{"workers", ranks.workers.size()},
-          {"asked_by_master", ranks.asked},
-          {"rounds", ranks.rounds},
-          {"samples", ranks.target_samples},
-          {"loop_s", rounded(ranks.master.loop_s, 6)},
-          {"worker", workers_json(ranks)},
-          {"master", master_json(ranks.master)},
-          {"bytes_to_a_worker_a_round", rounded(bytes_to_a_worker(ranks), 1)},
-          {"bytes_from_a_worker_a_round", rounded(bytes_a_round(ranks, sent_by_workers(ranks), ranks.workers.size()), 1)}};
+  return {
+      {"workers", ranks.workers.size()},
+      {"asked_by_master", ranks.asked},
+      {"rounds", ranks.rounds},
+      {"samples", ranks.target_samples},
+      {"loop_s", rounded(ranks.master.loop_s, 6)},
+      {"worker", workers_json(ranks)},
+      {"master", master_json(ranks.master)},
+      {"bytes_to_a_worker_a_round", rounded(bytes_to_a_worker(ranks), 1)},
+      {"bytes_from_a_worker_a_round", rounded(bytes_a_round(ranks, sent_by_workers(ranks), ranks.workers.size()), 1)}};
 }
 
 }  // namespace tessera::io

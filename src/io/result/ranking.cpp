@@ -95,9 +95,9 @@ void take(const std::string& folder, FoundResults& found) {
 
 }  // namespace
 
-// Coverage leads. A hundredth of overlap is seen where it lies, hence costs twice what a hundredth of holes does; so does
-// paint outside the canvas. From seed to seed of one job coverage moves by 0.3 points, shared boundary by 3 and variety
-// by 5 or so (docs/measurements.md): with a tenth and a twentieth they speak between collages that cover alike.
+// Coverage leads. A hundredth of overlap is seen where it lies, hence costs twice what a hundredth of holes does; so
+// does paint outside the canvas. From seed to seed of one job coverage moves by 0.3 points, shared boundary by 3 and
+// variety by 5 or so (docs/measurements.md): with a tenth and a twentieth they speak between collages that cover alike.
 const std::array<RankingTerm, kRankingTerms>& ranking_terms() {
   static constexpr std::array<RankingTerm, kRankingTerms> terms = {{
       {"coverage", 1, [](const Quality& q) { return q.coverage; }},

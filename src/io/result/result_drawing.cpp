@@ -21,9 +21,9 @@
 #include "io/result/card_drawing.h"
 #include "io/result/card_input.h"
 #include "io/result/finished_result.h"
+#include "io/result/picture_drawing.h"
 #include "io/result/piece_colours.h"
 #include "io/result/placed_pieces.h"
-#include "io/result/picture_drawing.h"
 #include "io/result/png_stream.h"
 #include "io/result/result_file.h"
 #include "io/result/result_manifest.h"
@@ -71,7 +71,8 @@ std::string another_library(const std::string& dir, const ResultManifest& manife
          digest_text(library.content_digest()) + ", that was " + digest_text(manifest.library_digest) +
          (same_place ? ", built or changed since" : ", then in " + printable_utf8(manifest.library)) +
          (maker.empty() ? "" : "; the collage was made by " + maker) +
-         "; --library FILE says where that library is; where it is gone, tessera library build makes it again of the same "
+         "; --library FILE says where that library is; where it is gone, tessera library build makes it again of the "
+         "same "
          "drawings, or tessera collage a collage of this one";
 }
 

@@ -90,7 +90,8 @@ ResultManifest from_json(const Json& json) {
   check_colours(manifest);
   for (const Json& picture : json.at("pictures")) {
     manifest.pictures.push_back({picture.at("file"), output_from_json(picture)});
-    if (picture.contains("palette")) manifest.pictures.back().colours = picture.at("palette").get<std::vector<std::string>>();
+    if (picture.contains("palette"))
+      manifest.pictures.back().colours = picture.at("palette").get<std::vector<std::string>>();
   }
   return manifest;
 }

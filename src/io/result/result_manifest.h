@@ -18,7 +18,8 @@ inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "c
 struct DrawnPicture {
   std::string file;  // its name in the folder
   OutputSpec output = {};
-  std::optional<std::vector<std::string>> colours = {};  // of a palette, where it is not drawn in ResultManifest::colours
+  std::optional<std::vector<std::string>> colours =
+      {};  // of a palette, where it is not drawn in ResultManifest::colours
 
   friend bool operator==(const DrawnPicture&, const DrawnPicture&) = default;
 };
@@ -30,7 +31,7 @@ struct ResultManifest {
   std::string library;  // where it was
   std::uint64_t library_digest = 0;
   std::uint64_t canvas_digest = 0;
-  std::vector<ShapeId> shapes;  // of the pieces, in order of placement
+  std::vector<ShapeId> shapes;       // of the pieces, in order of placement
   std::vector<std::string> colours;  // of the pieces, "#rrggbb"; empty: they are drawn as their artwork
   std::vector<DrawnPicture> pictures;
 

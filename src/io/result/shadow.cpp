@@ -27,7 +27,8 @@ Between between(int px, int coarseness) {
 
 }  // namespace
 
-Shadow::Shadow(const CollageReport& report, const cv::Size& picture_px) : strength_(report.job->output.shadow_strength) {
+Shadow::Shadow(const CollageReport& report, const cv::Size& picture_px)
+    : strength_(report.job->output.shadow_strength) {
   if (strength_ == 0) return;
   const OutputSpec& output = report.job->output;
   const double px = double(picture_px.width) / report.canvas->width_px;

@@ -26,8 +26,8 @@ class Shadow {
   cv::Mat blurred(const cv::Rect& coarse_window) const;
 
   double strength_ = 0;
-  int coarseness_ = 1;   // px of the picture to one of the coarse picture, in which is blurred
-  double blur_px_ = 0;   // px of the coarse picture
+  int coarseness_ = 1;  // px of the picture to one of the coarse picture, in which is blurred
+  double blur_px_ = 0;  // px of the coarse picture
   std::vector<Caster> casters_;
 };
 

@@ -44,7 +44,10 @@ SvgSymbol plain_symbol(const Shape& shape, const std::string& id) {
 
 SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
   XmlWriter writer;
-  writer.start("path").attribute("id", id).attribute("fill", hex_colour(mean_bgr(shape))).attribute("fill-rule", "evenodd");
+  writer.start("path")
+      .attribute("id", id)
+      .attribute("fill", hex_colour(mean_bgr(shape)))
+      .attribute("fill-rule", "evenodd");
   writer.attribute("d", svg_path(as_drawn(shape.artwork, shape.outline.curves), artwork_from_shape(shape.artwork)));
   return {writer.finish(), 1};
 }
@@ -52,7 +55,9 @@ SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
 }  // namespace
 
 ShapeArtworks::ShapeArtworks(const CollageReport& report, Drawers& drawers, const StopWatcher& stop)
-    : report_(report), drawers_(drawers), stop_(stop) {
+    : report_(report),
+      drawers_(drawers),
+      stop_(stop) {
   const bool whole = report.job->output.clip == kNoClip;
   for (const Shape& shape : report.shapes) {
     stop.check();
@@ -101,8 +106,7 @@ DrawingNotes ShapeArtworks::notes() const {
   result.pieces = report_.placements.size();
   const std::lock_guard lock(mutex_);
   for (const auto& [slot, note] : notes_) {
-    result.notes.push_back(
-        {report_.shapes[slot].name, note.first, note.second, uses[slot]});
+    result.notes.push_back({report_.shapes[slot].name, note.first, note.second, uses[slot]});
   }
   return result;
 }

@@ -60,7 +60,7 @@ class ShapeArtworks {
   const StopWatcher& stop_;
   std::vector<Outline> clips_;
   mutable std::mutex mutex_;
-  std::set<std::pair<std::size_t, int>> bad_;  // slots and sides that are not tried again
+  std::set<std::pair<std::size_t, int>> bad_;                       // slots and sides that are not tried again
   std::map<std::size_t, std::pair<DrawnFrom, std::string>> notes_;  // by slot
 };
 

@@ -47,8 +47,8 @@ Sprite shrunk(const Sprite& sprite, double px_per_artwork_px) {
   const cv::Size size(std::max(1, cvRound(sprite.bgra.cols * factor)), std::max(1, cvRound(sprite.bgra.rows * factor)));
   Sprite small;
   cv::resize(sprite.bgra, small.bgra, size, 0, 0, cv::INTER_AREA);
-  small.px_per_artwork_px = sprite.px_per_artwork_px * std::max(size.width, size.height) /
-                            std::max(sprite.bgra.cols, sprite.bgra.rows);
+  small.px_per_artwork_px =
+      sprite.px_per_artwork_px * std::max(size.width, size.height) / std::max(sprite.bgra.cols, sprite.bgra.rows);
   return small;
 }
 

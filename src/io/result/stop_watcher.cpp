@@ -11,7 +11,9 @@ constexpr std::chrono::milliseconds kPause{20};
 }  // namespace
 
 StopWatcher::StopWatcher(DrawingObserver& observer, Drawers& drawers)
-    : observer_(observer), drawers_(drawers), stopped_(observer.stop_requested()) {
+    : observer_(observer),
+      drawers_(drawers),
+      stopped_(observer.stop_requested()) {
   thread_ = std::jthread([this](std::stop_token done) { watch(std::move(done)); });
 }
 

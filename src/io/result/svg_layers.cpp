@@ -36,7 +36,8 @@ std::vector<SvgLayer> piece_layers(const CollageReport& report) {
 std::string svg_piece_id(std::size_t index, const std::string& shape_name) {
   std::string name = shape_name;
   const auto is_plain = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '-' || c == '_'); };
-  std::replace_if(name.begin(), name.end(), [&](unsigned char c) { return !is_plain(c); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [&](unsigned char c) { return !is_plain(c); }, '_');
   return "piece-" + std::to_string(index) + "-" + name;
 }
 

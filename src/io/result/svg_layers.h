@@ -10,8 +10,8 @@
 namespace tessera::io {
 
 struct SvgLayer {
-  std::string id;     // in the document
-  std::string label;  // as Inkscape shows it
+  std::string id;                   // in the document
+  std::string label;                // as Inkscape shows it
   std::vector<std::size_t> pieces;  // places in the list of placements, ascending
 };
 

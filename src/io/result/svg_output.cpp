@@ -154,8 +154,8 @@ void write_outline(const Shape& shape, const SvgSymbol& symbol, std::size_t slot
   svg.attribute("d", svg_path(as_drawn(shape.artwork, shape.outline.curves), symbol_from_shape(shape, symbol))).end();
 }
 
-void write_definitions(const CollageReport& report, const ShapeArtworks& artworks, const std::vector<SvgSymbol>& symbols,
-                       XmlWriter& svg) {
+void write_definitions(const CollageReport& report, const ShapeArtworks& artworks,
+                       const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
   const OutputSpec& output = report.job->output;
   svg.raw("\n").start("defs");
   for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
@@ -179,8 +179,8 @@ void write_shadow(const CollageReport& report, const std::vector<DrawnPiece>& dr
   start_layer(kShadowLayer, svg);
   svg.start("g").attribute("filter", "url(#shadow)").attribute("opacity", fixed(output.shadow_strength, 3));
   svg.start("g").attribute("fill-rule", "evenodd");
-  svg.attribute("transform", "translate(" + fixed(output.shadow_offset_px[0], 3) + " " +
-                                 fixed(output.shadow_offset_px[1], 3) + ")");
+  svg.attribute("transform",
+                "translate(" + fixed(output.shadow_offset_px[0], 3) + " " + fixed(output.shadow_offset_px[1], 3) + ")");
   for (const auto& [placement, piece] : drawn) {
     const Drawing drawing = drawing_of(report, symbols, placement);
     svg.raw("\n").start("use").attribute("xlink:href", "#" + outline_id(drawing.slot));
@@ -195,16 +195,16 @@ void write_shadow(const CollageReport& report, const std::vector<DrawnPiece>& dr
 void write_line(const CollageReport& report, const Placement& placement, const Drawing& drawing, XmlWriter& svg) {
   const OutputSpec& output = report.job->output;
   const Artwork& artwork = report.shapes[drawing.slot].artwork;
-  const double canvas_px = double(placement.canvas_from_shape.scale()) / double(artwork.unit_px) *
-                           drawing.artwork_px_per_unit;  // of a unit
+  const double canvas_px =
+      double(placement.canvas_from_shape.scale()) / double(artwork.unit_px) * drawing.artwork_px_per_unit;  // of a unit
   svg.start("use").attribute("xlink:href", "#" + outline_id(drawing.slot)).attribute("fill", "none");
   svg.attribute("stroke", output.outline_colour).attribute("stroke-width", fixed(output.outline_px / canvas_px, 4));
   svg.attribute("stroke-linejoin", "round").end();
 }
 
 /// A group of its own, so that what belongs to a piece moves with it. `again`: another image of a piece that has one.
-void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symbols, const DrawnPiece& drawn, bool again,
-                 XmlWriter& svg) {
+void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symbols, const DrawnPiece& drawn,
+                 bool again, XmlWriter& svg) {
   const Placement& placement = drawn.placement;
   const Shape& shape = report.shape(placement.shape);
   const Drawing drawing = drawing_of(report, symbols, placement);

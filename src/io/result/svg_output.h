@@ -16,6 +16,7 @@ using DoneCount = std::function<void()>;
 /// size where the job has one. Originals that are SVGs are taken over as they
 /// are drawn (svg_import.h), bitmaps are embedded as PNG; shape_artworks.h says what stands in for others. The file
 /// refers to nothing outside itself. Throws DrawingStopped.
-std::string collage_svg(const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done = [] {});
+std::string collage_svg(
+    const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done = [] {});
 
 }  // namespace tessera::io

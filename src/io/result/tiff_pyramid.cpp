@@ -85,7 +85,8 @@ void set_tags(TIFF* tiff, const PictureFormat& format, bool is_reduced) {
 class TiffPyramid::Level {
  public:
   Level(const std::string& path, const PictureFormat& format, bool is_first, const char* mode)
-      : path_(path), format_(format) {
+      : path_(path),
+        format_(format) {
     const std::string name = is_first ? temporary_path(path) : temporary_path(path) + ".level";
     const int descriptor = open(name.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) fail(path_, errno);
