@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs every job of jobs/ and makes docs/gallery anew: a picture of each, and README.md with what its card says.
+# Runs every job of jobs/ and makes docs/gallery anew: a picture of each, and README.md with what its card says;
+# of a seamless one four copies side by side.
 #   scripts/gallery.sh [JOB...]    only these, by name: scripts/gallery.sh hero once
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -16,6 +17,24 @@ if [[ ! $library -nt $tessera ]]; then
   "$tessera" library build "$(dpkg -L openclipart-svg | grep -x '.*/svg/animals')" -o "$library"
 fi
 
+# four_copies FOLDER: what is seamless is seen where copies meet; prints the name of a PDF.
+four_copies() {
+  local width height x y
+  read -r width height < <(sed -n 's/.*<svg [^>]*viewBox="0 0 \([0-9]*\) \([0-9]*\)".*/\1 \2/p' "$1/collage.svg" | head -1)
+  {
+    echo "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 $((2 * width)) $((2 * height))'" \
+      "width='$((2 * width))' height='$((2 * height))'>"
+    for x in 0 "$width"; do
+      for y in 0 "$height"; do
+        echo "<image href='collage.png' x='$x' y='$y' width='$width' height='$height'/>"
+      done
+    done
+    echo "</svg>"
+  } >"$1/copies.svg"
+  rsvg-convert -f pdf -o "$1/copies.pdf" "$1/copies.svg"
+  echo "$1/copies.pdf"
+}
+
 mapfile -t names < <(basename -s .toml jobs/*.toml)
 [[ $# -eq 0 ]] || names=("$@")
 for name in "${names[@]}"; do
@@ -23,8 +42,9 @@ for name in "${names[@]}"; do
   "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
   "$tessera" draw "out/gallery/$name" --pdf --quiet
   # By way of the PDF: poppler is here for the tests anyway.
-  pdftocairo -jpeg -jpegopt quality=88 -singlefile -scale-to "$side_px" "out/gallery/$name/collage.pdf" "$gallery/$name"
-
+  page=out/gallery/$name/collage.pdf
+  if grep -q '^seamless' "jobs/$name.toml"; then page=$(four_copies "out/gallery/$name"); fi
+  pdftocairo -jpeg -jpegopt quality=88 -singlefile -scale-to "$side_px" "$page" "$gallery/$name"
 done
 
 # value CARD LABEL: what stands behind the label on a line of card.txt
