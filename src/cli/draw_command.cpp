@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -108,15 +106,24 @@ void check_takes_pictures(const std::string& folder) {
 class DrawingLocks {
  public:
   DrawingLocks(const std::string& result, const std::string& to) {
-    // A result on which one has no right to write can be drawn elsewhere.
-    if (to.empty() || ::access(result.c_str(), W_OK) == 0) result_.emplace(io::folder_lock_path(result), result);
+    if (!to.empty()) check_takes_pictures(to);  // nothing is written there
+    lock_result(result, !to.empty());
     if (to.empty()) return;
     io::prepare_output_directory(to);
     pictures_.emplace(io::folder_lock_path(to), to);
-    check_takes_pictures(to);
+    check_takes_pictures(to);  // nobody has made one since
   }
 
  private:
+  /// A result where nothing can be written can be drawn elsewhere.
+  void lock_result(const std::string& result, bool elsewhere) {
+    try {
+      result_.emplace(io::folder_lock_path(result), result);
+    } catch (const EnvironmentError&) {
+      if (!elsewhere) throw;
+    }
+  }
+
   std::optional<io::OutputLock> result_;
   std::optional<io::OutputLock> pictures_;  // where they have a folder of their own
 };

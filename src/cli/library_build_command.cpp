@@ -1,6 +1,7 @@
 #include "cli/library_build_command.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -82,7 +83,14 @@ void throw_if_nothing_found(const BuildArguments& arguments, const io::ArtworkFi
                                            : ": no file matches " + arguments.glob));
 }
 
+/// CLI::Range lets what is no number pass.
+void check_is_number(const char* option, float value) {
+  if (std::isnan(value)) throw InputError(std::string(option) + ": found nan, allowed: a number");
+}
+
 int run(const BuildArguments& arguments) {
+  check_is_number("--edge-opacity", arguments.settings.tracing.edge_opacity);
+  check_is_number("--delta-tau", arguments.settings.tracing.pad.delta_tau);
   const auto start = std::chrono::steady_clock::now();
   const io::ArtworkFiles files = io::find_artwork(arguments.sources, arguments.glob);
   throw_if_nothing_found(arguments, files);

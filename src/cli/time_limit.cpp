@@ -128,9 +128,9 @@ bool TimeLimit::round_over(double leaving_s) const {
 
 bool TimeLimit::near() {
   const double now_s = watch_.seconds();
-  if (asked_s_ > 0) longest_round_s_ = std::max(longest_round_s_, now_s - asked_s_);
+  if (asked_s_ > 0) longest_wait_s_ = std::max(longest_wait_s_, now_s - asked_s_);
   asked_s_ = now_s;
-  return now_s + longest_round_s_ + reserve_s(limit_s_) >= limit_s_;
+  return now_s + longest_wait_s_ + reserve_s(limit_s_) >= limit_s_;
 }
 
 bool TimeLimit::drawing_over(double leaving_s) const {

@@ -30,8 +30,8 @@ class TimeLimit {
   explicit TimeLimit(double limit_s = std::numeric_limits<double>::infinity()) : limit_s_(limit_s) {}
 
   double seconds() const { return limit_s_; }
-  /// Asked before every round: another one as long as the longest so far, and the files of the result, might come to an
-  /// end too late.
+  /// Asked before every round and while a piece is chosen: another wait as long as the longest so far between two
+  /// questions, and the files of the result, might come to an end too late.
   bool near();
   /// Asked within a round: what is left is needed for the files of the result, and `leaving_s` to leave.
   bool round_over(double leaving_s) const;
@@ -41,7 +41,7 @@ class TimeLimit {
  private:
   double limit_s_;
   double asked_s_ = 0;
-  double longest_round_s_ = 0;
+  double longest_wait_s_ = 0;
   Stopwatch watch_;
 };
 

@@ -9,7 +9,10 @@ namespace {
 
 bool is_continuation(unsigned char c) { return (c & 0xc0) == 0x80; }
 
-bool is_control(std::uint32_t code) { return code < 0x20 || (code >= 0x7f && code < 0xa0); }
+/// What no line of text has; the last two may not stand in XML.
+bool is_control(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0xfffe || code == 0xffff;
+}
 
 struct Character {
   std::size_t bytes;  // 0: this is none
@@ -21,7 +24,7 @@ Character character_at(const std::string& text, std::size_t at) {
   constexpr Character kNone{0, 0};
   const auto lead = static_cast<unsigned char>(text[at]);
   if (lead < 0x80) return {1, lead};
-  const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc2 ? 2 : 0;
+  const std::size_t length = lead >= 0xf5 ? 0 : lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc2 ? 2 : 0;
   if (length == 0 || at + length > text.size()) return kNone;
   std::uint32_t code = lead & (0x7fu >> length);
   for (std::size_t k = 1; k < length; ++k) {

@@ -207,8 +207,14 @@ class Run {
     const Stopwatch watch;
     RuinAndRecreate ruin_and_recreate(collage(), filling(), settings_);
     while (may_improve() && !reached_limit() && !interrupted()) {
-      const Trial trial = ruin_and_recreate.try_once(std::uint32_t(statistics_.trials),
-                                                     [this] { return observer_.stop_requested() != nullptr; });
+      Trial trial = Trial::interrupted;
+      try {
+        trial = ruin_and_recreate.try_once(std::uint32_t(statistics_.trials),
+                                           [this] { return observer_.stop_requested() != nullptr; });
+      } catch (const Interrupted&) {
+        statistics_.improve_s = earlier_s + watch.seconds();
+        throw;
+      }
       statistics_.improve_s = earlier_s + watch.seconds();
       if (trial == Trial::interrupted) continue;
       statistics_.trials_kept += trial == Trial::kept;

@@ -24,6 +24,8 @@ build 0 drawings --edge-opacity 0.1
 cp own.h5 wide.h5
 build 2 drawings --edge-opacity 0.01
 grep -q -e '--edge-opacity.*0.02' errors || fail "another message for an opacity out of range"
+build 2 drawings --edge-opacity nan
+grep -q -e '--edge-opacity: found nan' errors || fail "another message for no number"
 build 0 drawings
 cmp -s own.h5 wide.h5 && fail "--edge-opacity changes nothing"
 grep -qE '^own.h5, .* s; of 8 files: 5 shapes, 1 merged with these, 2 skipped$' output ||

@@ -99,6 +99,10 @@ printf 'host elsewhere\npid 7\nboot another\n' >drawn/run.lock
 run 2 draw drawn --to elsewhere
 grep -q 'drawn: another run may still be at work here: process 7 on elsewhere' errors || fail "a run into RESULT is not seen"
 rm drawn/run.lock
+mkdir drawn/run.lock
+run 1 draw drawn --quiet
+run 0 draw drawn --to elsewhere --quiet
+rmdir drawn/run.lock
 run 0 draw drawn --to elsewhere --quiet
 [[ ! -e drawn/run.lock && ! -e elsewhere/run.lock ]] || fail "a lock is left"
 run 2 draw drawn --set pieces.uses=1

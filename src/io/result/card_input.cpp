@@ -75,6 +75,8 @@ std::string made_by(const std::string& folder) {
     return "tessera " + word("version") + ", commit " + word("commit");
   } catch (const InputError&) {
     return "";
+  } catch (const EnvironmentError&) {  // it cannot be read; who asks has something else to say
+    return "";
   }
 }
 
