@@ -113,6 +113,9 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
   const std::unique_ptr<Matcher> matcher =
       ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library, stop_reason);
+  // Over those that LLVM brings with the first kernel: they reset themselves when they are called, and a second signal
+  // at that moment, as timeout(1) sends it, would end the process.
+  comm::install_stop_handlers();
   journal->ranks_are(comm::gather_sites(ranks, master_site(ranks, input.job)));
   if (input.start == Start::restart) input.checkpoints.remove();
 

@@ -99,6 +99,17 @@ expect_refused '--width' expected --width 5
 expect_refused '--background' expected --background red
 echo "ok draw's options"
 
+# timeout(1) signals the program and then its group: two signals at once.
+for ((i = 0; i < 25; ++i)); do
+  rm -rf twice
+  start 1 twice --quiet --set improve.seconds=100 --set improve.trials=0
+  until grep -q 'rank 0 ' twice/run.log 2>/dev/null || ! kill -0 "$started"; do sleep 0.01; done
+  sleep 0.1
+  for k in 1 2 3 4; do kill -s TERM "$started"; done
+  expect_end 75 "several signals at once"
+done
+echo "ok several signals at once"
+
 # Originals that are gone: thumbnails, counted on stderr and in the card.
 mv drawings gone
 start 1 gone_artwork
