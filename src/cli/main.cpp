@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/collage_run.h"
 #include "cli/commands.h"
 #include "comm/in_process_communicator.h"
 #include "comm/launcher_check.h"
@@ -103,4 +104,10 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace tessera::cli
 
-int main(int argc, char** argv) { return tessera::cli::run(argc, argv); }
+int main(int argc, char** argv) {
+  const int exit_code = tessera::cli::run(argc, argv);
+  if (exit_code != tessera::cli::kUnfinishedExitCode) return exit_code;
+  // A question that was given up may still be compiled by a thread of PoCL's, which crashes where LLVM is taken down.
+  std::fflush(nullptr);
+  std::_Exit(exit_code);
+}
