@@ -49,12 +49,17 @@ double expected_time_share(const master::Progress& progress, const StopSettings&
 }
 
 std::string progress_note(const master::Progress& progress) {
-  char text[100];
+  char text[120];
   const std::string pieces = std::to_string(progress.pieces) + (progress.pieces == 1 ? " piece" : " pieces");
   if (progress.trials > 0) {
     std::snprintf(text, sizeof text, "%s, %.1f %% covered, trial %llu", pieces.c_str(), 100 * progress.coverage,
                   static_cast<unsigned long long>(progress.trials));
     return progress.most_trials > 0 ? text + (" of " + std::to_string(progress.most_trials)) : text;
+  }
+  if (progress.attempt > 1) {
+    std::snprintf(text, sizeof text, "%s, %.1f %% covered, attempt %d with smaller pieces, as some found no place",
+                  pieces.c_str(), 100 * progress.coverage, progress.attempt);
+    return text;
   }
   const double rate = progress.seconds > 0 ? double(progress.pieces) / progress.seconds : 0;
   std::snprintf(text, sizeof text, "%s, %.1f %% covered, %.1f pieces/s", pieces.c_str(), 100 * progress.coverage, rate);

@@ -27,7 +27,7 @@ class CollageProgress : public master::Observer {
 /// The share of the loop's time that is probably over, 0..0.99, from whichever of the stops comes first.
 double expected_time_share(const master::Progress& progress, const StopSettings& stop);
 
-/// "123 pieces, 45.6 % covered, 12.3 pieces/s"
+/// "123 pieces, 45.6 % covered, 12.3 pieces/s"; in later attempts (fit = "all") which one instead of the rate.
 std::string progress_note(const master::Progress& progress);
 
 }  // namespace tessera::cli

@@ -105,7 +105,7 @@ for ((i = 0; i < 25; ++i)); do
   start 1 twice --quiet --set improve.seconds=100 --set improve.trials=0
   until grep -q 'rank 0 ' twice/run.log 2>/dev/null || ! kill -0 "$started"; do sleep 0.01; done
   sleep 0.1
-  for k in 1 2 3 4; do kill -s TERM "$started"; done
+  for _ in 1 2 3 4; do kill -s TERM "$started"; done
   expect_end 75 "several signals at once"
 done
 echo "ok several signals at once"

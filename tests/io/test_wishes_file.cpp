@@ -100,6 +100,10 @@ TEST_F(WishesFile, TheJobsOwnTablesComeLater) {
   EXPECT_EQ(job.tables["shapes"][1].at("uses").numbers[1], 7);
 }
 
+TEST_F(WishesFile, RowsWithoutAWordArePassedOver) {
+  EXPECT_EQ(job_with("names,uses\n,\ncat,3\n\n,\n , ,,\n").tables.at("shapes").size(), 1u);
+}
+
 TEST_F(WishesFile, MayBeGivenInTheCommandLine) {
   folder_.write("wishes.csv", "names,uses\n*,3\n");
   const std::string path = folder_.write("job.toml", "[library]\nfile = 'x.h5'\n");

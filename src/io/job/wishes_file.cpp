@@ -41,6 +41,7 @@ class WishesFile {
     if (rows.empty()) throw InputError(shown_ + ": empty; needed: a first row with the names of the columns");
     check_header(rows.front());
     for (std::size_t i = 1; i < rows.size(); ++i) {
+      if (says_nothing(rows[i])) continue;
       check_width(rows[i], rows.front());
       add_row(
           table_, row_of(rows[i], rows.front()), [&](const toml::node&) { return place(rows[i]); }, job);
@@ -124,6 +125,12 @@ class WishesFile {
         header.cells.begin() + std::ptrdiff_t(i)) {
       throw InputError(place(header) + ": the column " + name + " stands there twice; allowed: once");
     }
+  }
+
+  /// Spreadsheets write such rows behind the last one.
+  static bool says_nothing(const CsvRow& row) {
+    return std::all_of(row.cells.begin(), row.cells.end(),
+                       [](const std::string& cell) { return trimmed(cell).empty(); });
   }
 
   void check_width(const CsvRow& row, const CsvRow& header) const {
