@@ -1,28 +1,10 @@
 #include "cli/collage_publishing.h"
 
-#include <cstdint>
-#include <set>
-#include <utility>
-
 #include "io/result/collage_files.h"
 #include "io/result/piece_colours.h"
 #include "io/result/placed_pieces.h"
 
 namespace tessera::cli {
-namespace {
-
-/// Of the shapes that were placed, all that the files need.
-void add_placed_shapes(const io::ShapeLibrary& library, io::CollageReport& report) {
-  std::set<ShapeId> placed;
-  for (const Placement& placement : report.placements) placed.insert(placement.shape);
-  const io::LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = false};
-  for (const ShapeId id : placed) {
-    const std::uint32_t index = index_of(id);
-    report.shapes.add(id, std::move(library.read(index, index + 1, parts).front()));
-  }
-}
-
-}  // namespace
 
 bool leaves_older_result(const CollageInput& input, const master::CollageResult& result) {
   return result.unfinished && result.placements.empty() && input.earlier.finished();
@@ -37,7 +19,8 @@ std::string publish(const CollageInput& input, const master::CollageResult& resu
   report.statistics = result.statistics;
   report.ranks = ranks;
   report.record = record;
-  add_placed_shapes(input.library, report);
+  const io::LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = false};
+  report.shapes = io::read_placed_shapes(input.library, report.placements, parts);
   if (io::draws_palette(input.job.colour, input.library)) report.colours = io::piece_colours(report, input.palette);
   report.placements = result.placements;
   const std::string card = io::publish_result(input.folder, report, input.origin, !result.unfinished);

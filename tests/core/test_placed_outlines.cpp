@@ -208,44 +208,58 @@ Deepest deepest_vertex(const Outline& inner, const Outline& outer) {
   return deepest;
 }
 
+/// A piece beside another, or in it, and how deep vertices of each lie in the other.
+struct Meeting {
+  /// Between so many px apart, which may be negative.
+  Meeting(const PieceSettings& pieces, int least_px, int most_px) : scene(pieces) {
+    scene.add(any_shape(), any_pose(200, 5));
+    shape = any_shape();
+    where = pose_beside(other(), shape, any_number(least_px, most_px));
+    piece = placed_outline(shapes()[shape].outline, where);
+    of_piece = deepest_vertex(piece, other());
+    of_other = deepest_vertex(other(), piece);
+  }
+
+  const Outline& other() const { return scene.placed[0]; }
+  std::vector<Vec2> ways() const { return scene.outlines.conflicts(shapes()[shape], where); }
+
+  Scene scene;
+  std::uint32_t shape = 0;
+  Similarity where;
+  Outline piece;
+  Deepest of_piece, of_other;
+};
+
 /// Between which no depth is allowed, neither a corner nor a side may reach into the other.
 TEST(PlacedOutlines, WithoutOverlapOutlinesThatMeetAreAConflict) {
   EXPECT_TRUE(rc::check([] {
-    Scene scene(overlapping_by(0));
-    scene.add(any_shape(), any_pose(200, 5));
-    const std::uint32_t shape = any_shape();
-    const Similarity where = pose_beside(scene.placed[0], shape, any_number(-1, 1));
-    const double distance = test::polygon_distance(placed_outline(shapes()[shape].outline, where), scene.placed[0]);
+    const Meeting meeting(overlapping_by(0), -1, 1);
+    const double distance = test::polygon_distance(meeting.piece, meeting.other());
     RC_PRE(std::abs(distance - kWritten_px) > 1e-4);
     RC_TAG(distance < kWritten_px);
-    RC_ASSERT(scene.outlines.conflicts(shapes()[shape], where).empty() == (distance > kWritten_px));
+    RC_ASSERT(meeting.ways().empty() == (distance > kWritten_px));
   }));
 }
 
 TEST(PlacedOutlines, WithoutPaddingEachVertexThatLiesTooDeepIsAConflict) {
   EXPECT_TRUE(rc::check([] {
     const float allowed_px = *rc::gen::element(0.4f, kOverlap_px, 2.5f);
-    Scene scene(overlapping_by(allowed_px));
-    scene.add(any_shape(), any_pose(200, 5));
-    const std::uint32_t shape = any_shape();
-    const Similarity where = pose_beside(scene.placed[0], shape, any_number(-5, 1));
-    const Outline piece = placed_outline(shapes()[shape].outline, where);
-    const Outline& other = scene.placed[0];
-    const Deepest of_piece = deepest_vertex(piece, other);
-    const Deepest of_other = deepest_vertex(other, piece);
+    const Meeting meeting(overlapping_by(allowed_px), -5, 1);
+    const Deepest& of_piece = meeting.of_piece;
+    const Deepest& of_other = meeting.of_other;
     for (const Deepest& d : {of_piece, of_other}) RC_PRE(std::abs(d.depth_px - allowed_px) > kByFields_px);
     const bool piece_too_deep = of_piece.depth_px > allowed_px;
     const bool other_too_deep = of_other.depth_px > allowed_px;
     RC_TAG(int(piece_too_deep) + 2 * int(other_too_deep));
-    const std::vector<Vec2> ways = scene.outlines.conflicts(shapes()[shape], where);
+    const std::vector<Vec2> ways = meeting.ways();
     RC_ASSERT(ways.size() == std::size_t(piece_too_deep) + std::size_t(other_too_deep));
     const auto is_way_out = [allowed_px](Vec2 way, const Deepest& d, const Outline& outer) {
       if (d.depth_px >= kHopelessDepth_px) return true;  // there is no short one
       return std::abs(double(norm(way)) - (d.depth_px - allowed_px)) < kRounding_px &&
              std::abs(depth(d.vertex + way, outer) - allowed_px) < kRounding_px;
     };
-    if (piece_too_deep) RC_ASSERT(is_way_out(ways.front(), of_piece, other));
-    if (other_too_deep) RC_ASSERT(is_way_out(ways.back() * -1.f, of_other, piece));
+    if (piece_too_deep) RC_ASSERT(is_way_out(ways.front(), of_piece, meeting.other()));
+    if (other_too_deep) RC_ASSERT(is_way_out(ways.back() * -1.f, of_other, meeting.piece));
   }));
 }
 
@@ -276,25 +290,20 @@ TEST(PlacedOutlines, TheWayOutOfACrossingLeadsTheDeepestVertexOut) {
     const float padding_px = *rc::gen::element(0.f, kPadding_px);
     PieceSettings pieces = padded_by(padding_px);
     pieces.overlap_px = 0;
-    Scene scene(pieces);
-    scene.add(any_shape(), any_pose(200, 5));
-    const std::uint32_t shape = any_shape();
-    const Similarity where = pose_beside(scene.placed[0], shape, any_number(-3, 0));
-    const Outline piece = placed_outline(shapes()[shape].outline, where);
-    const Outline& other = scene.placed[0];
-    const Deepest of_piece = deepest_vertex(piece, other);
-    const Deepest of_other = deepest_vertex(other, piece);
-    const bool by_own = of_piece.depth_px > of_other.depth_px;
-    const Deepest& deepest = by_own ? of_piece : of_other;
-    RC_PRE(deepest.depth_px > 0.1 && std::abs(of_piece.depth_px - of_other.depth_px) > kRounding_px);
+    const Meeting meeting(pieces, -3, 0);
+    const double own_px = meeting.of_piece.depth_px;
+    const double others_px = meeting.of_other.depth_px;
+    const bool by_own = own_px > others_px;
+    const Deepest& deepest = by_own ? meeting.of_piece : meeting.of_other;
+    RC_PRE(deepest.depth_px > 0.1 && std::abs(own_px - others_px) > kRounding_px);
     RC_PRE(deepest.depth_px < kHopelessDepth_px);
-    const std::vector<Vec2> ways = scene.outlines.conflicts(shapes()[shape], where);
+    const std::vector<Vec2> ways = meeting.ways();
     RC_ASSERT(ways.size() == 1u);
     const double needed_px = padding_px + kWritten_px;
     RC_ASSERT(std::abs(double(norm(ways[0])) - (deepest.depth_px + needed_px)) < kRounding_px);
     const Vec2 way = ways[0] * (by_own ? 1.f : -1.f);
     const Vec2 out = deepest.vertex + way * float(deepest.depth_px / norm(way));
-    RC_ASSERT(test::boundary_distance({{{out}}}, by_own ? other : piece) < kRounding_px);
+    RC_ASSERT(test::boundary_distance({{{out}}}, by_own ? meeting.other() : meeting.piece) < kRounding_px);
   }));
 }
 

@@ -11,13 +11,7 @@
 namespace tessera::io {
 namespace {
 
-using test::count;
-using test::drawn;
-using test::drawn_picture;
-using test::drawn_svg;
-using test::kXmlns;
-using test::mean_difference;
-using test::SampleCollage;
+using namespace test;
 
 /// A page of 100 x 50 on the canvas of 200 x 100: a bar of letters below both pieces.
 struct WithKeepOut : SampleCollage {

@@ -10,13 +10,7 @@
 namespace tessera::io {
 namespace {
 
-using test::count;
-using test::drawn;
-using test::drawn_picture;
-using test::drawn_svg;
-using test::kXmlns;
-using test::mean_difference;
-using test::SampleCollage;
+using namespace test;
 
 /// A flag: no turn brings it onto its mirror image. Its artwork is just its outline, in red.
 Shape flag_shape() {

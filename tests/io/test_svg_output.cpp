@@ -11,13 +11,7 @@
 namespace tessera::io {
 namespace {
 
-using test::count;
-using test::drawn;
-using test::drawn_picture;
-using test::drawn_svg;
-using test::mean_difference;
-using test::SampleCollage;
-using test::TwoFaces;
+using namespace test;
 
 TEST(SvgOutput, AgreesWithThePng) {
   const TwoFaces sample;

@@ -1,5 +1,6 @@
 #include "io/result/placed_shapes.h"
 
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -29,6 +30,19 @@ std::size_t PlacedShapes::slot_of_drawing(std::size_t slot) const {
   if (!shapes_[slot].artwork.mirrored) return slot;
   const auto drawn = slot_as_drawn_.find(shapes_[slot].name);
   return drawn == slot_as_drawn_.end() ? slot : drawn->second;
+}
+
+PlacedShapes read_placed_shapes(const ShapeLibrary& library, const std::vector<Placement>& placements,
+                                const LibraryParts& parts, const std::function<void()>& look) {
+  std::set<ShapeId> placed;
+  for (const Placement& placement : placements) placed.insert(placement.shape);
+  PlacedShapes shapes;
+  for (const ShapeId id : placed) {
+    look();
+    const std::uint32_t index = index_of(id);
+    shapes.add(id, std::move(library.read(index, index + 1, parts).front()));
+  }
+  return shapes;
 }
 
 }  // namespace tessera::io

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "core/collage/placement.h"
 #include "core/shape/shape.h"
 #include "core/shape/shape_id.h"
+#include "io/library/shape_library.h"
 
 namespace tessera::io {
 
@@ -33,5 +36,11 @@ class PlacedShapes {
   std::unordered_map<ShapeId, std::size_t> slot_of_;
   std::unordered_map<std::string, std::size_t> slot_as_drawn_;  // by name, of shapes that are no mirror images
 };
+
+/// Those parts of the shapes, one after the other, by their place in the library; before each `look` is called and may
+/// throw.
+PlacedShapes read_placed_shapes(
+    const ShapeLibrary& library, const std::vector<Placement>& placements, const LibraryParts& parts,
+    const std::function<void()>& look = [] {});
 
 }  // namespace tessera::io

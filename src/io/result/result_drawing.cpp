@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -72,8 +71,7 @@ std::string another_library(const std::string& dir, const ResultManifest& manife
          (same_place ? ", built or changed since" : ", then in " + printable_utf8(manifest.library)) +
          (maker.empty() ? "" : "; the collage was made by " + maker) +
          "; --library FILE says where that library is; where it is gone, tessera library build makes it again of the "
-         "same "
-         "drawings, or tessera collage a collage of this one";
+         "same drawings, or tessera collage a collage of this one";
 }
 
 LibraryView library_of(const std::string& dir, const Job& job, const ResultManifest& manifest) {
@@ -118,18 +116,6 @@ std::vector<Placement> placements_of(const std::string& dir, const ResultManifes
     placements[i].canvas_from_shape = pieces[i];
   }
   return placements;
-}
-
-/// Of the shapes that were placed, all that drawing needs.
-void add_shapes(const ShapeLibrary& library, const StopWatcher& stop, CollageReport& report) {
-  std::set<ShapeId> placed;
-  for (const Placement& placement : report.placements) placed.insert(placement.shape);
-  const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
-  for (const ShapeId id : placed) {
-    stop.check();
-    const std::uint32_t index = index_of(id);
-    report.shapes.add(id, std::move(library.read(index, index + 1, parts).front()));
-  }
 }
 
 /// The job's own output on paper, and what is asked for instead.
@@ -272,7 +258,8 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   report.canvas_edge = std::move(canvas.edge);
   report.keep_out = std::move(canvas.keep_out);
   report.placements = placements_of(dir, manifest, library.size());
-  add_shapes(library, stop, report);
+  const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
+  report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });
   if (!other_colours) {
     report.colours = manifest.colours;
   } else if (draws_palette(job.colour, library)) {
