@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every job of jobs/ and makes docs/gallery anew: a picture of each, and README.md with what its card says;
-# of a seamless one four copies side by side.
+# of a seamless one four copies side by side, of one with pieces of an earlier collage these alone beside it.
 #   scripts/gallery.sh [JOB...]    only these, by name: scripts/gallery.sh hero once
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -17,22 +17,36 @@ if [[ ! $library -nt $tessera ]]; then
   "$tessera" library build "$(dpkg -L openclipart-svg | grep -x '.*/svg/animals')" -o "$library"
 fi
 
-# four_copies FOLDER: what is seamless is seen where copies meet; prints the name of a PDF.
-four_copies() {
-  local width height x y
-  read -r width height < <(sed -n 's/.*<svg [^>]*viewBox="0 0 \([0-9]*\) \([0-9]*\)".*/\1 \2/p' "$1/collage.svg" | head -1)
+# viewbox_size SVG: prints width and height.
+viewbox_size() { sed -n 's/.*<svg [^>]*viewBox="0 0 \([0-9]*\) \([0-9]*\)".*/\1 \2/p' "$1" | head -1; }
+
+# page FOLDER COLUMNS ROWS PNG...: as many pictures of that result's size side by side, row by row; prints the name of a PDF.
+page() {
+  local folder=$1 columns=$2 rows=$3 width height column=0 row=0
+  shift 3
+  read -r width height < <(viewbox_size "$folder/collage.svg")
   {
-    echo "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 $((2 * width)) $((2 * height))'" \
-      "width='$((2 * width))' height='$((2 * height))'>"
-    for x in 0 "$width"; do
-      for y in 0 "$height"; do
-        echo "<image href='collage.png' x='$x' y='$y' width='$width' height='$height'/>"
-      done
+    echo "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 $((columns * width)) $((rows * height))'" \
+      "width='$((columns * width))' height='$((rows * height))'>"
+    for png in "$@"; do
+      echo "<image href='$png' x='$((column * width))' y='$((row * height))' width='$width' height='$height'/>"
+      column=$(((column + 1) % columns))
+      if ((column == 0)); then row=$((row + 1)); fi
     done
     echo "</svg>"
-  } >"$1/copies.svg"
-  rsvg-convert -f pdf -o "$1/copies.pdf" "$1/copies.svg"
-  echo "$1/copies.pdf"
+  } >"$folder/page.svg"
+  rsvg-convert -f pdf -o "$folder/page.pdf" "$folder/page.svg"
+  echo "$folder/page.pdf"
+}
+
+# What is seamless is seen where copies meet.
+four_copies() { page "$1" 2 2 collage.png collage.png collage.png collage.png; }
+
+# What was filled is seen beside what stood first.
+before_and_after() {
+  "$tessera" collage "$2" --set stop.pieces=1 --out "$1.before" --quiet
+  cp "$1.before/collage.png" "$1/before.png"
+  page "$1" 1 2 before.png collage.png
 }
 
 mapfile -t names < <(basename -s .toml jobs/*.toml)
@@ -42,9 +56,10 @@ for name in "${names[@]}"; do
   "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
   "$tessera" draw "out/gallery/$name" --pdf --quiet
   # By way of the PDF: poppler is here for the tests anyway.
-  page=out/gallery/$name/collage.pdf
-  if grep -q '^seamless' "jobs/$name.toml"; then page=$(four_copies "out/gallery/$name"); fi
-  pdftocairo -jpeg -jpegopt quality=88 -singlefile -scale-to "$side_px" "$page" "$gallery/$name"
+  shown=out/gallery/$name/collage.pdf
+  if grep -q '^seamless' "jobs/$name.toml"; then shown=$(four_copies "out/gallery/$name"); fi
+  if grep -q '^pieces = "pieces/' "jobs/$name.toml"; then shown=$(before_and_after "out/gallery/$name" "jobs/$name.toml"); fi
+  pdftocairo -jpeg -jpegopt quality=88 -singlefile -scale-to "$side_px" "$shown" "$gallery/$name"
 done
 
 # value CARD LABEL: what stands behind the label on a line of card.txt

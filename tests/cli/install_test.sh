@@ -17,7 +17,7 @@ mv "$folder/first" "$folder/moved"
 prefix=$folder/moved
 share=$prefix/share/tessera
 
-for file in README.md ARCHITECTURE.md LICENSE docs/job-format.md docs/animals.jpg jobs/animals.toml \
+for file in README.md ARCHITECTURE.md LICENSE docs/job-format.md docs/gallery/animals.jpg jobs/animals.toml \
   jobs/canvas/heart.svg slurm/README.md slurm/collage.sbatch slurm/job.sh slurm/program.sh; do
   [[ -s $share/$file ]] || fail "not installed: $file"
 done
