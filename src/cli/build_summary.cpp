@@ -65,8 +65,9 @@ std::string merged_lines(const std::vector<io::LibraryBuildReport::Merged>& merg
 std::string build_summary(const io::LibraryBuildReport& report) {
   std::string text;
   if (!report.trimmed.empty()) {
-    text += "small parts that do not touch the largest are not in the silhouettes of " +
-            std::to_string(report.trimmed.size()) + " (join them to have them): " + first_names(report.trimmed) + "\n";
+    text += "parts that do not touch the largest one are not in the silhouettes of " +
+            std::to_string(report.trimmed.size()) + ": " + first_names(report.trimmed) +
+            "\n  join them to have them; where less than half opaque parts join them, --edge-opacity 0.05 has them\n";
   }
   if (!report.merged.empty()) text += merged_lines(report.merged);
   if (!report.skipped.empty()) text += skipped_lines(report.skipped);

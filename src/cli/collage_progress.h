@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/progress_bar.h"
+#include "cli/time_estimate.h"
 #include "cli/time_limit.h"
 #include "core/settings.h"
 #include "master/progress.h"
@@ -13,19 +14,16 @@ namespace tessera::cli {
 class CollageProgress : public master::Observer {
  public:
   /// `quiet`: shows nothing, but still obeys signals (comm/stop_signals.h) and the limit.
-  CollageProgress(const StopSettings& stop, bool quiet, const TimeLimit& limit = TimeLimit());
+  CollageProgress(const CollageSettings& settings, bool quiet, const TimeLimit& limit = TimeLimit());
 
   void progressed(const master::Progress& progress) override;
   const char* stop_requested() override;
 
  private:
-  StopSettings stop_;
+  TimeEstimate estimate_;
   TimeLimit limit_;
   std::optional<ProgressBar> bar_;
 };
-
-/// The share of the loop's time that is probably over, 0..0.99, from whichever of the stops comes first.
-double expected_time_share(const master::Progress& progress, const StopSettings& stop);
 
 /// "123 pieces, 45.6 % covered, 12.3 pieces/s"; in later attempts (fit = "all") which one instead of the rate.
 std::string progress_note(const master::Progress& progress);

@@ -84,7 +84,7 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
   master::LibraryShapes shapes(input.library);
-  CollageProgress progress(input.job.settings.stop, arguments.quiet, limit);
+  CollageProgress progress(input.job.settings, arguments.quiet, limit);
   const CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
   return master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints});
 }

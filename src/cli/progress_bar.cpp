@@ -36,16 +36,26 @@ std::string bar(double fraction, int columns) {
   return "  [" + std::string(std::size_t(full), '#') + std::string(std::size_t(cells - full), '.') + "]";
 }
 
+double fraction_of(std::size_t done, std::size_t total) {
+  return total == 0 ? 1.0 : std::min(1.0, double(done) / double(total));
+}
+
 }  // namespace
 
+std::optional<double> time_left_s(std::size_t done, std::size_t total, double elapsed_s) {
+  const double fraction = fraction_of(done, total);
+  if (done == 0 || fraction >= 1) return std::nullopt;
+  return elapsed_s * (1 / fraction - 1);
+}
+
 std::string progress_text(const std::string& label, std::size_t done, std::size_t total, const std::string& note,
-                          double elapsed_s, int width) {
-  const double fraction = total == 0 ? 1.0 : std::min(1.0, double(done) / double(total));
+                          std::optional<double> left_s, int width) {
+  const double fraction = fraction_of(done, total);
   const std::string percent = std::to_string(int(100 * fraction)) + " %";
   const std::string separator = width == 0 ? ", " : "  ";
   std::string text = (width == 0 ? ": " : "  ") + percent;
   if (!note.empty()) text += separator + note;
-  if (done > 0 && fraction < 1) text += separator + minutes(elapsed_s * (1 / fraction - 1)) + " left";
+  if (left_s) text += separator + minutes(*left_s) + " left";
   if (width == 0) return label + text;
   const int left = width - int(label.size() + text.size());
   return (label + bar(fraction, left) + text).substr(0, std::size_t(width));
@@ -61,30 +71,34 @@ ProgressBar::ProgressBar(std::string label, std::size_t total)
 ProgressBar::~ProgressBar() { finish(); }
 
 void ProgressBar::update(std::size_t done, const std::string& note) {
+  update(done, note, time_left_s(done, total_, std::chrono::duration<double>(Clock::now() - start_).count()));
+}
+
+void ProgressBar::update(std::size_t done, const std::string& note, std::optional<double> left_s) {
   done_ = done;
   note_ = note;
+  left_s_ = left_s;
   const auto now = Clock::now();
   if (now - last_ < (terminal_ ? Clock::duration(kRedraw) : Clock::duration(kPlainLine))) return;
   last_ = now;
-  draw(now);
+  draw();
 }
 
-void ProgressBar::draw(Clock::time_point now) {
+void ProgressBar::draw() {
   drawn_ = true;
-  const double elapsed_s = std::chrono::duration<double>(now - start_).count();
   if (terminal_) {
     // One column is left free: a full line would wrap. \033[K clears what a longer text left behind.
-    const std::string text = progress_text(label_, done_, total_, note_, elapsed_s, terminal_width() - 1);
+    const std::string text = progress_text(label_, done_, total_, note_, left_s_, terminal_width() - 1);
     std::fprintf(stderr, "\r%s\033[K", text.c_str());
   } else {
-    std::fprintf(stderr, "%s\n", progress_text(label_, done_, total_, note_, elapsed_s, 0).c_str());
+    std::fprintf(stderr, "%s\n", progress_text(label_, done_, total_, note_, left_s_, 0).c_str());
   }
   std::fflush(stderr);
 }
 
 void ProgressBar::finish() {
   if (std::exchange(finished_, true) || !terminal_ || !drawn_) return;
-  draw(Clock::now());
+  draw();
   std::fputc('\n', stderr);
 }
 

@@ -1,6 +1,5 @@
 // What is shown of a run, and that a signal ends it without ending the process.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <csignal>
 
@@ -21,30 +20,6 @@ TEST(CollageProgress, note_has_pieces_coverage_and_rate) {
             "120 pieces, 45.7 % covered, attempt 2 with smaller pieces, as some found no place");
   EXPECT_EQ(progress_note({}), "0 pieces, 0.0 % covered, 0.0 pieces/s");
   EXPECT_EQ(progress_note({.pieces = 1, .coverage = 0.01}), "1 piece, 1.0 % covered, 0.0 pieces/s");
-}
-
-TEST(CollageProgress, the_nearest_stop_gives_the_share) {
-  const master::Progress progress{.pieces = 50, .coverage = 0.3, .seconds = 6, .open_samples = 0};
-  EXPECT_DOUBLE_EQ(expected_time_share(progress, {.pieces = 100, .coverage = 1, .seconds = 0}), 0.5);
-  EXPECT_DOUBLE_EQ(expected_time_share(progress, {.pieces = 100, .coverage = 1, .seconds = 8}), 0.75);
-  EXPECT_DOUBLE_EQ(expected_time_share(progress, {.pieces = 50, .coverage = 1, .seconds = 0}), 0.99);
-  EXPECT_NEAR(expected_time_share(progress, {.pieces = 0, .coverage = 0.6f, .seconds = 0}), 0.5, 1e-6);
-  EXPECT_NEAR(expected_time_share(progress, {.pieces = 0, .coverage = 1, .seconds = 0}), 0.67 / 3, 1e-6);
-}
-
-RC_GTEST_PROP(CollageProgress, the_share_grows_and_stays_below_one, ()) {
-  const auto percent = [] { return double(*rc::gen::inRange(0, 101)) / 100; };
-  const double low = percent();
-  const double high = low + (1 - low) * percent();
-  const StopSettings stop{
-      .pieces = *rc::gen::inRange(0, 50), .coverage = float(0.01 + 0.99 * percent()), .seconds = 10 * percent()};
-  const auto at = [&](double share) {
-    return expected_time_share(
-        {.pieces = std::size_t(100 * share), .coverage = share, .seconds = 9 * share, .open_samples = 0}, stop);
-  };
-  RC_ASSERT(0 <= at(low));
-  RC_ASSERT(at(low) <= at(high));
-  RC_ASSERT(at(high) <= 1);
 }
 
 TEST(CollageProgress, a_time_limit_ends_the_loop) {

@@ -8,15 +8,21 @@ namespace tessera::cli {
 namespace {
 
 TEST(ProgressText, ForATerminalAndForALogFile) {
-  EXPECT_EQ(progress_text("library", 50, 200, "31 shapes", 10, 0), "library: 25 %, 31 shapes, 0:30 left");
+  EXPECT_EQ(progress_text("library", 50, 200, "31 shapes", 30, 0), "library: 25 %, 31 shapes, 0:30 left");
   EXPECT_EQ(progress_text("library", 100, 200, "31 shapes", 100, 200),
             "library  [###############...............]  50 %  31 shapes  1:40 left");
 }
 
-TEST(ProgressText, SaysNothingAboutTheTimeThatItCannotKnow) {
-  EXPECT_EQ(progress_text("library", 0, 200, "", 10, 0), "library: 0 %");
-  EXPECT_EQ(progress_text("library", 200, 200, "", 10, 0), "library: 100 %");
-  EXPECT_EQ(progress_text("library", 0, 0, "", 10, 0), "library: 100 %");
+TEST(ProgressText, SaysNothingAboutTheTimeThatNobodyKnows) {
+  EXPECT_EQ(progress_text("library", 0, 200, "", std::nullopt, 0), "library: 0 %");
+  EXPECT_EQ(progress_text("library", 0, 0, "", std::nullopt, 0), "library: 100 %");
+}
+
+TEST(TimeLeft, FollowsFromThePace) {
+  EXPECT_EQ(time_left_s(50, 200, 10), 30);
+  EXPECT_EQ(time_left_s(0, 200, 10), std::nullopt);
+  EXPECT_EQ(time_left_s(200, 200, 10), std::nullopt);
+  EXPECT_EQ(time_left_s(0, 0, 10), std::nullopt);
 }
 
 /// The time left is what a user looks for: the bar gives way first.
@@ -47,7 +53,8 @@ TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
                     {"/a/e.svg", "hairlines"}};
   EXPECT_EQ(
       build_summary(report),
-      "small parts that do not touch the largest are not in the silhouettes of 1 (join them to have them): deer.svg\n"
+      "parts that do not touch the largest one are not in the silhouettes of 1: deer.svg\n"
+      "  join them to have them; where less than half opaque parts join them, --edge-opacity 0.05 has them\n"
       "merged 1 with the same silhouette and colour:\n"
       "  red.svg = blue\n"
       "skipped 6:\n"

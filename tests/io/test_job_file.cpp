@@ -89,7 +89,8 @@ TEST_F(JobFile, reads_every_key) {
 
 TEST_F(JobFile, names_line_key_found_and_allowed) {
   EXPECT_EQ(mistake(minimal_ + "[pieces]\nscale_px = [180, 14]\n"),
-            "job.toml:4: pieces.scale_px: found [ 180, 14 ], allowed: one value, [min, max], a list of three "
+            "job.toml:4: pieces.scale_px: found [ 180, 14 ], allowed: one value, [min, max] with the smaller one "
+            "first, a list of three "
             "values or more, or a list of [min, max], from 2 to 5000 px");
   EXPECT_EQ(mistake("seed = -1"), "job.toml:1: seed: found -1, allowed: a whole number from 0 to 9007199254740991");
   EXPECT_EQ(mistake("[objective]\nkind = \"papre\""),
@@ -131,6 +132,19 @@ TEST_F(JobFile, says_where_the_toml_is_broken) {
   EXPECT_EQ(mistake("seed = 1\nseed = 2\n").substr(0, 21), "job.toml:2: not TOML:");
   EXPECT_EQ(mistake("\xff\xfe = 1").substr(0, 21), "job.toml:1: not TOML:");
   EXPECT_EQ(mistake("a = " + std::string(5000, '[')).substr(0, 21), "job.toml:1: not TOML:");
+}
+
+TEST_F(JobFile, says_that_texts_need_quotes) {
+  const auto hints = [&](const std::string& text) {
+    return mistake(text).find("; texts need quotes: ") != std::string::npos;
+  };
+  EXPECT_NE(mistake("seed = 1\n[pieces]\nfit = all\n").find("; texts need quotes: \"all\""), std::string::npos);
+  EXPECT_TRUE(hints("[output]\nbackground = none"));
+  EXPECT_TRUE(hints("[canvas]\nfile = ../heart.svg"));
+  EXPECT_TRUE(hints("[canvas]\nfile = /heart.svg"));
+  EXPECT_FALSE(hints("seed = 1\nseed = 2\n"));
+  EXPECT_FALSE(hints("seed = \n"));
+  EXPECT_FALSE(hints("seed"));
 }
 
 TEST_F(JobFile, misses_the_library) {

@@ -324,12 +324,13 @@ TEST(LeftOutList, has_a_line_a_file_whatever_its_name) {
   report.skipped = {{"/a/x\ty.svg", "not a readable SVG file: line 3:\n no"}, {"/a/b.svg", "hairlines"}};
   report.merged = {{"/a/red.svg", "blue"}};
   report.trimmed = {"/a/deer.svg"};
-  EXPECT_EQ(left_out_list(report),
-            "skipped\t/a/x_y.svg\tnot a readable SVG file: line 3:_ no\n"
-            "skipped\t/a/b.svg\thairlines\n"
-            "merged\t/a/red.svg\tthe silhouette and colour of blue\n"
-            "trimmed\t/a/deer.svg\tsmall parts that do not touch the largest are not in the silhouette; join them to "
-            "have them\n");
+  EXPECT_EQ(
+      left_out_list(report),
+      "skipped\t/a/x_y.svg\tnot a readable SVG file: line 3:_ no\n"
+      "skipped\t/a/b.svg\thairlines\n"
+      "merged\t/a/red.svg\tthe silhouette and colour of blue\n"
+      "trimmed\t/a/deer.svg\tparts that do not touch the largest one are not in the silhouette; join them to have "
+      "them, or, where less than half opaque parts join them, build with --edge-opacity 0.05\n");
 }
 
 }  // namespace

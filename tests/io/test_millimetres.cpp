@@ -93,7 +93,8 @@ TEST_F(Millimetres, need_a_canvas_with_a_size_on_paper) {
 
 TEST_F(Millimetres, are_allowed_as_far_as_the_px) {
   EXPECT_EQ(mistake(poster_ + "[pieces]\nscale_mm = [0.5, 60]"),
-            "job.toml:7: pieces.scale_mm: found [ 0.5, 60 ], allowed: one value, [min, max], a list of three values or "
+            "job.toml:7: pieces.scale_mm: found [ 0.5, 60 ], allowed: one value, [min, max] with the smaller one "
+            "first, a list of three values or "
             "more, or a list of [min, max], from 1 to 2500 mm");
   EXPECT_EQ(mistake("[canvas]\nsize_mm = [600, 400]\n[pieces]\npadding_mm = 151"),
             "job.toml:6: pieces.padding_mm: found 151, allowed: a number from 0 to 150 mm");

@@ -1,13 +1,17 @@
 // load_job: the file's entries in the order of its lines, then the overrides, each checked against its key.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstring>
 #include <deque>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <sstream>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/split_text.h"
 #include "io/job/job_entry.h"
 #include "io/job/job_keys.h"
 #include "io/job/millimetres.h"
@@ -61,12 +65,30 @@ void check_size(const std::string& text, const std::string& path) {
   }
 }
 
+std::string line_of(const std::string& text, std::size_t number) {
+  std::istringstream lines(text);
+  std::string line;
+  for (std::size_t i = 0; i < number; ++i) std::getline(lines, line);
+  return line;
+}
+
+/// Who writes no TOML every day writes fit = all.
+std::string quotes_hint(const std::string& line) {
+  const std::size_t equals = line.find('=');
+  if (equals == std::string::npos) return "";
+  const std::string_view value = trimmed(std::string_view(line).substr(equals + 1));
+  if (value.empty() || !(std::isalpha(static_cast<unsigned char>(value[0])) || std::strchr("#/~.", value[0])))
+    return "";
+  return "; texts need quotes: \"" + printable(std::string(value), 60) + "\"";
+}
+
 toml::table parse(const std::string& text, const std::string& path) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    throw InputError(path + ":" + std::to_string(error.source().begin.line) +
-                     ": not TOML: " + printable(std::string(error.description()), 200));
+    const std::size_t line = error.source().begin.line;
+    throw InputError(path + ":" + std::to_string(line) + ": not TOML: " +
+                     printable(std::string(error.description()), 200) + quotes_hint(line_of(text, line)));
   }
 }
 

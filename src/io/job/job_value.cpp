@@ -300,8 +300,9 @@ std::string allowed_values(const JobKey& key) {
     case JobKind::number: return with_unit(key, "a number from " + min + " to " + max);
     case JobKind::integer: return with_unit(key, "a whole number from " + min + " to " + max);
     case JobKind::intervals:
-      return "one value, [min, max], a list of three values or more, or a list of [min, max], from " + min + " to " +
-             with_unit(key, max);
+      return "one value, [min, max] with the smaller one first, a list of three values or more, or a list of [min, "
+             "max], from " +
+             min + " to " + with_unit(key, max);
     case JobKind::point: return with_unit(key, "[x, y], numbers from " + min + " to " + max);
     case JobKind::uses:
       return "a whole number from " + min + " to " + max + ", or [at least, at most] of such; at most 0 = unlimited";

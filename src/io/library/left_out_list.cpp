@@ -33,7 +33,8 @@ std::string left_out_list(const LibraryBuildReport& report) {
   }
   for (const std::string& path : report.trimmed) {
     text += line("trimmed", path,
-                 "small parts that do not touch the largest are not in the silhouette; join them to have them");
+                 "parts that do not touch the largest one are not in the silhouette; join them to have them, or, where "
+                 "less than half opaque parts join them, build with --edge-opacity 0.05");
   }
   return text;
 }
