@@ -30,7 +30,7 @@ io::LibraryView library_for(io::Job& job) {
 
 /// With the factor of the sizes, which goes by the canvas' area.
 Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job) {
-  Canvas canvas = io::load_canvas(job.canvas);
+  Canvas canvas = io::canvas_of(job);
   io::check_picture_size(io::on_paper(job.output, job.canvas, canvas), canvas);
   if (job.settings.pieces.fit_all) {
     job.size_factor =

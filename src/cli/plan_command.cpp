@@ -37,7 +37,7 @@ struct PlanArguments {
 PlanInput plan_input(const PlanArguments& arguments) {
   const io::Job job = io::load_job(arguments.job, arguments.overrides);
   const io::LibraryView library = io::open_library_of(job);
-  const Canvas canvas = io::load_canvas(job.canvas);
+  const Canvas canvas = io::canvas_of(job);
   const io::OutputSpec output = io::on_paper(job.output, job.canvas, canvas);
   io::check_picture_size(output, canvas);
   io::check_images(canvas, job.settings.pieces);

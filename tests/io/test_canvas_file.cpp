@@ -175,6 +175,18 @@ TEST_F(CanvasFile, unusable_files_and_sizes_are_mistakes) {
   EXPECT_NE(mistake({.width_px = 9000, .height_px = 500, .file = ribbon}).find("only 9000 x 10 px"), std::string::npos);
 }
 
+TEST_F(CanvasFile, mistakes_of_a_job_name_it) {
+  Job job;
+  job.path = "poster.toml";
+  job.canvas = {.width_px = 99, .height_px = 99, .file = folder_.path("none.svg")};
+  try {
+    canvas_of(job);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("poster.toml: canvas.file: ")) << error.what();
+  }
+}
+
 TEST_F(CanvasFile, only_regular_files_are_opened) {
   const std::string pipe = folder_.path("pipe.svg");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

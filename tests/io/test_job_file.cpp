@@ -209,7 +209,8 @@ TEST_F(JobFile, mistakes_in_tables_name_line_key_found_and_allowed) {
   EXPECT_EQ(mistake(minimal_ + "[[shapes]]\nnames = []").substr(0, 55),
             "job.toml:4: [[shapes]] names: found [], allowed: a text");
   EXPECT_EQ(mistake(minimal_ + "[shapes]\nnames = 'a'"),
-            "job.toml:4: [shapes] may come several times; allowed: [[shapes]]");
+            "job.toml:4: [shapes] is a table that may come several times; allowed: [[shapes]], with two brackets on "
+            "each side");
   EXPECT_EQ(mistake("shapes = 3\n" + minimal_),
             "job.toml:1: shapes: found 3, allowed: tables that begin with [[shapes]]");
   EXPECT_NE(mistake(minimal_ + "[[shape]]\nnames = 'a'").find("unknown tables [[shape]] (did you mean [[shapes]]?)"),

@@ -179,7 +179,7 @@ TEST_F(WishResolution, GivenPiecesHaveTheirPose) {
 
 TEST_F(WishResolution, NamesThatThereAreNotAreTold) {
   EXPECT_NE(mistake("[[shapes]]\nnames = 'owls'")
-                .find("[[shapes]] names: include: no shape of the library has a name like "
+                .find("[[shapes]] names: no shape of the library has a name like "
                       "\"owls\"; near it are: owl,"),
             std::string::npos)
       << mistake("[[shapes]]\nnames = 'owls'");

@@ -200,16 +200,15 @@ TEST_F(WishesFile, TooManyCellsComeFromListsAndCommasWithoutQuotes) {
 TEST_F(WishesFile, NamesThatThereAreNotAreToldWithTheirLine) {
   Job job = job_with("names,uses\ncat,1\nowls,2\n", "[[shapes]]\nnames = 'dog'\nuses = 7\n");
   const std::vector<NamedShape> shapes = {{"cat"}, {"owl"}};
-  EXPECT_NE(
-      message_of([&] { resolve_wishes(shapes, job); }).find("wishes.csv:3: [[shapes]] names: include: no shape of"),
-      std::string::npos);
+  EXPECT_NE(message_of([&] { resolve_wishes(shapes, job); }).find("wishes.csv:3: [[shapes]] names: no shape of"),
+            std::string::npos);
   EXPECT_NE(message_of([&] {
               resolve_wishes({{"cat"}, {"owl"}, {"cat", 0, true}, {"owl", 0, true}}, job);
             }).find("near it are: owl, cat"),
             std::string::npos)
       << "each name once, though there are mirror images";
   job = job_with("names,uses\ncat,1\n", "[[shapes]]\nnames = 'dog'\nuses = 7\n");
-  EXPECT_NE(message_of([&] { resolve_wishes(shapes, job); }).find("job.toml: [[shapes]] names: include: no shape of"),
+  EXPECT_NE(message_of([&] { resolve_wishes(shapes, job); }).find("job.toml: [[shapes]] names: no shape of"),
             std::string::npos);
 }
 

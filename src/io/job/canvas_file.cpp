@@ -88,6 +88,14 @@ Canvas load_canvas(const CanvasSpec& spec, double seconds) {
   return load_canvas(spec, drawers);
 }
 
+Canvas canvas_of(const Job& job) {
+  try {
+    return load_canvas(job.canvas);
+  } catch (const InputError& error) {
+    throw InputError(job.path + ": " + error.what());
+  }
+}
+
 namespace {
 
 Canvas canvas_without_zones(const CanvasSpec& spec, Drawers& drawers) {

@@ -27,6 +27,9 @@ Canvas load_canvas(const CanvasSpec& spec, double seconds = DrawerSettings{}.sec
 
 /// The same, drawn by the caller's drawers, which the caller may stop.
 Canvas load_canvas(const CanvasSpec& spec, Drawers& drawers);
+
+/// That of the job, whose path messages begin with.
+Canvas canvas_of(const Job& job);
 /// For drawers of the canvas' files, with pages of `side_px` at least.
 DrawerSettings canvas_drawer_settings(const CanvasSpec& spec, double seconds = DrawerSettings{}.seconds_per_drawing,
                                       int side_px = kEdgeSide_px);

@@ -72,8 +72,8 @@ std::string did_you_mean(const std::string& nearest) {
 
 [[noreturn]] void fail_unknown_section(const JobEntry& entry) {
   if (find_job_table(entry.section)) {
-    throw InputError(entry.where + ": [" + entry.section + "] may come several times; allowed: [[" + entry.section +
-                     "]]");
+    throw InputError(entry.where + ": [" + entry.section + "] is a table that may come several times; " +
+                     "allowed: [[" + entry.section + "]], with two brackets on each side");
   }
   const std::string nearest = nearest_name(entry.section, section_names());
   throw InputError(entry.where + ": unknown section [" + printable(entry.section) + "]" +

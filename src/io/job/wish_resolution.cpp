@@ -80,7 +80,7 @@ class Resolution {
     try {
       return chosen_names(names_, {shape_rows_[row].at("names").texts, {}}, "the library");
     } catch (const NamesNotFound& error) {
-      fail_in_row(row, std::string("names: ") + error.what());
+      fail_in_row(row, "names: " + error.reason());
     }
   }
 

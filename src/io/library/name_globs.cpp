@@ -97,16 +97,16 @@ Places places_of(const std::vector<std::string>& globs, const NameIndex& names,
 
 std::vector<std::uint32_t> chosen_names(const NameIndex& names, const NameGlobs& globs, const std::string& library) {
   const auto fail = [&](const std::string& glob) {
-    throw NamesNotFound("include: no shape of " + library + " has a name like \"" + printable_utf8(glob) +
-                        "\"; near it are: " + near_names(glob, names.names()));
+    throw NamesNotFound("include", "no shape of " + library + " has a name like \"" + printable_utf8(glob) +
+                                       "\"; near it are: " + near_names(glob, names.names()));
   };
   const Places included = globs.include.empty() ? all_places(names) : places_of(globs.include, names, fail);
   const Places excluded = places_of(globs.exclude, names, [](const std::string&) {});
   Places chosen;
   std::set_difference(included.begin(), included.end(), excluded.begin(), excluded.end(), std::back_inserter(chosen));
   if (chosen.empty()) {
-    throw NamesNotFound("exclude: nothing is left of the " + std::to_string(names.names().size()) + " shapes of " +
-                        library);
+    throw NamesNotFound("exclude",
+                        "nothing is left of the " + std::to_string(names.names().size()) + " shapes of " + library);
   }
   return chosen;
 }

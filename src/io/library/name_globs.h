@@ -22,7 +22,15 @@ struct NameGlobs {
 /// "include: ..." or "exclude: ..."; who knows where the patterns come from says so.
 class NamesNotFound : public InputError {
  public:
-  using InputError::InputError;
+  NamesNotFound(const std::string& list, const std::string& reason)
+      : InputError(list + ": " + reason),
+        reason_(reason) {}
+
+  /// Without the list's name.
+  const std::string& reason() const { return reason_; }
+
+ private:
+  std::string reason_;
 };
 
 /// The places, ascending, of the names of `library` that are chosen. Throws NamesNotFound where a pattern of `include`
