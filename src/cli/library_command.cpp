@@ -1,4 +1,5 @@
 #include "cli/library_build_command.h"
+#include "cli/library_extract_command.h"
 #include "cli/library_info_command.h"
 #include "cli/library_merge_command.h"
 #include "cli/library_subset_command.h"
@@ -7,9 +8,10 @@ namespace tessera::cli {
 
 void add_library_command(CLI::App& app, Command& selected) {
   CLI::App* library = app.add_subcommand(
-      "library", "Build a library of shapes from artwork, look into one, merge some, choose from one");
+      "library", "Build a library of shapes from artwork or photos, look into one, merge some, choose from one");
   library->require_subcommand(1);
   add_library_build_command(*library, selected);
+  add_library_extract_command(*library, selected);
   add_library_info_command(*library, selected);
   add_library_merge_command(*library, selected);
   add_library_subset_command(*library, selected);

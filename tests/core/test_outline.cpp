@@ -113,6 +113,12 @@ TEST(Outline, SkipsWhatIsOfNoUse) {
   EXPECT_EQ(reason([](Vec2 p) { return to_box(p, {150, 150}, {140, 2}); }), SkipReason::hairlines);
 }
 
+TEST(Outline, ARectangleIsKeptWhereItIsAsked) {
+  const auto tile = silhouette([](Vec2 p) { return to_box(p, {150, 150}, {100, 60}); });
+  EXPECT_TRUE(std::holds_alternative<TracedOutline>(trace_outline(tile, {}, 0, kEdgeOpacity, true)));
+  EXPECT_TRUE(std::holds_alternative<SkipReason>(trace_outline(tile, {}, 0, kEdgeOpacity)));
+}
+
 TEST(Outline, UsesWhatIsNearTheLimits) {
   EXPECT_NO_THROW(traced([](Vec2 p) { return to_disc(p, {150, 150}, 14.5f); }));
   EXPECT_NO_THROW(traced([](Vec2 p) { return to_box(p, {150, 150}, {140, 12}) + std::abs(p.x - 150) / 12; }));

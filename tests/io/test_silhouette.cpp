@@ -135,6 +135,33 @@ TEST(Silhouette, MasksWithoutAlpha) {
   EXPECT_NEAR(make_silhouette(encoded(blue_on_yellow, ".png"), "a").colour.mean_lab[2], -74, 3);
 }
 
+/// Half of the edge belongs to the shape, and JPEG adds its noise.
+TEST(Silhouette, AMaskMayTouchTheEdge) {
+  cv::Mat mask(200, 300, CV_8UC3, cv::Scalar::all(250));
+  mask(cv::Rect(160, 0, 140, 200)) = cv::Scalar(20, 30, 10);
+  EXPECT_NEAR(area_fraction(make_silhouette(encoded(mask, ".jpg"), "a")), 140.0 / 300, 5e-3);
+}
+
+/// Stones of many shades side by side, which fill the frame.
+TEST(Silhouette, APhotoThatFillsItsFrameIsRefused) {
+  cv::Mat photo(200, 300, CV_8UC3);
+  for (int y = 0; y < photo.rows; ++y)
+    for (int x = 0; x < photo.cols; ++x) {
+      const int shade = 40 + (x / 30 * 37 + y / 30 * 71) % 160;
+      photo.at<cv::Vec3b>(y, x) = cv::Vec3b::all(std::uint8_t(shade));
+    }
+  for (const std::string extension : {".png", ".jpg"}) {
+    try {
+      make_silhouette(encoded(photo, extension), "wall");
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()),
+                "wall: a photo without a plain background; cut out what it shows, or let tessera library extract find "
+                "the elements in it");
+    }
+  }
+}
+
 TEST(Silhouette, OpaqueAlphaIsAMask) {
   cv::Mat image;
   cv::cvtColor(disc_on_background(cv::Scalar::all(255), cv::Scalar::all(0)), image, cv::COLOR_BGR2BGRA);

@@ -92,24 +92,24 @@ bool is_hairlines(const Outline& outline, double area) {
   return double(count_set(opened(set, kOpeningCells))) < kHairlineRest * double(count_set(set));
 }
 
-std::optional<SkipReason> reason_to_skip(const Component& component, float source_px) {
+std::optional<SkipReason> reason_to_skip(const Component& component, float source_px, bool keep_rectangles) {
   const double area = enclosed_area(component.outline);
   // In this order: of a drawing in thin lines the pixels catch fragments, which are not too small for their own fault.
   if (component.others_area > kLargestSpecks * component.outer_area) return SkipReason::several_large_components;
   if (is_hairlines(component.outline, area)) return SkipReason::hairlines;
   if (std::sqrt(area) < kLeastSize_px * std::max(1.f, source_px)) return SkipReason::too_small;
-  if (is_plain_rectangle(component.outline)) return SkipReason::plain_rectangle;
+  if (!keep_rectangles && is_plain_rectangle(component.outline)) return SkipReason::plain_rectangle;
   return std::nullopt;
 }
 
 }  // namespace
 
 std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px,
-                                                      float edge_opacity) {
+                                                      float edge_opacity, bool keep_rectangles) {
   std::vector<std::vector<Vec2>> curves = contours(alpha, edge_opacity);
   if (curves.empty()) return SkipReason::empty;
   Component component = largest_component(std::move(curves));
-  if (const auto reason = reason_to_skip(component, source_px)) return *reason;
+  if (const auto reason = reason_to_skip(component, source_px, keep_rectangles)) return *reason;
 
   const float sigma_px = std::max(kSmoothing_px, kSmoothing_sourcepx * source_px);
   TracedOutline traced;

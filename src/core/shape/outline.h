@@ -41,8 +41,9 @@ inline constexpr float kLongest = 8;
 
 /// `alpha`: coverage 0..1; node (i, j) is the pixel whose centre lies at origin_px + (i + 0.5, j + 0.5). `source_px`:
 /// size of a pixel of the source in pixels of alpha: 0 for vectors, above 1 for an enlarged image. The outline runs
-/// where alpha is `edge_opacity`.
+/// where alpha is `edge_opacity`. A plain rectangle is a drawing's background, as a rule, and skipped; not where
+/// `keep_rectangles`.
 std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px,
-                                                      float edge_opacity = kEdgeOpacity);
+                                                      float edge_opacity = kEdgeOpacity, bool keep_rectangles = false);
 
 }  // namespace tessera

@@ -17,8 +17,8 @@ float drawn_scale_px(float scale_px) { return scale_px >= 1e-3f && scale_px <= 1
 std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
                                                           const TracingSettings& settings) {
   Silhouette silhouette = make_silhouette(bytes, path, settings.edge_opacity);
-  const auto traced =
-      trace_outline(silhouette.alpha, silhouette.origin_px, silhouette.source_px, settings.edge_opacity);
+  const auto traced = trace_outline(silhouette.alpha, silhouette.origin_px, silhouette.source_px, settings.edge_opacity,
+                                    settings.keep_rectangles);
   if (const auto* reason = std::get_if<SkipReason>(&traced)) return *reason;
 
   const auto& outline = std::get<TracedOutline>(traced);

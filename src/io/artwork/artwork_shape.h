@@ -21,6 +21,7 @@ struct ArtworkShape {
 struct TracingSettings {
   PadParameters pad;
   float edge_opacity = kEdgeOpacity;  // see trace_outline
+  bool keep_rectangles = false;       // the same
 };
 
 /// `bytes` is the content of the file `path` (read_artwork_file). Two files with the same silhouette give equal

@@ -8,6 +8,10 @@ namespace tessera::io {
 /// Of a picture, CV_8UC3: the mean of the colours that are most frequent along its edge.
 cv::Vec3d prevailing_edge_colour(const cv::Mat& bgr);
 
+/// Whether two colours, a background's and that of what touches the edge, hold most of the pixels along the edge. Of
+/// photographs that fill their frame they do not.
+bool has_plain_edge(const cv::Mat& bgr);
+
 /// `bgr`: CV_8UC3. The background is the colour that prevails along the edge; Otsu's threshold on the difference from
 /// it finds the shape. Returns straight BGRA whose alpha rises from 0 at the background's mean difference to 1 at the
 /// shape's, so that an antialiased edge keeps its sub-pixel place; its colours have the background taken out. Where

@@ -6,9 +6,8 @@
 
 #include "core/base/error.h"
 #include "io/artwork/alpha.h"
-#include "io/artwork/image_header.h"
+#include "io/artwork/image_decoding.h"
 #include "io/artwork/mask.h"
-#include "io/artwork/unread_format.h"
 
 namespace tessera::io {
 namespace {
@@ -16,30 +15,6 @@ namespace {
 /// An enlarged drawing shows nothing more, but its contour is smoothed on a grid that is fine enough.
 constexpr int kLeastFinestSide_px = 512;
 constexpr int kMostFinestSide_px = 2048;
-
-void check_header(std::span<const std::uint8_t> bytes, const std::string& path) {
-  const std::optional<cv::Size2d> size = image_size_from_header(bytes);
-  const std::string unread = unread_format(bytes);
-  if (!unread.empty()) throw InputError(path + ": " + unread_format_reason(unread));
-  if (!size) throw InputError(path + ": neither SVG nor a readable PNG, WebP, TIFF, BMP or JPEG image");
-  if (size->area() > kMaxImagePixels) {
-    throw InputError(cv::format("%s: %.0f x %.0f pixels, more than the %.0f million allowed", path.c_str(), size->width,
-                                size->height, kMaxImagePixels * 1e-6));
-  }
-}
-
-cv::Mat decoded(std::span<const std::uint8_t> bytes, const std::string& path) {
-  check_header(bytes, path);
-  // OpenCV takes a mutable pointer and only reads.
-  const cv::Mat packed(1, int(bytes.size()), CV_8U, const_cast<std::uint8_t*>(bytes.data()));
-  cv::Mat image;
-  try {
-    image = cv::imdecode(packed, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {  // the same as an empty image
-  }
-  if (image.empty()) throw InputError(path + ": a damaged image");
-  return image;
-}
 
 cv::Mat to_8_bits(const cv::Mat& image, const std::string& path) {
   if (image.depth() == CV_8U) return image;
@@ -58,11 +33,16 @@ bool has_transparency(const cv::Mat& bgra) {
 }
 
 /// Straight BGRA, from alpha or by threshold.
-cv::Mat with_silhouette(const cv::Mat& image) {
+cv::Mat with_silhouette(const cv::Mat& image, const std::string& path) {
   if (image.channels() == 4 && has_transparency(image)) return image;
   cv::Mat bgr = image;
   if (image.channels() == 4) cv::cvtColor(image, bgr, cv::COLOR_BGRA2BGR);
   if (image.channels() == 1) cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
+  if (!has_plain_edge(bgr)) {
+    throw InputError(path +
+                     ": a photo without a plain background; cut out what it shows, or let tessera library "
+                     "extract find the elements in it");
+  }
   return cut_from_background(bgr);
 }
 
@@ -90,9 +70,9 @@ class RasterPage : public ArtworkPage {
 }  // namespace
 
 std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path) {
-  const cv::Mat image = to_8_bits(decoded(bytes, path), path);
+  const cv::Mat image = to_8_bits(decode_image(bytes, path, cv::IMREAD_UNCHANGED), path);
   if (image.channels() == 2) throw InputError(path + ": an image must have 1, 3 or 4 channels");
-  return std::make_unique<RasterPage>(premultiplied(with_silhouette(image)));
+  return std::make_unique<RasterPage>(premultiplied(with_silhouette(image, path)));
 }
 
 }  // namespace tessera::io

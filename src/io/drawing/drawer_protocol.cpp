@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/version.h"
+#include "io/artwork/image_decoding.h"
 
 namespace tessera::io {
 namespace {
@@ -19,6 +20,8 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
     case DrawingKind::shape: return 16 * kMebibyte;
     case DrawingKind::pdf:
     case DrawingKind::plain_pdf: return 512 * kMebibyte;
+    case DrawingKind::photo:
+    case DrawingKind::labels: return 4 * std::size_t(kMaxImagePixels);
   }
   return 0;
 }
@@ -43,7 +46,7 @@ RequestHeader header_of(const DrawingRequest& request) {
           .pad_levels = request.tracing.pad.levels,
           .pad_delta_tau = request.tracing.pad.delta_tau,
           .edge_opacity = request.tracing.edge_opacity,
-          .unused = 0,
+          .keep_rectangles = request.tracing.keep_rectangles,
           .path_bytes = request.path.size(),
           .scope_id_bytes = request.scope_id.size(),
           .bytes = request.bytes.size()};

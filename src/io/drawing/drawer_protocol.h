@@ -20,7 +20,7 @@ inline constexpr int kDrawerSocket = 3;
 
 /// The first thing that a drawer says, when it has limited itself. Another layout of the greeting has another mark.
 using DrawerMark = std::array<char, 8>;
-inline constexpr DrawerMark kDrawerMark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '3'};
+inline constexpr DrawerMark kDrawerMark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '4'};
 
 /// Two builds of one commit may differ in what was not committed yet, so the sizes of what travels belong to a build.
 struct DrawerBuild {
@@ -38,7 +38,7 @@ struct DrawerGreeting {
 
 DrawerBuild this_build();
 
-enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf, plain_pdf };
+enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf, plain_pdf, photo, labels };
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
@@ -58,7 +58,7 @@ struct RequestHeader {
   std::int32_t pad_levels;
   float pad_delta_tau;
   float edge_opacity;
-  std::uint32_t unused;
+  std::uint32_t keep_rectangles;
   std::uint64_t path_bytes;
   std::uint64_t scope_id_bytes;
   std::uint64_t bytes;

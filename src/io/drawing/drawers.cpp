@@ -16,6 +16,7 @@
 
 #include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
+#include "io/artwork/image_decoding.h"
 #include "io/drawing/drawer_process.h"
 #include "io/drawing/shape_answer.h"
 #include "io/utf8_text.h"
@@ -201,6 +202,17 @@ cv::Mat Drawers::decode_png(std::span<const std::uint8_t> bytes, const std::stri
   const DrawingRequest request{
       .kind = DrawingKind::png, .longest_side_px = longest_side_px, .path = path, .bytes = bytes};
   return image_of(crew_->draw(request), path, longest_side_px);
+}
+
+cv::Mat Drawers::photo(std::span<const std::uint8_t> bytes, const std::string& path) {
+  const DrawingRequest request{.kind = DrawingKind::photo, .path = path, .bytes = bytes};
+  return image_of(crew_->draw(request), path, int(kMaxImagePixels));
+}
+
+cv::Mat Drawers::labels(std::span<const std::uint8_t> bytes, const std::string& path) {
+  const DrawingRequest request{.kind = DrawingKind::labels, .path = path, .bytes = bytes};
+  const cv::Mat packed = image_of(crew_->draw(request), path, int(kMaxImagePixels));
+  return cv::Mat(packed.size(), CV_32SC1, packed.data, packed.step).clone();
 }
 
 cv::Size2d Drawers::natural_size(std::span<const std::uint8_t> bytes, const std::string& path) {

@@ -57,6 +57,10 @@ class Drawers {
   /// `longest_side_px` is shrunk to it.
   cv::Mat decode_png(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
 
+  /// See photo.h: CV_8UC4, opaque; CV_32SC1.
+  cv::Mat photo(std::span<const std::uint8_t> bytes, const std::string& path);
+  cv::Mat labels(std::span<const std::uint8_t> bytes, const std::string& path);
+
   /// See artwork_shape.h. Shape::name and Artwork::path follow from `path`.
   std::variant<ArtworkShape, SkipReason> shape(std::span<const std::uint8_t> bytes, const std::string& path,
                                                const TracingSettings& settings);

@@ -9,6 +9,7 @@
 #include "io/artwork/artwork_page.h"
 #include "io/artwork/artwork_render.h"
 #include "io/artwork/artwork_shape.h"
+#include "io/artwork/photo.h"
 #include "io/artwork/png_picture.h"
 #include "io/artwork/svg_import.h"
 #include "io/artwork/svg_pdf.h"
@@ -69,6 +70,8 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
     case DrawingKind::shape: return bytes_answer(encode_shape_answer(shape_from_artwork(bytes, path, tracing)));
     case DrawingKind::pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, true));
     case DrawingKind::plain_pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, false));
+    case DrawingKind::photo: return image_answer(photo_picture(bytes, path));
+    case DrawingKind::labels: return image_answer(label_picture(bytes, path));
   }
   throw std::logic_error("no such kind of drawing");
 }

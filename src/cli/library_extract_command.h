@@ -1,0 +1,12 @@
+// tessera library extract: photographs in, a library of the stones, tiles or coins in them out.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.h"
+
+namespace tessera::cli {
+
+void add_library_extract_command(CLI::App& library, Command& selected);
+
+}  // namespace tessera::cli

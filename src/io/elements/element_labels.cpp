@@ -1,0 +1,81 @@
+#include "io/elements/element_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "io/elements/boundary_map.h"
+#include "io/elements/candidate_maps.h"
+#include "io/elements/gap_filter.h"
+#include "io/elements/label_scaling.h"
+#include "io/elements/region_labels.h"
+#include "io/elements/region_vote.h"
+
+namespace tessera::io {
+namespace {
+
+/// Two working copies: small parts are found in the finer one, large elements with much texture in the coarser one.
+constexpr double kFiner = 1.4;
+/// A copy larger than the photo by more than this shows nothing more.
+constexpr double kMostZoom = 4;
+/// Of the finer copy. Each of the label maps takes 4 bytes a pixel: less than 1 GB in all.
+constexpr double kMostWorking_px2 = 6e6;
+/// By which a size may be wrong, and so by which the copy may be smaller than it should be.
+constexpr double kSizeTolerance = 1.4;
+/// Smaller copies hold no element.
+constexpr int kLeastSide_px = kElement_px / 2;
+
+void check(const cv::Mat& photo_bgr, double element_px) {
+  if (!photo_bgr.empty() && photo_bgr.type() != CV_8UC3)
+    throw std::invalid_argument("a photo to be searched for elements must be CV_8UC3");
+  if (!std::isfinite(element_px) || element_px <= 0)
+    throw std::invalid_argument("the side of an element is " + std::to_string(element_px) +
+                                " px; it must be a number above 0");
+}
+
+/// Of the coarser copy by the photo.
+double zoom_for(cv::Size photo, double element_px) {
+  const double wanted = std::min(kMostZoom, kElement_px / element_px);
+  const double possible = std::sqrt(kMostWorking_px2 / (double(photo.width) * photo.height)) / kFiner;
+  if (wanted > possible * kSizeTolerance) {
+    const int least_px = int(std::ceil(kElement_px / (possible * kSizeTolerance)));
+    throw std::invalid_argument("elements of " + std::to_string(element_px) + " px are too small for a photo of " +
+                                std::to_string(photo.width) + " x " + std::to_string(photo.height) +
+                                " px: crop it, or look for elements of " + std::to_string(least_px) + " px or more");
+  }
+  return std::min(wanted, possible);
+}
+
+cv::Mat zoomed(const cv::Mat& photo_bgr, double zoom) {
+  const cv::Size size(int(std::lround(photo_bgr.cols * zoom)), int(std::lround(photo_bgr.rows * zoom)));
+  cv::Mat copy;
+  cv::resize(photo_bgr, copy, size, 0, 0, zoom < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+  return copy;
+}
+
+cv::Mat labels_in_copies(const cv::Mat& coarse, const cv::Mat& fine) {
+  const cv::Mat lab = smooth_lab(fine);
+  std::vector<cv::Mat> maps = candidate_maps(fine, lab);
+  for (const cv::Mat& map : candidate_maps(coarse, smooth_lab(coarse))) {
+    maps.emplace_back();
+    cv::resize(map, maps.back(), fine.size(), 0, 0, cv::INTER_NEAREST);
+  }
+  const cv::Mat voted = voted_regions(maps, boundary_map(lab, {}), kElement_px * kFiner);
+  return without_gap_regions(voted, fine, lab);
+}
+
+}  // namespace
+
+cv::Mat element_labels(const cv::Mat& photo_bgr, const ElementSearch& search) {
+  check(photo_bgr, search.element_px);
+  if (photo_bgr.empty()) return {};
+  const double zoom = zoom_for(photo_bgr.size(), search.element_px);
+  if (std::min(photo_bgr.cols, photo_bgr.rows) * zoom < kLeastSide_px) return cv::Mat::zeros(photo_bgr.size(), CV_32S);
+  const cv::Mat found = labels_in_copies(zoomed(photo_bgr, zoom), zoomed(photo_bgr, zoom * kFiner));
+  return scaled_labels(found, photo_bgr.size());
+}
+
+}  // namespace tessera::io

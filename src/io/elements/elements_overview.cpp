@@ -1,0 +1,45 @@
+#include "io/elements/elements_overview.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+namespace tessera::io {
+namespace {
+
+const cv::Scalar kWhite(255, 255, 255), kBlack(0, 0, 0), kLine(40, 60, 230);
+
+/// A number that fits into the element, readable on light and on dark.
+void write_number(cv::Mat& picture, const PhotoElement& element, std::size_t number) {
+  constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+  const std::string text = std::to_string(number);
+  const cv::Size unit = cv::getTextSize(text, kFont, 1, 1, nullptr);
+  const double size = std::clamp(0.5 * std::sqrt(element.area_px2) / std::max(unit.width, 2 * unit.height), 0.3, 3.0);
+  const cv::Point middle = (element.box.tl() + element.box.br()) / 2;
+  const cv::Point origin(middle.x - int(size * unit.width / 2), middle.y + int(size * unit.height / 2));
+  const int stroke = std::max(1, int(1.5 * size));
+  cv::putText(picture, text, origin, kFont, size, kBlack, 3 * stroke, cv::LINE_AA);
+  cv::putText(picture, text, origin, kFont, size, kWhite, stroke, cv::LINE_AA);
+}
+
+void draw_outline(cv::Mat& picture, const cv::Mat& labels, const PhotoElement& element) {
+  std::vector<std::vector<cv::Point>> curves;
+  cv::findContours(labels(element.box) == element.label, curves, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE,
+                   element.box.tl());
+  const int width_px = std::clamp(int(std::sqrt(element.area_px2) / 40), 1, 5);
+  cv::drawContours(picture, curves, -1, kLine, width_px, cv::LINE_AA);
+}
+
+}  // namespace
+
+cv::Mat elements_overview(const cv::Mat& photo, const cv::Mat& labels, const std::vector<PhotoElement>& elements) {
+  cv::Mat picture;
+  cv::cvtColor(photo, picture, cv::COLOR_BGRA2BGR);
+  cv::addWeighted(picture, 0.7, cv::Mat(picture.size(), CV_8UC3, kWhite), 0.3, 0, picture);
+  for (const PhotoElement& element : elements) draw_outline(picture, labels, element);
+  for (std::size_t i = 0; i < elements.size(); ++i) write_number(picture, elements[i], i + 1);
+  return picture;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,12 @@
+// Labels of a working copy brought to the photo's size.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace tessera::io {
+
+/// Each region is scaled by itself with a smooth outline; where two would overlap, the one that is there stays. Every
+/// region is solid (region_labels.h).
+cv::Mat scaled_labels(const cv::Mat& labels, cv::Size size);
+
+}  // namespace tessera::io

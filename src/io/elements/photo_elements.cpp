@@ -1,0 +1,113 @@
+#include "io/elements/photo_elements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <opencv2/imgproc.hpp>
+#include <tuple>
+
+namespace tessera::io {
+namespace {
+
+/// Of the edge's opacity: hides the stairs of the pixels and moves no edge.
+constexpr double kEdgeBlur_px = 0.8;
+/// Room for the blurred edge.
+constexpr int kRim_px = 3;
+/// How far colours go on beyond the edge.
+constexpr double kColourReach_px = 1.5;
+
+struct Extent {
+  int left = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::max(), right = -1, bottom = -1;
+  std::size_t pixels = 0;
+
+  void add(int x, int y) {
+    left = std::min(left, x);
+    top = std::min(top, y);
+    right = std::max(right, x);
+    bottom = std::max(bottom, y);
+    ++pixels;
+  }
+
+  cv::Rect box() const { return {left, top, right - left + 1, bottom - top + 1}; }
+};
+
+std::map<int, Extent> extents_of(const cv::Mat& labels) {
+  std::map<int, Extent> extents;
+  for (int y = 0; y < labels.rows; ++y) {
+    const int* row = labels.ptr<int>(y);
+    for (int x = 0; x < labels.cols; ++x)
+      if (row[x] > 0) extents[row[x]].add(x, y);
+  }
+  return extents;
+}
+
+bool reaches_edge(const cv::Rect& box, const cv::Size& photo) {
+  return box.x <= 0 || box.y <= 0 || box.br().x >= photo.width || box.br().y >= photo.height;
+}
+
+/// Its pixels in `window`, holes filled: 0 or 255.
+cv::Mat mask_of(const cv::Mat& labels, int label, const cv::Rect& window) {
+  const cv::Mat mask = labels(window) == label;
+  std::vector<std::vector<cv::Point>> curves;
+  cv::findContours(mask, curves, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::Mat filled = cv::Mat::zeros(mask.size(), CV_8U);
+  cv::drawContours(filled, curves, -1, cv::Scalar(255), cv::FILLED);
+  return filled;
+}
+
+/// Where the mask is empty, what is near in it.
+cv::Mat colours_beyond(const cv::Mat& bgr, const cv::Mat& mask) {
+  cv::Mat weight, sum;
+  mask.convertTo(weight, CV_32F, 1.0 / 255);
+  bgr.convertTo(sum, CV_32FC3);
+  cv::Mat weights;
+  cv::cvtColor(weight, weights, cv::COLOR_GRAY2BGR);
+  cv::multiply(sum, weights, sum);
+  cv::GaussianBlur(sum, sum, {}, kColourReach_px);
+  cv::GaussianBlur(weights, weights, {}, kColourReach_px);
+  cv::Mat beyond;
+  cv::divide(sum, cv::max(weights, 1e-6), beyond);
+  beyond.convertTo(beyond, CV_8UC3);
+  bgr.copyTo(beyond, mask);
+  return beyond;
+}
+
+}  // namespace
+
+FoundElements find_elements(const cv::Mat& labels, const ElementSizes& sizes) {
+  FoundElements found;
+  for (const auto& [label, extent] : extents_of(labels)) {
+    const double size_px = std::sqrt(double(extent.pixels));
+    if (reaches_edge(extent.box(), labels.size())) {
+      ++found.at_edge;
+    } else if (size_px < sizes.least_px) {
+      ++found.too_small;
+    } else if (size_px > sizes.most_px) {
+      ++found.too_large;
+    } else {
+      found.elements.push_back({label, extent.box(), double(extent.pixels)});
+    }
+  }
+  const auto place = [](const PhotoElement& e) { return std::tuple(e.box.y, e.box.x, e.label); };
+  std::sort(found.elements.begin(), found.elements.end(),
+            [&](const PhotoElement& a, const PhotoElement& b) { return place(a) < place(b); });
+  return found;
+}
+
+cv::Mat cut_element(const cv::Mat& photo, const cv::Mat& labels, const PhotoElement& element) {
+  // What lies beyond the photo is only rim: no element reaches its edge.
+  const cv::Rect around(element.box.tl() - cv::Point(kRim_px, kRim_px), element.box.br() + cv::Point(kRim_px, kRim_px));
+  const cv::Rect window = around & cv::Rect({}, photo.size());
+  const cv::Mat mask = mask_of(labels, element.label, window);
+  cv::Mat bgr, alpha, bgra;
+  cv::cvtColor(photo(window), bgr, cv::COLOR_BGRA2BGR);
+  cv::GaussianBlur(mask, alpha, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_CONSTANT);
+  cv::cvtColor(colours_beyond(bgr, mask), bgra, cv::COLOR_BGR2BGRA);
+  cv::insertChannel(alpha, bgra, 3);
+  cv::Mat cut;
+  cv::copyMakeBorder(bgra, cut, window.y - around.y, around.br().y - window.br().y, window.x - around.x,
+                     around.br().x - window.br().x, cv::BORDER_CONSTANT, cv::Scalar(0, 0, 0, 0));
+  return cut;
+}
+
+}  // namespace tessera::io

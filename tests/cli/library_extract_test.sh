@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# library_extract_test.sh TESSERA NEW_FOLDER: tessera library extract, from a photograph to a collage of what is in it.
+set -uo pipefail
+tessera=$1
+folder=$2
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+
+new_folder
+
+# stones: twelve stones and one that the edge cuts, as an SVG; a shade of their own, or a label as a grey.
+stones() { # GROUND FIRST_GREY STEP
+  local grey=$2 x y
+  echo "<svg xmlns='http://www.w3.org/2000/svg' width='480' height='360'><rect width='480' height='360' fill='$1'/>"
+  for y in 60 180 300; do
+    for x in 60 180 300 420; do
+      echo "<path transform='translate($x $y) rotate($((7 * grey)))' fill='rgb($grey,$grey,$grey)'" \
+        "d='M-38 -20L0 -40L36 -24L40 16L10 38L-30 30Z'/>"
+      grey=$((grey + $3))
+    done
+  done
+  echo "<circle cx='0' cy='120' r='30' fill='rgb($grey,$grey,$grey)'/></svg>"
+}
+stones '#282420' 140 9 | rsvg-convert -o wall.png
+stones '#000' 10 20 | rsvg-convert -f pdf -o map.pdf
+pdftocairo -png -gray -antialias none -singlefile -r 72 -scale-to-x 480 -scale-to-y 360 map.pdf map
+
+run 0 library extract wall.png --element-px 75 -o wall.h5 --overview found
+grep -q '^wall.png: 12 elements' output || fail "another count"
+grep -qx '  overview: found/wall_found.png' output || fail "no overview"
+[[ -s found/wall_found.png ]] || fail "an empty overview"
+run 0 library info wall.h5
+grep -qx 'shapes          12' output || fail "another number of shapes"
+grep -qx 'artwork         embedded' output || fail "pixels that are not in the library"
+cp wall.h5 first.h5
+run 0 library extract wall.png --element-px 75 -o wall.h5
+cmp wall.h5 first.h5 || fail "other bytes of the same photo"
+echo "ok search"
+
+# The library does without the photo.
+mv wall.png elsewhere.png
+cat >job.toml <<'END_OF_JOB'
+[library]
+file = "wall.h5"
+[canvas]
+size_px = [200, 150]
+[pieces]
+scale_px = [20, 60]
+[stop]
+pieces = 4
+[output]
+width_px = 200
+END_OF_JOB
+run 0 collage job.toml --out collage
+expect_silence "a warning of pixels that the library holds"
+[[ -s collage/collage.png ]] || fail "no picture"
+mv elsewhere.png wall.png
+echo "ok collage"
+
+run 0 library extract wall.png --labels map.png -o by_labels.h5
+grep -qx "wall.png: 12 elements, 1 at the photo's edge left out" output || fail "another count of labels"
+run 0 library extract wall.png --labels map.png --min 60 --max 200 -o large.h5
+grep -q '12 elements' output || fail "--min that leaves out what is larger"
+run 2 library extract wall.png --labels map.png --min 200 -o none.h5
+grep -q 'wall.png: 0 elements.*12 smaller than --min' output || fail "what is too small is not counted"
+expect_word 'none.h5 was not written: no element in wall.png'
+run 2 library extract wall.png --labels map.png --max 20 -o none.h5
+grep -q '12 larger than --max' output || fail "what is too large is not counted"
+echo "ok labels, --min, --max"
+
+pdftocairo -png -gray -singlefile -r 20 map.pdf small
+run 2 library extract wall.png --labels small.png -o none.h5
+expect_word 'small.png: found a map of '
+run 2 library extract wall.png wall.png --labels map.png -o none.h5
+expect_word '--labels: found 2 photos, allowed: one'
+run 2 library extract wall.png --labels wall.png -o none.h5
+expect_word 'wall.png: a map of labels has one channel (grey) of 8 or 16 bits'
+run 2 library extract wall.png --labels map.png --min 50 --max 40 -o none.h5
+expect_word '--min: found more than --max'
+run 2 library extract wall.png --element-px nan -o none.h5
+expect_word '--element-px'
+run 2 library extract wall.png --element-px 2 -o none.h5
+run 2 library extract wall.png -o none.h5
+expect_word 'found neither --element-px nor --labels; needed: one of them'
+run 2 library extract wall.png --element-px 75 --labels map.png -o none.h5
+expect_word 'found both --element-px and --labels; needed: one of them'
+run 2 library extract job.toml --element-px 75 -o none.h5
+expect_word 'job.toml: '
+run 2 library extract missing.jpg --element-px 75 -o none.h5
+expect_word 'missing.jpg: '
+run 2 library extract wall.png --element-px 75 -o job.toml
+expect_word 'job.toml'
+[[ ! -e none.h5 ]] || fail "a library of nothing"
+echo "ok errors"
+
+run 2 library build wall.png -o none.h5
+grep -q 'tessera library extract' output errors || fail "library build does not point to library extract"
+echo "ok library build"

@@ -1,0 +1,214 @@
+// The building blocks of the search for elements.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "io/elements/boundary_map.h"
+#include "io/elements/colour_clusters.h"
+#include "io/elements/distance_split.h"
+#include "io/elements/gap_filter.h"
+#include "io/elements/label_scaling.h"
+#include "io/elements/merge_tree.h"
+#include "io/elements/region_labels.h"
+#include "io/elements/region_vote.h"
+#include "io/elements/relief_watershed.h"
+
+namespace tessera::io {
+namespace {
+
+int label_count(const cv::Mat& labels) { return int(region_boxes(labels).size()) - 1; }
+
+cv::Mat random_relief(int width, int height, int levels) {
+  const auto values = *rc::gen::container<std::vector<int>>(std::size_t(width * height), rc::gen::inRange(0, levels));
+  cv::Mat relief(height, width, CV_32F);
+  for (int i = 0; i < width * height; ++i) relief.at<float>(i / width, i % width) = float(values[std::size_t(i)]);
+  return relief;
+}
+
+TEST(ReliefWatershed, WaterMeetsOnTheRidge) {
+  const cv::Mat relief = (cv::Mat_<float>(1, 9) << 2, 1, 0, 3, 5, 4, 2, 3, 4);
+  const cv::Mat basins = basins_of(relief);
+  const cv::Mat expected = (cv::Mat_<int>(1, 9) << 1, 1, 1, 1, 0, 2, 2, 2, 2);
+  for (int x = 0; x < 9; ++x) {
+    if (x == 4) continue;  // the ridge itself is either's
+    EXPECT_EQ(basins.at<int>(x), expected.at<int>(x)) << x;
+  }
+}
+
+RC_GTEST_PROP(ReliefWatershed, EachBasinIsConnectedAndEveryPixelIsFlooded, ()) {
+  const cv::Mat basins = basins_of(random_relief(*rc::gen::inRange(1, 12), *rc::gen::inRange(1, 12), 4));
+  const std::vector<RegionBox> regions = region_boxes(basins);
+  RC_ASSERT(cv::countNonZero(basins <= 0) == 0);
+  for (int i = 1; i < int(regions.size()); ++i) {
+    cv::Mat parts;
+    RC_ASSERT(cv::connectedComponents(basins == i, parts, 4) == 2);
+  }
+}
+
+TEST(ReliefWatershed, StaysWithinTheMask) {
+  const cv::Mat relief = (cv::Mat_<float>(1, 5) << 2, 1, 0, 1, 2);
+  const cv::Mat mask = (cv::Mat_<std::uint8_t>(1, 5) << 255, 255, 0, 255, 255);
+  EXPECT_EQ(cv::countNonZero(basins_of(relief, mask) != (cv::Mat_<int>(1, 5) << 1, 1, 0, 2, 2)), 0);
+}
+
+TEST(MergedBasins, ShallowOnesJoinTheirNeighbour) {
+  const cv::Mat relief = (cv::Mat_<float>(1, 7) << 0, 3, 2, 9, 1, 5, 4);
+  const cv::Mat basins = basins_of(relief);
+  EXPECT_EQ(label_count(basins), 4);
+  const auto deeper_than = [&](float depth) {
+    return merged_basins(relief, basins, [depth](float saddle, float floor) { return saddle - floor < depth; });
+  };
+  EXPECT_EQ(label_count(deeper_than(0.5F)), 4);
+  EXPECT_EQ(label_count(deeper_than(2)), 2);
+  EXPECT_EQ(label_count(deeper_than(100)), 1);
+}
+
+TEST(SplitByDistance, TouchingDiscsAreTwoAndALongOneIsOne) {
+  cv::Mat mask = cv::Mat::zeros(100, 200, CV_8U);
+  cv::circle(mask, {60, 50}, 25, 255, cv::FILLED);
+  cv::circle(mask, {107, 50}, 25, 255, cv::FILLED);
+  const cv::Mat parts = split_by_distance(mask);
+  EXPECT_EQ(label_count(parts), 2);
+  EXPECT_NE(parts.at<int>(50, 60), parts.at<int>(50, 107));
+  mask.setTo(0);
+  cv::rectangle(mask, {20, 30}, {180, 70}, 255, cv::FILLED);
+  EXPECT_EQ(label_count(split_by_distance(mask)), 1);
+}
+
+TEST(SplitByDistance, LeavesOutSlivers) {
+  cv::Mat mask = cv::Mat::zeros(60, 100, CV_8U);
+  cv::rectangle(mask, {10, 30}, {90, 33}, 255, cv::FILLED);
+  EXPECT_EQ(cv::countNonZero(split_by_distance(mask)), 0);
+}
+
+TEST(SolidPart, FillsHolesAndKeepsTheLargest) {
+  cv::Mat mask = cv::Mat::zeros(30, 40, CV_8U);
+  cv::rectangle(mask, {0, 0}, {19, 19}, 255, cv::FILLED);
+  cv::rectangle(mask, {5, 5}, {9, 9}, 0, cv::FILLED);
+  cv::rectangle(mask, {20, 20}, {25, 25}, 255, cv::FILLED);  // touches by a corner only
+  const cv::Mat solid = solid_part(mask);
+  EXPECT_EQ(cv::countNonZero(solid), 400);
+  EXPECT_EQ(solid.at<std::uint8_t>(7, 7), 255);
+  EXPECT_EQ(solid.at<std::uint8_t>(20, 20), 0);
+}
+
+TEST(Solidity, IsTheAreaByItsHull) {
+  EXPECT_DOUBLE_EQ(solidity_of(cv::Mat::ones(7, 9, CV_8U)), 1);
+  EXPECT_DOUBLE_EQ(solidity_of(cv::Mat::zeros(7, 9, CV_8U)), 0);
+  cv::Mat corner = cv::Mat::ones(10, 10, CV_8U);
+  corner(cv::Rect(5, 5, 5, 5)).setTo(0);
+  EXPECT_DOUBLE_EQ(solidity_of(corner), 75 / 87.5);
+}
+
+TEST(SolidRegions, TheRegionInAHoleBecomesPartOfIt) {
+  cv::Mat labels = cv::Mat::zeros(20, 20, CV_32S);
+  labels(cv::Rect(2, 2, 14, 14)).setTo(1);
+  labels(cv::Rect(6, 6, 4, 4)).setTo(2);
+  labels(cv::Rect(18, 18, 2, 2)).setTo(3);
+  const cv::Mat solid = solid_regions(labels, 5, 0);
+  EXPECT_EQ(label_count(solid), 1);
+  EXPECT_EQ(cv::countNonZero(solid), 14 * 14);
+}
+
+TEST(ColourClusters, ThreeColoursAreThree) {
+  cv::Mat colours(30, 30, CV_32FC3, cv::Scalar(10, 0, 0));
+  colours.rowRange(10, 20).setTo(cv::Scalar(50, 20, 0));
+  colours.rowRange(20, 30).setTo(cv::Scalar(90, 0, 30));
+  const cv::Mat clusters = colour_clusters(colours, 3);
+  for (int band = 0; band < 3; ++band) {
+    const int cluster = clusters.at<std::uint8_t>(band * 10, 0);
+    EXPECT_EQ(cv::countNonZero(clusters == cluster), 300);
+    EXPECT_EQ(cv::countNonZero(clusters.rowRange(band * 10, band * 10 + 10) == cluster), 300);
+  }
+}
+
+TEST(MergeTree, CutsWhereBordersAreStrong) {
+  // Two squares of four parts each: faint lines within, a strong one between and around.
+  cv::Mat boundary(40, 80, CV_32F, cv::Scalar(0.05));
+  boundary.row(20).setTo(0.2);
+  boundary.col(20).setTo(0.2);
+  boundary.col(60).setTo(0.2);
+  boundary.col(40).setTo(1.2);
+  cv::Mat leaves(40, 80, CV_32S);
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 80; ++x) leaves.at<int>(y, x) = y / 20 * 4 + x / 20 + 1;
+  }
+  const cv::Mat labels = best_of_merge_tree(boundary, leaves, 4);
+  EXPECT_EQ(label_count(labels), 2);
+  EXPECT_EQ(labels.at<int>(5, 5), labels.at<int>(35, 35));
+  EXPECT_NE(labels.at<int>(5, 35), labels.at<int>(5, 45));
+}
+
+cv::Mat with_squares(const std::vector<cv::Rect>& squares) {
+  cv::Mat labels = cv::Mat::zeros(120, 120, CV_32S);
+  for (std::size_t i = 0; i < squares.size(); ++i) labels(squares[i]).setTo(int(i) + 1);
+  return labels;
+}
+
+TEST(RegionVote, KeepsWhatOthersAgreeWith) {
+  const cv::Rect agreed(10, 10, 40, 40), alone(70, 70, 40, 40);
+  std::vector<cv::Mat> maps(7, with_squares({agreed}));
+  maps.push_back(with_squares({agreed, alone}));
+  const cv::Mat voted = voted_regions(maps, cv::Mat::ones(120, 120, CV_32F), 40);
+  EXPECT_EQ(label_count(voted), 1);
+  EXPECT_EQ(cv::countNonZero(voted(agreed)), 1600);
+  EXPECT_EQ(cv::countNonZero(voted), 1600);
+}
+
+TEST(RegionVote, TheMoreVotedForKeepsTheOtherOff) {
+  const cv::Rect better(10, 10, 40, 40), worse(20, 10, 40, 40);
+  std::vector<cv::Mat> maps(5, with_squares({better}));
+  for (int i = 0; i < 3; ++i) maps.push_back(with_squares({worse}));
+  const cv::Mat voted = voted_regions(maps, cv::Mat::ones(120, 120, CV_32F), 40);
+  EXPECT_EQ(label_count(voted), 1);
+  EXPECT_EQ(cv::countNonZero(voted(better)), 1600);
+}
+
+TEST(RegionVote, GroundCutFromGroundIsNoElement) {
+  const cv::Rect square(10, 10, 40, 40);
+  const std::vector<cv::Mat> maps(4, with_squares({square}));
+  cv::Mat boundary = cv::Mat::zeros(120, 120, CV_32F);
+  cv::rectangle(boundary, square, 1, 1);
+  EXPECT_EQ(label_count(voted_regions(maps, boundary, 40)), 1);
+  boundary.colRange(30, 120).setTo(0);
+  EXPECT_EQ(label_count(voted_regions(maps, boundary, 40)), 0);
+}
+
+/// Bright squares on a dark ground, one label on the ground, one square with the ground's colour in a bright frame.
+TEST(GapFilter, GroundGoesButNotWhatHasAJointAroundIt) {
+  cv::Mat photo(240, 320, CV_8UC3, cv::Scalar(40, 45, 50));
+  cv::Mat labels = cv::Mat::zeros(240, 320, CV_32S);
+  int next = 0;
+  for (int i = 0; i < 12; ++i) {
+    const cv::Rect square(20 + i % 4 * 76, 20 + i / 4 * 76, 40, 40);
+    labels(square).setTo(++next);
+    if (i != 5) photo(square).setTo(cv::Scalar(140, 150, 160));
+  }
+  cv::RNG random(3);
+  cv::Mat noise(photo.size(), CV_8UC3);
+  random.fill(noise, cv::RNG::UNIFORM, 0, 12);
+  photo += noise;
+  const cv::Mat kept = without_gap_regions(labels, photo, smooth_lab(photo));
+  EXPECT_EQ(label_count(kept), 11);
+  EXPECT_EQ(kept.at<int>(116, 116), 0);
+}
+
+TEST(ScaledLabels, KeepTheirPlaceAndArea) {
+  cv::Mat labels = cv::Mat::zeros(60, 80, CV_32S);
+  cv::circle(labels, {40, 30}, 20, 1, cv::FILLED);
+  const double area_px2 = region_boxes(labels)[1].area_px2;
+  const RegionBox scaled = region_boxes(scaled_labels(labels, {320, 240}))[1];
+  EXPECT_NEAR(scaled.area_px2 / 16, area_px2, 0.03 * area_px2);
+  EXPECT_NEAR(scaled.box.x + scaled.box.width / 2., 40.5 * 4, 2);
+  EXPECT_NEAR(scaled.box.y + scaled.box.height / 2., 30.5 * 4, 2);
+}
+
+TEST(ScaledLabels, WhatThePhotosEdgeCutsStaysCut) {
+  cv::Mat labels = cv::Mat::zeros(60, 80, CV_32S);
+  labels(cv::Rect(0, 10, 30, 40)).setTo(1);
+  EXPECT_EQ(region_boxes(scaled_labels(labels, {200, 150}))[1].box.x, 0);
+}
+
+}  // namespace
+}  // namespace tessera::io

@@ -1,0 +1,57 @@
+// What lies between an element and the photo's edge.
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "io/elements/photo_margin.h"
+
+namespace tessera::io {
+namespace {
+
+const cv::Scalar kMortar(220, 220, 220), kTile(180, 120, 30);
+
+/// 300 x 200: two tiles on mortar, whose labels reach over the margin of `margin_px` to the left and the upper edge, and
+/// one that the right edge cuts.
+struct Tiles {
+  explicit Tiles(int margin_px) : photo(200, 300, CV_8UC3, kMortar), labels(cv::Mat::zeros(200, 300, CV_32S)) {
+    const cv::Rect tile(margin_px, margin_px, 80, 80), other(110, 20, 80, 80), cut(240, 60, 60, 80);
+    for (const cv::Rect& r : {tile, other, cut}) photo(r) = kTile;
+    cv::randu(noise_, 0, 30);
+    photo -= noise_;
+    labels(cv::Rect({}, tile.br())) = 1;
+    labels(other) = 2;
+    labels(cut) = 3;
+  }
+
+  cv::Rect box(int label) const { return cv::boundingRect(without_margins(photo, labels) == label); }
+
+  cv::Mat photo, labels;
+
+ private:
+  cv::Mat noise_ = cv::Mat(200, 300, CV_8UC3);
+};
+
+TEST(PhotoMargin, IsTakenFromATileThatTheEdgeDoesNotCut) {
+  for (const int margin_px : {1, 3, 5}) {
+    const Tiles tiles(margin_px);
+    EXPECT_EQ(tiles.box(1), cv::Rect(margin_px, margin_px, 80, 80)) << margin_px;
+  }
+}
+
+TEST(PhotoMargin, WhatTheEdgeCutsReachesItStill) {
+  const Tiles tiles(3);
+  EXPECT_EQ(tiles.box(3), cv::Rect(240, 60, 60, 80));
+  EXPECT_EQ(tiles.box(2), cv::Rect(110, 20, 80, 80)) << "and who does not reach it stays as it is";
+}
+
+/// Broad ones are seen in a coarse copy, too; of what is broad, no more is taken.
+TEST(PhotoMargin, IsNarrow) { EXPECT_EQ(Tiles(20).box(1).tl(), cv::Point(8, 8)); }
+
+TEST(PhotoMargin, OfNothingIsNothing) {
+  EXPECT_EQ(cv::countNonZero(without_margins(cv::Mat(9, 9, CV_8UC3, kTile), cv::Mat::zeros(9, 9, CV_32S))), 0);
+  // One element that fills the photo: there is no gap to compare with.
+  EXPECT_EQ(cv::countNonZero(without_margins(cv::Mat(9, 9, CV_8UC3, kTile), cv::Mat::ones(9, 9, CV_32S))), 81);
+}
+
+}  // namespace
+}  // namespace tessera::io
