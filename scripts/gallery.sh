@@ -8,7 +8,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 readonly tessera=build/release/src/cli/tessera
 readonly library=out/animals.h5
 readonly gallery=docs/gallery
-readonly side_px=1000
+readonly side_px=960  # pictures of usual aspects, two side by side, meet between two px
 
 scripts/install-packages.sh
 scripts/build.sh tessera
@@ -20,7 +20,7 @@ fi
 # viewbox_size SVG: prints width and height.
 viewbox_size() { sed -n 's/.*<svg [^>]*viewBox="0 0 \([0-9]*\) \([0-9]*\)".*/\1 \2/p' "$1" | head -1; }
 
-# page FOLDER COLUMNS ROWS PNG...: as many pictures of that result's size side by side, row by row; prints the name of a PDF.
+# page FOLDER COLUMNS ROWS PNG...: pictures of that result's size side by side, row by row; prints the name of a PDF.
 page() {
   local folder=$1 columns=$2 rows=$3 width height column=0 row=0
   shift 3
@@ -53,12 +53,17 @@ mapfile -t names < <(basename -s .toml jobs/*.toml)
 [[ $# -eq 0 ]] || names=("$@")
 for name in "${names[@]}"; do
   echo "== $name"
+  # Where its elements come from a photo, the job says with which command.
+  read -ra extract < <(sed -n 's/^#  *tessera \(library extract .*\)/\1/p' "jobs/$name.toml") || true
+  if [[ ${#extract[@]} -gt 0 ]]; then "$tessera" "${extract[@]}"; fi
   "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
   "$tessera" draw "out/gallery/$name" --pdf --quiet
   # By way of the PDF: poppler is here for the tests anyway.
   shown=out/gallery/$name/collage.pdf
   if grep -q '^seamless' "jobs/$name.toml"; then shown=$(four_copies "out/gallery/$name"); fi
-  if grep -q '^pieces = "pieces/' "jobs/$name.toml"; then shown=$(before_and_after "out/gallery/$name" "jobs/$name.toml"); fi
+  if grep -q '^pieces = "pieces/' "jobs/$name.toml"; then
+    shown=$(before_and_after "out/gallery/$name" "jobs/$name.toml")
+  fi
   pdftocairo -jpeg -jpegopt quality=88 -singlefile -scale-to "$side_px" "$shown" "$gallery/$name"
 done
 
@@ -67,15 +72,15 @@ value() { sed -n "s/^  $2  *//p" "$1" | head -1; }
 
 {
   echo "# Gallery"
-  echo "Every job of [jobs](../../jobs), made by \`scripts/gallery.sh\` with Debian's openclipart (public domain). The numbers are"
-  echo "those of each card; the times are of one run without MPI on the machine that made the gallery."
+  echo "Every job of [jobs](../../jobs), made by \`scripts/gallery.sh\` with Debian's openclipart (public domain) and photos."
+  echo "The numbers are those of each card; the times are of one run without MPI on the machine that made the gallery."
   for job in jobs/*.toml; do
     name=$(basename -s .toml "$job")
     card=out/gallery/$name/card.txt
     [[ -e $card && -e $gallery/$name.jpg ]] || continue
     echo
     echo "## [$name](../../$job)"
-    sed -n '/^#/!q; /mpirun/q; s/^# \{0,1\}//; /./p' "$job"
+    sed -n '/^#/!q; /^#  *tessera\|mpirun/q; s/^# \{0,1\}//; /./p' "$job"
     echo
     echo "![$name]($name.jpg)"
     echo
