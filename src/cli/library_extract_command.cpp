@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -18,6 +19,7 @@
 #include "io/atomic_file.h"
 #include "io/available_cores.h"
 #include "io/drawing/drawers.h"
+#include "io/elements/connected_labels.h"
 #include "io/elements/cut_outs.h"
 #include "io/elements/element_labels.h"
 #include "io/elements/elements_overview.h"
@@ -85,7 +87,12 @@ cv::Mat labels_of(const ExtractArguments& arguments, const std::string& photo, c
     throw InputError(arguments.labels + ": found a map of " + size_text(labels.size()) + " px, allowed: the size of " +
                      photo + ", " + size_text(picture.size()) + " px");
   }
-  return labels;
+  return io::connected_labels(labels);
+}
+
+std::string overview_path(const ExtractArguments& arguments, const std::string& photo) {
+  const std::string name = std::filesystem::path(photo).stem().string() + "_found.png";
+  return (std::filesystem::path(arguments.overview) / name).string();
 }
 
 void write_overview(const ExtractArguments& arguments, const std::string& photo, const cv::Mat& overview) {
@@ -94,8 +101,7 @@ void write_overview(const ExtractArguments& arguments, const std::string& photo,
   if (error) throw EnvironmentError(arguments.overview + ": cannot make this folder: " + error.message());
   std::vector<std::uint8_t> png;
   cv::imencode(".png", overview, png);
-  const std::string name = std::filesystem::path(photo).stem().string() + "_found.png";
-  const std::string path = (std::filesystem::path(arguments.overview) / name).string();
+  const std::string path = overview_path(arguments, photo);
   io::write_file_atomically(path, png);
   std::printf("  overview: %s\n", io::printable_utf8(path).c_str());
 }
@@ -107,18 +113,20 @@ std::vector<io::CutOut> cut_outs_of(const ExtractArguments& arguments, const std
   std::printf("%s: %s\n", io::printable_utf8(photo).c_str(), counts_text(found).c_str());
   if (!arguments.overview.empty())
     write_overview(arguments, photo, io::elements_overview(picture, labels, found.elements));
-  return io::cut_outs(photo, picture, labels, found.elements);
+  return io::cut_outs(photo, picture, labels, found.elements, arguments.search.look);
 }
 
 std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Drawers& drawers) {
   std::vector<io::CutOut> all;
   for (const std::string& photo : arguments.photos) {
-    if (comm::stop_signalled()) throw EnvironmentError("interrupted; " + arguments.output + " was not written");
+    arguments.search.look();
     for (io::CutOut& cut_out : cut_outs_of(arguments, photo, drawers)) all.push_back(std::move(cut_out));
   }
   if (all.empty()) {
-    throw InputError(arguments.output + " was not written: no element in " + arguments.photos.front() +
-                     "; try another --element-px: the short side of a typical one");
+    throw InputError(arguments.output + " was not written: no element is left of " +
+                     (arguments.photos.size() == 1 ? arguments.photos.front() : "these photos") +
+                     "; --min and --max leave out by size, the photo's edge what it cuts" +
+                     (arguments.labels.empty() ? ", and --element-px says what to look for" : ""));
   }
   return all;
 }
@@ -154,13 +162,23 @@ void check(const ExtractArguments& arguments) {
   if (!arguments.labels.empty() && arguments.photos.size() > 1)
     throw InputError("--labels: found " + std::to_string(arguments.photos.size()) +
                      " photos, allowed: one, which the map belongs to");
+  std::map<std::string, std::string> photo_of_overview;
+  for (const std::string& photo : arguments.photos) {
+    const auto [other, is_new] = photo_of_overview.try_emplace(overview_path(arguments, photo), photo);
+    if (!is_new && !arguments.overview.empty())
+      throw InputError("--overview: " + other->second + " and " + photo + " would both be shown in " + other->first +
+                       "; allowed: photos with names of their own");
+  }
 }
 
-int run(const ExtractArguments& arguments) {
+int run(ExtractArguments arguments) {
   check(arguments);
   check_replaceable(arguments.output);
   const io::OutputLock lock(arguments.output + ".lock", arguments.output);
   comm::install_stop_handlers();  // the half library is removed
+  arguments.search.look = [&] {
+    if (comm::stop_signalled()) throw EnvironmentError("interrupted; " + arguments.output + " was not written");
+  };
   io::Drawers drawers({.processes = io::available_cores(), .bytes_per_process = kBytesPerDrawer});
   const std::vector<io::CutOut> cut_outs = all_cut_outs(arguments, drawers);
   const io::LibraryBuildReport report = build(arguments, cut_outs, drawers);

@@ -21,7 +21,8 @@ stones() { # GROUND FIRST_GREY STEP
   done
   echo "<circle cx='0' cy='120' r='30' fill='rgb($grey,$grey,$grey)'/></svg>"
 }
-stones '#282420' 140 9 | rsvg-convert -o wall.png
+stones '#282420' 140 9 >wall_large.svg
+rsvg-convert wall_large.svg -o wall.png
 stones '#000' 10 20 | rsvg-convert -f pdf -o map.pdf
 pdftocairo -png -gray -antialias none -singlefile -r 72 -scale-to-x 480 -scale-to-y 360 map.pdf map
 
@@ -63,7 +64,7 @@ run 0 library extract wall.png --labels map.png --min 60 --max 200 -o large.h5
 grep -q '12 elements' output || fail "--min that leaves out what is larger"
 run 2 library extract wall.png --labels map.png --min 200 -o none.h5
 grep -q 'wall.png: 0 elements.*12 smaller than --min' output || fail "what is too small is not counted"
-expect_word 'none.h5 was not written: no element in wall.png'
+expect_word 'none.h5 was not written: no element is left of wall.png'
 run 2 library extract wall.png --labels map.png --max 20 -o none.h5
 grep -q '12 larger than --max' output || fail "what is too large is not counted"
 echo "ok labels, --min, --max"
@@ -73,6 +74,9 @@ run 2 library extract wall.png --labels small.png -o none.h5
 expect_word 'small.png: found a map of '
 run 2 library extract wall.png wall.png --labels map.png -o none.h5
 expect_word '--labels: found 2 photos, allowed: one'
+mkdir -p other && cp wall.png other/
+run 2 library extract wall.png other/wall.png --element-px 75 -o none.h5 --overview found
+expect_word '--overview: wall.png and other/wall.png would both be shown in found/wall_found.png'
 run 2 library extract wall.png --labels wall.png -o none.h5
 expect_word 'wall.png: a map of labels has one channel (grey) of 8 or 16 bits'
 run 2 library extract wall.png --labels map.png --min 50 --max 40 -o none.h5
@@ -92,6 +96,16 @@ run 2 library extract wall.png --element-px 75 -o job.toml
 expect_word 'job.toml'
 [[ ! -e none.h5 ]] || fail "a library of nothing"
 echo "ok errors"
+
+# Ctrl-C while it searches leaves the library as it was.
+rsvg-convert -w 4800 -h 3600 wall_large.svg -o large.png
+cp wall.h5 before.h5
+timeout -s INT 1 "$tessera" library extract large.png --element-px 150 -o wall.h5 >output 2>errors
+code=$?
+[[ $code -eq 124 ]] || fail "it ended by itself, with $code: no time to interrupt it"
+expect_word 'interrupted; wall.h5 was not written'
+cmp wall.h5 before.h5 || fail "an interrupted search changed the library"
+echo "ok interrupted"
 
 run 2 library build wall.png -o none.h5
 grep -q 'tessera library extract' output errors || fail "library build does not point to library extract"

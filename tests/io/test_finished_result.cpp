@@ -37,6 +37,20 @@ TEST_F(FinishedResult, has_its_job) {
   EXPECT_TRUE(is_finished_result_of(earlier, sample_.job));
 }
 
+TEST(JobDifferences, of_lists_tell_what_came_and_went) {
+  const auto difference = [](const std::vector<std::string>& then_excluded, const std::vector<std::string>& excluded) {
+    Job then, now;
+    then.library_exclude = then_excluded;
+    now.library_exclude = excluded;
+    return job_differences(then, now, [](const JobKey&) { return true; });
+  };
+  EXPECT_EQ(difference({"a", "b"}, {"a", "b"}), "");
+  EXPECT_EQ(difference({"a", "b"}, {"b", "c", "d"}), R"(; library.exclude: now with "c", "d", now without "a")");
+  EXPECT_EQ(difference({"a", "b"}, {"b"}), R"(; library.exclude: now without "a")");
+  EXPECT_EQ(difference({"a", "b"}, {"b", "a"}), "; library.exclude: in another order now");
+  EXPECT_EQ(difference({}, {"a"}), R"(; library.exclude: then [], now ["a"])");
+}
+
 TEST_F(FinishedResult, is_none_where_it_was_ended_early) {
   const EarlierResult earlier = find_earlier_result(write_result(false));
   EXPECT_TRUE(earlier.whole);

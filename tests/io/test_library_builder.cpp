@@ -122,9 +122,10 @@ TEST_F(LibraryBuilder, JudgesWhatIsNamedByItsContent) {
 }
 
 TEST(SkipReasonText, SaysWhatToDo) {
-  EXPECT_EQ(skip_reason_text(SkipReason::several_large_components),
-            "several large parts that do not touch; save each as a file of its own, or join them; of a photo: tessera "
-            "library extract");
+  EXPECT_EQ(
+      skip_reason_text(SkipReason::several_large_components),
+      "several large parts that do not touch; save each as a file of its own, or join them; a photo is for tessera "
+      "library extract");
   EXPECT_EQ(skip_reason_text(SkipReason::hairlines), "thin lines alone; fill what they enclose, or make them thicker");
 }
 

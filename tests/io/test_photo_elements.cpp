@@ -3,6 +3,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "io/elements/connected_labels.h"
 #include "io/elements/elements_overview.h"
 #include "io/elements/photo_elements.h"
 
@@ -109,6 +110,44 @@ TEST(PhotoElements, TheRimIsWholeNearTheEdge) {
   ASSERT_EQ(cut.size(), cv::Size(26, 26));
   EXPECT_EQ(cut.at<cv::Vec4b>(0, 13)[3], 0);
   EXPECT_EQ(cut.at<cv::Vec4b>(13, 13)[3], 255);
+}
+
+cv::Mat two_stripes() {
+  cv::Mat map = cv::Mat::zeros(40, 60, CV_32S);
+  map(cv::Rect(2, 2, 20, 30)) = 5;
+  map(cv::Rect(30, 2, 20, 30)) = 5;
+  return map;
+}
+
+TEST(ConnectedLabels, ANumberInTwoPlacesMakesTwoElements) {
+  const cv::Mat labels = connected_labels(two_stripes());
+  EXPECT_EQ(labels.at<int>(10, 10), 1);
+  EXPECT_EQ(labels.at<int>(10, 40), 2);
+  EXPECT_EQ(cv::countNonZero(labels), 2 * 20 * 30);
+}
+
+TEST(ConnectedLabels, NumbersThatTouchStayApart) {
+  cv::Mat map = two_stripes();
+  map(cv::Rect(22, 2, 8, 30)) = 6;
+  const cv::Mat labels = connected_labels(map);
+  EXPECT_EQ(labels.at<int>(10, 25), 2);
+  EXPECT_EQ(labels.at<int>(10, 40), 3);
+}
+
+/// It took hours: each of the numbers was as large as the photo.
+TEST(ConnectedLabels, ScatteredNumbersAreNothing) {
+  cv::Mat map(1000, 1000, CV_32S);
+  cv::RNG rng(7);
+  rng.fill(map, cv::RNG::UNIFORM, -3, 20000);
+  EXPECT_EQ(cv::countNonZero(connected_labels(map)), 0);
+}
+
+TEST(ConnectedLabels, SpecksAreGap) {
+  cv::Mat map = cv::Mat::zeros(40, 60, CV_32S);
+  map(cv::Rect(2, 2, 8, 8)) = 1;
+  map(cv::Rect(20, 2, 7, 9)) = 2;
+  EXPECT_EQ(cv::countNonZero(connected_labels(map)), 64);
+  EXPECT_TRUE(connected_labels(cv::Mat()).empty());
 }
 
 TEST(ElementsOverview, ShowsOutlinesAndKeepsTheSize) {

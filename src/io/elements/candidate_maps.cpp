@@ -1,6 +1,7 @@
 #include "io/elements/candidate_maps.h"
 
 #include <algorithm>
+#include <exception>
 #include <functional>
 #include <opencv2/imgproc.hpp>
 
@@ -92,7 +93,7 @@ std::vector<cv::Mat> by_merges(const cv::Mat& lab, const BoundaryKind& kind, con
 
 }  // namespace
 
-std::vector<cv::Mat> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab) {
+std::vector<cv::Mat> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab, const std::function<void()>& look) {
   const std::vector<std::function<std::vector<cv::Mat>()>> ways = {
       [&] {
         return by_merges(lab, {0.5, 1.2, 9}, {{0.03, 4}, {0.08, 4}, {0.15, 4}});
@@ -108,9 +109,20 @@ std::vector<cv::Mat> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab) {
       },
   };
   std::vector<std::vector<cv::Mat>> found(ways.size());
+  std::vector<std::exception_ptr> thrown(ways.size());  // not every backend of parallel_for_ carries them over
+  const auto go = [&](std::size_t way) {
+    try {
+      look();
+      found[way] = ways[way]();
+    } catch (...) {
+      thrown[way] = std::current_exception();
+    }
+  };
   cv::parallel_for_({0, int(ways.size())}, [&](const cv::Range& range) {
-    for (int i = range.start; i < range.end; ++i) found[std::size_t(i)] = ways[std::size_t(i)]();
+    for (int i = range.start; i < range.end; ++i) go(std::size_t(i));
   });
+  for (const std::exception_ptr& exception : thrown)
+    if (exception) std::rethrow_exception(exception);
   std::vector<cv::Mat> maps;
   for (const std::vector<cv::Mat>& some : found) maps.insert(maps.end(), some.begin(), some.end());
   return maps;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -18,9 +19,10 @@ struct CutOut {
   std::vector<std::uint8_t> png;
 };
 
-/// `picture`, `labels`: see cut_element. Numbers are those of the overview.
-std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const cv::Mat& labels,
-                             const std::vector<PhotoElement>& elements);
+/// `picture`, `labels`: see cut_element. Numbers are those of the overview. `look` is called before each and may throw.
+std::vector<CutOut> cut_outs(
+    const std::string& photo, const cv::Mat& picture, const cv::Mat& labels, const std::vector<PhotoElement>& elements,
+    const std::function<void()>& look = [] {});
 
 /// For build_library, of the cut-outs' paths. Their PNGs become Artwork::original, the photo Artwork::path. Drawers and
 /// cut-outs must outlive the loader.

@@ -1,6 +1,7 @@
 // Finds the elements of a photograph: stones, tiles, coins, leaves that lie side by side or apart on a ground.
 #pragma once
 
+#include <functional>
 #include <opencv2/core.hpp>
 
 namespace tessera::io {
@@ -9,6 +10,8 @@ struct ElementSearch {
   /// Short side of a typical element, px of the photo, above 0. Wrong by 1.4 costs little where elements are much
   /// alike; where they differ much, rather too small than too large.
   double element_px = 0;
+  /// Called between the steps of the search, which take seconds with hundreds of elements; may throw.
+  std::function<void()> look = [] {};
 };
 
 /// `photo_bgr`: CV_8UC3. Labels CV_32SC1 of its size: 0 = gap, 1..n = elements, each one region, connected by its

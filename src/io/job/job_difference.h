@@ -8,8 +8,8 @@
 
 namespace tessera::io {
 
-/// "; KEY: then A, now B" for each key that `counts` and has another value, and which tables have other rows. Empty
-/// where there is none.
+/// "; KEY: then A, now B" for each key that `counts` and has another value, of lists what came and went, and which
+/// tables have other rows. Empty where there is none.
 std::string job_differences(const Job& then, const Job& now, const std::function<bool(const JobKey&)>& counts);
 
 }  // namespace tessera::io

@@ -8,7 +8,8 @@ std::string skip_reason_text(SkipReason reason) {
       return "nothing to be seen; an image needs transparency, or a shape that stands out from a plain background";
     case SkipReason::too_small: return "too small; save the image with more pixels";
     case SkipReason::several_large_components:
-      return "several large parts that do not touch; save each as a file of its own, or join them; of a photo: tessera "
+      return "several large parts that do not touch; save each as a file of its own, or join them; a photo is for "
+             "tessera "
              "library extract";
     case SkipReason::plain_rectangle: return "a plain rectangle; take the background away, if that is what it is";
     case SkipReason::hairlines: return "thin lines alone; fill what they enclose, or make them thicker";
