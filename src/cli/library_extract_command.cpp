@@ -5,9 +5,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,49 +16,38 @@
 #include "io/atomic_file.h"
 #include "io/available_cores.h"
 #include "io/drawing/drawers.h"
-#include "io/elements/connected_labels.h"
 #include "io/elements/cut_outs.h"
-#include "io/elements/element_labels.h"
-#include "io/elements/elements_overview.h"
-#include "io/elements/photo_margin.h"
+#include "io/elements/photo_extraction.h"
 #include "io/library/library_builder.h"
 #include "io/output_lock.h"
-#include "io/regular_file.h"
 #include "io/utf8_text.h"
 
 namespace tessera::cli {
 namespace {
-
-constexpr std::size_t kMaxPhotoBytes = 128u << 20;
-/// Decoding 50 million pixels, 16 bits a channel among them.
-constexpr std::size_t kBytesPerDrawer = std::size_t(1) << 30;
 
 constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --overview found/\n"
     "  tessera library extract beach_*.jpg --element-px 60 --min 30 --max 200 -o pebbles.h5\n"
     "  tessera library extract wall.jpg --labels wall_labels.png -o stones.h5      labels from another program\n"
-    "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. Each element comes with its own pixels, which "
-    "the\n"
-    "library holds. Those that the photo's edge cuts are left out. Look at the overview: where elements are merged, "
-    "give a\n"
-    "smaller --element-px, where they are split, a larger one. 100 elements take some 5 s, 1000 a minute or two.";
+    "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. Each element comes with its own pixels, "
+    "which\n"
+    "the library holds. Those that the photo's edge cuts are left out. Look at the overview: where elements are\n"
+    "merged, give a smaller --element-px, where they are split, a larger one. 100 elements take some 5 s, 1000 a\n"
+    "minute or two.";
 
 struct ExtractArguments {
   std::vector<std::string> photos;
   std::string output;
-  std::string labels;
   std::string overview;
-  io::ElementSearch search;
-  io::ElementSizes sizes;
+  io::ExtractionSettings settings;
 };
 
-std::size_t number_of(const io::FoundElements& found) { return found.elements.size(); }
-
 std::string counts_text(const io::FoundElements& found) {
-  std::string text = std::to_string(number_of(found)) + (number_of(found) == 1 ? " element" : " elements");
-  const auto add = [&](std::size_t count, const char* why) {
-    if (count > 0) text += ", " + std::to_string(count) + " " + why;
+  const std::size_t count = found.elements.size();
+  std::string text = std::to_string(count) + (count == 1 ? " element" : " elements");
+  const auto add = [&](std::size_t left_out, const char* why) {
+    if (left_out > 0) text += ", " + std::to_string(left_out) + " " + why;
   };
   add(found.at_edge, "at the photo's edge left out");
   add(found.too_small, "smaller than --min");
@@ -69,64 +55,34 @@ std::string counts_text(const io::FoundElements& found) {
   return text;
 }
 
-std::string size_text(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
-
-cv::Mat labels_of(const ExtractArguments& arguments, const std::string& photo, const cv::Mat& picture,
-                  io::Drawers& drawers) {
-  if (arguments.labels.empty()) {
-    cv::Mat bgr;
-    cv::cvtColor(picture, bgr, cv::COLOR_BGRA2BGR);
-    try {
-      return io::without_margins(bgr, io::element_labels(bgr, arguments.search));
-    } catch (const std::invalid_argument& error) {
-      throw InputError(photo + ": --element-px: " + error.what());
-    }
-  }
-  const cv::Mat labels = drawers.labels(io::read_regular_file(arguments.labels, kMaxPhotoBytes), arguments.labels);
-  if (labels.size() != picture.size()) {
-    throw InputError(arguments.labels + ": found a map of " + size_text(labels.size()) + " px, allowed: the size of " +
-                     photo + ", " + size_text(picture.size()) + " px");
-  }
-  return io::connected_labels(labels);
-}
-
 std::string overview_path(const ExtractArguments& arguments, const std::string& photo) {
   const std::string name = std::filesystem::path(photo).stem().string() + "_found.png";
   return (std::filesystem::path(arguments.overview) / name).string();
 }
 
-void write_overview(const ExtractArguments& arguments, const std::string& photo, const cv::Mat& overview) {
+void write_overview(const ExtractArguments& arguments, const std::string& photo, const std::vector<std::uint8_t>& png) {
   std::error_code error;
   std::filesystem::create_directories(arguments.overview, error);
   if (error) throw EnvironmentError(arguments.overview + ": cannot make this folder: " + error.message());
-  std::vector<std::uint8_t> png;
-  cv::imencode(".png", overview, png);
   const std::string path = overview_path(arguments, photo);
   io::write_file_atomically(path, png);
   std::printf("  overview: %s\n", io::printable_utf8(path).c_str());
 }
 
-std::vector<io::CutOut> cut_outs_of(const ExtractArguments& arguments, const std::string& photo, io::Drawers& drawers) {
-  const cv::Mat picture = drawers.photo(io::read_regular_file(photo, kMaxPhotoBytes), photo);
-  const cv::Mat labels = labels_of(arguments, photo, picture, drawers);
-  const io::FoundElements found = io::find_elements(labels, arguments.sizes);
-  std::printf("%s: %s\n", io::printable_utf8(photo).c_str(), counts_text(found).c_str());
-  if (!arguments.overview.empty())
-    write_overview(arguments, photo, io::elements_overview(picture, labels, found.elements));
-  return io::cut_outs(photo, picture, labels, found.elements, arguments.search.look);
-}
-
 std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Drawers& drawers) {
   std::vector<io::CutOut> all;
   for (const std::string& photo : arguments.photos) {
-    arguments.search.look();
-    for (io::CutOut& cut_out : cut_outs_of(arguments, photo, drawers)) all.push_back(std::move(cut_out));
+    arguments.settings.search.look();
+    io::Extraction extraction = io::extract_elements(photo, arguments.settings, drawers);
+    std::printf("%s: %s\n", io::printable_utf8(photo).c_str(), counts_text(extraction.found).c_str());
+    if (!arguments.overview.empty()) write_overview(arguments, photo, extraction.overview_png);
+    for (io::CutOut& cut_out : extraction.cut_outs) all.push_back(std::move(cut_out));
   }
   if (all.empty()) {
     throw InputError(arguments.output + " was not written: no element is left of " +
                      (arguments.photos.size() == 1 ? arguments.photos.front() : "these photos") +
                      "; --min and --max leave out by size, the photo's edge what it cuts" +
-                     (arguments.labels.empty() ? ", and --element-px says what to look for" : ""));
+                     (arguments.settings.labels.empty() ? ", and --element-px says what to look for" : ""));
   }
   return all;
 }
@@ -150,16 +106,16 @@ void check(const ExtractArguments& arguments) {
   const auto check_number = [](const char* option, double value) {
     if (std::isnan(value)) throw InputError(std::string(option) + ": found nan, allowed: a number");
   };
-  check_number("--element-px", arguments.search.element_px);
-  check_number("--min", arguments.sizes.least_px);
-  check_number("--max", arguments.sizes.most_px);
-  if (arguments.sizes.least_px > arguments.sizes.most_px)
+  check_number("--element-px", arguments.settings.search.element_px);
+  check_number("--min", arguments.settings.sizes.least_px);
+  check_number("--max", arguments.settings.sizes.most_px);
+  if (arguments.settings.sizes.least_px > arguments.settings.sizes.most_px)
     throw InputError("--min: found more than --max, allowed: at most that");
-  if (arguments.labels.empty() == (arguments.search.element_px == 0))
+  if (arguments.settings.labels.empty() == (arguments.settings.search.element_px == 0))
     throw InputError(std::string("found ") +
-                     (arguments.labels.empty() ? "neither --element-px nor" : "both --element-px and") +
+                     (arguments.settings.labels.empty() ? "neither --element-px nor" : "both --element-px and") +
                      " --labels; needed: one of them");
-  if (!arguments.labels.empty() && arguments.photos.size() > 1)
+  if (!arguments.settings.labels.empty() && arguments.photos.size() > 1)
     throw InputError("--labels: found " + std::to_string(arguments.photos.size()) +
                      " photos, allowed: one, which the map belongs to");
   std::map<std::string, std::string> photo_of_overview;
@@ -176,10 +132,11 @@ int run(ExtractArguments arguments) {
   check_replaceable(arguments.output);
   const io::OutputLock lock(arguments.output + ".lock", arguments.output);
   comm::install_stop_handlers();  // the half library is removed
-  arguments.search.look = [&] {
+  arguments.settings.search.look = [&] {
     if (comm::stop_signalled()) throw EnvironmentError("interrupted; " + arguments.output + " was not written");
   };
-  io::Drawers drawers({.processes = io::available_cores(), .bytes_per_process = kBytesPerDrawer});
+  arguments.settings.with_overview = !arguments.overview.empty();
+  io::Drawers drawers(io::photo_drawer_settings(io::available_cores()));
   const std::vector<io::CutOut> cut_outs = all_cut_outs(arguments, drawers);
   const io::LibraryBuildReport report = build(arguments, cut_outs, drawers);
   std::fputs(build_summary(report).c_str(), stdout);
@@ -202,14 +159,17 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
       ->required()
       ->type_name("LIB.h5");
   extract
-      ->add_option("--element-px", arguments->search.element_px,
+      ->add_option("--element-px", arguments->settings.search.element_px,
                    "Short side of a typical element, px of the photo; rather too small than too large")
       ->check(CLI::Range(4.0, kMostSide_px));
-  extract->add_option("--min", arguments->sizes.least_px, "Leave out smaller elements: square root of the area, px")
-      ->check(CLI::Range(0.0, kMostSide_px));
-  extract->add_option("--max", arguments->sizes.most_px, "Leave out larger ones")->check(CLI::Range(0.0, kMostSide_px));
   extract
-      ->add_option("--labels", arguments->labels,
+      ->add_option("--min", arguments->settings.sizes.least_px,
+                   "Leave out smaller elements: square root of the area, px")
+      ->check(CLI::Range(0.0, kMostSide_px));
+  extract->add_option("--max", arguments->settings.sizes.most_px, "Leave out larger ones")
+      ->check(CLI::Range(0.0, kMostSide_px));
+  extract
+      ->add_option("--labels", arguments->settings.labels,
                    "Which pixels belong together, from another program: grey, 8 or 16 bits, 0 = gap; instead of "
                    "searching")
       ->type_name("MAP.png");

@@ -21,8 +21,8 @@ stones() { # GROUND FIRST_GREY STEP
   done
   echo "<circle cx='0' cy='120' r='30' fill='rgb($grey,$grey,$grey)'/></svg>"
 }
-stones '#282420' 140 9 >wall_large.svg
-rsvg-convert wall_large.svg -o wall.png
+stones '#282420' 140 9 >wall.svg
+rsvg-convert wall.svg -o wall.png
 stones '#000' 10 20 | rsvg-convert -f pdf -o map.pdf
 pdftocairo -png -gray -antialias none -singlefile -r 72 -scale-to-x 480 -scale-to-y 360 map.pdf map
 
@@ -98,7 +98,7 @@ expect_word 'job.toml'
 echo "ok errors"
 
 # Ctrl-C while it searches leaves the library as it was.
-rsvg-convert -w 4800 -h 3600 wall_large.svg -o large.png
+rsvg-convert -w 4800 -h 3600 wall.svg -o large.png
 cp wall.h5 before.h5
 timeout -s INT 1 "$tessera" library extract large.png --element-px 150 -o wall.h5 >output 2>errors
 code=$?

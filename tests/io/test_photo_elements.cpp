@@ -20,7 +20,6 @@ cv::Mat labels() {
   map(cv::Rect(120, 20, 30, 30)) = kSquare;
   map(cv::Rect(180, 60, 20, 20)) = kCut;
   map(cv::Rect(100, 80, 3, 3)) = kSpeck;
-  map(cv::Rect(2, 2, 2, 2)) = -4;
   return map;
 }
 

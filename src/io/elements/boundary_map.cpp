@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "io/elements/region_labels.h"
+
 namespace tessera::io {
 namespace {
 
@@ -15,7 +17,7 @@ cv::Mat by_its_greatest(const cv::Mat& map) { return map / (quantile_of(map, 0.9
 
 /// Dark or bright joints of one channel, whichever stand out more.
 cv::Mat joints_of(const cv::Mat& channel, int joint_px) {
-  const cv::Mat window = cv::getStructuringElement(cv::MORPH_ELLIPSE, {joint_px, joint_px});
+  const cv::Mat window = round_window(joint_px);
   cv::Mat dark, bright;
   cv::morphologyEx(channel, dark, cv::MORPH_BLACKHAT, window);
   cv::morphologyEx(channel, bright, cv::MORPH_TOPHAT, window);

@@ -17,13 +17,13 @@ std::string number_text(std::size_t number, std::size_t count) {
   return std::string(std::to_string(count).size() - text.size(), '0') + text;
 }
 
-std::vector<std::uint8_t> png_of(const cv::Mat& bgra) {
+}  // namespace
+
+std::vector<std::uint8_t> png_of(const cv::Mat& picture) {
   std::vector<std::uint8_t> png;
-  if (!cv::imencode(".png", bgra, png)) throw EnvironmentError("OpenCV cannot write a PNG");
+  if (!cv::imencode(".png", picture, png)) throw EnvironmentError("OpenCV cannot write a PNG");
   return png;
 }
-
-}  // namespace
 
 std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const cv::Mat& labels,
                              const std::vector<PhotoElement>& elements, const std::function<void()>& look) {

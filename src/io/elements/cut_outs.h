@@ -19,6 +19,9 @@ struct CutOut {
   std::vector<std::uint8_t> png;
 };
 
+/// A PNG file, in memory.
+std::vector<std::uint8_t> png_of(const cv::Mat& picture);
+
 /// `picture`, `labels`: see cut_element. Numbers are those of the overview. `look` is called before each and may throw.
 std::vector<CutOut> cut_outs(
     const std::string& photo, const cv::Mat& picture, const cv::Mat& labels, const std::vector<PhotoElement>& elements,

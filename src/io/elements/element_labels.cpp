@@ -11,6 +11,7 @@
 #include "io/elements/candidate_maps.h"
 #include "io/elements/gap_filter.h"
 #include "io/elements/label_scaling.h"
+#include "io/elements/photo_margin.h"
 #include "io/elements/region_labels.h"
 #include "io/elements/region_vote.h"
 
@@ -77,7 +78,7 @@ cv::Mat element_labels(const cv::Mat& photo_bgr, const ElementSearch& search) {
   const double zoom = zoom_for(photo_bgr.size(), search.element_px);
   if (std::min(photo_bgr.cols, photo_bgr.rows) * zoom < kLeastSide_px) return cv::Mat::zeros(photo_bgr.size(), CV_32S);
   const cv::Mat found = labels_in_copies(zoomed(photo_bgr, zoom), zoomed(photo_bgr, zoom * kFiner), search.look);
-  return scaled_labels(found, photo_bgr.size());
+  return without_margins(photo_bgr, scaled_labels(found, photo_bgr.size()));
 }
 
 }  // namespace tessera::io

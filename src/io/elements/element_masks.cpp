@@ -14,8 +14,6 @@ namespace {
 constexpr double kNeighbourhood_px = kElement_px * 0.625;
 constexpr std::array kLevels = {-0.6, -0.3, 0.};
 
-cv::Mat square(int side_px) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side_px, side_px}); }
-
 /// By the local mean and standard deviation.
 cv::Mat normalised_grey(const cv::Mat& bgr) {
   cv::Mat grey, mean, variance;
@@ -50,8 +48,8 @@ LevelMasks level_masks(const cv::Mat& bgr) {
   LevelMasks masks;
   for (const double level : kLevels) {
     cv::Mat bright, dark;
-    cv::morphologyEx(grey > level, bright, cv::MORPH_OPEN, square(5));
-    cv::morphologyEx(grey < -level, dark, cv::MORPH_OPEN, square(5));
+    cv::morphologyEx(grey > level, bright, cv::MORPH_OPEN, round_window(5));
+    cv::morphologyEx(grey < -level, dark, cv::MORPH_OPEN, round_window(5));
     masks.bright.push_back(bright);
     masks.dark.push_back(dark);
   }
@@ -75,8 +73,8 @@ cv::Mat colour_mask(const cv::Mat& lab, int colour_count) {
     for (int i = 0; i < colour_count; ++i) table.at<std::uint8_t>(i) = chosen >> i & 1 ? 255 : 0;
     cv::Mat mask;
     cv::LUT(cluster, table, mask);
-    cv::morphologyEx(mask, mask, cv::MORPH_OPEN, square(5));
-    cv::morphologyEx(mask, mask, cv::MORPH_CLOSE, square(3));
+    cv::morphologyEx(mask, mask, cv::MORPH_OPEN, round_window(5));
+    cv::morphologyEx(mask, mask, cv::MORPH_CLOSE, round_window(3));
     const double area_px2 = compact_area_px2(mask);
     if (area_px2 <= most_px2) continue;
     most_px2 = area_px2;

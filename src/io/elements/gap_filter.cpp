@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "io/elements/gap_look.h"
+#include "io/elements/gap_appearance.h"
 #include "io/elements/region_labels.h"
 
 namespace tessera::io {
@@ -18,8 +18,6 @@ constexpr double kLeastOpen = 0.5;
 /// and differs from it by more than this part of what elements usually do.
 constexpr double kLeastContrast = 0.5;
 
-cv::Mat round_window(int side_px) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side_px, side_px}); }
-
 struct Surroundings {
   double open = 0;      // part of the ring around the region that is gap
   double contrast = 0;  // of the region's inside to that gap: CIE Lab, a and b times 1.5
@@ -27,9 +25,7 @@ struct Surroundings {
 
 Surroundings surroundings_of(const cv::Mat& labels, const cv::Mat& lab, int label, const cv::Rect& box) {
   constexpr int kRing_px = 6;
-  constexpr int kMargin_px = kRing_px + 1;
-  const cv::Rect grown = box + cv::Size(2 * kMargin_px, 2 * kMargin_px) - cv::Point(kMargin_px, kMargin_px);
-  const cv::Rect part = grown & cv::Rect({0, 0}, labels.size());
+  const cv::Rect part = grown_within(box, kRing_px + 1, labels.size());
   const cv::Mat mask = labels(part) == label;
   cv::Mat inside, touching, reach;
   cv::erode(mask, inside, round_window(5));
@@ -74,7 +70,7 @@ cv::Mat without_gap_regions(const cv::Mat& labels, const cv::Mat& bgr, const cv:
   cv::Mat gap, element;
   cv::erode(labels == 0, gap, window);
   cv::erode(labels > 0, element, window);
-  const cv::Mat features = look_features(bgr);
+  const cv::Mat features = appearance_features(bgr);
   const std::vector<RegionBox> regions = region_boxes(labels);
   const std::vector<Surroundings> surroundings = all_surroundings(labels, lab, regions);
   cv::Mat kept = labels.clone();
@@ -82,7 +78,7 @@ cv::Mat without_gap_regions(const cv::Mat& labels, const cv::Mat& bgr, const cv:
   for (int round = 0; round < 2; ++round) {
     if (cv::countNonZero(gap) < kLeastGap * double(labels.total())) break;
     if (cv::countNonZero(element) < kLeastElement_px2) break;
-    const std::vector<char> is_like_gap = look_like_gap(labels, features, gap, element);
+    const std::vector<char> is_like_gap = are_like_gap(labels, features, gap, element);
     const double least_contrast = kLeastContrast * usual_contrast(surroundings, is_like_gap);
     for (std::size_t i = 1; i < regions.size(); ++i) {
       const bool stands_apart = surroundings[i].open > kLeastOpen && surroundings[i].contrast > least_contrast;

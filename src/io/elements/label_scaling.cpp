@@ -24,8 +24,7 @@ cv::Mat scaled_labels(const cv::Mat& labels, cv::Size size) {
   for (std::size_t i = 1; i < regions.size(); ++i) {
     // The frame repeats the copy's edge, so that a region cut by it stays cut there.
     const cv::Rect box = regions[i].box;
-    const cv::Rect part = (box + cv::Size(2 * kMargin_px, 2 * kMargin_px) - cv::Point(kMargin_px, kMargin_px)) &
-                          cv::Rect({0, 0}, labels.size());
+    const cv::Rect part = grown_within(box, kMargin_px, labels.size());
     cv::Mat soft;
     cv::Mat(labels(part) == int(i)).convertTo(soft, CV_32F, 1 / 255.);
     cv::GaussianBlur(soft, soft, {}, kSmooth_px, kSmooth_px, cv::BORDER_REPLICATE);

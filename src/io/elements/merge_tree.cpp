@@ -159,22 +159,14 @@ class MergeTree {
   std::priority_queue<Merge> merges_;
 };
 
-/// 1 at the usual size, falling to both sides.
-double size_preference(double area_px2) {
-  const double size = std::log(area_px2 / kElement_px2);
-  const double too_large = std::max(0., size - 1.4) / 0.7;
-  const double too_small = std::max(0., -size - 0.4) / 0.6;
-  return std::exp(-0.5 * (too_large * too_large + too_small * too_small));
-}
-
 /// 0..1: solid, of the usual size, its border stronger than anything within.
 double quality_of(const Node& node, double solidity_power) {
   const double solidity = std::min(1., node.area_px2 / cv::contourArea(node.hull));
   if (solidity < kLeastSolidity) return 0;
   const double margin = node.first < 0 ? 1 : (node.border_outside - node.border_inside) / (node.border_outside + 1e-6);
   const double contrast = std::clamp(3 * margin, 0., 1.);
-  return std::pow(solidity, solidity_power) * size_preference(node.area_px2) * (0.1 + 0.9 * contrast) *
-         std::min(1., node.border_outside / 0.5);
+  return std::pow(solidity, solidity_power) * size_preference(node.area_px2 / kElement_px2, 1.4, 0.4) *
+         (0.1 + 0.9 * contrast) * std::min(1., node.border_outside / 0.5);
 }
 
 }  // namespace

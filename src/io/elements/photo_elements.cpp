@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <opencv2/imgproc.hpp>
 #include <tuple>
+
+#include "io/elements/region_labels.h"
 
 namespace tessera::io {
 namespace {
@@ -15,45 +16,6 @@ constexpr double kEdgeBlur_px = 0.8;
 constexpr int kRim_px = 3;
 /// How far colours go on beyond the edge.
 constexpr double kColourReach_px = 1.5;
-
-struct Extent {
-  int left = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::max(), right = -1, bottom = -1;
-  std::size_t pixels = 0;
-
-  void add(int x, int y) {
-    left = std::min(left, x);
-    top = std::min(top, y);
-    right = std::max(right, x);
-    bottom = std::max(bottom, y);
-    ++pixels;
-  }
-
-  cv::Rect box() const { return {left, top, right - left + 1, bottom - top + 1}; }
-};
-
-std::map<int, Extent> extents_of(const cv::Mat& labels) {
-  std::map<int, Extent> extents;
-  for (int y = 0; y < labels.rows; ++y) {
-    const int* row = labels.ptr<int>(y);
-    for (int x = 0; x < labels.cols; ++x)
-      if (row[x] > 0) extents[row[x]].add(x, y);
-  }
-  return extents;
-}
-
-bool reaches_edge(const cv::Rect& box, const cv::Size& photo) {
-  return box.x <= 0 || box.y <= 0 || box.br().x >= photo.width || box.br().y >= photo.height;
-}
-
-/// Its pixels in `window`, holes filled: 0 or 255.
-cv::Mat mask_of(const cv::Mat& labels, int label, const cv::Rect& window) {
-  const cv::Mat mask = labels(window) == label;
-  std::vector<std::vector<cv::Point>> curves;
-  cv::findContours(mask, curves, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
-  cv::Mat filled = cv::Mat::zeros(mask.size(), CV_8U);
-  cv::drawContours(filled, curves, -1, cv::Scalar(255), cv::FILLED);
-  return filled;
-}
 
 /// Where the mask is empty, what is near in it.
 cv::Mat colours_beyond(const cv::Mat& bgr, const cv::Mat& mask) {
@@ -76,16 +38,19 @@ cv::Mat colours_beyond(const cv::Mat& bgr, const cv::Mat& mask) {
 
 FoundElements find_elements(const cv::Mat& labels, const ElementSizes& sizes) {
   FoundElements found;
-  for (const auto& [label, extent] : extents_of(labels)) {
-    const double size_px = std::sqrt(double(extent.pixels));
-    if (reaches_edge(extent.box(), labels.size())) {
+  const std::vector<RegionBox> regions = region_boxes(labels);
+  for (std::size_t label = 1; label < regions.size(); ++label) {
+    const auto& [box, area_px2] = regions[label];
+    const double size_px = std::sqrt(area_px2);
+    if (area_px2 == 0) continue;
+    if (reaches_edge(box, labels.size())) {
       ++found.at_edge;
     } else if (size_px < sizes.least_px) {
       ++found.too_small;
     } else if (size_px > sizes.most_px) {
       ++found.too_large;
     } else {
-      found.elements.push_back({label, extent.box(), double(extent.pixels)});
+      found.elements.push_back({int(label), box, area_px2});
     }
   }
   const auto place = [](const PhotoElement& e) { return std::tuple(e.box.y, e.box.x, e.label); };
@@ -98,7 +63,7 @@ cv::Mat cut_element(const cv::Mat& photo, const cv::Mat& labels, const PhotoElem
   // What lies beyond the photo is only rim: no element reaches its edge.
   const cv::Rect around(element.box.tl() - cv::Point(kRim_px, kRim_px), element.box.br() + cv::Point(kRim_px, kRim_px));
   const cv::Rect window = around & cv::Rect({}, photo.size());
-  const cv::Mat mask = mask_of(labels, element.label, window);
+  const cv::Mat mask = solid_part(labels(window) == element.label);
   cv::Mat bgr, alpha, bgra;
   cv::cvtColor(photo(window), bgr, cv::COLOR_BGRA2BGR);
   cv::GaussianBlur(mask, alpha, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_CONSTANT);

@@ -27,7 +27,7 @@ struct FoundElements {
   std::size_t too_large = 0;
 };
 
-/// `labels`: CV_32SC1, 0 = gap; all pixels of one label are one element. Labels below 0 count as gap.
+/// `labels`: CV_32SC1, 0 = gap, 1..n = elements.
 FoundElements find_elements(const cv::Mat& labels, const ElementSizes& sizes);
 
 /// The element cut out, with a transparent rim: straight BGRA, CV_8UC4. Half of the opacity lies on the edge of its

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "io/elements/region_labels.h"
 
 namespace tessera::io {
 namespace {
@@ -11,23 +13,6 @@ namespace {
 /// Of the square root of an element's area: how wide a margin may be, and how far its inside lies from its edge.
 constexpr double kMostMargin = 0.08;
 constexpr double kInside = 0.12;
-
-std::map<int, cv::Rect> boxes_at_edge(const cv::Mat& labels) {
-  std::map<int, cv::Rect> boxes;
-  for (int y = 0; y < labels.rows; ++y) {
-    for (int x = 0; x < labels.cols; ++x) {
-      const int label = labels.at<int>(y, x);
-      if (label <= 0) continue;
-      cv::Rect& box = boxes.try_emplace(label, x, y, 1, 1).first->second;
-      box |= cv::Rect(x, y, 1, 1);
-    }
-  }
-  std::erase_if(boxes, [&](const auto& entry) {
-    const cv::Rect& box = entry.second;
-    return box.x > 0 && box.y > 0 && box.br().x < labels.cols && box.br().y < labels.rows;
-  });
-  return boxes;
-}
 
 /// Pixels of the window that are so near to the edges of the photo which the element reaches.
 cv::Mat near_edges(const cv::Rect& window, const cv::Rect& box, const cv::Size& photo, int margin_px) {
@@ -47,28 +32,17 @@ cv::Mat distances_from(const cv::Mat& bgr, const cv::Scalar& colour) {
   return difference;
 }
 
-cv::Mat largest_part(const cv::Mat& mask) {
-  cv::Mat parts, boxes, centres;
-  const int count = cv::connectedComponentsWithStats(mask, parts, boxes, centres, 4);
-  int largest = 0;
-  for (int part = 1; part < count; ++part) {
-    const auto area = [&](int i) { return i == 0 ? 0 : boxes.at<int>(i, cv::CC_STAT_AREA); };
-    if (area(part) > area(largest)) largest = part;
-  }
-  return largest == 0 ? cv::Mat(cv::Mat::zeros(mask.size(), CV_8U)) : cv::Mat(parts == largest);
-}
-
 }  // namespace
 
 cv::Mat without_margins(const cv::Mat& photo_bgr, const cv::Mat& labels) {
   cv::Mat result = labels.clone();
-  for (const auto& [label, box] : boxes_at_edge(labels)) {
-    const int reach_px = std::max(box.width, box.height) / 4 + 2;
-    const cv::Rect window =
-        cv::Rect(box.tl() - cv::Point(reach_px, reach_px), box.br() + cv::Point(reach_px, reach_px)) &
-        cv::Rect({}, labels.size());
-    const cv::Mat element = labels(window) == label, gap = labels(window) == 0, bgr = photo_bgr(window);
-    const double size_px = std::sqrt(double(cv::countNonZero(element)));
+  const std::vector<RegionBox> regions = region_boxes(labels);
+  for (std::size_t label = 1; label < regions.size(); ++label) {
+    const auto& [box, area_px2] = regions[label];
+    if (area_px2 == 0 || !reaches_edge(box, labels.size())) continue;
+    const cv::Rect window = grown_within(box, std::max(box.width, box.height) / 4 + 2, labels.size());
+    const cv::Mat element = labels(window) == int(label), gap = labels(window) == 0, bgr = photo_bgr(window);
+    const double size_px = std::sqrt(area_px2);
     cv::Mat depth_px;
     cv::distanceTransform(element, depth_px, cv::DIST_L2, 3);
     const cv::Mat inside = depth_px > kInside * size_px;
@@ -77,7 +51,7 @@ cv::Mat without_margins(const cv::Mat& photo_bgr, const cv::Mat& labels) {
     const int margin_px = std::max(1, int(kMostMargin * size_px));
     const cv::Mat margin = near_edges(window, box, labels.size(), margin_px) & element & is_gap_like;
     result(window).setTo(0, element);
-    result(window).setTo(label, largest_part(element & ~margin));
+    result(window).setTo(int(label), solid_part(element & ~margin));
   }
   return result;
 }

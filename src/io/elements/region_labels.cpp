@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
@@ -30,6 +31,24 @@ std::vector<RegionBox> region_boxes(const cv::Mat& labels) {
   }
   return regions;
 }
+
+bool reaches_edge(const cv::Rect& box, const cv::Size& picture) {
+  return box.x <= 0 || box.y <= 0 || box.br().x >= picture.width || box.br().y >= picture.height;
+}
+
+cv::Rect grown_within(const cv::Rect& box, int margin_px, const cv::Size& picture) {
+  const cv::Point margin(margin_px, margin_px);
+  return cv::Rect(box.tl() - margin, box.br() + margin) & cv::Rect({}, picture);
+}
+
+double size_preference(double relative_area, double larger, double smaller) {
+  const double size = std::log(relative_area);
+  const double too_large = std::max(0., size - larger) / 0.7;
+  const double too_small = std::max(0., -size - smaller) / 0.6;
+  return std::exp(-0.5 * (too_large * too_large + too_small * too_small));
+}
+
+cv::Mat round_window(int side_px) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side_px, side_px}); }
 
 cv::Mat solid_part(const cv::Mat& mask) {
   cv::Mat framed;

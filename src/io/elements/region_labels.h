@@ -17,6 +17,19 @@ struct RegionBox {
 };
 std::vector<RegionBox> region_boxes(const cv::Mat& labels);
 
+/// Whether a box touches an edge of the picture.
+bool reaches_edge(const cv::Rect& box, const cv::Size& picture);
+
+/// The box with so much around it, as far as the picture goes.
+cv::Rect grown_within(const cv::Rect& box, int margin_px, const cv::Size& picture);
+
+/// How likely a region of this area is an element: 1 at the usual one, falling to both sides, from where it is
+/// exp(`larger`) as large or exp(-`smaller`). `relative_area`: by the usual one.
+double size_preference(double relative_area, double larger, double smaller);
+
+/// A structuring element for cv::morphologyEx.
+cv::Mat round_window(int side_px);
+
 /// CV_8U, 0 or 255: the largest part of `mask` that hangs together by its pixels' sides, its holes filled.
 cv::Mat solid_part(const cv::Mat& mask);
 

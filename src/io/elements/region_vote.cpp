@@ -79,14 +79,6 @@ void add_votes(Map& map, const Map& other) {
   }
 }
 
-/// 1 at the usual size, falling to both sides. `relative_area`: area by the usual one.
-double size_preference(double relative_area) {
-  const double size = std::log(relative_area);
-  const double too_large = std::max(0., size - 1.6) / 0.7;
-  const double too_small = std::max(0., -size - 0.6) / 0.6;
-  return std::exp(-0.5 * (too_large * too_large + too_small * too_small));
-}
-
 /// The weaker part (first quarter) of the boundary map along the region's outline.
 double border_strength(const cv::Mat& mask, const cv::Mat& boundary) {
   cv::Mat inner;
@@ -114,8 +106,8 @@ double score_of(const Map& map, std::size_t i, const cv::Mat& boundary, double e
   const double border = border_strength(map.labels(region.box) == int(i), boundary(region.box));
   if (border < kLeastBorder) return 0;
   const double size = region.area_px2 / element_px2;
-  return std::pow(map.solidity[i], 3) * std::pow(map.votes[i], 0.6) * size_preference(size) * std::sqrt(map.weight) *
-         std::sqrt(std::min(1., border + 0.1)) * std::pow(std::min(4., size), 0.3);
+  return std::pow(map.solidity[i], 3) * std::pow(map.votes[i], 0.6) * size_preference(size, 1.6, 0.6) *
+         std::sqrt(map.weight) * std::sqrt(std::min(1., border + 0.1)) * std::pow(std::min(4., size), 0.3);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ cv::Mat without_rim(const cv::Mat& mask, const cv::Mat& lab) {
   }
   cv::GaussianBlur(place, place, {}, 0.8);
   cv::Mat kept = mask & (place < kCutAt);
-  cv::morphologyEx(kept, kept, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_ELLIPSE, {3, 3}));
+  cv::morphologyEx(kept, kept, cv::MORPH_OPEN, round_window(3));
   return solid_part(kept) & mask;
 }
 

@@ -1,4 +1,4 @@
-#include "io/elements/gap_look.h"
+#include "io/elements/gap_appearance.h"
 
 #include <algorithm>
 #include <array>
@@ -29,9 +29,9 @@ cv::Mat blurred(const cv::Mat& map, double sigma_px) {
 }
 
 /// A Gaussian of features around their median.
-class Look {
+class Appearance {
  public:
-  Look(const cv::Mat& features, const cv::Mat& mask) {
+  Appearance(const cv::Mat& features, const cv::Mat& mask) {
     std::vector<Feature> sample = sample_of(features, mask);
     Vector mean = Vector::all(0);
     for (const Feature& f : sample) mean += Vector(f);
@@ -81,8 +81,8 @@ struct Likeness {
 };
 
 /// Means over each label's pixels.
-std::vector<Likeness> likeness_of(const cv::Mat& labels, const cv::Mat& features, const Look& element,
-                                  const Look& gap) {
+std::vector<Likeness> likeness_of(const cv::Mat& labels, const cv::Mat& features, const Appearance& element,
+                                  const Appearance& gap) {
   const std::vector<RegionBox> regions = region_boxes(labels);
   std::vector<Likeness> likeness(regions.size());
   for (int y = 0; y < labels.rows; ++y) {
@@ -101,7 +101,7 @@ std::vector<Likeness> likeness_of(const cv::Mat& labels, const cv::Mat& features
 
 }  // namespace
 
-cv::Mat look_features(const cv::Mat& bgr) {
+cv::Mat appearance_features(const cv::Mat& bgr) {
   constexpr double kSurroundings_px = kElement_px * 0.625;
   cv::Mat lab, deviation, texture;
   blurred(bgr, 1).convertTo(lab, CV_32F, 1 / 255.);
@@ -119,9 +119,10 @@ cv::Mat look_features(const cv::Mat& bgr) {
   return features;
 }
 
-std::vector<char> look_like_gap(const cv::Mat& labels, const cv::Mat& features, const cv::Mat& gap,
-                                const cv::Mat& element) {
-  const std::vector<Likeness> likeness = likeness_of(labels, features, Look(features, element), Look(features, gap));
+std::vector<char> are_like_gap(const cv::Mat& labels, const cv::Mat& features, const cv::Mat& gap,
+                               const cv::Mat& element) {
+  const std::vector<Likeness> likeness =
+      likeness_of(labels, features, Appearance(features, element), Appearance(features, gap));
   std::vector<char> is_like_gap(likeness.size(), 0);
   for (std::size_t i = 1; i < likeness.size(); ++i) {
     is_like_gap[i] = likeness[i].element_over_gap < kLikeGap && likeness[i].from_gap < kWithinGap;

@@ -7,11 +7,11 @@
 namespace tessera::io {
 
 /// `bgr`: CV_8UC3. CV_32FC(5): lightness by its surroundings, L, a, b, and the texture of L.
-cv::Mat look_features(const cv::Mat& bgr);
+cv::Mat appearance_features(const cv::Mat& bgr);
 
 /// For each label (CV_32S) whether its pixels look like those in the mask `gap` rather than those in `element` (CV_8U,
 /// neither is empty). [0] is unused.
-std::vector<char> look_like_gap(const cv::Mat& labels, const cv::Mat& features, const cv::Mat& gap,
-                                const cv::Mat& element);
+std::vector<char> are_like_gap(const cv::Mat& labels, const cv::Mat& features, const cv::Mat& gap,
+                               const cv::Mat& element);
 
 }  // namespace tessera::io

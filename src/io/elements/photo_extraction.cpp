@@ -1,0 +1,55 @@
+#include "io/elements/photo_extraction.h"
+
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "core/base/error.h"
+#include "io/elements/connected_labels.h"
+#include "io/elements/elements_overview.h"
+#include "io/regular_file.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr std::size_t kMaxPhotoBytes = 128u << 20;
+
+std::string size_text(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+
+cv::Mat searched_labels(const std::string& photo, const cv::Mat& picture, const ElementSearch& search) {
+  cv::Mat bgr;
+  cv::cvtColor(picture, bgr, cv::COLOR_BGRA2BGR);
+  try {
+    return element_labels(bgr, search);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(photo + ": --element-px: " + error.what());
+  }
+}
+
+cv::Mat given_labels(const std::string& path, const std::string& photo, const cv::Size& size, Drawers& drawers) {
+  const cv::Mat labels = drawers.labels(read_regular_file(path, kMaxPhotoBytes), path);
+  if (labels.size() != size) {
+    throw InputError(path + ": found a map of " + size_text(labels.size()) + " px, allowed: the size of " + photo +
+                     ", " + size_text(size) + " px");
+  }
+  return connected_labels(labels);
+}
+
+}  // namespace
+
+DrawerSettings photo_drawer_settings(int processes) {
+  return {.processes = processes, .bytes_per_process = std::size_t(1) << 30};
+}
+
+Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers) {
+  const cv::Mat picture = drawers.photo(read_regular_file(photo, kMaxPhotoBytes), photo);
+  const cv::Mat labels = settings.labels.empty() ? searched_labels(photo, picture, settings.search)
+                                                 : given_labels(settings.labels, photo, picture.size(), drawers);
+  Extraction extraction;
+  extraction.found = find_elements(labels, settings.sizes);
+  const std::vector<PhotoElement>& elements = extraction.found.elements;
+  if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
+  extraction.cut_outs = cut_outs(photo, picture, labels, elements, settings.search.look);
+  return extraction;
+}
+
+}  // namespace tessera::io

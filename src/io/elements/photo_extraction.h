@@ -1,0 +1,35 @@
+// From a photo's file to its elements, cut out: what tessera library extract does with each photo.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/drawing/drawers.h"
+#include "io/elements/cut_outs.h"
+#include "io/elements/element_labels.h"
+#include "io/elements/photo_elements.h"
+
+namespace tessera::io {
+
+struct ExtractionSettings {
+  ElementSearch search;
+  ElementSizes sizes;
+  std::string labels;          // path of a map from another program, instead of searching; empty = none
+  bool with_overview = false;  // the picture of what was found
+};
+
+struct Extraction {
+  FoundElements found;
+  std::vector<CutOut> cut_outs;
+  std::vector<std::uint8_t> overview_png;  // empty without with_overview
+};
+
+/// What the drawers must be allowed for the largest photo, 16 bits a channel.
+DrawerSettings photo_drawer_settings(int processes);
+
+/// Throws InputError where a file is no photo or no map of its size, or elements are too small for the photo; and what
+/// `search.look` throws.
+Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers);
+
+}  // namespace tessera::io
