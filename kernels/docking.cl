@@ -132,6 +132,12 @@ float docking_key(global const float* contour, global const ShapeRecord* shape, 
   return (contact - interior) * size;
 }
 
+// Of the piece's mean colour on that of the place.
+float docking_colour_worth(const Picture* picture, global const float* contour, PoseRecord s) {
+  if (picture->record->levels == 0) return 1;
+  return colour_worth(picture, mean_colour_difference(picture, contour, s));
+}
+
 typedef struct BestDockings {
   int count;
   DockingRecord docking[kDockingsPerShape];
@@ -161,8 +167,9 @@ int level_of_source(constant MatchRecord* match, uint source) {
 // are those of select_pairs from sample `first_paired` on.
 kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
-                       global const float* field_value, global const short* keypoints,
-                       global const float* contours, global const ShapeRecord* shapes, uint first_sample,
+                       global const float* field_value, constant ColourRecord* colour, global const float* texels,
+                       global const short* keypoints, global const float* contours,
+                       global const ShapeRecord* shapes, uint first_sample,
                        uint end_sample, global const SampleRecord* samples, uint first_paired,
                        global const PairRecord* pairs, global const uint* pair_count, global DockingRecord* dockings,
                        global float* keys, global uint* evaluated) {
@@ -170,6 +177,7 @@ kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* s
   const uint shape = get_global_id(1);
   if (t >= end_sample) return;
   const Field field = free_field(match, field_value);
+  const Picture picture = {colour, texels};
   global const SampleRecord* target = samples + t;
   global const float* contour = contours + (size_t)shape * kContourFloats;
   const size_t pair_place = (size_t)(t - first_paired) * match->shapes + shape;
@@ -190,8 +198,9 @@ kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* s
     const float key = docking_key(contour, shapes + shape, aligned.canvas_from_shape, &field,
                                   match->max_scale_px);
     if (key < kLeastDockingKey) continue;
+    const float worth = docking_colour_worth(&picture, contour, aligned.canvas_from_shape);
     const DockingRecord docking = {t, match->first_shape + shape, pair.source, standing.list.first + aligned.stance,
-                                   key * standing.stance[aligned.stance].weight, aligned.canvas_from_shape};
+                                   key * worth * standing.stance[aligned.stance].weight, aligned.canvas_from_shape};
     keep_docking(&best, &docking);
   }
   if (looked_at > 0) atomic_add(evaluated + t, looked_at);
@@ -266,7 +275,8 @@ INLINE PoseRecord tangent_docking(const StanceRecord* stance, global const float
 kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord* stances,
                           global const StanceListRecord* stance_lists, global const uint* shape_class,
                           uint open_count, uint all_open, global const uint* open_shapes,
-                          global const float* field_value, global const float* contours,
+                          global const float* field_value, constant ColourRecord* colour, global const float* texels,
+                          global const uint* near_shapes, global const float* contours,
                           global const ShapeRecord* shapes, uint first_sample, global const SampleRecord* samples,
                           uint draws, global DockingRecord* dockings, global float* keys) {
   const uint draw = get_global_id(0);
@@ -277,8 +287,15 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
   keys[place] = NOT_EVALUATED;
   const ulong bits = mix_bits(match->seed ^ mix_bits(mix_bits(((ulong)target->edge << 32) | target->pass) ^ draw));
   if (open_count == 0) return;
-  const uint drawn = (uint)(((bits >> 32) * open_count) >> 32);
-  const uint library_shape = all_open ? drawn : open_shapes[drawn];
+  uint library_shape;
+  if (target->near_list == kAnyColour || draw % kAnyColourDraws == 0) {
+    const uint drawn = (uint)(((bits >> 32) * open_count) >> 32);
+    library_shape = all_open ? drawn : open_shapes[drawn];
+  } else {
+    const ulong squared = ((bits >> 32) * (bits >> 32)) >> 32;
+    library_shape = near_shapes[(size_t)target->near_list * colour->near_length +
+                                ((squared * colour->near_length) >> 32)];
+  }
   const uint shape = library_shape - match->first_shape;  // wraps round below the shard
   if (shape >= match->shapes) return;
   const ulong more = mix_bits(bits);
@@ -292,9 +309,12 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
   const PoseRecord pose = tangent_docking(&stance, contour, (uint)point, stance.min_scale_px * growth, target);
   const Field field = free_field(match, field_value);
   const float key = docking_key(contour, shapes + shape, pose, &field, match->max_scale_px);
-  keys[place] = key < kLeastDockingKey ? NO_DOCKING : key * stance.weight;
+  keys[place] = NO_DOCKING;
   if (key < kLeastDockingKey) return;
+  const Picture picture = {colour, texels};
+  const float weighted = key * docking_colour_worth(&picture, contour, pose) * stance.weight;
+  keys[place] = weighted;
   const uint source = kTangentSource + draw;
-  const DockingRecord docking = {t, library_shape, source, standing.list.first + k, key * stance.weight, pose};
+  const DockingRecord docking = {t, library_shape, source, standing.list.first + k, weighted, pose};
   dockings[place] = docking;
 }

@@ -52,8 +52,8 @@ void add_runs(TermsRecord* terms, const float* distance, int first, float step_p
 }
 
 TermsRecord docking_terms(constant MatchRecord* match, global const float* contour, global const ShapeRecord* shape,
-                          PoseRecord s, const Field* field) {
-  TermsRecord terms = {0, 0, 0, 0, 0};
+                          PoseRecord s, const Field* field, const Picture* picture) {
+  TermsRecord terms = {0, 0, 0, 0, 0, 0};
   float distance[kBoundaryPoints];
   const int first = boundary_distances(contour, s, field, distance);
   const float scale = scale_of(s);
@@ -67,5 +67,6 @@ TermsRecord docking_terms(constant MatchRecord* match, global const float* conto
       terms.overlap_px2 = seen_px2;
     }
   }
+  if (picture->record->levels > 0) terms.colour_difference = colour_difference(picture, contour, s);
   return terms;
 }

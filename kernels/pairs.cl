@@ -171,7 +171,8 @@ void keep_if_minimum(BestPairs* best, const Pads* pads, uint source, constant Le
 kernel void select_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                          global const StanceListRecord* stance_lists, global const uint* shape_class,
                          global const uchar* pad_bytes, global const ushort* rows, global const PadRecord* records,
-                         global const short* keypoints, uint first_sample, uint end_sample, uint only_longer_reach,
+                         global const short* keypoints, constant ColourRecord* colour, global const uint* near_bits,
+                         uint first_sample, uint end_sample, uint only_longer_reach,
                          global const SampleRecord* samples, global PairRecord* pairs, global uint* pair_count) {
   const uint t = first_sample + get_global_id(0);
   const uint shape = get_global_id(1);
@@ -181,7 +182,8 @@ kernel void select_pairs(constant MatchRecord* match, global const StanceRecord*
   BestPairs best;
   best.count = 0;
   const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
-  if (sample->reach > 0 && standing.list.count > 0) {
+  if (sample->reach > 0 && standing.list.count > 0 &&
+      has_near_colour(sample, near_bits, colour->near_words, match->first_shape + shape)) {
     const size_t first_source = (size_t)shape * match->sources;
     global const uchar* bytes = pad_bytes + first_source * kFilterRows;
     const Pads pads = {rows + first_source * kPadRow, records + first_source,

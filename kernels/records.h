@@ -10,6 +10,7 @@ typedef ulong u64;
 #else
 #include <cstdint>
 
+#include "core/colour/colour_target.h"
 #include "core/pad/pad.h"
 #include "core/shape/shape_model.h"
 #include "core/tuning.h"
@@ -36,7 +37,9 @@ enum RecordSizes {
   kCoarseAt = kMediumAt + 2 * kMediumPoints,
   kInteriorAt = kCoarseAt + 2 * kCoarsePoints,
   kCoarseInteriorAt = kInteriorAt + 2 * kMaxInteriorPoints,
-  kContourFloats = kCoarseInteriorAt + 2 * kCoarseInteriorPoints
+  kColourCellsAt = kCoarseInteriorAt + 2 * kCoarseInteriorPoints,  // x, y, lightness, a, b, part of 16 cells
+  kColourMeanAt = kColourCellsAt + 6 * kLanes,                     // lightness, a, b; side of a cell
+  kContourFloats = kColourMeanAt + kLanes
 };
 
 // A smoothing level in use: its PADs are [first, first + count) of each shape.
@@ -65,6 +68,23 @@ typedef struct MatchRecord {
   float field_origin_y;
   LevelRecord level[kSmoothingLevelCount];
 } MatchRecord;
+
+// ColourLevel
+typedef struct ColourLevelRecord {
+  u32 width;
+  u32 height;
+  u32 first;
+  float texels_per_px;
+} ColourLevelRecord;
+
+// ColourWish, and what is on the device of it.
+typedef struct ColourRecord {
+  u32 levels;  // 0: no colours are wished for
+  float weight;
+  u32 near_length;  // NearColours
+  u32 near_words;
+  ColourLevelRecord level[kMaxColourLevels];
+} ColourRecord;
 
 // Stance
 typedef struct StanceRecord {
@@ -119,6 +139,7 @@ typedef struct SampleRecord {
   u32 scale_width[kSmoothingLevelCount];
   float keypoint_x[kMaxKeypoints];
   float keypoint_y[kMaxKeypoints];
+  u32 near_list;  // NearColours
 } SampleRecord;
 
 // What the filter leaves out of a PAD.
@@ -158,6 +179,7 @@ typedef struct TermsRecord {
   float gap_px2;
   float overlap_px4;
   float gap_px4;
+  float colour_difference;
 } TermsRecord;
 
 // Extent

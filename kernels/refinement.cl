@@ -203,18 +203,20 @@ ExtentRecord extent_of(PoseRecord s, global const float* contour) {
 
 // Work item: a docking, whose shape is of this shard.
 kernel void refine_dockings(constant MatchRecord* match, global const StanceRecord* stances,
-                            global const float* field_value, global const float* contours,
+                            global const float* field_value, constant ColourRecord* colour,
+                            global const float* texels, global const float* contours,
                             global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
                             global RefinedRecord* refined) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const uint shape = dockings[i].shape - match->first_shape;
   const Field field = free_field(match, field_value);
+  const Picture picture = {colour, texels};
   const Piece piece = {contours + (size_t)shape * kContourFloats, shapes + shape, &field, stances[dockings[i].stance]};
-  RefinedRecord result = {dockings[i].canvas_from_shape, {0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0};
+  RefinedRecord result = {dockings[i].canvas_from_shape, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0};
   if (refine(&result.canvas_from_shape, &piece, match->hard_depth_px)) {
     result.feasible = 1;
-    result.terms = docking_terms(match, piece.contour, piece.shape, result.canvas_from_shape, &field);
+    result.terms = docking_terms(match, piece.contour, piece.shape, result.canvas_from_shape, &field, &picture);
     result.extent = extent_of(result.canvas_from_shape, piece.contour);
     result.perimeter = piece.shape->perimeter;
     result.radius = piece.shape->radius;
@@ -223,13 +225,15 @@ kernel void refine_dockings(constant MatchRecord* match, global const StanceReco
 }
 
 // Work item: a docking, whose shape is of this shard.
-kernel void measure_dockings(constant MatchRecord* match, global const float* field_value, global const float* contours,
-                             global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
+kernel void measure_dockings(constant MatchRecord* match, global const float* field_value,
+                             constant ColourRecord* colour, global const float* texels,
+                             global const float* contours, global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
                              global TermsRecord* terms) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const uint shape = dockings[i].shape - match->first_shape;
   const Field field = free_field(match, field_value);
+  const Picture picture = {colour, texels};
   terms[i] = docking_terms(match, contours + (size_t)shape * kContourFloats, shapes + shape,
-                           dockings[i].canvas_from_shape, &field);
+                           dockings[i].canvas_from_shape, &field, &picture);
 }

@@ -2,12 +2,17 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <memory>
 #include <span>
+#include <sstream>
+#include <stdexcept>
 #include <string_view>
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "io/job/colour_image.h"
 #include "worker/kernel_options.h"
 
 namespace tessera::cli {
@@ -78,6 +83,35 @@ void check_library(comm::Communicator& ranks, const io::ShapeLibrary& library) {
   throw InputError(library.path() + ": another library than the master's of this name (digest of the content " + own +
                    ", the master's " + masters +
                    "); all ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
+}
+
+// The finest level alone: the others follow from it.
+void announce_colours(comm::Communicator& ranks, const io::Job& job) {
+  const ColourWish& colour = job.settings.colour;
+  ranks.broadcast(to_bytes(hex(job.colour_digest)));
+  if (!colour.target) return;
+  const ColourLevel& finest = colour.target->levels().front();
+  ranks.broadcast(to_bytes(std::to_string(finest.width) + " " + std::to_string(finest.height) + " " +
+                           exact_text(colour.target->px_per_texel())));
+  const char* const texels = reinterpret_cast<const char*>(colour.target->texels().data());
+  ranks.broadcast({texels, texels + std::size_t(finest.width) * finest.height * sizeof(Texel)});
+}
+
+void receive_colours(comm::Communicator& ranks, const io::ShapeLibrary& library, io::Job& job) {
+  const std::string masters = receive_text(ranks);
+  if (masters == hex(0)) return;
+  std::istringstream size(receive_text(ranks));
+  int width = 0, height = 0;
+  std::string px_per_texel;
+  size >> width >> height >> px_per_texel;
+  const comm::Bytes bytes = ranks.broadcast({});
+  Grid<Texel> finest(width, height);
+  if (bytes.size() != finest.data().size() * sizeof(Texel)) throw std::logic_error("colours of another size");
+  std::memcpy(finest.data().data(), bytes.data(), bytes.size());
+  io::set_colours(std::make_shared<const ColourTarget>(finest, std::strtof(px_per_texel.c_str(), nullptr)), library, job);
+  if (hex(job.colour_digest) == masters) return;
+  throw InputError(library.path() + ": other colours of the drawings than in the master's library of this name; all "
+                   "ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
 }
 
 }  // namespace tessera::cli

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/matching/colour_fit.h"
 #include "core/pad/pad.h"
 #include "core/wishes.h"
 
@@ -79,6 +80,7 @@ struct CollageSettings {
   ObjectiveSettings objective;
   ImproveSettings improve;
   StopSettings stop;
+  ColourWish colour;
   bool settle = true;  // chosen pieces are pushed clear and grown; off for comparisons (src/bench), no job key
 };
 

@@ -24,6 +24,7 @@ Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, st
     : pieces_(settings.pieces),
       wishes_(settings.wishes),
       objective_(settings.objective),
+      colour_(settings.colour),
       period_(period),
       silhouettes_(filled_up(std::move(silhouettes), stances.library_shapes())),
       drawings_(filled_up(std::move(drawings), stances.library_shapes())),
@@ -99,7 +100,8 @@ bool Scoring::overlaps_little(const Candidate& candidate, const ExactAreas& area
 float Scoring::score(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
   const PieceSize size{scale, candidate.perimeter * scale, pieces_.max_scale_px};
-  return objective(candidate.terms, size, objective_) * weight_[candidate.stance];
+  const float score = objective(candidate.terms, size, objective_) * weight_[candidate.stance];
+  return colour_ ? score * colour_worth(candidate.terms.colour_difference, colour_.weight) : score;
 }
 
 /// Repetition costs something, or one shape that fits everywhere fills the canvas.

@@ -43,7 +43,7 @@ class Scoring {
   bool acceptable(const Candidate& candidate) const;
   /// Whether the exact areas agree that no overlap shows: where lines lie on lines, the contour sees nothing of it.
   bool overlaps_little(const Candidate& candidate, const ExactAreas& areas) const;
-  /// The objective of the candidate's terms, times the weight that is wished for.
+  /// The objective of the candidate's terms, times the weight that is wished for and what its colours are worth there.
   float score(const Candidate& candidate) const;
   /// The part (0..1) of its score that is left to a candidate whose silhouette stands already: the smaller, the more of
   /// them stand, above all close by and in the same colours. It falls as pieces are placed, and never rises but by
@@ -69,6 +69,7 @@ class Scoring {
   Wishes wishes_;
   std::vector<float> weight_;  // by stance
   ObjectiveSettings objective_;
+  ColourWish colour_;
   Period period_;
   bool limits_uses_ = false;
   std::vector<ShapeId> silhouettes_;

@@ -36,7 +36,8 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
       shapes_(session_),
       field_(session_),
       all_stances_(context.stances),
-      stances_(session_) {
+      stances_(session_),
+      colours_(session_, context) {
   stances_.write(all_stances_, shapes);
   if (match_.shapes == 0) reserve_nothing();
   for (std::uint32_t first = shapes.begin; first < shapes.end; first += kShapesAtATime) {
@@ -69,7 +70,9 @@ void DeviceLibrary::upload(const Shard& part, std::uint32_t first) {
 }
 
 void DeviceLibrary::limit(const StandingLimits& limits) {
-  stances_.write(all_stances_.limited(limits), {match_.first_shape, match_.first_shape + match_.shapes});
+  const StanceTable stances = all_stances_.limited(limits);
+  stances_.write(stances, {match_.first_shape, match_.first_shape + match_.shapes});
+  colours_.start(stances);
 }
 
 void DeviceLibrary::start_field(int width, int height, Vec2 origin) {

@@ -3,6 +3,7 @@
 
 #include "core/matching/matching_context.h"
 #include "core/matching/model_source.h"
+#include "worker/device_colours.h"
 #include "worker/device_stances.h"
 #include "worker/opencl_runtime.h"
 #include "worker/shard.h"
@@ -30,6 +31,8 @@ class DeviceLibrary {
   const DeviceBuffer<ShapeRecord>& shapes() const { return shapes_; }
   const DeviceBuffer<float>& field() const { return field_; }
   const DeviceStances& stances() const { return stances_; }
+  const DeviceColours& colours() const { return colours_; }
+  DeviceColours& colours() { return colours_; }
 
  private:
   void reserve_nothing();
@@ -48,6 +51,7 @@ class DeviceLibrary {
   DeviceBuffer<float> field_;
   StanceTable all_stances_;
   DeviceStances stances_;
+  DeviceColours colours_;
 };
 
 }  // namespace tessera::worker

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 namespace tessera::worker {
 namespace {
@@ -41,12 +42,11 @@ std::uint32_t DockStage::samples_at_a_time() const {
   return std::uint32_t(std::max<std::size_t>(1, pairs_->stage_bytes() / std::max<std::size_t>(1, bytes)));
 }
 
-void DockStage::post(const DockRequest& request) {
+void DockStage::post(const DockRequest& request, std::vector<SampleRecord> samples) {
   samples_ = std::uint32_t(request.samples.size());
   draws_ = request.tangent_dockings;
   with_pairs_ = std::any_of(request.bin_limit.begin(), request.bin_limit.end(), [](std::uint32_t b) { return b > 0; });
-  pairs_->set_samples(
-      make_sample_records(request.samples, request.bin_limit, library_->match(), library_->pad_levels()));
+  pairs_->set_samples(std::move(samples));
   shortlists_.reserve(std::size_t(samples_) * kShortlist);
   shortlist_counts_.reserve(samples_);
   evaluated_.clear(samples_);
@@ -71,8 +71,8 @@ void DockStage::dock_pairs(const Part& part) {
   paired_keys_.reserve(places);
   launch(library_->session(), dock_pairs_, {part.count(), library_->match().shapes, kSamplesPerGroup},
          library_->match_buffer(), library_->stances().stances(), library_->stances().lists(),
-         library_->stances().shape_class(), library_->field(), library_->keypoints(), library_->contours(),
-         library_->shapes(), part.first, part.end, pairs_->samples(), first_paired, pairs_->pairs(),
+         library_->stances().shape_class(), library_->field(), library_->colours().record(),
+         library_->colours().texels(), library_->keypoints(), library_->contours(), library_->shapes(), part.first, part.end, pairs_->samples(), first_paired, pairs_->pairs(),
          pairs_->pair_count(), paired_, paired_keys_, evaluated_);
 }
 
@@ -83,8 +83,9 @@ void DockStage::dock_tangents(const Part& part) {
   const DeviceStances& stances = library_->stances();
   launch(library_->session(), dock_tangents_, {draws_, part.count(), kDrawsPerGroup}, library_->match_buffer(),
          stances.stances(), stances.lists(), stances.shape_class(), stances.open_count(),
-         std::uint32_t(stances.all_open()), stances.open_shapes(), library_->field(), library_->contours(),
-         library_->shapes(), part.first, pairs_->samples(), draws_, tangent_, tangent_keys_);
+         std::uint32_t(stances.all_open()), stances.open_shapes(), library_->field(), library_->colours().record(),
+         library_->colours().texels(), library_->colours().near_shapes(), library_->contours(), library_->shapes(),
+         part.first, pairs_->samples(), draws_, tangent_, tangent_keys_);
 }
 
 DockReply DockStage::take() {

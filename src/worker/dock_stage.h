@@ -10,8 +10,8 @@ class DockStage {
  public:
   DockStage(const DeviceLibrary& library, PairStage& pairs);
 
-  /// Where all bin limits are zero, no pairs are made.
-  void post(const DockRequest& request);
+  /// `samples`: the records of the request's. Where all bin limits are zero, no pairs are made.
+  void post(const DockRequest& request, std::vector<SampleRecord> samples);
   DockReply take();
 
  private:

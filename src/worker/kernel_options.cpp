@@ -4,6 +4,7 @@
 
 #include "core/field/field_lookup.h"
 #include "core/matching/docking.h"
+#include "core/matching/near_colours.h"
 #include "core/shape/shape_model.h"
 #include "core/tuning.h"
 #include "worker/shard.h"
@@ -91,10 +92,19 @@ std::string kernel_options(const cl::Device& device, int pad_levels) {
   DEFINE(kHopelessDepth_px);
   DEFINE(kInteriorDepth_px);
 
+  DEFINE(kMaxColourLevels);
+  DEFINE(kColourFading);
+  DEFINE(kMostFading);
+  DEFINE(kColourOfMeans);
+  DEFINE(kColourFootprint);
+  DEFINE(kLeastColourWeight);
+
   DEFINE(kNoise_px);
   DEFINE(kContact_px);
 #undef DEFINE
   define(options, "kTangentSource", std::to_string(kTangentSource) + "u");
+  define(options, "kAnyColour", std::to_string(NearColours::kAny) + "u");
+  define(options, "kAnyColourDraws", std::to_string(kAnyColourDraws) + "u");
   return options;
 }
 

@@ -20,8 +20,19 @@ void OpenCLMatcher::limit(const StandingLimits& limits) {
   pairs_.forget();
 }
 
+std::vector<SampleRecord> OpenCLMatcher::records_of(const std::vector<TargetSample>& samples,
+                                                    const std::vector<std::uint32_t>& bins) {
+  std::vector<SampleRecord> records = make_sample_records(samples, bins, library_.match(), library_.pad_levels());
+  library_.colours().assign_lists(samples, records);
+  return records;
+}
+
 void OpenCLMatcher::post_count(const CountRequest& request) {
-  pairs_.post_count(make_sample_records(request.samples, request.bin_reach, library_.match(), library_.pad_levels()));
+  pairs_.post_count(records_of(request.samples, request.bin_reach));
+}
+
+void OpenCLMatcher::post_dock(const DockRequest& request) {
+  docking_.post(request, records_of(request.samples, request.bin_limit));
 }
 
 }  // namespace tessera::worker

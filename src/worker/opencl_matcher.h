@@ -26,7 +26,7 @@ class OpenCLMatcher : public Matcher {
   void limit(const StandingLimits& limits) override;
   void post_count(const CountRequest& request) override;
   std::vector<DistanceHistogram> take_count() override { return pairs_.take_count(); }
-  void post_dock(const DockRequest& request) override { docking_.post(request); }
+  void post_dock(const DockRequest& request) override;
   DockReply take_dock() override { return docking_.take(); }
   void post_refine(const std::vector<Docking>& dockings) override { refinement_.post(dockings); }
   std::vector<RefinedDocking> take_refine() override { return refinement_.take(); }
@@ -34,6 +34,10 @@ class OpenCLMatcher : public Matcher {
   std::vector<DockingTerms> take_measure() override { return refinement_.take_measure(); }
 
  private:
+  /// `bins`: how far each sample reaches.
+  std::vector<SampleRecord> records_of(const std::vector<TargetSample>& samples,
+                                       const std::vector<std::uint32_t>& bins);
+
   DeviceLibrary library_;
   PairStage pairs_;
   DockStage docking_;

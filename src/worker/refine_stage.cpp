@@ -49,7 +49,8 @@ void RefineStage::post(const std::vector<Docking>& dockings) {
   posted_ = dockings;
   refined_.reserve(count);
   launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(), library_->stances().stances(),
-         library_->field(), library_->contours(), library_->shapes(), count, dockings_, refined_);
+         library_->field(), library_->colours().record(), library_->colours().texels(), library_->contours(),
+         library_->shapes(), count, dockings_, refined_);
   library_->session().flush();
 }
 
@@ -66,7 +67,8 @@ void RefineStage::post_measure(const std::vector<Docking>& dockings) {
   measured_ = count;
   terms_.reserve(count);
   launch(library_->session(), measure_dockings_, {count}, library_->match_buffer(), library_->field(),
-         library_->contours(), library_->shapes(), count, dockings_, terms_);
+         library_->colours().record(), library_->colours().texels(), library_->contours(), library_->shapes(), count,
+         dockings_, terms_);
   library_->session().flush();
 }
 

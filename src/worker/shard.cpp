@@ -61,6 +61,22 @@ void put_points(float* set, const Points& points, std::size_t stride, std::size_
   }
 }
 
+void put_colours(float* contour, const ColourModel& colour) {
+  float* const cells = contour + kColourCellsAt;
+  put_points(cells, colour.at, 1, kColourCells);
+  for (std::size_t i = 0; i < kColourCells; ++i) {
+    cells[2 * kColourCells + i] = colour.colour[i].lightness;
+    cells[3 * kColourCells + i] = colour.colour[i].a;
+    cells[4 * kColourCells + i] = colour.colour[i].b;
+    cells[5 * kColourCells + i] = colour.part[i];
+  }
+  float* const mean = contour + kColourMeanAt;
+  mean[0] = colour.mean.lightness;
+  mean[1] = colour.mean.a;
+  mean[2] = colour.mean.b;
+  mean[3] = colour.cell;
+}
+
 void append_contour(std::vector<float>& contours, const ShapeModel& model) {
   contours.resize(contours.size() + kContourFloats, 0.f);
   float* const contour = contours.data() + contours.size() - kContourFloats;
@@ -70,6 +86,7 @@ void append_contour(std::vector<float>& contours, const ShapeModel& model) {
   put_points(contour + kCoarseAt, model.boundary, kCoarseStride, kCoarsePoints);
   put_points(contour + kInteriorAt, model.interior, 1, kMaxInteriorPoints);
   put_points(contour + kCoarseInteriorAt, model.interior, kInteriorStride, kCoarseInteriorPoints);
+  put_colours(contour, model.colour);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ using test::RandomState;
 using test::ScratchFolder;
 
 Checkpoint random_checkpoint(std::uint32_t seed) {
-  return {"seed = " + std::to_string(seed) + "\n", seed + 1ull, ~std::uint64_t(seed), RandomState(seed).make()};
+  return {"seed = " + std::to_string(seed) + "\n", seed + 1ull, ~std::uint64_t(seed), seed + 2ull, RandomState(seed).make()};
 }
 
 bool same(const Candidate& a, const Candidate& b) {
@@ -221,8 +221,8 @@ TEST_F(DamagedCheckpoint, OtherFiles) {
 }
 
 TEST_F(DamagedCheckpoint, AnotherVersionNamesBothAndTheCure) {
-  std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out).seekp(27).put('8');
-  expect_complaint("format version 8, this program reads version 7; continue with the program that wrote it");
+  std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out).seekp(27).put('9');
+  expect_complaint("format version 9, this program reads version 8; continue with the program that wrote it");
 }
 
 TEST_F(DamagedCheckpoint, AHugeHoleIsNotRead) {

@@ -41,7 +41,7 @@ class HostileCheckpoint : public test::HostileFile {
     library_ = test::synthetic_library(6);
     StopAfter stop(3);
     good_ = go_on(nullptr, stop);
-    bytes_ = checkpoint_bytes({job_text_, 1, 2, good_});
+    bytes_ = checkpoint_bytes({job_text_, 1, 2, 3, good_});
   }
 
   /// The state after so many steps.

@@ -96,7 +96,8 @@ Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target,
   return {};
 }
 
-TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw) {
+TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw,
+                         std::span<const std::uint32_t> near) {
   const std::uint64_t key =
       mix_bits(context.seed ^ mix_bits(mix_bits((std::uint64_t(edge_number(sample.id)) << 32) | sample.pass) ^ draw));
   const std::uint64_t more = mix_bits(key);
@@ -105,7 +106,13 @@ TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sam
   const std::uint32_t open = stances.open_shapes();
   if (open == 0) return result;
   result.drawn = true;
-  result.shape = stances.open_shape(std::uint32_t(((key >> 32) * open) >> 32));
+  const std::uint64_t shape_bits = key >> 32;
+  if (near.empty() || draw % kAnyColourDraws == 0) {
+    result.shape = stances.open_shape(std::uint32_t((shape_bits * open) >> 32));
+  } else {
+    const std::uint64_t squared = (shape_bits * shape_bits) >> 32;
+    result.shape = ShapeId(near[std::size_t((squared * near.size()) >> 32)]);
+  }
   const StanceList& list = stances.list(result.shape);
   result.stance = list.first + std::uint32_t(((more & 0xffffffffull) * list.count) >> 32);
   result.point_bits = std::uint32_t(key & 0xffffffffull);

@@ -56,7 +56,9 @@ struct TangentDraw {
   std::uint32_t point_bits = 0;  // choose among the boundary points that come into question
   float scale_px = 0;
 };
-TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw);
+/// Where there is a list of `near` colours, most draws take one of those shapes, the nearer the more likely.
+TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw,
+                         std::span<const std::uint32_t> near = {});
 
 /// The boundary point that the draw docks: any of those whose tangent implies one of docked_rotations is as likely;
 /// kNoPoint where there is none.

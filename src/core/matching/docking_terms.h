@@ -15,6 +15,7 @@ struct DockingTerms {
   float gap_px2 = 0;      // sum of G_i
   float overlap_px4 = 0;  // sum of O_i²
   float gap_px4 = 0;      // sum of G_i²
+  float colour_difference = 0;  // from what the piece covers, CIEDE2000
 
   friend bool operator==(const DockingTerms&, const DockingTerms&) = default;
 };

@@ -1,6 +1,7 @@
 #include "core/matching/matching_context.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/tuning.h"
 
@@ -25,6 +26,8 @@ MatchingContext make_matching_context(const CollageSettings& settings, std::uint
   c.hard_depth_px = hard_depth_px(pieces);
   c.tangent_dockings = settings.match.tangent_dockings;
   c.library_shapes = library_shapes;
+  c.colour = settings.colour;
+  c.colour_depth_px = 0.5f * std::sqrt(pieces.min_scale_px * pieces.max_scale_px);
   c.levels = levels_for_scales(pieces.min_scale_px, pieces.max_scale_px, target_sigma_px(pieces));
   for (const int level : c.levels) {
     const ScaleRange range = level_scales(level, target_sigma_px(pieces));

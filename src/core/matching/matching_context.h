@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/matching/colour_fit.h"
 #include "core/matching/stances.h"
 #include "core/settings.h"
 #include "core/shape/shape_model.h"
@@ -21,6 +22,8 @@ struct MatchingContext {
   float gap_px = 0;         // boundary points up to this far from others count as gap
   int tangent_dockings = 0;
   std::uint32_t library_shapes = 0;
+  ColourWish colour;
+  float colour_depth_px = 0;            // NearColours: half a piece of middle size
   std::vector<int> levels;              // smoothing levels in use
   std::vector<ScaleRange> level_range;  // scales that each of them serves, slack included, px
 };

@@ -2,17 +2,24 @@
 
 #include <algorithm>
 
-#include "core/matching/pair_selection.h"
 #include "core/matching/refinement.h"
 
 namespace tessera {
+namespace {
+
+constexpr float kRejected = -1;
+
+}  // namespace
 
 ReferenceMatcher::ReferenceMatcher(const MatchingContext& context, std::uint32_t first_shape,
                                    std::vector<ShapeModel> models)
     : context_(context),
       all_stances_(context.stances),
       first_shape_(first_shape),
-      models_(std::move(models)) {}
+      near_colours_(context.colour, context.colour_depth_px),
+      models_(std::move(models)) {
+  near_colours_.start(context_.stances);
+}
 
 ShapeRange ReferenceMatcher::shapes() const { return {first_shape_, first_shape_ + std::uint32_t(models_.size())}; }
 
@@ -25,15 +32,33 @@ void ReferenceMatcher::start_field(int width, int height, Vec2 origin) {
 
 void ReferenceMatcher::update_field(const FieldPatch& patch) { write_patch(patch, field_.value); }
 
-void ReferenceMatcher::limit(const StandingLimits& limits) { context_.stances = all_stances_.limited(limits); }
+void ReferenceMatcher::limit(const StandingLimits& limits) {
+  context_.stances = all_stances_.limited(limits);
+  near_colours_.start(context_.stances);
+}
+
+std::vector<PadPair> ReferenceMatcher::pairs_of(std::size_t model, const TargetSample& sample,
+                                                std::uint32_t reach_steps) {
+  const ShapeId shape = shapes().at(std::uint32_t(model));
+  if (!near_colours_.holds(near_colours_.list_for(sample), shape)) return {};
+  return select_pairs(models_[model], sample, context_.stances.list(shape), context_, reach_steps);
+}
+
+/// Of how it fits and of its mean colour.
+float ReferenceMatcher::key_of(const ShapeModel& model, const Similarity& pose) const {
+  const float key = docking_key(model, pose, FieldView(field_), context_.max_scale_px);
+  if (key < kLeastDockingKey) return kRejected;
+  if (!context_.colour) return key;
+  const float difference = mean_colour_difference(model.colour, pose, *context_.colour.target);
+  return key * colour_worth(difference, context_.colour.weight);
+}
 
 void ReferenceMatcher::post_count(const CountRequest& request) {
   histograms_.assign(request.samples.size(), {});
   for (std::size_t t = 0; t < request.samples.size(); ++t) {
     const std::uint32_t reach = reach_of_bins(request.bin_reach[t], context_.beta_steps);
     for (std::size_t m = 0; m < models_.size(); ++m) {
-      const StanceList& list = context_.stances.list(shapes().at(std::uint32_t(m)));
-      for (const PadPair& pair : select_pairs(models_[m], request.samples[t], list, context_, reach)) {
+      for (const PadPair& pair : pairs_of(m, request.samples[t], reach)) {
         ++histograms_[t][distance_bin(pair.distance, context_.beta_steps)];
       }
     }
@@ -43,14 +68,14 @@ void ReferenceMatcher::post_count(const CountRequest& request) {
 std::vector<DistanceHistogram> ReferenceMatcher::take_count() { return std::move(histograms_); }
 
 std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, std::uint32_t t,
-                                                    DockReply& reply) const {
+                                                    DockReply& reply) {
   std::vector<Docking> kept;
   const std::uint32_t reach = reach_of_bins(request.bin_limit[t], context_.beta_steps);
   for (std::size_t m = 0; m < models_.size(); ++m) {
     std::vector<Docking> of_shape;
     const ShapeId shape = shapes().at(std::uint32_t(m));
     const StanceList& list = context_.stances.list(shape);
-    for (const PadPair& pair : select_pairs(models_[m], request.samples[t], list, context_, reach)) {
+    for (const PadPair& pair : pairs_of(m, request.samples[t], reach)) {
       const SourceLocation at = locate_source(models_[m], pair.source);
       const ModelSample& source = models_[m].levels[at.level_slot].samples[at.index];
       const Alignment aligned =
@@ -59,8 +84,8 @@ std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, 
       if (!aligned.valid) continue;
       ++reply.evaluated;
       const std::uint32_t stance = list.first + aligned.stance;
-      const float key = docking_key(models_[m], aligned.canvas_from_shape, FieldView(field_), context_.max_scale_px);
-      if (key < kLeastDockingKey) continue;
+      const float key = key_of(models_[m], aligned.canvas_from_shape);
+      if (key == kRejected) continue;
       of_shape.push_back(
           {t, shape, pair.source, stance, key * context_.stances[stance].weight, aligned.canvas_from_shape});
     }
@@ -72,10 +97,13 @@ std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, 
 }
 
 std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& request, std::uint32_t t,
-                                                        DockReply& reply) const {
+                                                        DockReply& reply) {
   std::vector<Docking> kept;
+  const NearColours::List list = near_colours_.list_for(request.samples[t]);
+  const std::span<const std::uint32_t> near =
+      list == NearColours::kAny ? std::span<const std::uint32_t>() : near_colours_.shapes(list);
   for (std::uint32_t i = 0; i < request.tangent_dockings; ++i) {
-    const TangentDraw draw = draw_tangent(context_, request.samples[t], i);
+    const TangentDraw draw = draw_tangent(context_, request.samples[t], i, near);
     if (!draw.drawn || !shapes().contains(draw.shape)) continue;
     const ShapeModel& model = model_of(draw.shape);
     const Stance& stance = context_.stances[draw.stance];
@@ -83,8 +111,8 @@ std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& reque
     if (point == kNoPoint) continue;
     const Similarity pose = tangent_docking(model, point, draw.scale_px, request.samples[t], stance.poses);
     ++reply.evaluated;
-    const float key = docking_key(model, pose, FieldView(field_), context_.max_scale_px);
-    if (key < kLeastDockingKey) continue;
+    const float key = key_of(model, pose);
+    if (key == kRejected) continue;
     kept.push_back({t, draw.shape, kTangentSource + i, draw.stance, key * stance.weight, pose});
   }
   return kept;

@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "core/matching/matcher.h"
+#include "core/matching/near_colours.h"
+#include "core/matching/pair_selection.h"
 
 namespace tessera {
 
@@ -26,14 +28,17 @@ class ReferenceMatcher : public Matcher {
   std::vector<DockingTerms> take_measure() override;
 
  private:
-  std::vector<Docking> pad_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply) const;
-  std::vector<Docking> tangent_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply) const;
+  std::vector<PadPair> pairs_of(std::size_t model, const TargetSample& sample, std::uint32_t reach_steps);
+  std::vector<Docking> pad_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply);
+  std::vector<Docking> tangent_dockings(const DockRequest& request, std::uint32_t sample, DockReply& reply);
+  float key_of(const ShapeModel& model, const Similarity& pose) const;
   const ShapeModel& model_of(ShapeId shape) const;
   DockingTerms terms_of(const Docking& docking) const;
 
   MatchingContext context_;  // with the stances within the limits
   StanceTable all_stances_;
   std::uint32_t first_shape_;
+  NearColours near_colours_;  // of the shapes within the limits
   std::vector<ShapeModel> models_;
   CanvasField field_;
   std::vector<DistanceHistogram> histograms_;

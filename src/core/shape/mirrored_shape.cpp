@@ -40,6 +40,7 @@ Shape mirror_image(Shape shape, int pad_levels) {
   Grid<float>& distance = shape.field.distance;
   for (int y = 0; y < distance.height(); ++y) std::reverse(distance.row(y), distance.row(y) + distance.width());
   for (LevelCurve& level : shape.levels) level = mirrored_level(std::move(level), pad_levels);
+  shape.colour_grid = mirrored(shape.colour_grid);
   shape.artwork.mirrored = !shape.artwork.mirrored;
   return shape;
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/colour/colour_grid.h"
 #include "core/geometry/grid.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/vec2.h"
@@ -102,6 +103,7 @@ struct Shape {
   std::array<LevelCurve, kSmoothingLevels.size()> levels;
   std::array<float, 3> mean_lab{};  // CIELAB (D65), alpha-weighted mean
   float colour_spread = -1;         // root mean square distance of the artwork's colours from it; negative: unknown
+  ColourGrid colour_grid{};         // over the box of the outline
   /// The scale at which a piece is as large as it was drawn: px of an image, 1/96 inch of an SVG; 0: unknown.
   float drawn_scale_px = 0;
   Artwork artwork;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/geometry/closed_curve.h"
+#include "core/geometry/extent.h"
 #include "core/shape/level_curve.h"
 #include "core/tuning.h"
 
@@ -114,6 +115,8 @@ ShapeModel make_shape_model(const Shape& shape, const PadParameters& library_pad
   }
   model.interior = interior_points(shape);
   set_disc(model, shape.field);
+  const Extent box = extent_of(shape.outline.curves.front(), {1, 0, 0, 0});
+  model.colour = make_colour_model(shape.colour_grid, box.low, box.high);
   for (const int level : levels) model.levels.push_back(make_level(shape, level, library_pad, pad));
   return model;
 }

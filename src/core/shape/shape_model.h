@@ -28,6 +28,7 @@ struct ShapeModel {
   float disc_radius = 0;
   float perimeter = 0;
   float radius = 0;
+  ColourModel colour;
   std::vector<ModelLevel> levels;  // those the job uses, coarse to fine
 };
 

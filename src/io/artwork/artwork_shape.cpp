@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/geometry/extent.h"
 #include "core/shape/shape_builder.h"
 #include "io/artwork/sha256.h"
 #include "io/artwork/silhouette.h"
@@ -11,6 +12,14 @@ namespace {
 
 /// Nobody draws beyond these: a page may say anything of its size.
 float drawn_scale_px(float scale_px) { return scale_px >= 1e-3f && scale_px <= 1e6f ? scale_px : 0; }
+
+/// Over the outline's box.
+ColourGrid colour_grid_of(const Silhouette& silhouette, const Shape& shape) {
+  const Artwork& artwork = shape.artwork;
+  const Extent box_px = extent_of(shape.outline.curves.front(),
+                                  {artwork.unit_px, 0, artwork.centroid_px.x, artwork.centroid_px.y});
+  return make_colour_grid(silhouette.colours, box_px.low, box_px.high);
+}
 
 }  // namespace
 
@@ -26,6 +35,7 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
   shape.name = std::filesystem::path(path).stem();
   shape.mean_lab = silhouette.colour.mean_lab;
   shape.colour_spread = silhouette.colour.spread;
+  shape.colour_grid = colour_grid_of(silhouette, shape);
   shape.drawn_scale_px = drawn_scale_px(silhouette.drawn_px * shape.artwork.unit_px);
   shape.artwork.path = std::filesystem::absolute(path);
   shape.artwork.sha256 = sha256_of(bytes);

@@ -13,6 +13,7 @@ namespace {
 
 /// A drawing that would gain less resolution than this is not drawn again.
 constexpr double kLeastZoom = 1.15;
+constexpr int kColoursSide_px = 64;
 /// Kept around the drawing: what was too faint to be seen at first.
 constexpr int kMargin_px = 4;
 
@@ -88,6 +89,29 @@ ArtworkColour colour_of(const cv::Mat& straight_bgra) {
   return {{float(sum[0] / weight), float(sum[1] / weight), float(sum[2] / weight)}, float(std::sqrt(variance))};
 }
 
+/// `drawing` as it lies on the page, shrunk: a few pixels for each cell of a ColourGrid.
+ColourRaster colours_of(const Drawing& drawing) {
+  if (drawing.bgra.empty()) return {};
+  const double scale = std::min(1., double(kColoursSide_px) / std::max(drawing.bgra.cols, drawing.bgra.rows));
+  const cv::Size size(std::max(1, cvRound(drawing.bgra.cols * scale)), std::max(1, cvRound(drawing.bgra.rows * scale)));
+  cv::Mat small, bgr, lab;
+  cv::resize(drawing.bgra, small, size, 0, 0, cv::INTER_AREA);
+  small = straightened(small);
+  cv::cvtColor(small, bgr, cv::COLOR_BGRA2BGR);
+  bgr.convertTo(bgr, CV_32F, 1.0 / 255);
+  cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
+  ColourRaster raster{Grid<Lab>(size.width, size.height), alpha_grid(small),
+                      {float(drawing.part.x), float(drawing.part.y)},
+                      {float(drawing.bgra.cols) / float(size.width), float(drawing.bgra.rows) / float(size.height)}};
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const cv::Vec3f& c = lab.at<cv::Vec3f>(y, x);
+      raster.colour(x, y) = {c[0], c[1], c[2]};
+    }
+  }
+  return raster;
+}
+
 std::vector<std::uint8_t> png_of(const cv::Mat& bgra) {
   std::vector<std::uint8_t> png;
   cv::imencode(".png", bgra, png);
@@ -113,6 +137,7 @@ Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::strin
   silhouette.drawn_px =
       float(std::max(page->natural_size().width, page->natural_size().height) / drawing.longest_side_px);
   silhouette.colour = colour_of(thumbnail);
+  silhouette.colours = colours_of(drawing);
   silhouette.thumbnail_png = png_of(thumbnail);
   return silhouette;
 }

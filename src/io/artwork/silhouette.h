@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/colour/colour_grid.h"
 #include "core/geometry/grid.h"
 #include "core/geometry/vec2.h"
 #include "core/shape/outline.h"
@@ -33,6 +34,7 @@ struct Silhouette {
   float source_px = 0;  // size of a pixel of the source; 0 for vectors
   float drawn_px = 0;   // of the page's own px (1/96 inch of an SVG) for one of the raster
   ArtworkColour colour;
+  ColourRaster colours;                     // of the part of the page that is drawn on, coarse
   std::vector<std::uint8_t> thumbnail_png;  // the whole page, RGBA, longest side kThumbnailSide_px
 };
 

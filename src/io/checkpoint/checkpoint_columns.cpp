@@ -36,7 +36,7 @@ void append_candidate(CheckpointColumns& to, const Candidate& c) {
   to.stance.push_back(c.stance);
   append(to.pose, c.canvas_from_shape);
   const DockingTerms& t = c.terms;
-  to.terms.insert(to.terms.end(), {t.matched_px, t.overlap_px2, t.gap_px2, t.overlap_px4, t.gap_px4});
+  to.terms.insert(to.terms.end(), {t.matched_px, t.overlap_px2, t.gap_px2, t.overlap_px4, t.gap_px4, t.colour_difference});
   to.score.push_back(c.score);
   to.exact.push_back(c.exact);
   to.window.insert(to.window.end(), {c.window.x0, c.window.y0, c.window.x1, c.window.y1});
@@ -49,8 +49,8 @@ Candidate candidate_at(const CheckpointColumns& from, std::size_t row) {
   c.source = from.source[row];
   c.stance = from.stance[row];
   c.canvas_from_shape = pose_at(from.pose, row);
-  const float* t = from.terms.data() + 5 * row;
-  c.terms = {t[0], t[1], t[2], t[3], t[4]};
+  const float* t = from.terms.data() + 6 * row;
+  c.terms = {t[0], t[1], t[2], t[3], t[4], t[5]};
   c.score = from.score[row];
   c.exact = from.exact[row] != 0;
   const std::int32_t* w = from.window.data() + 4 * row;
@@ -133,7 +133,7 @@ void check_values(const CheckpointColumns& c) {
 
 /// Columns of one table have as many rows.
 void check_rows(const CheckpointColumns& c) {
-  require(c.digests.size() == 3 && c.improving.size() == 1 && c.stage.size() == 5 && c.empty_passes.size() == 1 &&
+  require(c.digests.size() == 4 && c.improving.size() == 1 && c.stage.size() == 5 && c.empty_passes.size() == 1 &&
               c.counts.size() == std::size(kCounts) && c.measures.size() == std::size(kMeasures),
           "a list of fixed length has another one");
   const std::size_t placed = c.placed_shape.size();
@@ -143,7 +143,7 @@ void check_rows(const CheckpointColumns& c) {
           "/pool: columns of different length");
   const std::size_t rows = c.shape.size();
   require(c.source.size() == rows && c.stance.size() == rows && c.pose.size() == 4 * rows &&
-              c.terms.size() == 5 * rows && c.score.size() == rows && c.exact.size() == rows &&
+              c.terms.size() == 6 * rows && c.score.size() == rows && c.exact.size() == rows &&
               c.window.size() == 4 * rows && c.shape_size.size() == 2 * rows,
           "/candidates: columns of different length");
   require(c.matched_pad.size() == kMatchedRow * c.matched_edge.size(), "/samples: columns of different length");
@@ -200,7 +200,8 @@ void read_samples(const CheckpointColumns& from, CheckpointState& state) {
 CheckpointColumns to_columns(const Checkpoint& checkpoint) {
   CheckpointColumns to;
   to.job.assign(checkpoint.job.begin(), checkpoint.job.end());
-  to.digests = {checkpoint.library_digest, checkpoint.canvas_digest, checkpoint.state.rebuilt_digest};
+  to.digests = {checkpoint.library_digest, checkpoint.canvas_digest, checkpoint.state.rebuilt_digest,
+                checkpoint.colour_digest};
   append_loop(to, checkpoint.state);
   append_pool(to, checkpoint.state);
   append_samples(to, checkpoint.state);
@@ -214,6 +215,7 @@ Checkpoint from_columns(const CheckpointColumns& columns) {
   checkpoint.job.assign(columns.job.begin(), columns.job.end());
   checkpoint.library_digest = columns.digests[0];
   checkpoint.canvas_digest = columns.digests[1];
+  checkpoint.colour_digest = columns.digests[3];
   checkpoint.state.rebuilt_digest = columns.digests[2];
   read_loop(columns, checkpoint.state);
   read_pool(columns, checkpoint.state);

@@ -10,7 +10,7 @@ namespace tessera::io {
 
 struct CheckpointColumns {
   std::vector<std::uint8_t> job;
-  std::vector<std::uint64_t> digests;  // library, canvas, rebuilt
+  std::vector<std::uint64_t> digests;  // library, canvas, rebuilt, colours
   std::vector<std::uint8_t> improving;
   std::vector<std::uint32_t> stage;
   std::vector<std::uint8_t> empty_passes;
@@ -35,7 +35,7 @@ struct CheckpointColumns {
 template <class Columns, class Visit>
 void each_column(Columns& c, Visit visit) {
   visit("/job", c.job, 1, "", "the effective job, TOML");
-  visit("/digests", c.digests, 1, "", "of the library's content, the canvas, the free region with its samples");
+  visit("/digests", c.digests, 1, "", "of the library's content, the canvas, the free region with its samples, colour.image");
   visit("/improving", c.improving, 1, "", "1: ruin and recreate has begun");
   visit(
       "/stage", c.stage, 1, "",

@@ -32,11 +32,11 @@ std::uint64_t canvas_digest(const Canvas& canvas) {
 }
 
 CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, const Canvas& canvas) {
-  return {&job, library.content_digest(), canvas_digest(canvas)};
+  return {&job, library.content_digest(), canvas_digest(canvas), job.colour_digest};
 }
 
 Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state) {
-  return {to_toml(*origin.job), origin.library_digest, origin.canvas_digest, state};
+  return {to_toml(*origin.job), origin.library_digest, origin.canvas_digest, origin.colour_digest, state};
 }
 
 std::string origin_differences(const CheckpointOrigin& then, const CheckpointOrigin& now) {
@@ -54,12 +54,15 @@ std::string origin_differences(const CheckpointOrigin& then, const CheckpointOri
     if (mask || !zones) differences += differing_file("canvas.file", before.file, after.file);
     if (zones) differences += differing_file("canvas.keep_out", before.keep_out, after.keep_out);
   }
+  if (then.colour_digest != now.colour_digest) {
+    differences += differing_file("colour.image", then.job->colour.image, now.job->colour.image);
+  }
   return differences;
 }
 
 void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now) {
   const Job then = job_from_toml(checkpoint.job, checkpoint.state.name + ", its job");
-  const std::string differences = origin_differences({&then, checkpoint.library_digest, checkpoint.canvas_digest}, now);
+  const std::string differences = origin_differences({&then, checkpoint.library_digest, checkpoint.canvas_digest, checkpoint.colour_digest}, now);
   if (differences.empty()) return;
   throw InputError(checkpoint.state.name + ": written for another job" + differences +
                    "; give what it was then, or another --out");

@@ -21,7 +21,8 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
     case DrawingKind::pdf:
     case DrawingKind::plain_pdf: return 512 * kMebibyte;
     case DrawingKind::photo:
-    case DrawingKind::labels: return 4 * std::size_t(kMaxImagePixels);
+    case DrawingKind::labels:
+    case DrawingKind::picture: return 4 * std::size_t(kMaxImagePixels);
   }
   return 0;
 }

@@ -25,6 +25,9 @@ struct DrawerSettings {
   double seconds_to_start = 60;  // linking its libraries can take long on a busy machine with a cold disk
 };
 
+/// What drawers must be allowed for the largest photo, 16 bits a channel.
+DrawerSettings photo_drawer_settings(int processes);
+
 /// What calls throw that were under way when Drawers::stop was called, or came later.
 class DrawingStopped : public std::runtime_error {
  public:
@@ -57,8 +60,9 @@ class Drawers {
   /// `longest_side_px` is shrunk to it.
   cv::Mat decode_png(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
 
-  /// See photo.h: CV_8UC4, opaque; CV_32SC1.
+  /// See photo.h: CV_8UC4, opaque; CV_8UC4, straight; CV_32SC1.
   cv::Mat photo(std::span<const std::uint8_t> bytes, const std::string& path);
+  cv::Mat picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
   cv::Mat labels(std::span<const std::uint8_t> bytes, const std::string& path);
 
   /// See artwork_shape.h. Shape::name and Artwork::path follow from `path`.

@@ -72,6 +72,7 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
     case DrawingKind::plain_pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, false));
     case DrawingKind::photo: return image_answer(photo_picture(bytes, path));
     case DrawingKind::labels: return image_answer(label_picture(bytes, path));
+    case DrawingKind::picture: return image_answer(whole_picture(bytes, path, longest_side_px));
   }
   throw std::logic_error("no such kind of drawing");
 }

@@ -112,6 +112,7 @@ void pass(Codec& codec, AShape& shape) {
   codec(shape.mean_lab);
   codec(shape.colour_spread);
   codec(shape.drawn_scale_px);
+  codec(shape.colour_grid.bytes);
   codec(shape.artwork.path);
   codec(shape.artwork.sha256);
   codec(shape.artwork.width_px);

@@ -36,10 +36,6 @@ cv::Mat given_labels(const std::string& path, const std::string& photo, const cv
 
 }  // namespace
 
-DrawerSettings photo_drawer_settings(int processes) {
-  return {.processes = processes, .bytes_per_process = std::size_t(1) << 30};
-}
-
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers) {
   const cv::Mat picture = drawers.photo(read_regular_file(photo, kMaxPhotoBytes), photo);
   const cv::Mat labels = settings.labels.empty() ? searched_labels(photo, picture, settings.search)

@@ -25,9 +25,6 @@ struct Extraction {
   std::vector<std::uint8_t> overview_png;  // empty without with_overview
 };
 
-/// What the drawers must be allowed for the largest photo, 16 bits a channel.
-DrawerSettings photo_drawer_settings(int processes);
-
 /// Throws InputError where a file is no photo or no map of its size, or elements are too small for the photo; and what
 /// `search.look` throws.
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers);

@@ -3,6 +3,7 @@
 // test all go by it.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -65,6 +66,8 @@ struct OutputSpec {
 struct ColourSpec {
   std::string pieces = "auto";                  // "artwork", "palette", or "auto": as the library is
   std::vector<std::string> palette = {"dusk"};  // colours "#rrggbb"; or alone: a built-in name, a file's absolute path
+  std::string image = {};                       // that pieces are to show together, absolute path; empty = none
+  double shift = 0;                             // so far a piece's tone may go to what it covers, CIEDE2000
 };
 
 struct CheckpointSpec {
@@ -106,6 +109,7 @@ struct Job {
   CheckpointSpec checkpoint;
   CommSpec comm;
   CollageSettings settings;
+  std::uint64_t colour_digest = 0;  // of what is behind settings.colour; 0: nothing
   double size_factor = 1;  // times all sizes; found by the master where every shape is to have a place (pieces.fit)
   std::map<std::string, std::vector<JobRow>> tables;  // by name
 };

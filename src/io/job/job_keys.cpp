@@ -233,6 +233,16 @@ void add_colour_keys(std::vector<JobKey>& keys) {
                              "the colours of silhouettes: a built-in palette, a palette file, or a list of colours"},
                             FIELD(colour.palette)));
   keys.back().decides = false;
+  keys.push_back(with_text({"colour", "image", file, "", 0, 0, {},
+                            "a picture, laid over the whole canvas, that the pieces show together; empty = none"},
+                           FIELD(colour.image)));
+  keys.push_back(with_number({"colour", "weight", number, "", 0, 100, {},
+                              "how much colour counts beside fit, with `image`"},
+                             FIELD(settings.colour.weight)));
+  keys.push_back(with_number({"colour", "shift", number, "CIEDE2000", 0, 100, {},
+                              "so far a piece's tone may be shifted to that of what it covers, with `image`"},
+                             FIELD(colour.shift)));
+  keys.back().decides = false;
 }
 
 /// A piece as its drawing is, cut out along its outline, is the collage of the paper.

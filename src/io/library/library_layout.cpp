@@ -120,6 +120,13 @@ Columns library_columns(int pad_levels) {
                               "root mean square distance of the artwork's colours from mean_lab; negative: unknown"),
       .drawn_scale = floats("/shapes/drawn_scale", {}, "px of an image, 1/96 inch of an SVG",
                             "the square root of the area that the shape has in the artwork; 0: unknown"),
+      .colour_grid = {"/shapes/colour_grid",
+                      Element::uint8,
+                      0,
+                      {kColourSide, kColourSide, 4},
+                      "L x 2.55, a + 128, b + 128, part x 255",
+                      "mean CIELAB (D65) of each cell of a grid over the outline's box, row by row, and how much of it "
+                      "is drawn on; all 0: unknown"},
   };
   for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k)
     c.levels.push_back(level_columns(k, std::size_t(pad_levels)));

@@ -99,11 +99,12 @@ HeadReader::HeadReader(hid_t file, const layout::Columns& columns)
       radius_(file, columns.radius),
       mean_lab_(file, columns.mean_lab),
       colour_spread_(ColumnReader::if_present(file, columns.colour_spread)),
-      drawn_scale_(ColumnReader::if_present(file, columns.drawn_scale)) {}
+      drawn_scale_(ColumnReader::if_present(file, columns.drawn_scale)),
+      colour_grid_(ColumnReader::if_present(file, columns.colour_grid)) {}
 
 std::vector<const ColumnReader*> HeadReader::columns() const {
   std::vector<const ColumnReader*> all{&name_, &perimeter_, &radius_, &mean_lab_};
-  for (const auto* column : {&colour_spread_, &drawn_scale_}) {
+  for (const auto* column : {&colour_spread_, &drawn_scale_, &colour_grid_}) {
     if (*column) all.push_back(&**column);
   }
   return all;
@@ -121,6 +122,10 @@ void HeadReader::read(const ShapeBatch& range) const {
   if (drawn_scale_) {
     const auto scale_px = read_floats(*drawn_scale_, range.begin, range.end, 0, layout::kMaxDrawnScale_px);
     for (std::size_t i = 0; i < range.count(); ++i) range.shapes[i].drawn_scale_px = scale_px[i];
+  }
+  if (colour_grid_) {
+    const auto grids = colour_grid_->read<ColourGrid>(range.begin, range.end);
+    for (std::size_t i = 0; i < range.count(); ++i) range.shapes[i].colour_grid = grids[i];
   }
   for (std::size_t i = 0; i < range.count(); ++i) {
     Shape& shape = range.shapes[i];

@@ -33,7 +33,7 @@ class HeadReader {
 
  private:
   ColumnReader name_, perimeter_, radius_, mean_lab_;
-  std::optional<ColumnReader> colour_spread_, drawn_scale_;
+  std::optional<ColumnReader> colour_spread_, drawn_scale_, colour_grid_;
 };
 
 class OutlineReader {

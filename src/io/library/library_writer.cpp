@@ -212,6 +212,7 @@ struct LibraryWriter::State {
           mean_lab(file, columns.mean_lab),
           colour_spread(file, columns.colour_spread),
           drawn_scale(file, columns.drawn_scale),
+          colour_grid(file, columns.colour_grid),
           outline(file, columns),
           field(file, columns),
           artwork(file, columns, folder),
@@ -221,7 +222,7 @@ struct LibraryWriter::State {
     }
 
     TextWriter name;
-    ColumnWriter perimeter, radius, mean_lab, colour_spread, drawn_scale;
+    ColumnWriter perimeter, radius, mean_lab, colour_spread, drawn_scale, colour_grid;
     OutlineWriter outline;
     FieldWriter field;
     ArtworkWriter artwork;
@@ -279,6 +280,7 @@ void LibraryWriter::append(const Shape& shape, std::optional<std::uint32_t> vari
     to.mean_lab.append(shape.mean_lab.data(), 1);
     to.colour_spread.append(&shape.colour_spread, 1);
     to.drawn_scale.append(&shape.drawn_scale_px, 1);
+    to.colour_grid.append(shape.colour_grid.bytes.data(), 1);
     std::vector<std::uint64_t> digests{to.outline.append(shape.outline), to.field.append(shape.field)};
     for (std::size_t k = 0; k < to.levels.size(); ++k)
       digests.push_back(to.levels[k].append(shape.levels[k], state_->pad.levels));

@@ -1,0 +1,58 @@
+// The picture that pieces are to show together: its colours over the canvas, at ever coarser levels, so that the mean of
+// a place of any size is one look-up. kernels/colour.cl looks up the same, bit for bit.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/colour/lab.h"
+#include "core/geometry/grid.h"
+#include "core/geometry/vec2.h"
+
+namespace tessera {
+
+/// A mean colour times how much it is wished for (0..1), and that: what is transparent wishes nothing.
+struct Texel {
+  float lightness = 0;
+  float a = 0;
+  float b = 0;
+  float weight = 0;
+
+  Lab colour() const { return {lightness / weight, a / weight, b / weight}; }
+  friend bool operator==(const Texel&, const Texel&) = default;
+};
+
+struct ColourLevel {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  std::uint32_t first = 0;  // among the texels of all levels
+  float texels_per_px = 1;  // canvas px
+};
+
+inline constexpr int kMaxColourLevels = 16;
+/// Of a texel's weight: less wishes nothing.
+inline constexpr float kLeastColourWeight = 0.02f;
+
+class ColourTarget {
+ public:
+  /// `finest` covers the canvas from its upper left corner on, a texel for so many px each way. Each further level has
+  /// texels twice as long, down to one.
+  ColourTarget(const Grid<Texel>& finest, float px_per_texel);
+
+  /// Of the finest level.
+  float px_per_texel() const { return px_per_texel_; }
+  const std::vector<ColourLevel>& levels() const { return levels_; }
+  const std::vector<Texel>& texels() const { return texels_; }
+
+  /// The coarsest level whose texels are no longer than `length_px`; else the finest.
+  int level_for(float length_px) const;
+  /// Bilinear; beyond the picture what is at its edge.
+  Texel at(int level, Vec2 p_px) const;
+
+ private:
+  float px_per_texel_;
+  std::vector<ColourLevel> levels_;
+  std::vector<Texel> texels_;
+};
+
+}  // namespace tessera

@@ -1,0 +1,40 @@
+// The picture that pieces are to show, on a device, and which shapes have the colours of its places.
+#pragma once
+
+#include <vector>
+
+#include "core/matching/matching_context.h"
+#include "core/matching/near_colours.h"
+#include "worker/opencl_runtime.h"
+#include "records.h"
+
+namespace tessera::worker {
+
+class DeviceColours {
+ public:
+  DeviceColours(const DeviceSession& session, const MatchingContext& context);
+
+  /// From here on shapes may stand by this table.
+  void start(const StanceTable& stances);
+  /// Tells each record the list that its sample goes by; new lists are put on the device.
+  void assign_lists(const std::vector<TargetSample>& samples, std::vector<SampleRecord>& records);
+
+  const DeviceBuffer<ColourRecord>& record() const { return record_; }
+  const DeviceBuffer<float>& texels() const { return texels_; }
+  /// NearColours::all_shapes, all_bits.
+  const DeviceBuffer<std::uint32_t>& near_shapes() const { return near_shapes_; }
+  const DeviceBuffer<std::uint32_t>& near_bits() const { return near_bits_; }
+
+ private:
+  void write_lists();
+
+  ColourWish wish_;
+  NearColours near_colours_;
+  std::size_t lists_on_device_ = 0;
+  DeviceBuffer<ColourRecord> record_;
+  DeviceBuffer<float> texels_;
+  DeviceBuffer<std::uint32_t> near_shapes_;
+  DeviceBuffer<std::uint32_t> near_bits_;
+};
+
+}  // namespace tessera::worker
