@@ -7,6 +7,26 @@
 
 #include "comm/in_process_communicator.h"
 #include "core/base/error.h"
+#include "io/job/colour_image.h"
+
+namespace tessera::io::test {
+
+/// Without shapes.
+class NoLibrary : public ShapeLibrary {
+ public:
+  const std::string& path() const override { return path_; }
+  std::size_t size() const override { return 0; }
+  PadParameters pad_parameters() const override { return {}; }
+  std::uint64_t content_digest() const override { return 1; }
+  std::vector<std::uint32_t> variant_of() const override { return {}; }
+  std::vector<std::uint32_t> drawings() const override { return {}; }
+  std::vector<Shape> read(std::size_t, std::size_t, const LibraryParts&) const override { return {}; }
+
+ private:
+  std::string path_ = "none.h5";
+};
+
+}  // namespace tessera::io::test
 
 namespace tessera::cli {
 namespace {
@@ -38,6 +58,33 @@ TEST(RankAgreement, the_masters_job_arrives) {
               EXPECT_EQ(job.library, "/a/library.h5");
             }),
             "");
+}
+
+/// To the bit, however its sizes divide.
+TEST(RankAgreement, the_picture_arrives) {
+  Grid<Texel> finest(37, 11);
+  for (std::size_t i = 0; i < finest.data().size(); ++i) finest.data()[i] = {float(i) / 7, float(i) / 3, -1.f / 9, 0.7f};
+  const auto target = std::make_shared<const ColourTarget>(finest, 1.7f);
+  const io::test::NoLibrary library;
+  comm::InProcessNetwork network(2);
+  std::jthread master([&] {
+    io::Job job;
+    io::set_colours(target, library, job);
+    announce_colours(*network.connect(0), job);
+  });
+  io::Job job;
+  receive_colours(*network.connect(1), library, job);
+  ASSERT_TRUE(job.settings.colour);
+  EXPECT_EQ(job.settings.colour.target->texels(), target->texels());
+  EXPECT_EQ(job.settings.colour.target->levels().back().texels_per_px, target->levels().back().texels_per_px);
+}
+
+TEST(RankAgreement, where_there_is_no_picture_none_arrives) {
+  comm::InProcessNetwork network(2);
+  std::jthread master([&] { announce_colours(*network.connect(0), {}); });
+  io::Job job;
+  receive_colours(*network.connect(1), io::test::NoLibrary(), job);
+  EXPECT_FALSE(job.settings.colour);
 }
 
 TEST(RankAgreement, another_program_is_refused) {

@@ -124,6 +124,47 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithWishes) {
   EXPECT_GT(stood.size(), 7u) << "stances of all classes";
 }
 
+/// Of many colours, with a hole where nothing is wished for.
+inline MatchingScene scene_with_colours(float weight = 1) {
+  CollageSettings settings = scene_settings();
+  std::vector<Lab> of_shapes;
+  for (std::uint32_t i = 0; i < 80; ++i) of_shapes.push_back(numbered_colour(i));
+  settings.colour = wish_for(picture(260, 260,
+                                     [](Vec2 p) {
+                                       if (norm(p - Vec2{60, 60}) < 40) return Texel{};
+                                       return opaque(numbered_colour(std::uint32_t(p.x / 50) + 6 * std::uint32_t(p.y / 50)));
+                                     }),
+                             std::move(of_shapes), weight);
+  return make_scene(settings, {.shapes = 80, .samples = 20});
+}
+
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithColours) {
+  const MatchingScene plain = make_scene(scene_settings(), {.shapes = 80, .samples = 20});
+  const Round without = expect_the_references_round(plain);
+  const Round round = expect_the_references_round(scene_with_colours());
+  EXPECT_NE(round.histograms, without.histograms) << "pairs are of shapes with about the colour of the place";
+  int coloured = 0;
+  for (const RefinedDocking& refined : round.refined) coloured += refined.terms.colour_difference > 0;
+  EXPECT_GT(coloured, 20);
+  const auto mean_difference = [](const Round& of) {
+    const MatchingScene scene = scene_with_colours();
+    double sum = 0;
+    for (const Docking& d : of.docked.dockings) {
+      sum += mean_colour_difference(scene.models[index_of(d.shape)].colour, d.canvas_from_shape,
+                                    *scene.settings.colour.target);
+    }
+    return sum / double(of.docked.dockings.size());
+  };
+  EXPECT_LT(mean_difference(round), 0.8 * mean_difference(without)) << "slots are spent on what has the colour";
+}
+
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithColoursWithinLimits) {
+  StandingLimits limits;
+  for (std::uint32_t shape = 0; shape < 80; shape += 3) limits.used_up.push_back(ShapeId{shape});
+  const Round round = expect_the_references_round(scene_with_colours(0.3f), limits);
+  for (const Docking& docking : round.docked.dockings) EXPECT_NE(index_of(docking.shape) % 3, 0u);
+}
+
 TEST_P(MatcherSuite, GivesTheReferencesRoundWithinLimits) {
   const MatchingScene scene = scene_with_wishes();
   const StandingLimits limits{1, 0.9f, 45, {ShapeId{0}, ShapeId{4}, ShapeId{6}}};

@@ -49,7 +49,8 @@ std::vector<Column> all_columns() {
                           c.artwork_sha256,
                           c.variant_of,
                           c.colour_spread,
-                          c.drawn_scale};
+                          c.drawn_scale,
+                          c.colour_grid};
   for (const io::layout::LevelColumns& level : c.levels)
     all.insert(all.end(), {level.points, level.perimeter, level.lengths, level.keypoints, level.convexity});
   return all;

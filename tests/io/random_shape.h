@@ -21,6 +21,7 @@ class RandomShape {
     shape.perimeter = number(3, 30);
     shape.radius = number(0.5f, 3);
     for (float& v : shape.mean_lab) v = number(-100, 100);
+    for (std::uint8_t& v : shape.colour_grid.bytes) v = std::uint8_t(number(0, 255));
     shape.drawn_scale_px = number(0, 1000);
     const int curves = whole(1, 4);
     for (int c = 0; c < curves; ++c) shape.outline.curves.push_back(points(whole(3, 40)));

@@ -250,6 +250,15 @@ TEST_F(LibraryBuilder, BuildsFromRealDrawings) {
   EXPECT_LT(all[0].mean_lab[2], -50);  // blue
   EXPECT_GT(all[1].mean_lab[2], 50);   // yellow
   EXPECT_EQ(all[2].name, "red");
+  for (int cell = 0; cell < kColourCells; ++cell) {
+    const std::uint8_t* blue = all[0].colour_grid.bytes.data() + 4 * cell;
+    if (blue[3] == 0) continue;
+    EXPECT_NEAR(blue[0] / 2.55, 32, 1.5) << cell;
+    EXPECT_NEAR(blue[2] - 128, -108, 3) << cell;
+  }
+  const auto covered = [&](int cell) { return int(all[0].colour_grid.bytes[std::size_t(4 * cell + 3)]); };
+  EXPECT_LT(covered(0), 10) << "a drop has nothing beside its tip";
+  EXPECT_GT(covered(9), 245);
   EXPECT_EQ(all[2].outline, all[0].outline);
 
   const LibraryFile library(folder_.path("out.h5"));

@@ -57,7 +57,7 @@ void each_column(Columns& c, Visit visit) {
   visit("/candidates/source", c.source, 1, "", "PAD or draw that it came from");
   visit("/candidates/stance", c.stance, 1, "", "way of standing that the job's wishes allow");
   visit("/candidates/canvas_from_shape", c.pose, 4, "px", "as in /placements");
-  visit("/candidates/terms", c.terms, 5, "px, px2, px4", "matched; overlap, gap; overlap, gap of squared areas");
+  visit("/candidates/terms", c.terms, 6, "px, px2, px4", "matched; overlap, gap; overlap, gap of squared areas");
   visit("/candidates/score", c.score, 1, "", "");
   visit("/candidates/exact", c.exact, 1, "", "1: the score is the exact one");
   visit("/candidates/window", c.window, 4, "nodes", "x0 y0 x1 y1: nodes whose change changes the score");

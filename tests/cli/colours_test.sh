@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# colours_test.sh TESSERA MPIRUN NEW_FOLDER: a job whose pieces show a picture: the same pieces on one rank, on three, and
+# after interruptions; another picture is another job; a result is drawn again without it.
+set -uo pipefail
+tessera=$1
+mpirun=$2
+folder=$3
+# shellcheck source=tests/cli/restart_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/restart_fixture.sh"
+
+enter_folder
+# Red drawings and blue ones of other shapes.
+make_drawings many
+for drawing in many/star many/leaf; do sed -i 's/teal/red/' "$drawing.svg"; done
+for drawing in many/bean many/drop many/corner; do sed -i 's/teal/blue/' "$drawing.svg"; done
+run 0 library build many -o coloured.h5
+picture() { # LEFT RIGHT
+  echo "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 4 3'><path fill='$1' d='M0 0H2V3H0Z'/>" \
+    "<path fill='$2' d='M2 0H4V3H2Z'/></svg>" >picture.svg
+}
+picture red blue
+cat >job.toml <<'END'
+[library]
+file = 'coloured.h5'
+[canvas]
+size_px = [240, 180]
+[pieces]
+scale_px = [14, 50]
+[colour]
+image = 'picture.svg'
+[improve]
+trials = 40
+[output]
+width_px = 240
+[checkpoint]
+every_s = 0.2
+END
+same_on_3_ranks expected collage job.toml
+cp expected/pieces.geojson expected.geojson
+expect_result expected_on_3
+echo "ok three ranks"
+
+# Parts of the pieces, in percent, that stand in the half of their colour.
+in_place=$(sed -n 's/.*"shape":"\([a-z]*\)".*"x_px":\([0-9.-]*\).*/\1 \2/p' expected.geojson |
+  awk '{ red = $1 == "star" || $1 == "leaf"; right += red == ($2 < 120) } END { print int(100 * right / NR) }')
+((in_place > 80)) || fail "of the pieces $in_place % stand where their colour is wanted"
+echo "ok the picture is shown"
+
+interrupt USR2 1 parts --set checkpoint.every_s=0.01
+expect_code 75 "an interruption"
+interrupt USR2 3 parts --resume
+expect_code 75 "an interruption on three ranks"
+cp -r parts other
+start 1 parts --resume
+expect_end 0 "the rest"
+expect_result parts
+echo "ok interruptions"
+
+picture blue red
+start 1 other --resume
+expect_end 2 "another picture"
+expect_error_line 'colour.image: another content: ".*picture.svg" has changed since' "another picture"
+picture red blue
+start 1 other --resume
+expect_end 0 "the same picture again"
+expect_result other
+echo "ok another picture"
+
+rm picture.svg
+cp expected/collage.png before.png
+run 0 draw expected --png --quiet
+cmp -s before.png expected/collage.png || fail "drawn again, the picture differs"
+echo "ok drawn again without the picture"

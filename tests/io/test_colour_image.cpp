@@ -1,0 +1,146 @@
+// colour.image: from the file to the colours that pieces are compared with.
+#include "io/job/colour_image.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "core/base/error.h"
+#include "io/library/library_file.h"
+#include "io/library/library_view.h"
+#include "random_shape.h"
+#include "scratch_folder.h"
+#include "support/colours.h"
+
+namespace tessera::io {
+namespace {
+
+class ColourImage : public testing::Test {
+ protected:
+  ColourImage() {
+    job_.path = "a.toml";
+    job_.settings.pieces.min_scale_px = 16;  // a texel for 2 px
+  }
+
+  std::string library(bool known) const {
+    LibraryWriter writer(folder_.path("library.h5"), {});
+    for (std::uint64_t seed : {1, 2, 3}) {
+      Shape shape = test::RandomShape(seed, 5).make();
+      shape.name = "shape" + std::to_string(seed);
+      shape.colour_grid = {};
+      shape.mean_lab = {float(10 * seed), 1, 2};
+      if (known) test::paint(shape.colour_grid, int(seed), test::numbered_colour(std::uint32_t(seed)));
+      writer.append(shape);
+    }
+    writer.finish();
+    return folder_.path("library.h5");
+  }
+
+  std::string image(const std::string& name, const cv::Mat& bgr) const {
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(std::filesystem::path(name).extension(), bgr, bytes);
+    return folder_.write(name, std::string(bytes.begin(), bytes.end()));
+  }
+
+  Texel colour_of(const std::string& file, Vec2 p_px) {
+    job_.colour.image = file;
+    set_colours(canvas_, LibraryFile(library(true)), job_);
+    return job_.settings.colour.target->at(0, p_px);
+  }
+
+  std::string mistake(const std::string& file, bool known = true) {
+    job_.colour.image = file;
+    try {
+      set_colours(canvas_, LibraryFile(library(known)), job_);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no mistake found";
+  }
+
+  test::ScratchFolder folder_;
+  Job job_;
+  Canvas canvas_ = make_rectangle_canvas(200, 100);
+};
+
+void expect_red(const Texel& texel) {
+  EXPECT_NEAR(texel.lightness, 53.2f, 0.6f);
+  EXPECT_NEAR(texel.a, 80.1f, 1.f);
+  EXPECT_NEAR(texel.b, 67.2f, 1.f);
+  EXPECT_FLOAT_EQ(texel.weight, 1);
+}
+
+/// Red on the left, black on the right; higher than the canvas.
+cv::Mat two_halves(cv::Size size) {
+  cv::Mat bgr(size, CV_8UC3, cv::Scalar(0, 0, 0));
+  bgr(cv::Rect(0, 0, size.width / 2, size.height)) = cv::Scalar(0, 0, 255);
+  return bgr;
+}
+
+TEST_F(ColourImage, WithoutOneNothingIsWished) {
+  set_colours(canvas_, LibraryFile(library(true)), job_);
+  EXPECT_FALSE(job_.settings.colour);
+  EXPECT_EQ(job_.colour_digest, 0u);
+}
+
+TEST_F(ColourImage, CoversTheCanvas) {
+  const std::string file = image("a.png", two_halves({400, 200}));
+  expect_red(colour_of(file, {50, 50}));
+  EXPECT_LT(colour_of(file, {150, 50}).lightness, 1);
+  EXPECT_EQ(job_.settings.colour.target->levels()[0].width, 100u);
+  EXPECT_EQ(job_.settings.colour.target->levels()[0].height, 50u);
+  EXPECT_EQ((*job_.settings.colour.of_shapes)[1], (Lab{20, 1, 2}));
+}
+
+TEST_F(ColourImage, OfAnotherAspectIsCutAtTheMiddle) {
+  cv::Mat bgr(400, 400, CV_8UC3, cv::Scalar(0, 0, 0));
+  bgr(cv::Rect(0, 100, 400, 200)) = cv::Scalar(0, 0, 255);
+  const std::string file = image("a.jpg", bgr);
+  for (const Vec2 p : {Vec2{20, 6}, Vec2{190, 94}}) expect_red(colour_of(file, p));
+}
+
+TEST_F(ColourImage, TransparencyWishesNothing) {
+  cv::Mat bgra(100, 200, CV_8UC4, cv::Scalar(0, 0, 255, 255));
+  bgra(cv::Rect(100, 0, 100, 100)) = cv::Scalar(0, 255, 0, 0);
+  const std::string file = image("a.png", bgra);
+  expect_red(colour_of(file, {50, 50}));
+  EXPECT_EQ(colour_of(file, {150, 50}).weight, 0);
+}
+
+TEST_F(ColourImage, MayBeAnSvg) {
+  const std::string file = folder_.write(
+      "a.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 20 10'><path fill='red' d='M0 0H10V10H0Z'/></svg>");
+  expect_red(colour_of(file, {50, 50}));
+  EXPECT_EQ(colour_of(file, {150, 50}).weight, 0);
+}
+
+/// What decides whether a run may go on.
+TEST_F(ColourImage, DigestKnowsPictureAndLibrary) {
+  const auto digest = [&](const cv::Mat& bgr) {
+    colour_of(image("a.png", bgr), {0, 0});
+    return job_.colour_digest;
+  };
+  cv::Mat other = two_halves({400, 200});
+  const std::uint64_t first = digest(other);
+  EXPECT_EQ(digest(other), first);
+  other.at<cv::Vec3b>(3, 3) = {255, 255, 255};
+  EXPECT_NE(digest(other), first);
+}
+
+TEST_F(ColourImage, MistakesNameKeyAndFile) {
+  EXPECT_EQ(mistake(folder_.path("none.png")).rfind("colour.image: ", 0), 0u);
+  const std::string text = folder_.write("text.png", "no picture");
+  EXPECT_NE(mistake(text).find(text), std::string::npos);
+  const std::string clear = image("clear.png", cv::Mat(10, 20, CV_8UC4, cv::Scalar()));
+  EXPECT_EQ(mistake(clear), "a.toml: colour.image: " + clear + " is transparent all over");
+  const std::string good = image("a.png", two_halves({400, 200}));
+  EXPECT_EQ(mistake(good, false), "a.toml: colour.image: " + folder_.path("library.h5") +
+                                      " does not know the colours of shape1's parts, as libraries of older versions; "
+                                      "build it again");
+  job_.canvas.seamless = Seamless::both;
+  EXPECT_EQ(mistake(good),
+            "a.toml: colour.image: found with canvas.seamless, allowed: a canvas that does not repeat");
+}
+
+}  // namespace
+}  // namespace tessera::io

@@ -1,0 +1,88 @@
+// Collages whose pieces show a picture: dark pieces where it is dark.
+#include <gtest/gtest.h>
+
+#include "support/colours.h"
+#include "whole_collage.h"
+
+namespace tessera {
+namespace {
+
+using namespace whole_collage;
+
+const Lab kDark{15, 0, 0};
+const Lab kLight{90, 5, 20};
+
+/// Every other one is dark.
+std::vector<Shape> two_coloured_library() {
+  std::vector<Shape> shapes = library();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Lab& colour = i % 2 == 0 ? kDark : kLight;
+    shapes[i].colour_grid = test::two_toned_grid(colour, colour);
+    shapes[i].mean_lab = {colour.lightness, colour.a, colour.b};
+  }
+  return shapes;
+}
+
+const Canvas& canvas() {
+  static const Canvas made = make_rectangle_canvas(320, 240);
+  return made;
+}
+
+/// Dark on the left.
+CollageSettings coloured(float weight) {
+  CollageSettings s = settings();
+  std::vector<Lab> of_shapes;
+  for (const Shape& shape : two_coloured_library()) {
+    of_shapes.push_back({shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]});
+  }
+  s.colour = test::wish_for(
+      test::picture(320, 240, [](Vec2 p) { return test::opaque(p.x < 160 ? kDark : kLight); }), of_shapes, weight);
+  return s;
+}
+
+master::CollageResult run_coloured(const CollageSettings& s, std::vector<std::uint32_t> cuts = {}) {
+  const std::vector<Shape> shapes = two_coloured_library();
+  const MatchingContext context = make_matching_context(s, std::uint32_t(shapes.size()));
+  CompositeMatcher matcher = test::divided_matcher(shapes, context, std::move(cuts));
+  test::VectorShapes source(shapes);
+  master::SilentObserver silent;
+  return master::make_collage(canvas(), s, matcher, source, silent);
+}
+
+/// The part of the pieces' area that lies by its centre in the half of its own colour.
+double in_place(const std::vector<Placement>& placements) {
+  double right = 0, all = 0;
+  for (const Placement& p : placements) {
+    const double area = double(p.canvas_from_shape.scale()) * p.canvas_from_shape.scale();
+    const bool dark = index_of(p.shape) % 2 == 0;
+    all += area;
+    if (dark == (p.canvas_from_shape.tx < 160)) right += area;
+  }
+  return right / all;
+}
+
+TEST(Colours, PiecesShowThePicture) {
+  const master::CollageResult result = run_coloured(coloured(1));
+  EXPECT_GT(in_place(result.placements), 0.9);
+  EXPECT_LT(in_place(run_coloured(settings()).placements), 0.75) << "without a picture they lie anywhere";
+  EXPECT_GT(quality(canvas(), result).coverage, 0.8);
+}
+
+TEST(Colours, OfNoWeightChangeNothing) {
+  EXPECT_EQ(run_coloured(coloured(0)).placements, run_coloured(settings()).placements);
+}
+
+TEST(Colours, DoNotDependOnTheDivisionOfTheLibrary) {
+  const master::CollageResult whole = run_coloured(coloured(1));
+  EXPECT_EQ(run_coloured(coloured(1), {3, 4, 9}).placements, whole.placements);
+}
+
+/// A place whose colour nothing has is filled all the same.
+TEST(Colours, LeaveNoPlaceEmpty) {
+  CollageSettings s = coloured(3);
+  s.colour.target = test::picture(320, 240, [](Vec2) { return test::opaque({50, -80, 70}); });
+  EXPECT_GT(quality(canvas(), run_coloured(s)).coverage, 0.8);
+}
+
+}  // namespace
+}  // namespace tessera
