@@ -65,7 +65,7 @@ bool fit_within(const StanceRecord* stance, const Moments* m, Fit* fit) {
 
 // `shape_x`, `shape_y`: key points of the shape's sample, steps. Least squares at the longest level at which both
 // agree, by the stance that fits best.
-Alignment align_pyramids(const Stances* stances, global const short* shape_x, global const short* shape_y, float step,
+Alignment align_pyramids(const Stances* stances, float sizes, global const short* shape_x, global const short* shape_y, float step,
                          global const SampleRecord* target, float scale_low_px, float scale_high_px) {
   Alignment result;
   result.valid = false;
@@ -75,7 +75,7 @@ Alignment align_pyramids(const Stances* stances, global const short* shape_x, gl
         moments(shape_x, shape_y, step, target, kPadLevels - 1 - level, kPadLevels + 2 + level);
     float least = kAlignmentTolerance * kAlignmentUnit_px * sqrt(m.product.w / m.count);
     for (uint k = 0; k < stances->list.count; ++k) {
-      const StanceRecord stance = stances->stance[k];
+      const StanceRecord stance = with_sizes_up_to(sizes, stances->stance[k]);
       Fit fit;
       if (!fit_within(&stance, &m, &fit) || fit.residual > least) continue;
       const float scale = scale_of(fit.pose);
@@ -167,7 +167,7 @@ int level_of_source(constant MatchRecord* match, uint source) {
 // are those of select_pairs from sample `first_paired` on.
 kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
-                       global const float* field_value, constant ColourRecord* colour, global const float* texels,
+                       global const float* size_map, global const float* field_value, constant ColourRecord* colour, global const float* texels,
                        global const short* keypoints, global const float* contours,
                        global const ShapeRecord* shapes, uint first_sample,
                        uint end_sample, global const SampleRecord* samples, uint first_paired,
@@ -182,6 +182,7 @@ kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* s
   global const float* contour = contours + (size_t)shape * kContourFloats;
   const size_t pair_place = (size_t)(t - first_paired) * match->shapes + shape;
   const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
+  const float sizes = size_part(match, size_map, target->position_x, target->position_y);
   BestDockings best;
   best.count = 0;
   uint looked_at = 0;
@@ -191,7 +192,7 @@ kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* s
     constant LevelRecord* level = match->level + level_of_source(match, pair.source);
     global const short* keypoint = keypoints + ((size_t)shape * match->sources + pair.source) * 2 * kPadKeypoints;
     const Alignment aligned =
-        align_pyramids(&standing, keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target,
+        align_pyramids(&standing, sizes, keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target,
                        level->scale_low_px, level->scale_high_px);
     if (!aligned.valid) continue;
     ++looked_at;
@@ -274,7 +275,7 @@ INLINE PoseRecord tangent_docking(const StanceRecord* stance, global const float
 // NO_DOCKING or NOT_EVALUATED as key.
 kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord* stances,
                           global const StanceListRecord* stance_lists, global const uint* shape_class,
-                          uint open_count, uint all_open, global const uint* open_shapes,
+                          global const float* size_map, uint open_count, uint all_open, global const uint* open_shapes,
                           global const float* field_value, constant ColourRecord* colour, global const float* texels,
                           global const uint* near_shapes, global const float* contours,
                           global const ShapeRecord* shapes, uint first_sample, global const SampleRecord* samples,
@@ -301,7 +302,8 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
   const ulong more = mix_bits(bits);
   const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
   const uint k = (uint)(((more & 0xffffffffu) * standing.list.count) >> 32);
-  const StanceRecord stance = standing.stance[k];
+  const float sizes = size_part(match, size_map, target->position_x, target->position_y);
+  const StanceRecord stance = with_sizes_up_to(sizes, standing.stance[k]);
   const float growth = portable_exp2(unit_float((uint)(more >> 32)) * stance.log2_scale_ratio);
   global const float* contour = contours + (size_t)shape * kContourFloats;
   const int point = docked_point(&stance, contour, (uint)(bits & 0xffffffffu), target);

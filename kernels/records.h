@@ -66,6 +66,9 @@ typedef struct MatchRecord {
   int field_height;
   float field_origin_x;  // canvas px of node (0, 0)
   float field_origin_y;
+  u32 size_width;  // SizeMap; 0: none
+  u32 size_height;
+  float size_cells_per_px;
   LevelRecord level[kSmoothingLevelCount];
 } MatchRecord;
 

@@ -203,7 +203,7 @@ ExtentRecord extent_of(PoseRecord s, global const float* contour) {
 
 // Work item: a docking, whose shape is of this shard.
 kernel void refine_dockings(constant MatchRecord* match, global const StanceRecord* stances,
-                            global const float* field_value, constant ColourRecord* colour,
+                            global const float* size_map, global const float* field_value, constant ColourRecord* colour,
                             global const float* texels, global const float* contours,
                             global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
                             global RefinedRecord* refined) {
@@ -212,8 +212,11 @@ kernel void refine_dockings(constant MatchRecord* match, global const StanceReco
   const uint shape = dockings[i].shape - match->first_shape;
   const Field field = free_field(match, field_value);
   const Picture picture = {colour, texels};
-  const Piece piece = {contours + (size_t)shape * kContourFloats, shapes + shape, &field, stances[dockings[i].stance]};
-  RefinedRecord result = {dockings[i].canvas_from_shape, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0};
+  const PoseRecord pose = dockings[i].canvas_from_shape;
+  const float sizes = size_part(match, size_map, pose.tx, pose.ty);
+  const Piece piece = {contours + (size_t)shape * kContourFloats, shapes + shape, &field,
+                       with_sizes_up_to(sizes, stances[dockings[i].stance])};
+  RefinedRecord result = {pose, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0};
   if (refine(&result.canvas_from_shape, &piece, match->hard_depth_px)) {
     result.feasible = 1;
     result.terms = docking_terms(match, piece.contour, piece.shape, result.canvas_from_shape, &field, &picture);

@@ -4,8 +4,8 @@
 
 #include "core/matching/sized_settings.h"
 #include "io/job/canvas_file.h"
-#include "io/job/colour_image.h"
 #include "io/job/job_library.h"
+#include "io/job/overlays.h"
 #include "io/job/palette.h"
 #include "io/job/picture_size.h"
 #include "io/job/start_pieces.h"
@@ -37,7 +37,7 @@ Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job) {
     job.size_factor =
         first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2, library.drawings());
   }
-  io::set_colours(canvas, library, job);
+  io::set_overlays(io::read_overlays(canvas, job), library, job);
   io::check_images(canvas, with_sizes_times(job.size_factor, job.settings).pieces);
   return canvas;
 }

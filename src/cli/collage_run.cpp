@@ -111,7 +111,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   if (input.from) journal->resumed(*input.from);
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
   announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
-  announce_colours(ranks, input.job);
+  announce_overlays(ranks, input.job);
   const std::unique_ptr<Matcher> matcher =
       ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library, stop_reason);
   // Over those that LLVM brings with the first kernel: they reset themselves when they are called, and a second signal

@@ -50,7 +50,7 @@ void run_collage_worker(comm::Communicator& ranks) {
   const comm::Heart heart(ranks, job.comm.silence_s);
   const io::LibraryView library = io::open_library_of(job);
   check_library(ranks, library);
-  receive_colours(ranks, library, job);
+  receive_overlays(ranks, library, job);
   io::resolve_wishes(library, job);
   const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);

@@ -8,11 +8,12 @@
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
-#include "io/job/colour_image.h"
+#include "io/job/overlays.h"
 #include "worker/kernel_options.h"
 
 namespace tessera::cli {
@@ -42,6 +43,34 @@ std::string exact_text(double value) {
   char text[64];
   std::snprintf(text, sizeof text, "%a", value);
   return text;
+}
+
+struct CellCount {
+  int width;
+  int height;
+};
+
+/// Its size and length as a text, then its cells.
+template <class Cell>
+void send_cells(comm::Communicator& ranks, CellCount count, float length, const Cell* cells) {
+  ranks.broadcast(
+      to_bytes(std::to_string(count.width) + " " + std::to_string(count.height) + " " + exact_text(double(length))));
+  const char* const bytes = reinterpret_cast<const char*>(cells);
+  ranks.broadcast({bytes, bytes + std::size_t(count.width) * std::size_t(count.height) * sizeof(Cell)});
+}
+
+template <class Cell>
+Grid<Cell> receive_cells(comm::Communicator& ranks, float& length) {
+  std::istringstream text(receive_text(ranks));
+  CellCount count{};
+  std::string exact_length;
+  text >> count.width >> count.height >> exact_length;
+  length = std::strtof(exact_length.c_str(), nullptr);
+  const comm::Bytes bytes = ranks.broadcast({});
+  Grid<Cell> cells(count.width, count.height);
+  if (bytes.size() != cells.data().size() * sizeof(Cell)) throw std::logic_error("cells of another size");
+  if (!bytes.empty()) std::memcpy(static_cast<void*>(cells.data().data()), bytes.data(), bytes.size());
+  return cells;
 }
 
 }  // namespace
@@ -85,32 +114,32 @@ void check_library(comm::Communicator& ranks, const io::ShapeLibrary& library) {
                    "); all ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
 }
 
-// The finest level alone: the others follow from it.
-void announce_colours(comm::Communicator& ranks, const io::Job& job) {
+// Of colours the finest level alone: the others follow from it.
+void announce_overlays(comm::Communicator& ranks, const io::Job& job) {
+  ranks.broadcast(to_bytes(hex(job.overlay_digest)));
   const ColourWish& colour = job.settings.colour;
-  ranks.broadcast(to_bytes(hex(job.colour_digest)));
-  if (!colour.target) return;
-  const ColourLevel& finest = colour.target->levels().front();
-  ranks.broadcast(to_bytes(std::to_string(finest.width) + " " + std::to_string(finest.height) + " " +
-                           exact_text(colour.target->px_per_texel())));
-  const char* const texels = reinterpret_cast<const char*>(colour.target->texels().data());
-  ranks.broadcast({texels, texels + std::size_t(finest.width) * finest.height * sizeof(Texel)});
+  const int width = colour.target ? int(colour.target->levels().front().width) : 0;
+  const int height = colour.target ? int(colour.target->levels().front().height) : 0;
+  send_cells<Texel>(ranks, {width, height}, colour.target ? colour.target->px_per_texel() : 0,
+                    colour.target ? colour.target->texels().data() : nullptr);
+  const SizeMap none;
+  const SizeMap& sizes = job.settings.pieces.size_map ? *job.settings.pieces.size_map : none;
+  send_cells<float>(ranks, {sizes.part.width(), sizes.part.height()}, sizes.cells_per_px, sizes.part.data().data());
 }
 
-void receive_colours(comm::Communicator& ranks, const io::ShapeLibrary& library, io::Job& job) {
+void receive_overlays(comm::Communicator& ranks, const io::ShapeLibrary& library, io::Job& job) {
   const std::string masters = receive_text(ranks);
-  if (masters == hex(0)) return;
-  std::istringstream size(receive_text(ranks));
-  int width = 0, height = 0;
-  std::string px_per_texel;
-  size >> width >> height >> px_per_texel;
-  const comm::Bytes bytes = ranks.broadcast({});
-  Grid<Texel> finest(width, height);
-  if (bytes.size() != finest.data().size() * sizeof(Texel)) throw std::logic_error("colours of another size");
-  std::memcpy(finest.data().data(), bytes.data(), bytes.size());
-  io::set_colours(std::make_shared<const ColourTarget>(finest, std::strtof(px_per_texel.c_str(), nullptr)), library, job);
-  if (hex(job.colour_digest) == masters) return;
-  throw InputError(library.path() + ": other colours of the drawings than in the master's library of this name; all "
+  io::Overlays overlays;
+  float length = 0;
+  const Grid<Texel> finest = receive_cells<Texel>(ranks, length);
+  if (!finest.data().empty()) overlays.colour = std::make_shared<const ColourTarget>(finest, length);
+  SizeMap sizes;
+  sizes.part = receive_cells<float>(ranks, sizes.cells_per_px);
+  if (!sizes.part.data().empty()) overlays.sizes = std::make_shared<const SizeMap>(std::move(sizes));
+  io::set_overlays(overlays, library, job);
+  if (hex(job.overlay_digest) == masters) return;
+  throw InputError(library.path() +
+                   ": other colours of the drawings than in the master's library of this name; all "
                    "ranks must read the same: copy it anew to every node, or keep it where all nodes see it");
 }
 

@@ -21,14 +21,14 @@ void announce_run(comm::Communicator& ranks, const std::string& program, const i
 /// the job otherwise.
 io::Job receive_job(comm::Communicator& ranks, const std::string& program);
 
-/// Rank 0, then: the picture that pieces are to show, or that there is none.
-void announce_colours(comm::Communicator& ranks, const io::Job& job);
+/// Rank 0, then: the pictures that lie over the canvas.
+void announce_overlays(comm::Communicator& ranks, const io::Job& job);
 
 /// A worker, after receive_job: throws InputError where `library` has another content than the master's.
 void check_library(comm::Communicator& ranks, const io::ShapeLibrary& library);
 
-/// A worker, after check_library: sets the job's colours. Throws InputError where its library knows other colours of its
+/// A worker, after check_library: sets the job's overlays. Throws InputError where its library knows other colours of its
 /// drawings than the master's.
-void receive_colours(comm::Communicator& ranks, const io::ShapeLibrary& library, io::Job& job);
+void receive_overlays(comm::Communicator& ranks, const io::ShapeLibrary& library, io::Job& job);
 
 }  // namespace tessera::cli

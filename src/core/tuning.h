@@ -116,14 +116,14 @@ inline constexpr float kDefectCost = 5;        // scale_aware: a piece that spoi
 inline constexpr float kLeastDefect = 0.0025f;  // paper: keeps Z finite for a perfect fit, px² per px² of the piece
 
 // Colour, where a picture is to be shown. Differences are CIEDE2000.
-inline constexpr float kColourFading = 0.125f;    // at weight 1 a score halves with every 8
-inline constexpr float kMostFading = 40;          // halvings: keeps numbers normal
-inline constexpr float kColourOfMeans = 0.5f;     // of the difference; the rest is that of the cells
-inline constexpr float kColourFootprint = 0.7f;   // of the scale: the place whose mean is compared before refinement
-inline constexpr float kNearColourShare = 8;      // at weight 1 one in so many shapes has the colour of a place,
+inline constexpr float kColourFading = 0.125f;   // at weight 1 a score halves with every 8
+inline constexpr float kMostFading = 40;         // halvings: keeps numbers normal
+inline constexpr float kColourOfMeans = 0.5f;    // of the difference; the rest is that of the cells
+inline constexpr float kColourFootprint = 0.7f;  // of the scale: the place whose mean is compared before refinement
+inline constexpr float kNearColourShare = 4;     // at weight 1 one in so many shapes has the colour of a place,
 inline constexpr std::uint32_t kLeastNearColours = 64;  // but so many at least
-inline constexpr float kColourStep = 8;           // of a lattice in CIELAB: places of one lattice point share their shapes
-inline constexpr std::uint32_t kAnyColourDraws = 4;  // every so-many-th random docking takes a shape of any colour
+inline constexpr float kColourStep = 8;  // of a lattice in CIELAB: places of one lattice point share their shapes
+inline constexpr std::uint32_t kAnyColourDraws = 2;  // every so-many-th random docking takes a shape of any colour
 
 // The pool and the choice.
 inline constexpr int kPoolPerSample = 4;       // refined candidates kept

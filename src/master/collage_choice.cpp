@@ -49,7 +49,8 @@ void Collage::check_ahead() {
 
 /// Makes a piece of the candidate, which may change what it is worth: that is measured again. False: it is given up.
 bool Collage::settle(Candidate& candidate) {
-  const PoseRange& poses = context_.stances[candidate.stance].poses;
+  const Stance& stance = context_.stances[candidate.stance];
+  const PoseRange poses = sized_at(context_, stance, candidate.canvas_from_shape.translation()).poses;
   if (!settling_.settle(candidate.shape, poses, candidate.canvas_from_shape)) return false;
   candidate.canvas_from_shape = free_.grid().period().wrapped(candidate.canvas_from_shape);
   candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context_);
@@ -78,7 +79,7 @@ bool Collage::choose_first(Candidate& first, const std::function<void()>& look) 
     first = {};
     first.shape = stances.open_shape(std::uint32_t(((random >> 32) * stances.open_shapes()) >> 32));
     first.stance = stances.list(first.shape).first;
-    const PoseRange& poses = stances[first.stance].poses;
+    const PoseRange poses = sized_at(context_, stances[first.stance], middle_px).poses;
     const Vec2 along = poses.rotations.middle * scale_px;
     first.canvas_from_shape = {along.x, along.y, middle_px.x, middle_px.y};
     poses.pull_in(first.canvas_from_shape);

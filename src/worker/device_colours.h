@@ -5,8 +5,8 @@
 
 #include "core/matching/matching_context.h"
 #include "core/matching/near_colours.h"
-#include "worker/opencl_runtime.h"
 #include "records.h"
+#include "worker/opencl_runtime.h"
 
 namespace tessera::worker {
 

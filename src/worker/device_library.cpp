@@ -35,6 +35,7 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
       contours_(session_),
       shapes_(session_),
       field_(session_),
+      size_map_(session_, context.size_map ? context.size_map->part.data() : std::vector<float>()),
       all_stances_(context.stances),
       stances_(session_),
       colours_(session_, context) {

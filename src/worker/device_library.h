@@ -30,6 +30,7 @@ class DeviceLibrary {
   const DeviceBuffer<float>& contours() const { return contours_; }
   const DeviceBuffer<ShapeRecord>& shapes() const { return shapes_; }
   const DeviceBuffer<float>& field() const { return field_; }
+  const DeviceBuffer<float>& size_map() const { return size_map_; }
   const DeviceStances& stances() const { return stances_; }
   const DeviceColours& colours() const { return colours_; }
   DeviceColours& colours() { return colours_; }
@@ -49,6 +50,7 @@ class DeviceLibrary {
   DeviceBuffer<float> contours_;
   DeviceBuffer<ShapeRecord> shapes_;
   DeviceBuffer<float> field_;
+  DeviceBuffer<float> size_map_;
   StanceTable all_stances_;
   DeviceStances stances_;
   DeviceColours colours_;

@@ -71,9 +71,10 @@ void DockStage::dock_pairs(const Part& part) {
   paired_keys_.reserve(places);
   launch(library_->session(), dock_pairs_, {part.count(), library_->match().shapes, kSamplesPerGroup},
          library_->match_buffer(), library_->stances().stances(), library_->stances().lists(),
-         library_->stances().shape_class(), library_->field(), library_->colours().record(),
-         library_->colours().texels(), library_->keypoints(), library_->contours(), library_->shapes(), part.first, part.end, pairs_->samples(), first_paired, pairs_->pairs(),
-         pairs_->pair_count(), paired_, paired_keys_, evaluated_);
+         library_->stances().shape_class(), library_->size_map(), library_->field(), library_->colours().record(),
+         library_->colours().texels(), library_->keypoints(), library_->contours(), library_->shapes(), part.first,
+         part.end, pairs_->samples(), first_paired, pairs_->pairs(), pairs_->pair_count(), paired_, paired_keys_,
+         evaluated_);
 }
 
 void DockStage::dock_tangents(const Part& part) {
@@ -82,7 +83,7 @@ void DockStage::dock_tangents(const Part& part) {
   tangent_keys_.reserve(places);
   const DeviceStances& stances = library_->stances();
   launch(library_->session(), dock_tangents_, {draws_, part.count(), kDrawsPerGroup}, library_->match_buffer(),
-         stances.stances(), stances.lists(), stances.shape_class(), stances.open_count(),
+         stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), stances.open_count(),
          std::uint32_t(stances.all_open()), stances.open_shapes(), library_->field(), library_->colours().record(),
          library_->colours().texels(), library_->colours().near_shapes(), library_->contours(), library_->shapes(),
          part.first, pairs_->samples(), draws_, tangent_, tangent_keys_);

@@ -44,7 +44,8 @@ std::uint32_t PairStage::need(std::uint32_t first, std::uint32_t end) {
   launch(library_->session(), select_pairs_, {end - first, library_->match().shapes, kSamplesPerGroup},
          library_->match_buffer(), library_->stances().stances(), library_->stances().lists(),
          library_->stances().shape_class(), library_->pad_bytes(), library_->pads(), library_->pad_records(),
-         library_->keypoints(), library_->colours().record(), library_->colours().near_bits(), first, end, only_longer_reach, sample_buffer_, pairs_, pair_count_);
+         library_->keypoints(), library_->colours().record(), library_->colours().near_bits(), first, end,
+         only_longer_reach, sample_buffer_, pairs_, pair_count_);
   for (std::uint32_t t = first; t < end; ++t) {
     SampleRecord& sample = samples_[t];
     sample.held_reach = only_longer_reach ? std::max(sample.held_reach, sample.reach) : sample.reach;

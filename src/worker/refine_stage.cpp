@@ -49,8 +49,8 @@ void RefineStage::post(const std::vector<Docking>& dockings) {
   posted_ = dockings;
   refined_.reserve(count);
   launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(), library_->stances().stances(),
-         library_->field(), library_->colours().record(), library_->colours().texels(), library_->contours(),
-         library_->shapes(), count, dockings_, refined_);
+         library_->size_map(), library_->field(), library_->colours().record(), library_->colours().texels(),
+         library_->contours(), library_->shapes(), count, dockings_, refined_);
   library_->session().flush();
 }
 

@@ -101,6 +101,11 @@ MatchRecord make_match_record(const MatchingContext& c, const ShapeRange& shapes
   m.gap_px = c.gap_px;
   m.first_shape = shapes.begin;
   m.shapes = shapes.end - shapes.begin;
+  if (c.size_map) {
+    m.size_width = u32(c.size_map->part.width());
+    m.size_height = u32(c.size_map->part.height());
+    m.size_cells_per_px = c.size_map->cells_per_px;
+  }
   m.level_count = u32(c.levels.size());
   for (std::size_t k = 0; k < c.levels.size(); ++k) {
     const u32 count = u32(kSmoothingLevels[c.levels[k]].samples);

@@ -7,7 +7,7 @@
 
 #include "comm/in_process_communicator.h"
 #include "core/base/error.h"
-#include "io/job/colour_image.h"
+#include "io/job/overlays.h"
 
 namespace tessera::io::test {
 
@@ -61,30 +61,36 @@ TEST(RankAgreement, the_masters_job_arrives) {
 }
 
 /// To the bit, however its sizes divide.
-TEST(RankAgreement, the_picture_arrives) {
+TEST(RankAgreement, pictures_over_the_canvas_arrive) {
   Grid<Texel> finest(37, 11);
-  for (std::size_t i = 0; i < finest.data().size(); ++i) finest.data()[i] = {float(i) / 7, float(i) / 3, -1.f / 9, 0.7f};
+  for (std::size_t i = 0; i < finest.data().size(); ++i)
+    finest.data()[i] = {float(i) / 7, float(i) / 3, -1.f / 9, 0.7f};
   const auto target = std::make_shared<const ColourTarget>(finest, 1.7f);
+  const auto sizes = std::make_shared<const SizeMap>(SizeMap{Grid<float>(5, 3, 0.3f), 0.7f});
   const io::test::NoLibrary library;
   comm::InProcessNetwork network(2);
   std::jthread master([&] {
     io::Job job;
-    io::set_colours(target, library, job);
-    announce_colours(*network.connect(0), job);
+    io::set_overlays({target, sizes}, library, job);
+    announce_overlays(*network.connect(0), job);
   });
   io::Job job;
-  receive_colours(*network.connect(1), library, job);
+  receive_overlays(*network.connect(1), library, job);
   ASSERT_TRUE(job.settings.colour);
   EXPECT_EQ(job.settings.colour.target->texels(), target->texels());
+  ASSERT_TRUE(job.settings.pieces.size_map);
+  EXPECT_EQ(job.settings.pieces.size_map->part.data(), sizes->part.data());
+  EXPECT_EQ(job.settings.pieces.size_map->cells_per_px, 0.7f);
   EXPECT_EQ(job.settings.colour.target->levels().back().texels_per_px, target->levels().back().texels_per_px);
 }
 
 TEST(RankAgreement, where_there_is_no_picture_none_arrives) {
   comm::InProcessNetwork network(2);
-  std::jthread master([&] { announce_colours(*network.connect(0), {}); });
+  std::jthread master([&] { announce_overlays(*network.connect(0), {}); });
   io::Job job;
-  receive_colours(*network.connect(1), io::test::NoLibrary(), job);
+  receive_overlays(*network.connect(1), io::test::NoLibrary(), job);
   EXPECT_FALSE(job.settings.colour);
+  EXPECT_FALSE(job.settings.pieces.size_map);
 }
 
 TEST(RankAgreement, another_program_is_refused) {

@@ -129,12 +129,13 @@ inline MatchingScene scene_with_colours(float weight = 1) {
   CollageSettings settings = scene_settings();
   std::vector<Lab> of_shapes;
   for (std::uint32_t i = 0; i < 80; ++i) of_shapes.push_back(numbered_colour(i));
-  settings.colour = wish_for(picture(260, 260,
-                                     [](Vec2 p) {
-                                       if (norm(p - Vec2{60, 60}) < 40) return Texel{};
-                                       return opaque(numbered_colour(std::uint32_t(p.x / 50) + 6 * std::uint32_t(p.y / 50)));
-                                     }),
-                             std::move(of_shapes), weight);
+  settings.colour =
+      wish_for(picture(260, 260,
+                       [](Vec2 p) {
+                         if (norm(p - Vec2{60, 60}) < 40) return Texel{};
+                         return opaque(numbered_colour(std::uint32_t(p.x / 50) + 6 * std::uint32_t(p.y / 50)));
+                       }),
+               std::move(of_shapes), weight);
   return make_scene(settings, {.shapes = 80, .samples = 20});
 }
 
@@ -163,6 +164,27 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithColoursWithinLimits) {
   for (std::uint32_t shape = 0; shape < 80; shape += 3) limits.used_up.push_back(ShapeId{shape});
   const Round round = expect_the_references_round(scene_with_colours(0.3f), limits);
   for (const Docking& docking : round.docked.dockings) EXPECT_NE(index_of(docking.shape) % 3, 0u);
+}
+
+/// From small ones alone on the left to all sizes on the right.
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithSizesByPlace) {
+  CollageSettings settings = scene_settings();
+  SizeMap map{Grid<float>(13, 13), 0.05f};
+  for (int i = 0; i < 13; ++i) {
+    for (int j = 0; j < 13; ++j) map.part(i, j) = float(i) / 11;
+  }
+  settings.pieces.size_map = std::make_shared<const SizeMap>(map);
+  const MatchingScene scene = make_scene(settings);
+  const Round round = expect_the_references_round(scene);
+  bool large = false;
+  for (const RefinedDocking& refined : round.refined) {
+    if (!refined.feasible) continue;
+    const Similarity& before = round.docked.dockings[std::size_t(&refined - round.refined.data())].canvas_from_shape;
+    const float most_px = 16 * std::exp2(std::min(1.f, map.at(before.translation())) * std::log2(90.f / 16));
+    EXPECT_LE(refined.docking.canvas_from_shape.scale(), most_px * 1.001f);
+    large = large || refined.docking.canvas_from_shape.scale() > 60;
+  }
+  EXPECT_TRUE(large) << "where it is white";
 }
 
 TEST_P(MatcherSuite, GivesTheReferencesRoundWithinLimits) {

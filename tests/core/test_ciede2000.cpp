@@ -18,7 +18,9 @@ double with_angles(const Lab& x, const Lab& y) {
   const double g = 0.5 * (1 - seventh(c_mean));
   const double ax = (1 + g) * x.a, ay = (1 + g) * y.a;
   const double cx = std::hypot(ax, double(x.b)), cy = std::hypot(ay, double(y.b));
-  const auto hue = [](double a, double b) { return a == 0 && b == 0 ? 0. : std::fmod(std::atan2(b, a) / kRad + 360, 360.); };
+  const auto hue = [](double a, double b) {
+    return a == 0 && b == 0 ? 0. : std::fmod(std::atan2(b, a) / kRad + 360, 360.);
+  };
   const double hx = hue(ax, x.b), hy = hue(ay, y.b);
   double dh = hy - hx;
   if (cx * cy == 0) dh = 0;

@@ -130,5 +130,29 @@ TEST(Stances, ARangeOfAWholeTurnLimitsNothing) {
   EXPECT_EQ(common_rotations(some, any), some);
 }
 
+TEST(Stances, SizesByPlaceArePartOfTheirOctaves) {
+  CollageSettings settings;
+  settings.pieces.min_scale_px = 10;
+  settings.pieces.max_scale_px = 160;
+  const Stance whole = StanceTable(settings, 1)[0];
+  const Stance half = with_sizes_up_to(0.5f, whole);
+  EXPECT_FLOAT_EQ(half.poses.min_scale_px, 10);
+  EXPECT_FLOAT_EQ(half.poses.max_scale_px, 40);
+  EXPECT_FLOAT_EQ(half.log2_scale_ratio, 2);
+  EXPECT_EQ(with_sizes_up_to(1, whole).poses.max_scale_px, whole.poses.max_scale_px);
+  EXPECT_FLOAT_EQ(with_sizes_up_to(0, whole).poses.max_scale_px, 10);
+}
+
+TEST(Stances, SizeMapIsLinearBetweenItsCellsAndGoesOnBeyond) {
+  SizeMap map{Grid<float>(2, 2), 0.1f};  // cells of 10 px
+  map.part(1, 0) = 1;
+  EXPECT_FLOAT_EQ(map.at({5, 5}), 0);
+  EXPECT_FLOAT_EQ(map.at({15, 5}), 1);
+  EXPECT_FLOAT_EQ(map.at({10, 5}), 0.5f);
+  EXPECT_FLOAT_EQ(map.at({10, 10}), 0.25f);
+  EXPECT_FLOAT_EQ(map.at({-90, -90}), 0);
+  EXPECT_FLOAT_EQ(map.at({90, -90}), 1);
+}
+
 }  // namespace
 }  // namespace tessera

@@ -24,7 +24,8 @@ using test::RandomState;
 using test::ScratchFolder;
 
 Checkpoint random_checkpoint(std::uint32_t seed) {
-  return {"seed = " + std::to_string(seed) + "\n", seed + 1ull, ~std::uint64_t(seed), seed + 2ull, RandomState(seed).make()};
+  return {"seed = " + std::to_string(seed) + "\n", seed + 1ull, ~std::uint64_t(seed), seed + 2ull,
+          RandomState(seed).make()};
 }
 
 bool same(const Candidate& a, const Candidate& b) {

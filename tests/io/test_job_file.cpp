@@ -100,7 +100,7 @@ TEST_F(JobFile, names_line_key_found_and_allowed) {
 TEST_F(JobFile, names_the_nearest_key) {
   EXPECT_EQ(mistake("[pieces]\n\nscale = [20, 160]"),
             "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); allowed in [pieces]: scale_px, "
-            "sizes, rotation_deg, mirrored, uses, fit, padding_px, apart_px, overlap_px");
+            "sizes, size_map, rotation_deg, mirrored, uses, fit, padding_px, apart_px, overlap_px");
   EXPECT_EQ(mistake("[checkpoint]\nuses = 3"),
             "job.toml:2: unknown key checkpoint.uses (did you mean pieces.uses?); "
             "allowed in [checkpoint]: every_s");
@@ -119,9 +119,10 @@ TEST_F(JobFile, reports_the_first_line_first) {
 }
 
 TEST_F(JobFile, tells_sections_from_keys) {
-  EXPECT_EQ(mistake("pieces = 3"),
-            "job.toml:1: pieces is a section with the keys scale_px, sizes, rotation_deg, mirrored, uses, fit, "
-            "padding_px, apart_px, overlap_px, found 3");
+  EXPECT_EQ(
+      mistake("pieces = 3"),
+      "job.toml:1: pieces is a section with the keys scale_px, sizes, size_map, rotation_deg, mirrored, uses, fit, "
+      "padding_px, apart_px, overlap_px, found 3");
   EXPECT_NE(mistake("[[pieces]]\nuses = 1").find("pieces is a section"), std::string::npos);
   EXPECT_NE(mistake("[seed]\nuses = 1").find("seed: found"), std::string::npos);
   EXPECT_NE(mistake("[nonsense]").find("unknown section [nonsense]"), std::string::npos);

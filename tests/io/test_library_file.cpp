@@ -53,8 +53,8 @@ float largest_difference(const Grid<float>& a, const Grid<float>& b) {
 
 bool equal(const Shape& a, const Shape& b) {
   return a.name == b.name && a.outline == b.outline && a.perimeter == b.perimeter && a.radius == b.radius &&
-         a.mean_lab == b.mean_lab && a.colour_grid == b.colour_grid && a.drawn_scale_px == b.drawn_scale_px && a.field.extent == b.field.extent &&
-         largest_difference(a.field.distance, b.field.distance) < 1e-4f &&
+         a.mean_lab == b.mean_lab && a.colour_grid == b.colour_grid && a.drawn_scale_px == b.drawn_scale_px &&
+         a.field.extent == b.field.extent && largest_difference(a.field.distance, b.field.distance) < 1e-4f &&
          std::equal(a.levels.begin(), a.levels.end(), b.levels.begin(),
                     [](const LevelCurve& x, const LevelCurve& y) { return equal(x, y); }) &&
          equal(a.artwork, b.artwork);

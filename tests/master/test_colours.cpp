@@ -1,6 +1,8 @@
 // Collages whose pieces show a picture: dark pieces where it is dark.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/colours.h"
 #include "whole_collage.h"
 
@@ -35,8 +37,8 @@ CollageSettings coloured(float weight) {
   for (const Shape& shape : two_coloured_library()) {
     of_shapes.push_back({shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]});
   }
-  s.colour = test::wish_for(
-      test::picture(320, 240, [](Vec2 p) { return test::opaque(p.x < 160 ? kDark : kLight); }), of_shapes, weight);
+  s.colour = test::wish_for(test::picture(320, 240, [](Vec2 p) { return test::opaque(p.x < 160 ? kDark : kLight); }),
+                            of_shapes, weight);
   return s;
 }
 
@@ -75,6 +77,27 @@ TEST(Colours, OfNoWeightChangeNothing) {
 TEST(Colours, DoNotDependOnTheDivisionOfTheLibrary) {
   const master::CollageResult whole = run_coloured(coloured(1));
   EXPECT_EQ(run_coloured(coloured(1), {3, 4, 9}).placements, whole.placements);
+}
+
+/// Small pieces alone on the left.
+TEST(Colours, SizesGoByPlace) {
+  CollageSettings s = settings();
+  SizeMap map{Grid<float>(32, 24, 1.f), 0.1f};
+  for (int y = 0; y < 24; ++y) std::fill_n(map.part.row(y), 16, 0.3f);
+  s.pieces.size_map = std::make_shared<const SizeMap>(map);
+  const master::CollageResult result = run_coloured(s);
+  EXPECT_EQ(run_coloured(s, {5}).placements, result.placements);
+  const float small_px = 20 * std::exp2(0.3f * std::log2(90.f / 20));
+  float largest_px = 0;
+  for (const Placement& p : result.placements) {
+    const float scale_px = p.canvas_from_shape.scale();
+    largest_px = std::max(largest_px, scale_px);
+    if (p.canvas_from_shape.tx < 150) {
+      EXPECT_LE(scale_px, small_px * 1.05f) << "at " << p.canvas_from_shape.tx;
+    }
+  }
+  EXPECT_GT(largest_px, 60);
+  EXPECT_GT(quality(canvas(), result).coverage, 0.8);
 }
 
 /// A place whose colour nothing has is filled all the same.

@@ -20,7 +20,8 @@ inline void paint(ColourGrid& grid, int cell, const Lab& lab, int part = 255) {
 
 inline ColourGrid two_toned_grid(const Lab& left, const Lab& right) {
   ColourGrid grid;
-  for (int cell = 0; cell < kColourCells; ++cell) paint(grid, cell, cell % kColourSide < kColourSide / 2 ? left : right);
+  for (int cell = 0; cell < kColourCells; ++cell)
+    paint(grid, cell, cell % kColourSide < kColourSide / 2 ? left : right);
   return grid;
 }
 

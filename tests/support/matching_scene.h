@@ -30,7 +30,8 @@ inline std::vector<Shape> formula_shapes(int count, const PadParameters& pad) {
   for (int i = 0; i < count; ++i) {
     const bool other = i % 5 == 4 && i / 5 < int(others.size());
     shapes.push_back(shape_from_outline(other ? others[i / 5] : blob_outline(std::uint32_t(i + 1)), pad));
-    shapes.back().colour_grid = two_toned_grid(numbered_colour(std::uint32_t(i)), numbered_colour(std::uint32_t(3 * i)));
+    shapes.back().colour_grid =
+        two_toned_grid(numbered_colour(std::uint32_t(i)), numbered_colour(std::uint32_t(3 * i)));
   }
   return shapes;
 }

@@ -85,8 +85,7 @@ float ciede2000(const Lab& x, const Lab& y) {
   const float by_chroma = (chroma_y - chroma_x) / (1 + 0.045f * chroma);
   const float by_hue = (across < 0 ? -size : size) / (1 + 0.015f * chroma * hue_weight(h));
   const float turn = -2 * std::sqrt(saturation(chroma)) * blue_turn(h);
-  const float sum =
-      by_lightness * by_lightness + by_chroma * by_chroma + by_hue * by_hue + turn * (by_chroma * by_hue);
+  const float sum = by_lightness * by_lightness + by_chroma * by_chroma + by_hue * by_hue + turn * (by_chroma * by_hue);
   return std::sqrt(sum > 0 ? sum : 0.f);
 }
 

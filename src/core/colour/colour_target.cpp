@@ -31,8 +31,8 @@ Grid<Texel> halved(const Grid<Texel>& fine) {
 ColourTarget::ColourTarget(const Grid<Texel>& finest, float px_per_texel) : px_per_texel_(px_per_texel) {
   Grid<Texel> level = finest;
   for (;;) {
-    levels_.push_back({std::uint32_t(level.width()), std::uint32_t(level.height()), std::uint32_t(texels_.size()),
-                       1 / px_per_texel});
+    levels_.push_back(
+        {std::uint32_t(level.width()), std::uint32_t(level.height()), std::uint32_t(texels_.size()), 1 / px_per_texel});
     texels_.insert(texels_.end(), level.data().begin(), level.data().end());
     if ((level.width() == 1 && level.height() == 1) || levels_.size() == kMaxColourLevels) return;
     level = halved(level);

@@ -22,8 +22,7 @@ struct ColourWish {
 };
 
 /// CIEDE2000 between the piece's mean and that of the place, by one look-up. 0 where the target wishes nothing.
-float mean_colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape,
-                             const ColourTarget& target);
+float mean_colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target);
 
 /// Half the difference of the means, half the mean of the cells' differences.
 float colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target);

@@ -116,7 +116,7 @@ TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sam
   const StanceList& list = stances.list(result.shape);
   result.stance = list.first + std::uint32_t(((more & 0xffffffffull) * list.count) >> 32);
   result.point_bits = std::uint32_t(key & 0xffffffffull);
-  const Stance& stance = stances[result.stance];
+  const Stance stance = sized_at(context, stances[result.stance], sample.position);
   result.scale_px =
       stance.poses.min_scale_px * portable_exp2(unit_float(std::uint32_t(more >> 32)) * stance.log2_scale_ratio);
   return result;

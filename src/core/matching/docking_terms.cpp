@@ -60,7 +60,8 @@ DockingTerms docking_terms(const Similarity& canvas_from_shape, const ShapeModel
       terms.overlap_px2 = seen_px2;
     }
   }
-  if (context.colour) terms.colour_difference = colour_difference(shape.colour, canvas_from_shape, *context.colour.target);
+  if (context.colour)
+    terms.colour_difference = colour_difference(shape.colour, canvas_from_shape, *context.colour.target);
   return terms;
 }
 

@@ -10,11 +10,11 @@
 namespace tessera {
 
 struct DockingTerms {
-  float matched_px = 0;   // L: boundary within delta_px of the free region's boundary
-  float overlap_px2 = 0;  // sum of O_i
-  float gap_px2 = 0;      // sum of G_i
-  float overlap_px4 = 0;  // sum of O_i²
-  float gap_px4 = 0;      // sum of G_i²
+  float matched_px = 0;         // L: boundary within delta_px of the free region's boundary
+  float overlap_px2 = 0;        // sum of O_i
+  float gap_px2 = 0;            // sum of G_i
+  float overlap_px4 = 0;        // sum of O_i²
+  float gap_px4 = 0;            // sum of G_i²
   float colour_difference = 0;  // from what the piece covers, CIEDE2000
 
   friend bool operator==(const DockingTerms&, const DockingTerms&) = default;

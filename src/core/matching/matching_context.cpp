@@ -13,6 +13,10 @@ std::uint64_t pads_per_shape(const MatchingContext& context) {
   return pads;
 }
 
+Stance sized_at(const MatchingContext& context, const Stance& stance, Vec2 p_px) {
+  return context.size_map ? with_sizes_up_to(context.size_map->at(p_px), stance) : stance;
+}
+
 MatchingContext make_matching_context(const CollageSettings& settings, std::uint32_t library_shapes) {
   const PieceSettings& pieces = settings.pieces;
   MatchingContext c;
@@ -26,6 +30,7 @@ MatchingContext make_matching_context(const CollageSettings& settings, std::uint
   c.hard_depth_px = hard_depth_px(pieces);
   c.tangent_dockings = settings.match.tangent_dockings;
   c.library_shapes = library_shapes;
+  c.size_map = pieces.size_map;
   c.colour = settings.colour;
   c.colour_depth_px = 0.5f * std::sqrt(pieces.min_scale_px * pieces.max_scale_px);
   c.levels = levels_for_scales(pieces.min_scale_px, pieces.max_scale_px, target_sigma_px(pieces));

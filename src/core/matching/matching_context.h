@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/matching/colour_fit.h"
@@ -22,6 +23,7 @@ struct MatchingContext {
   float gap_px = 0;         // boundary points up to this far from others count as gap
   int tangent_dockings = 0;
   std::uint32_t library_shapes = 0;
+  std::shared_ptr<const SizeMap> size_map;  // none: all sizes everywhere
   ColourWish colour;
   float colour_depth_px = 0;            // NearColours: half a piece of middle size
   std::vector<int> levels;              // smoothing levels in use
@@ -30,6 +32,9 @@ struct MatchingContext {
 
 /// The number of PADs of a shape over all levels in use, the same for every shape.
 std::uint64_t pads_per_shape(const MatchingContext& context);
+
+/// The stance with the sizes that the map leaves of it at a place.
+Stance sized_at(const MatchingContext& context, const Stance& stance, Vec2 p_px);
 
 MatchingContext make_matching_context(const CollageSettings& settings, std::uint32_t library_shapes);
 

@@ -34,8 +34,8 @@ NearColours::List NearColours::list_for(const TargetSample& sample) {
   const std::array<int, 3> point = {step(colour.lightness), step(colour.a), step(colour.b)};
   const auto known = lists_.find(point);
   if (known != lists_.end()) return known->second;
-  const List list = make_list({float(point[0]) * kColourStep, float(point[1]) * kColourStep,
-                               float(point[2]) * kColourStep});
+  const List list =
+      make_list({float(point[0]) * kColourStep, float(point[1]) * kColourStep, float(point[2]) * kColourStep});
   lists_.emplace(point, list);
   return list;
 }

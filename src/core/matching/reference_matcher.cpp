@@ -67,20 +67,23 @@ void ReferenceMatcher::post_count(const CountRequest& request) {
 
 std::vector<DistanceHistogram> ReferenceMatcher::take_count() { return std::move(histograms_); }
 
-std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, std::uint32_t t,
-                                                    DockReply& reply) {
+std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, std::uint32_t t, DockReply& reply) {
   std::vector<Docking> kept;
   const std::uint32_t reach = reach_of_bins(request.bin_limit[t], context_.beta_steps);
   for (std::size_t m = 0; m < models_.size(); ++m) {
     std::vector<Docking> of_shape;
     const ShapeId shape = shapes().at(std::uint32_t(m));
     const StanceList& list = context_.stances.list(shape);
+    std::vector<Stance> stances;
+    for (const Stance& stance : context_.stances.of(list)) {
+      stances.push_back(sized_at(context_, stance, request.samples[t].position));
+    }
     for (const PadPair& pair : pairs_of(m, request.samples[t], reach)) {
       const SourceLocation at = locate_source(models_[m], pair.source);
       const ModelSample& source = models_[m].levels[at.level_slot].samples[at.index];
       const Alignment aligned =
           align_pyramids(keypoints(source, keypoint_step(models_[m].radius)), request.samples[t].pyramid,
-                         context_.pad.levels, context_.level_range[at.level_slot], context_.stances.of(list));
+                         context_.pad.levels, context_.level_range[at.level_slot], stances);
       if (!aligned.valid) continue;
       ++reply.evaluated;
       const std::uint32_t stance = list.first + aligned.stance;
@@ -96,8 +99,7 @@ std::vector<Docking> ReferenceMatcher::pad_dockings(const DockRequest& request, 
   return kept;
 }
 
-std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& request, std::uint32_t t,
-                                                        DockReply& reply) {
+std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& request, std::uint32_t t, DockReply& reply) {
   std::vector<Docking> kept;
   const NearColours::List list = near_colours_.list_for(request.samples[t]);
   const std::span<const std::uint32_t> near =
@@ -106,7 +108,7 @@ std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& reque
     const TangentDraw draw = draw_tangent(context_, request.samples[t], i, near);
     if (!draw.drawn || !shapes().contains(draw.shape)) continue;
     const ShapeModel& model = model_of(draw.shape);
-    const Stance& stance = context_.stances[draw.stance];
+    const Stance stance = sized_at(context_, context_.stances[draw.stance], request.samples[t].position);
     const int point = docked_point(model, draw, request.samples[t], stance.docked_rotations);
     if (point == kNoPoint) continue;
     const Similarity pose = tangent_docking(model, point, draw.scale_px, request.samples[t], stance.poses);
@@ -140,7 +142,8 @@ void ReferenceMatcher::post_refine(const std::vector<Docking>& dockings) {
   for (const Docking& docking : dockings) {
     const ShapeModel& model = model_of(docking.shape);
     Docking moved = docking;
-    const PoseRange& poses = context_.stances[docking.stance].poses;
+    const Vec2 centre = docking.canvas_from_shape.translation();
+    const PoseRange poses = sized_at(context_, context_.stances[docking.stance], centre).poses;
     const bool feasible = refine(moved.canvas_from_shape, model, FieldView(field_), poses, context_.hard_depth_px);
     refined_.push_back(feasible ? feasible_docking(moved, terms_of(moved), model) : RefinedDocking{moved});
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/portable_math.h"
 #include "core/tuning.h"
 
 namespace tessera {
@@ -34,6 +35,13 @@ std::vector<Interval> wished(const std::vector<Interval>& job, const std::vector
 }
 
 }  // namespace
+
+Stance with_sizes_up_to(float part, Stance stance) {
+  if (part >= 1) return stance;
+  stance.log2_scale_ratio = part * stance.log2_scale_ratio;
+  stance.poses.max_scale_px = stance.poses.min_scale_px * portable_exp2(stance.log2_scale_ratio);
+  return stance;
+}
 
 std::vector<Interval> common_intervals(const std::vector<Interval>& a, const std::vector<Interval>& b) {
   std::vector<Interval> common;

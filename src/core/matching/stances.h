@@ -23,6 +23,9 @@ struct Stance {
   float weight = 1;            // of docking keys and scores
 };
 
+/// With this part (0..1) of the octaves of its sizes, from the smallest on.
+Stance with_sizes_up_to(float part, Stance stance);
+
 /// The stances of a class of shapes, which lie behind one another.
 struct StanceList {
   std::uint32_t first = 0;

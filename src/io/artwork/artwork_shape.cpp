@@ -16,8 +16,8 @@ float drawn_scale_px(float scale_px) { return scale_px >= 1e-3f && scale_px <= 1
 /// Over the outline's box.
 ColourGrid colour_grid_of(const Silhouette& silhouette, const Shape& shape) {
   const Artwork& artwork = shape.artwork;
-  const Extent box_px = extent_of(shape.outline.curves.front(),
-                                  {artwork.unit_px, 0, artwork.centroid_px.x, artwork.centroid_px.y});
+  const Extent box_px =
+      extent_of(shape.outline.curves.front(), {artwork.unit_px, 0, artwork.centroid_px.x, artwork.centroid_px.y});
   return make_colour_grid(silhouette.colours, box_px.low, box_px.high);
 }
 

@@ -100,7 +100,8 @@ ColourRaster colours_of(const Drawing& drawing) {
   cv::cvtColor(small, bgr, cv::COLOR_BGRA2BGR);
   bgr.convertTo(bgr, CV_32F, 1.0 / 255);
   cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
-  ColourRaster raster{Grid<Lab>(size.width, size.height), alpha_grid(small),
+  ColourRaster raster{Grid<Lab>(size.width, size.height),
+                      alpha_grid(small),
                       {float(drawing.part.x), float(drawing.part.y)},
                       {float(drawing.bgra.cols) / float(size.width), float(drawing.bgra.rows) / float(size.height)}};
   for (int y = 0; y < size.height; ++y) {

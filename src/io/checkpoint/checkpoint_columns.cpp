@@ -36,7 +36,8 @@ void append_candidate(CheckpointColumns& to, const Candidate& c) {
   to.stance.push_back(c.stance);
   append(to.pose, c.canvas_from_shape);
   const DockingTerms& t = c.terms;
-  to.terms.insert(to.terms.end(), {t.matched_px, t.overlap_px2, t.gap_px2, t.overlap_px4, t.gap_px4, t.colour_difference});
+  to.terms.insert(to.terms.end(),
+                  {t.matched_px, t.overlap_px2, t.gap_px2, t.overlap_px4, t.gap_px4, t.colour_difference});
   to.score.push_back(c.score);
   to.exact.push_back(c.exact);
   to.window.insert(to.window.end(), {c.window.x0, c.window.y0, c.window.x1, c.window.y1});
@@ -201,7 +202,7 @@ CheckpointColumns to_columns(const Checkpoint& checkpoint) {
   CheckpointColumns to;
   to.job.assign(checkpoint.job.begin(), checkpoint.job.end());
   to.digests = {checkpoint.library_digest, checkpoint.canvas_digest, checkpoint.state.rebuilt_digest,
-                checkpoint.colour_digest};
+                checkpoint.overlay_digest};
   append_loop(to, checkpoint.state);
   append_pool(to, checkpoint.state);
   append_samples(to, checkpoint.state);
@@ -215,7 +216,7 @@ Checkpoint from_columns(const CheckpointColumns& columns) {
   checkpoint.job.assign(columns.job.begin(), columns.job.end());
   checkpoint.library_digest = columns.digests[0];
   checkpoint.canvas_digest = columns.digests[1];
-  checkpoint.colour_digest = columns.digests[3];
+  checkpoint.overlay_digest = columns.digests[3];
   checkpoint.state.rebuilt_digest = columns.digests[2];
   read_loop(columns, checkpoint.state);
   read_pool(columns, checkpoint.state);

@@ -35,7 +35,8 @@ struct CheckpointColumns {
 template <class Columns, class Visit>
 void each_column(Columns& c, Visit visit) {
   visit("/job", c.job, 1, "", "the effective job, TOML");
-  visit("/digests", c.digests, 1, "", "of the library's content, the canvas, the free region with its samples, colour.image");
+  visit("/digests", c.digests, 1, "",
+        "of the library's content, the canvas, the free region with its samples, colour.image");
   visit("/improving", c.improving, 1, "", "1: ruin and recreate has begun");
   visit(
       "/stage", c.stage, 1, "",

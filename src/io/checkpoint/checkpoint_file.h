@@ -13,7 +13,7 @@ struct Checkpoint {
   std::string job;                   // the effective one, as to_toml gives it
   std::uint64_t library_digest = 0;  // of its content, wherever it lies
   std::uint64_t canvas_digest = 0;
-  std::uint64_t colour_digest = 0;
+  std::uint64_t overlay_digest = 0;
   CheckpointState state;
 };
 

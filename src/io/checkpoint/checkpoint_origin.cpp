@@ -32,11 +32,11 @@ std::uint64_t canvas_digest(const Canvas& canvas) {
 }
 
 CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, const Canvas& canvas) {
-  return {&job, library.content_digest(), canvas_digest(canvas), job.colour_digest};
+  return {&job, library.content_digest(), canvas_digest(canvas), job.overlay_digest};
 }
 
 Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state) {
-  return {to_toml(*origin.job), origin.library_digest, origin.canvas_digest, origin.colour_digest, state};
+  return {to_toml(*origin.job), origin.library_digest, origin.canvas_digest, origin.overlay_digest, state};
 }
 
 std::string origin_differences(const CheckpointOrigin& then, const CheckpointOrigin& now) {
@@ -54,15 +54,19 @@ std::string origin_differences(const CheckpointOrigin& then, const CheckpointOri
     if (mask || !zones) differences += differing_file("canvas.file", before.file, after.file);
     if (zones) differences += differing_file("canvas.keep_out", before.keep_out, after.keep_out);
   }
-  if (then.colour_digest != now.colour_digest) {
-    differences += differing_file("colour.image", then.job->colour.image, now.job->colour.image);
+  if (then.overlay_digest != now.overlay_digest) {
+    const bool colours = !then.job->colour.image.empty() || !now.job->colour.image.empty();
+    const bool sizes = !then.job->size_map.empty() || !now.job->size_map.empty();
+    if (colours) differences += differing_file("colour.image", then.job->colour.image, now.job->colour.image);
+    if (sizes) differences += differing_file("pieces.size_map", then.job->size_map, now.job->size_map);
   }
   return differences;
 }
 
 void check_origin(const Checkpoint& checkpoint, const CheckpointOrigin& now) {
   const Job then = job_from_toml(checkpoint.job, checkpoint.state.name + ", its job");
-  const std::string differences = origin_differences({&then, checkpoint.library_digest, checkpoint.canvas_digest, checkpoint.colour_digest}, now);
+  const std::string differences =
+      origin_differences({&then, checkpoint.library_digest, checkpoint.canvas_digest, checkpoint.overlay_digest}, now);
   if (differences.empty()) return;
   throw InputError(checkpoint.state.name + ": written for another job" + differences +
                    "; give what it was then, or another --out");

@@ -16,7 +16,7 @@ struct CheckpointOrigin {
   const Job* job = nullptr;
   std::uint64_t library_digest = 0;
   std::uint64_t canvas_digest = 0;
-  std::uint64_t colour_digest = 0;  // Job::colour_digest
+  std::uint64_t overlay_digest = 0;  // Job::overlay_digest
 };
 
 /// A digest of what is to be filled.

@@ -38,7 +38,18 @@ struct DrawerGreeting {
 
 DrawerBuild this_build();
 
-enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf, plain_pdf, photo, labels, picture };
+enum class DrawingKind : std::uint32_t {
+  page,
+  natural_size,
+  svg_import,
+  png,
+  shape,
+  pdf,
+  plain_pdf,
+  photo,
+  labels,
+  picture
+};
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;

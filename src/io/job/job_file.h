@@ -96,6 +96,7 @@ struct Job {
   std::vector<std::string> library_files;    // absolute paths
   std::vector<std::string> library_include;  // patterns of names (io/library/name_globs.h); empty: all shapes
   std::vector<std::string> library_exclude;
+  std::string size_map;      // a grey picture, absolute path; empty: all sizes everywhere
   bool drawn_sizes = false;  // each shape as large as it was drawn, instead of settings.pieces' sizes
   std::string wishes;  // absolute path of a table whose rows come before those of [[shapes]]; empty once they are there
   std::vector<std::string> wishes_places;  // "FILE:LINE" of each row that came from it
@@ -109,7 +110,7 @@ struct Job {
   CheckpointSpec checkpoint;
   CommSpec comm;
   CollageSettings settings;
-  std::uint64_t colour_digest = 0;  // of what is behind settings.colour; 0: nothing
+  std::uint64_t overlay_digest = 0;  // of what lies over the canvas (overlays.h); 0: nothing
   double size_factor = 1;  // times all sizes; found by the master where every shape is to have a place (pieces.fit)
   std::map<std::string, std::vector<JobRow>> tables;  // by name
 };

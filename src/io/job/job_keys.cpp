@@ -92,6 +92,10 @@ void add_piece_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_word({"pieces", "sizes", word, "", 0, 0, {"range", "drawn"},
                             "`range`: those of `scale_px`; `drawn`: each shape as large as its drawing is"},
                            FIELD(drawn_sizes)));
+  keys.push_back(with_text({"pieces", "size_map", file, "", 0, 0, {},
+                            "a grey picture, laid over the whole canvas: black = the smallest size alone, white = up to "
+                            "the largest; empty = white"},
+                           FIELD(size_map)));
   keys.push_back(with_intervals({"pieces", "rotation_deg", intervals, "degrees", -360, 360, {},
                                  "allowed rotations of the artwork, clockwise; -180 to 180 = any"},
                                 &PoseWish::rotation_rad, FIELD(settings.pieces.min_rotation_rad),

@@ -48,7 +48,7 @@ ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& 
   manifest.library = library_text(*report.job);
   manifest.library_digest = origin.library_digest;
   manifest.canvas_digest = origin.canvas_digest;
-  manifest.colour_digest = origin.colour_digest;
+  manifest.overlay_digest = origin.overlay_digest;
   for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
   manifest.colours = report.colours;
   return manifest;

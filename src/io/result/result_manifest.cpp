@@ -86,7 +86,7 @@ ResultManifest from_json(const Json& json) {
   manifest.library = json.at("library").at("file");
   manifest.library_digest = number(json.at("library").at("digest"));
   manifest.canvas_digest = number(json.at("canvas").at("digest"));
-  if (json.contains("image")) manifest.colour_digest = number(json.at("image").at("digest"));
+  if (json.contains("overlays")) manifest.overlay_digest = number(json.at("overlays").at("digest"));
   if (json.contains("colours")) manifest.colours = json.at("colours").get<std::vector<std::string>>();
   check_colours(manifest);
   for (const Json& picture : json.at("pictures")) {
@@ -134,7 +134,7 @@ void write_manifest(const std::string& dir, const ResultManifest& manifest) {
             {"library", {{"file", manifest.library}, {"digest", hex(manifest.library_digest)}}},
             {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
             {"pictures", pictures}};
-  if (manifest.colour_digest != 0) json["image"] = {{"digest", hex(manifest.colour_digest)}};
+  if (manifest.overlay_digest != 0) json["overlays"] = {{"digest", hex(manifest.overlay_digest)}};
   if (!manifest.colours.empty()) json["colours"] = manifest.colours;
   write_file_atomically(path_in_result(dir, kManifestName),
                         json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");

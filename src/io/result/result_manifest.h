@@ -31,7 +31,7 @@ struct ResultManifest {
   std::string library;  // where it was
   std::uint64_t library_digest = 0;
   std::uint64_t canvas_digest = 0;
-  std::uint64_t colour_digest = 0;   // of what is behind colour.image; 0: the job has none
+  std::uint64_t overlay_digest = 0;  // of the pictures that lie over the canvas; 0: none
   std::vector<ShapeId> shapes;       // of the pieces, in order of placement
   std::vector<std::string> colours;  // of the pieces, "#rrggbb"; empty: they are drawn as their artwork
   std::vector<DrawnPicture> pictures;

@@ -1,5 +1,5 @@
-// colour.image: from the file to the colours that pieces are compared with.
-#include "io/job/colour_image.h"
+// colour.image and pieces.size_map: from the file to what pieces are compared with.
+#include "io/job/overlays.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 namespace tessera::io {
 namespace {
 
-class ColourImage : public testing::Test {
+class Overlaid : public testing::Test {
  protected:
-  ColourImage() {
+  Overlaid() {
     job_.path = "a.toml";
     job_.settings.pieces.min_scale_px = 16;  // a texel for 2 px
   }
@@ -44,14 +44,14 @@ class ColourImage : public testing::Test {
 
   Texel colour_of(const std::string& file, Vec2 p_px) {
     job_.colour.image = file;
-    set_colours(canvas_, LibraryFile(library(true)), job_);
+    set_overlays(read_overlays(canvas_, job_), LibraryFile(library(true)), job_);
     return job_.settings.colour.target->at(0, p_px);
   }
 
   std::string mistake(const std::string& file, bool known = true) {
     job_.colour.image = file;
     try {
-      set_colours(canvas_, LibraryFile(library(known)), job_);
+      set_overlays(read_overlays(canvas_, job_), LibraryFile(library(known)), job_);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -77,13 +77,13 @@ cv::Mat two_halves(cv::Size size) {
   return bgr;
 }
 
-TEST_F(ColourImage, WithoutOneNothingIsWished) {
-  set_colours(canvas_, LibraryFile(library(true)), job_);
+TEST_F(Overlaid, WithoutOneNothingIsWished) {
+  set_overlays(read_overlays(canvas_, job_), LibraryFile(library(true)), job_);
   EXPECT_FALSE(job_.settings.colour);
-  EXPECT_EQ(job_.colour_digest, 0u);
+  EXPECT_EQ(job_.overlay_digest, 0u);
 }
 
-TEST_F(ColourImage, CoversTheCanvas) {
+TEST_F(Overlaid, CoversTheCanvas) {
   const std::string file = image("a.png", two_halves({400, 200}));
   expect_red(colour_of(file, {50, 50}));
   EXPECT_LT(colour_of(file, {150, 50}).lightness, 1);
@@ -92,14 +92,14 @@ TEST_F(ColourImage, CoversTheCanvas) {
   EXPECT_EQ((*job_.settings.colour.of_shapes)[1], (Lab{20, 1, 2}));
 }
 
-TEST_F(ColourImage, OfAnotherAspectIsCutAtTheMiddle) {
+TEST_F(Overlaid, OfAnotherAspectIsCutAtTheMiddle) {
   cv::Mat bgr(400, 400, CV_8UC3, cv::Scalar(0, 0, 0));
   bgr(cv::Rect(0, 100, 400, 200)) = cv::Scalar(0, 0, 255);
   const std::string file = image("a.jpg", bgr);
   for (const Vec2 p : {Vec2{20, 6}, Vec2{190, 94}}) expect_red(colour_of(file, p));
 }
 
-TEST_F(ColourImage, TransparencyWishesNothing) {
+TEST_F(Overlaid, TransparencyWishesNothing) {
   cv::Mat bgra(100, 200, CV_8UC4, cv::Scalar(0, 0, 255, 255));
   bgra(cv::Rect(100, 0, 100, 100)) = cv::Scalar(0, 255, 0, 0);
   const std::string file = image("a.png", bgra);
@@ -107,18 +107,19 @@ TEST_F(ColourImage, TransparencyWishesNothing) {
   EXPECT_EQ(colour_of(file, {150, 50}).weight, 0);
 }
 
-TEST_F(ColourImage, MayBeAnSvg) {
+TEST_F(Overlaid, MayBeAnSvg) {
   const std::string file = folder_.write(
-      "a.svg", "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 20 10'><path fill='red' d='M0 0H10V10H0Z'/></svg>");
+      "a.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 20 10'><path fill='red' d='M0 0H10V10H0Z'/></svg>");
   expect_red(colour_of(file, {50, 50}));
   EXPECT_EQ(colour_of(file, {150, 50}).weight, 0);
 }
 
 /// What decides whether a run may go on.
-TEST_F(ColourImage, DigestKnowsPictureAndLibrary) {
+TEST_F(Overlaid, DigestKnowsPictureAndLibrary) {
   const auto digest = [&](const cv::Mat& bgr) {
     colour_of(image("a.png", bgr), {0, 0});
-    return job_.colour_digest;
+    return job_.overlay_digest;
   };
   cv::Mat other = two_halves({400, 200});
   const std::uint64_t first = digest(other);
@@ -127,7 +128,21 @@ TEST_F(ColourImage, DigestKnowsPictureAndLibrary) {
   EXPECT_NE(digest(other), first);
 }
 
-TEST_F(ColourImage, MistakesNameKeyAndFile) {
+TEST_F(Overlaid, SizesGoByLightness) {
+  cv::Mat grey(100, 200, CV_8U, cv::Scalar(0));
+  grey(cv::Rect(100, 0, 100, 100)) = 255;
+  grey(cv::Rect(0, 50, 100, 50)) = 102;
+  job_.size_map = image("sizes.png", grey);
+  set_overlays(read_overlays(canvas_, job_), LibraryFile(library(false)), job_);  // colours are not asked for
+  const SizeMap& sizes = *job_.settings.pieces.size_map;
+  EXPECT_EQ(sizes.part.width(), 25) << "two for the smallest piece";
+  EXPECT_FLOAT_EQ(sizes.at({50, 20}), 0);
+  EXPECT_FLOAT_EQ(sizes.at({150, 20}), 1);
+  EXPECT_NEAR(sizes.at({50, 80}), 0.4f, 1e-3f);
+  EXPECT_NE(job_.overlay_digest, 0u);
+}
+
+TEST_F(Overlaid, MistakesNameKeyAndFile) {
   EXPECT_EQ(mistake(folder_.path("none.png")).rfind("colour.image: ", 0), 0u);
   const std::string text = folder_.write("text.png", "no picture");
   EXPECT_NE(mistake(text).find(text), std::string::npos);
@@ -138,8 +153,7 @@ TEST_F(ColourImage, MistakesNameKeyAndFile) {
                                       " does not know the colours of shape1's parts, as libraries of older versions; "
                                       "build it again");
   job_.canvas.seamless = Seamless::both;
-  EXPECT_EQ(mistake(good),
-            "a.toml: colour.image: found with canvas.seamless, allowed: a canvas that does not repeat");
+  EXPECT_EQ(mistake(good), "a.toml: colour.image: found with canvas.seamless, allowed: a canvas that does not repeat");
 }
 
 }  // namespace

@@ -1,0 +1,132 @@
+#include "io/job/overlays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/digest.h"
+#include "core/base/error.h"
+#include "io/job/overlay.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr float kTexelsPerPiece = 8;  // along the side of the smallest
+constexpr float kSizesPerPiece = 2;
+constexpr std::size_t kShapesAtATime = 4096;  // heads alone: some MB
+constexpr LibraryParts kHeadsOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
+
+/// Of a grid over the canvas, so many for the side of the smallest piece.
+float px_per_cell(const Job& job, float cells_per_piece) {
+  return std::max(1.f, job.settings.pieces.min_scale_px / cells_per_piece);
+}
+
+cv::Size cells_of(const Canvas& canvas, float px_per_cell) {
+  const auto along = [&](int px) { return std::max(1, int(std::ceil(float(px) / px_per_cell))); };
+  return {along(canvas.width_px), along(canvas.height_px)};
+}
+
+/// SVGs are drawn twice as fine.
+cv::Mat picture_for(const std::string& path, const char* key, const Canvas& canvas, cv::Size cells) {
+  return overlay_picture(path, key, canvas, 2 * std::max(cells.width, cells.height));
+}
+
+void refuse_seamless(const Job& job, const char* key) {
+  if (job.canvas.seamless == Seamless::none) return;
+  throw InputError(job.path + ": " + key + ": found with canvas.seamless, allowed: a canvas that does not repeat");
+}
+
+/// Means of straight BGRA, weighted by alpha.
+Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
+  cv::Mat bgr, lab, alpha, sums;
+  cv::cvtColor(straight_bgra, bgr, cv::COLOR_BGRA2BGR);
+  bgr.convertTo(bgr, CV_32F, 1.0 / 255);
+  cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
+  cv::extractChannel(straight_bgra, alpha, 3);
+  alpha.convertTo(alpha, CV_32F, 1.0 / 255);
+  cv::Mat weighted;
+  const cv::Mat three[] = {alpha, alpha, alpha};
+  cv::merge(three, 3, weighted);
+  cv::multiply(lab, weighted, weighted);
+  const cv::Mat four[] = {weighted, alpha};
+  cv::merge(four, 2, sums);
+  cv::resize(sums, sums, size, 0, 0, cv::INTER_AREA);
+  Grid<Texel> texels(size.width, size.height);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const cv::Vec4f& s = sums.at<cv::Vec4f>(y, x);
+      texels(x, y) = {s[0], s[1], s[2], s[3]};
+    }
+  }
+  return texels;
+}
+
+std::shared_ptr<const ColourTarget> colour_target_of(const Canvas& canvas, const Job& job) {
+  if (job.colour.image.empty()) return nullptr;
+  refuse_seamless(job, "colour.image");
+  const float px_per_texel = px_per_cell(job, kTexelsPerPiece);
+  const cv::Size size = cells_of(canvas, px_per_texel);
+  const Grid<Texel> finest = texels_from(picture_for(job.colour.image, "colour.image", canvas, size), size);
+  if (std::none_of(finest.data().begin(), finest.data().end(),
+                   [](const Texel& texel) { return texel.weight >= kLeastColourWeight; })) {
+    throw InputError(job.path + ": colour.image: " + job.colour.image + " is transparent all over");
+  }
+  return std::make_shared<const ColourTarget>(finest, px_per_texel);
+}
+
+/// By lightness as it is stored; transparent places are white.
+std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job) {
+  if (job.size_map.empty()) return nullptr;
+  refuse_seamless(job, "pieces.size_map");
+  const float cell_px = px_per_cell(job, kSizesPerPiece);
+  const cv::Size size = cells_of(canvas, cell_px);
+  const cv::Mat bgra = picture_for(job.size_map, "pieces.size_map", canvas, size);
+  cv::Mat grey, alpha, cells;
+  cv::cvtColor(bgra, grey, cv::COLOR_BGRA2GRAY);
+  cv::extractChannel(bgra, alpha, 3);
+  cv::Mat(grey.size(), CV_8U, cv::Scalar(255)).copyTo(grey, alpha < 128);
+  grey.convertTo(grey, CV_32F, 1.0 / 255);
+  cv::resize(grey, cells, size, 0, 0, cv::INTER_AREA);
+  SizeMap map{Grid<float>(size.width, size.height), 1 / cell_px};
+  for (int y = 0; y < size.height; ++y) std::copy_n(cells.ptr<float>(y), size.width, map.part.row(y));
+  return std::make_shared<const SizeMap>(std::move(map));
+}
+
+/// The mean colour of each shape. Adds their colours to the digest.
+std::shared_ptr<const std::vector<Lab>> colours_of(const ShapeLibrary& library, const Job& job, Digest& digest) {
+  auto colours = std::make_shared<std::vector<Lab>>();
+  for (std::size_t begin = 0; begin < library.size(); begin += kShapesAtATime) {
+    for (const Shape& shape : library.read(begin, std::min(library.size(), begin + kShapesAtATime), kHeadsOnly)) {
+      if (!shape.colour_grid.known()) {
+        throw InputError(job.path + ": colour.image: " + library.path() + " does not know the colours of " +
+                         shape.name + "'s parts, as libraries of older versions; build it again");
+      }
+      digest.add_all(std::span<const std::uint8_t>(shape.colour_grid.bytes));
+      colours->push_back({shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]});
+    }
+  }
+  return colours;
+}
+
+}  // namespace
+
+Overlays read_overlays(const Canvas& canvas, const Job& job) {
+  return {colour_target_of(canvas, job), size_map_of(canvas, job)};
+}
+
+void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& job) {
+  Digest digest;
+  if (overlays.colour) {
+    digest.add_all(std::span<const Texel>(overlays.colour->texels()));
+    job.settings.colour.of_shapes = colours_of(library, job, digest);
+  }
+  if (overlays.sizes) digest.add_all(std::span<const float>(overlays.sizes->part.data()));
+  job.settings.colour.target = overlays.colour;
+  job.settings.pieces.size_map = overlays.sizes;
+  job.overlay_digest = digest.value();
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,29 @@
+// The pictures that a job lays over its canvas: colour.image, whose colours the pieces are to show, and pieces.size_map,
+// how large they may be from place to place.
+#pragma once
+
+#include <memory>
+
+#include "core/colour/colour_target.h"
+#include "core/field/canvas.h"
+#include "core/matching/size_map.h"
+#include "io/job/job_file.h"
+#include "io/library/shape_library.h"
+
+namespace tessera::io {
+
+/// What is empty is not there.
+struct Overlays {
+  std::shared_ptr<const ColourTarget> colour;
+  std::shared_ptr<const SizeMap> sizes;
+};
+
+/// Read from the job's files. Throws InputError that names the key and the file: where that is no picture, where the
+/// colours are transparent all over, or the canvas is seamless.
+Overlays read_overlays(const Canvas& canvas, const Job& job);
+
+/// Makes them those of the job's settings. Throws InputError where the library does not know the colours of its
+/// drawings' parts, as it is older, and they are asked for.
+void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& job);
+
+}  // namespace tessera::io
