@@ -59,7 +59,7 @@ echo "ok interruptions"
 picture blue red
 start 1 other --resume
 expect_end 2 "another picture"
-expect_error_line 'colour.image: another content: ".*picture.svg" has changed since' "another picture"
+grep -qE 'colour.image: another content: ".*picture.svg" has changed since' errors || fail "another picture: $(cat errors)"
 picture red blue
 start 1 other --resume
 expect_end 0 "the same picture again"
@@ -71,3 +71,20 @@ cp expected/collage.png before.png
 run 0 draw expected --png --quiet
 cmp -s before.png expected/collage.png || fail "drawn again, the picture differs"
 echo "ok drawn again without the picture"
+
+# Tones: red drawings on a red that is a little lighter.
+grep -q '"covered":\["#' expected/manifest.json || fail "the manifest does not say what pieces cover"
+sed 's/"covered":\["#[0-9a-f]*"/"covered":["#00ff00"/' expected/manifest.json >manifest.json
+mv manifest.json expected/manifest.json
+run 0 draw expected --png --svg --quiet --set colour.shift=20 --to shifted
+! cmp -s before.png shifted/collage.png || fail "no tone is shifted"
+grep -q 'filter="url(#tone_' shifted/collage.svg || fail "no tone is shifted in the SVG"
+grep -q '<filter id="tone_' shifted/collage.svg || fail "no filter for the tones"
+run 0 draw expected --png --quiet --set colour.shift=0
+cmp -s before.png expected/collage.png || fail "no shift, another picture"
+run 0 draw expected --png --quiet --set colour.shift=20
+grep -q '"shift":20' expected/manifest.json || fail "the manifest does not say how far tones are shifted"
+cmp -s shifted/collage.png expected/collage.png || fail "the same shift, another picture"
+run 2 draw expected --png --quiet --set colour.weight=2
+grep -q 'colour.weight=2: decides where pieces lie' errors || fail "a key that decides: $(cat errors)"
+echo "ok tones"

@@ -21,6 +21,36 @@ float sum_of(Lanes v) {
   return v[0];
 }
 
+/// What lies beneath each cell of a piece.
+struct CoveredCells {
+  Lanes weight;  // of the cell, times how much is wished there
+  std::array<Lab, kColourCells> colour;
+
+  std::optional<Lab> mean() const {
+    const float all = sum_of(weight);
+    if (all < kLeastColourWeight) return std::nullopt;
+    Lanes lightness, a, b;
+    for (std::size_t i = 0; i < kColourCells; ++i) {
+      lightness[i] = weight[i] * colour[i].lightness;
+      a[i] = weight[i] * colour[i].a;
+      b[i] = weight[i] * colour[i].b;
+    }
+    return Lab{sum_of(lightness) / all, sum_of(a) / all, sum_of(b) / all};
+  }
+};
+
+CoveredCells cells_of(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target) {
+  const int level = target.level_for(piece.cell * canvas_from_shape.scale());
+  CoveredCells cells;
+  for (std::size_t i = 0; i < kColourCells; ++i) {
+    const Texel covered = target.at(level, canvas_from_shape.apply(piece.at[i]));
+    const bool wished = covered.weight >= kLeastColourWeight;
+    cells.weight[i] = wished ? piece.part[i] * covered.weight : 0.f;
+    cells.colour[i] = wished ? covered.colour() : Lab{};
+  }
+  return cells;
+}
+
 }  // namespace
 
 float mean_colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape,
@@ -31,24 +61,21 @@ float mean_colour_difference(const ColourModel& piece, const Similarity& canvas_
   return ciede2000(piece.mean, covered.colour());
 }
 
+std::optional<Lab> covered_colour(const ColourModel& piece, const Similarity& canvas_from_shape,
+                                  const ColourTarget& target) {
+  return cells_of(piece, canvas_from_shape, target).mean();
+}
+
 float colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target) {
-  const int level = target.level_for(piece.cell * canvas_from_shape.scale());
-  Lanes weight, lightness, a, b, difference;
+  const CoveredCells covered = cells_of(piece, canvas_from_shape, target);
+  const std::optional<Lab> mean = covered.mean();
+  if (!mean) return 0;
+  Lanes difference;
   for (std::size_t i = 0; i < kColourCells; ++i) {
-    const Texel covered = target.at(level, canvas_from_shape.apply(piece.at[i]));
-    const bool wished = covered.weight >= kLeastColourWeight;
-    const Lab colour = wished ? covered.colour() : Lab{};
-    weight[i] = wished ? piece.part[i] * covered.weight : 0.f;
-    lightness[i] = weight[i] * colour.lightness;
-    a[i] = weight[i] * colour.a;
-    b[i] = weight[i] * colour.b;
-    difference[i] = weight[i] * ciede2000(piece.colour[i], colour);
+    difference[i] = covered.weight[i] * ciede2000(piece.colour[i], covered.colour[i]);
   }
-  const float all = sum_of(weight);
-  if (all < kLeastColourWeight) return 0;
-  const Lab mean = {sum_of(lightness) / all, sum_of(a) / all, sum_of(b) / all};
-  const float of_cells = sum_of(difference) / all;
-  return kColourOfMeans * ciede2000(piece.mean, mean) + (1 - kColourOfMeans) * of_cells;
+  const float of_cells = sum_of(difference) / sum_of(covered.weight);
+  return kColourOfMeans * ciede2000(piece.mean, *mean) + (1 - kColourOfMeans) * of_cells;
 }
 
 float colour_worth(float difference, float weight) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/colour/colour_grid.h"
@@ -26,6 +27,10 @@ float mean_colour_difference(const ColourModel& piece, const Similarity& canvas_
 
 /// Half the difference of the means, half the mean of the cells' differences.
 float colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target);
+
+/// The mean colour of what the piece covers; nothing where the target wishes nothing there.
+std::optional<Lab> covered_colour(const ColourModel& piece, const Similarity& canvas_from_shape,
+                                  const ColourTarget& target);
 
 /// What is left of a key or score at that difference: 1 to 0.
 float colour_worth(float difference, float weight);

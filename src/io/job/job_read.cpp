@@ -300,8 +300,12 @@ bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
   bool of_colour = false;
   for (const JobEntry& entry : entries.all()) {
     of_colour |= entry.section == "colour";
-    if (entry.section == "output" || entry.section == "colour") continue;
-    throw InputError(entry.where + ": allowed where a result is drawn: output.key=value or colour.key=value");
+    if (entry.section != "output" && entry.section != "colour") {
+      throw InputError(entry.where + ": allowed where a result is drawn: output.key=value or colour.key=value");
+    }
+    const JobKey* key = find_job_key(entry.section, entry.name);
+    if (!key || !key->decides) continue;
+    throw InputError(entry.where + ": decides where pieces lie: set it in the job, and run tessera collage again");
   }
   entries.apply_all_but_mm(job);
   entries.apply_mm(job);

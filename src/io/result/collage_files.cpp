@@ -51,6 +51,7 @@ ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& 
   manifest.overlay_digest = origin.overlay_digest;
   for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
   manifest.colours = report.colours;
+  manifest.covered = report.covered;
   return manifest;
 }
 

@@ -17,6 +17,15 @@
 
 namespace tessera::io {
 
+/// What is added to red, green and blue, of 255.
+struct ToneShift {
+  int red = 0;
+  int green = 0;
+  int blue = 0;
+
+  friend auto operator<=>(const ToneShift&, const ToneShift&) = default;
+};
+
 /// All that the output files and pictures are made from. The shapes have outline, field, thumbnail and, for pictures,
 /// the embedded original.
 struct CollageReport {
@@ -27,6 +36,8 @@ struct CollageReport {
   std::vector<Placement> placements;
   PlacedShapes shapes;
   std::vector<std::string> colours;  // of the placements, "#rrggbb": silhouettes are drawn; empty: the artwork is
+  std::vector<std::string> covered;  // of the placements: covered_colours (tone_shift.h); empty: no picture is shown
+  std::vector<ToneShift> tones;      // of the placements; empty: the drawings' own
   RunStatistics statistics;
   RankStatistics ranks;
   RunRecord record;

@@ -33,6 +33,20 @@ void tint(cv::Mat& bgra, cv::Vec3b colour) {
   }
 }
 
+/// Premultiplied.
+void shift_tone(cv::Mat& bgra, const ToneShift& tone) {
+  const int add[3] = {tone.blue, tone.green, tone.red};
+  for (int y = 0; y < bgra.rows; ++y) {
+    cv::Vec4b* row = bgra.ptr<cv::Vec4b>(y);
+    for (int x = 0; x < bgra.cols; ++x) {
+      const int alpha = row[x][3];
+      for (int c = 0; c < 3; ++c) {
+        row[x][c] = std::uint8_t(std::clamp(int(row[x][c]) + (add[c] * alpha + 255 * 128) / 255 - 128, 0, alpha));
+      }
+    }
+  }
+}
+
 /// Lays the colour over the picture.
 void blend(const cv::Vec3b& colour, const cv::Mat& coverage, cv::Mat& bgr) {
   for (int y = 0; y < bgr.rows; ++y) {
@@ -71,6 +85,7 @@ class PictureBands {
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
     for (const auto& [placement, piece] : drawn_pieces(report, artworks)) {
       if (!report.colours.empty()) tints_.push_back(parse_colour(report.colours[piece]));
+      if (!report.tones.empty()) tones_.push_back(report.tones[piece]);
       const std::size_t slot = report.shapes.slot_of(placement.shape);
       pieces_.push_back(make_piece_drawing(placement, report.shapes.slot_of_drawing(slot), report.shapes[slot],
                                            artworks.clip(slot), line_px(), picture_px_, size_));
@@ -136,6 +151,7 @@ class PictureBands {
       const auto sprite = sprites_.get(piece.slot, piece.sprite_side_px);
       tile.bgra = draw_rows(piece, *sprite, tile.top, ends[k]);
       if (!tints_.empty()) tint(tile.bgra, tints_[missing[k]]);
+      if (!tones_.empty()) shift_tone(tile.bgra, tones_[missing[k]]);
       if (line_px() > 0) draw_line(piece.outline, line_px(), line_colour_, {piece.box.x, tile.top}, tile.bgra);
     });
   }
@@ -198,6 +214,7 @@ class PictureBands {
   const Shadow shadow_;
   SpriteCache sprites_;
   std::vector<PieceDrawing> pieces_;
+  std::vector<ToneShift> tones_;  // of the pieces; empty: none
   std::vector<cv::Vec3b> tints_;  // of the pieces; empty: their own colours
   std::vector<KeptTile> tiles_;   // of the pieces
   std::size_t tile_bytes_ = 0;

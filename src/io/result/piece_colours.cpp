@@ -65,7 +65,7 @@ std::vector<std::size_t> drawn_by_lot(const Piece& piece, std::size_t colours) {
 }  // namespace
 
 bool draws_palette(const ColourSpec& colour, const ShapeLibrary& library) {
-  return colour.pieces == "palette" || (colour.pieces == "auto" && is_of_one_colour(library));
+  return colour.pieces == "palette" || (colour.pieces == "auto" && colour.image.empty() && is_of_one_colour(library));
 }
 
 std::vector<std::string> piece_colours(const CollageReport& report, const std::vector<std::string>& palette) {

@@ -29,6 +29,7 @@
 #include "io/result/run_record.h"
 #include "io/result/svg_output.h"
 #include "io/result/tiff_pyramid.h"
+#include "io/result/tone_shift.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -202,6 +203,7 @@ class ResultPictures {
 
   void end(const char* name) {
     manifest_.pictures.push_back({name, report_.job->output});
+    if (!report_.tones.empty()) manifest_.pictures.back().shift = report_.job->colour.shift;
     if (report_.colours != manifest_.colours) manifest_.pictures.back().colours = distinct(report_.colours);
     tell();
   }
@@ -265,6 +267,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   } else if (draws_palette(job.colour, library)) {
     report.colours = piece_colours(report, palette);
   }
+  report.tones = tone_shifts(report, manifest.covered, job.colour.shift);
   const bool is_result = request.to.empty();
   ResultPictures pictures({is_result ? dir : request.to, is_result}, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();

@@ -32,10 +32,11 @@ std::uint64_t number(const std::string& hex_digits) {
   return value;
 }
 
-void check_colours(const ResultManifest& manifest) {
-  if (manifest.colours.empty()) return;
-  if (manifest.colours.size() != manifest.shapes.size()) throw InputError("not as many colours as pieces");
-  for (const std::string& text : manifest.colours) {
+void check_colours(const std::vector<std::string>& colours, std::size_t pieces, bool may_be_none) {
+  if (colours.empty()) return;
+  if (colours.size() != pieces) throw InputError("not as many colours as pieces");
+  for (const std::string& text : colours) {
+    if (may_be_none && text.empty()) continue;
     if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdef", 1) != text.npos)
       throw InputError("found the colour \"" + text.substr(0, 20) + "\", allowed: #rrggbb");
   }
@@ -55,6 +56,7 @@ Json to_json(const DrawnPicture& picture) {
             {"shadow_blur_px", output.shadow_blur_px},
             {"clip", output.clip},
             {"keep_out", output.keep_out}};
+  if (picture.shift > 0) json["shift"] = picture.shift;
   if (picture.colours) json["palette"] = *picture.colours;
   return json;
 }
@@ -88,9 +90,12 @@ ResultManifest from_json(const Json& json) {
   manifest.canvas_digest = number(json.at("canvas").at("digest"));
   if (json.contains("overlays")) manifest.overlay_digest = number(json.at("overlays").at("digest"));
   if (json.contains("colours")) manifest.colours = json.at("colours").get<std::vector<std::string>>();
-  check_colours(manifest);
+  if (json.contains("covered")) manifest.covered = json.at("covered").get<std::vector<std::string>>();
+  check_colours(manifest.colours, manifest.shapes.size(), false);
+  check_colours(manifest.covered, manifest.shapes.size(), true);
   for (const Json& picture : json.at("pictures")) {
     manifest.pictures.push_back({picture.at("file"), output_from_json(picture)});
+    manifest.pictures.back().shift = picture.value("shift", 0.);
     if (picture.contains("palette"))
       manifest.pictures.back().colours = picture.at("palette").get<std::vector<std::string>>();
   }
@@ -136,6 +141,7 @@ void write_manifest(const std::string& dir, const ResultManifest& manifest) {
             {"pictures", pictures}};
   if (manifest.overlay_digest != 0) json["overlays"] = {{"digest", hex(manifest.overlay_digest)}};
   if (!manifest.colours.empty()) json["colours"] = manifest.colours;
+  if (!manifest.covered.empty()) json["covered"] = manifest.covered;
   write_file_atomically(path_in_result(dir, kManifestName),
                         json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }

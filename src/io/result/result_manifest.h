@@ -19,7 +19,8 @@ struct DrawnPicture {
   std::string file;  // its name in the folder
   OutputSpec output = {};
   std::optional<std::vector<std::string>> colours =
-      {};  // of a palette, where it is not drawn in ResultManifest::colours
+      {};            // of a palette, where it is not drawn in ResultManifest::colours
+  double shift = 0;  // of tones, CIEDE2000 at most
 
   friend bool operator==(const DrawnPicture&, const DrawnPicture&) = default;
 };
@@ -34,6 +35,7 @@ struct ResultManifest {
   std::uint64_t overlay_digest = 0;  // of the pictures that lie over the canvas; 0: none
   std::vector<ShapeId> shapes;       // of the pieces, in order of placement
   std::vector<std::string> colours;  // of the pieces, "#rrggbb"; empty: they are drawn as their artwork
+  std::vector<std::string> covered;  // what each piece covers of colour.image, "#rrggbb" or ""; empty: there is none
   std::vector<DrawnPicture> pictures;
 
   friend bool operator==(const ResultManifest&, const ResultManifest&) = default;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "core/geometry/rasterise.h"
 #include "io/job/picture_size.h"
@@ -136,6 +138,29 @@ void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip
   svg.end();
 }
 
+std::string tone_id(const ToneShift& tone) {
+  return "tone_" + std::to_string(tone.red) + "_" + std::to_string(tone.green) + "_" + std::to_string(tone.blue);
+}
+
+/// One for all pieces with the same shift.
+void write_tone_filters(const CollageReport& report, XmlWriter& svg) {
+  for (const ToneShift& tone : std::set<ToneShift>(report.tones.begin(), report.tones.end())) {
+    if (tone == ToneShift{}) continue;
+    svg.raw("\n").start("filter").attribute("id", tone_id(tone)).attribute("color-interpolation-filters", "sRGB");
+    svg.start("feComponentTransfer");
+    const std::pair<const char*, int> channels[] = {
+        {"feFuncR", tone.red}, {"feFuncG", tone.green}, {"feFuncB", tone.blue}};
+    for (const auto& [name, add] : channels) {
+      svg.start(name)
+          .attribute("type", "linear")
+          .attribute("slope", "1")
+          .attribute("intercept", fixed(add / 255., 5))
+          .end();
+    }
+    svg.end().end();
+  }
+}
+
 /// Over the canvas and as far around it as what lies there darkens it.
 void write_shadow_filter(const CollageReport& report, XmlWriter& svg) {
   const OutputSpec& output = report.job->output;
@@ -167,6 +192,7 @@ void write_definitions(const CollageReport& report, const ShapeArtworks& artwork
     if (has_outlines(output)) write_outline(report.shapes[slot], symbols[slot], slot, svg);
   }
   if (has_shadow(output)) write_shadow_filter(report, svg);
+  write_tone_filters(report, svg);
   write_keep_out_clip(report.keep_out, svg);
   svg.end().raw("\n");
 }
@@ -218,6 +244,8 @@ void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symb
   const OutputSpec& output = report.job->output;
   if (output.clip != kNoClip) svg.attribute("clip-path", "url(#" + clip_id(drawing.slot) + ")");
   if (!report.colours.empty()) svg.attribute("fill", report.colours[drawn.piece]);
+  if (!report.tones.empty() && report.tones[drawn.piece] != ToneShift{})
+    svg.attribute("filter", "url(#" + tone_id(report.tones[drawn.piece]) + ")");
   svg.end();
   if (output.outline_px > 0) write_line(report, placement, drawing, svg);
   svg.end();
