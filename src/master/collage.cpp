@@ -138,9 +138,7 @@ bool Collage::may_go_on() const {
 /// By the distances that pieces keep from their like.
 std::vector<ShapeId> Collage::shut_out_shapes() const {
   if (!apart_.matters()) return {};
-  std::vector<Vec2> boundary_px;
-  for (const SampleId id : curve_.samples()) boundary_px.push_back(curve_.sample(id).position);
-  return apart_.shut_out(context_.library_shapes, boundary_px);
+  return apart_.shut_out(context_.library_shapes, [this](const auto& holds) { return curve_.any_position(holds); });
 }
 
 /// They follow from the placements: whatever came and went, the same may stand.

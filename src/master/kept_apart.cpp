@@ -71,8 +71,7 @@ bool KeptApart::may_stand(ShapeId shape, const Similarity& canvas_from_shape, fl
 }
 
 /// Whether one of the points is farther from all of the pieces.
-bool KeptApart::any_beyond(float distance_px, const std::vector<Boundary>& pieces,
-                           const std::vector<Vec2>& points_px) const {
+bool KeptApart::any_beyond(float distance_px, const std::vector<Boundary>& pieces, const AnyPoint& any_point) const {
   const auto near_piece = [&](Vec2 point, const Boundary& piece) {
     for (std::size_t i = 0; i < piece.points_px.size(); i += kNearPointStride) {
       const Vec2 between = period_.nearest(point, piece.points_px[i]) - piece.points_px[i];
@@ -80,12 +79,12 @@ bool KeptApart::any_beyond(float distance_px, const std::vector<Boundary>& piece
     }
     return false;
   };
-  return std::any_of(points_px.begin(), points_px.end(), [&](Vec2 point) {
+  return any_point([&](Vec2 point) {
     return std::none_of(pieces.begin(), pieces.end(), [&](const Boundary& piece) { return near_piece(point, piece); });
   });
 }
 
-std::vector<ShapeId> KeptApart::shut_out(std::uint32_t shapes, const std::vector<Vec2>& boundary_px) const {
+std::vector<ShapeId> KeptApart::shut_out(std::uint32_t shapes, const AnyPoint& any_point) const {
   std::map<std::pair<bool, std::uint32_t>, bool> open;  // companies that were looked at
   std::vector<ShapeId> shut_out;
   for (std::uint32_t i = 0; i < shapes; ++i) {
@@ -93,7 +92,7 @@ std::vector<ShapeId> KeptApart::shut_out(std::uint32_t shapes, const std::vector
     const auto like = placed_.find(company.key());
     if (company.distance_px == 0 || like == placed_.end()) continue;
     const auto [known, is_new] = open.try_emplace(company.key(), false);
-    if (is_new) known->second = any_beyond(company.distance_px, like->second, boundary_px);
+    if (is_new) known->second = any_beyond(company.distance_px, like->second, any_point);
     if (!known->second) shut_out.push_back(ShapeId{i});
   }
   return shut_out;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -36,9 +37,11 @@ class KeptApart {
   /// its own, shape units.
   bool may_stand(ShapeId shape, const Similarity& canvas_from_shape, float radius);
 
-  /// Of so many shapes those that could stand at none of these points of a boundary (canvas px), ascending: all of them
-  /// are too near to pieces that were added. Matching need not look for them.
-  std::vector<ShapeId> shut_out(std::uint32_t shapes, const std::vector<Vec2>& boundary_px) const;
+  /// Says whether something holds of any point of a boundary, canvas px; mostly it is asked about few of them.
+  using AnyPoint = std::function<bool(const std::function<bool(Vec2)>& holds)>;
+  /// Of so many shapes those that could stand at none of these points, ascending: all of them are too near to pieces
+  /// that were added. Matching need not look for them.
+  std::vector<ShapeId> shut_out(std::uint32_t shapes, const AnyPoint& any_point) const;
 
  private:
   struct Company {
@@ -58,7 +61,7 @@ class KeptApart {
 
   Company company_of(ShapeId shape) const;
   Boundary boundary_of(ShapeId shape, const Similarity& canvas_from_shape);
-  bool any_beyond(float distance_px, const std::vector<Boundary>& pieces, const std::vector<Vec2>& points_px) const;
+  bool any_beyond(float distance_px, const std::vector<Boundary>& pieces, const AnyPoint& any_point) const;
 
   float job_distance_px_;
   bool matters_;

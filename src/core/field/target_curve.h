@@ -5,6 +5,7 @@
 // gives the bits that starting afresh would give.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -35,6 +36,12 @@ class TargetCurve {
   std::size_t sample_count() const { return samples_.size(); }
   bool has_sample(SampleId id) const { return samples_.contains(id); }
   std::vector<SampleId> samples() const;
+  /// Whether `holds` of the place of any sample, canvas px; the first one ends the search.
+  template <class Holds>
+  bool any_position(const Holds& holds) const {
+    return std::any_of(samples_.begin(), samples_.end(),
+                       [&](const auto& held) { return holds(held.second.sample.position); });
+  }
 
   /// The PADs that samples were matched with, where they have changed a little since, ascending by sample. They are the
   /// only part of a curve that does not follow from the opened field.
