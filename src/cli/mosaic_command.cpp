@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -5,6 +6,7 @@
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
+#include "core/base/error.h"
 #include "io/elements/photo_extraction.h"
 #include "io/library/library_view.h"
 #include "io/mosaic/mosaic_files.h"
@@ -39,6 +41,7 @@ std::string job_path(const io::MosaicRequest& request) {
 
 void write_job(const MosaicArguments& arguments) {
   const io::MosaicRequest& request = arguments.request;
+  if (std::isnan(request.shift)) throw InputError("--shift: found nan, allowed: a number");
   const io::LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
   io::Drawers drawers(io::photo_drawer_settings(1));
   const io::MosaicPlan plan = io::write_mosaic_files(request, drawers);

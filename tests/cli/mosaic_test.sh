@@ -46,6 +46,8 @@ run 2 mosaic sun.png own.h5 --job-only --pieces 5 --job none.toml
 expect_word '--pieces: found 5, allowed: from 100 to 40000'
 run 2 mosaic sun.png own.h5 --job-only --shift 101 --job none.toml
 expect_word '--shift'
+run 2 mosaic sun.png own.h5 --job-only --shift nan --job none.toml
+expect_word '--shift: found nan'
 run 2 mosaic sun.png
 expect_word 'see tessera mosaic --help'
 [[ ! -e none.toml && ! -e none_sizes.png ]] || fail "files of a mistake"

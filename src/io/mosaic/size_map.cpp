@@ -62,7 +62,7 @@ cv::Mat largest_sizes(const cv::Mat& detail, const MosaicPlan& plan) {
   cv::minMaxLoc(detail, &least, &most);
   const double range = std::log(plan.max_scale_px / plan.min_scale_px) / kDetailExponent;
   double low = std::log(least), high = std::log(most) + range;  // all smallest ... all largest
-  constexpr int kHalvings = 40;
+  constexpr int kHalvings = 25;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
     const bool too_many = expected_pieces(sizes_for(detail, std::exp(middle), plan), plan) > plan.pieces;
