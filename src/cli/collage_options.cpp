@@ -35,8 +35,8 @@ void add_collage_options(CLI::App& command, CollageArguments& arguments) {
   CLI::Option* resume =
       command
           .add_flag("--resume{latest}", arguments.resume,
-                     "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5; --resume=auto: "
-                     "from the one that is there, if any")
+                    "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5; --resume=auto: "
+                    "from the one that is there, if any")
           ->check(CLI::IsMember({"latest", "previous", "auto"}));
   command.add_flag("--restart", arguments.restart, "Remove the checkpoints in DIR and start again")->excludes(resume);
   command

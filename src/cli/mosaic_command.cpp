@@ -22,7 +22,8 @@ constexpr const char* kExamples =
     "  mpirun -n 3 tessera mosaic portrait.jpg tiles.h5\n"
     "  tessera mosaic portrait.jpg tiles.h5 --job-only     portrait.toml and portrait_sizes.png, to be edited; then\n"
     "  tessera collage portrait.toml\n"
-    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; the map of sizes is a\n"
+    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; the map of sizes is "
+    "a\n"
     "grey picture, dark where the image has detail and pieces are to be small. Both stay as they are where they are\n"
     "there, unless they would change: then --replace is needed. The more colours the library has the better; 500\n"
     "drawings are few, 5,000 are many. The rest is as in tessera collage.";

@@ -10,7 +10,7 @@
 #include "io/atomic_file.h"
 #include "io/elements/cut_outs.h"
 #include "io/elements/photo_extraction.h"
-#include "io/mosaic/mean_colour.h"
+#include "io/mosaic/joint_colour.h"
 #include "io/mosaic/mosaic_job.h"
 #include "io/mosaic/size_map.h"
 #include "io/regular_file.h"
@@ -42,7 +42,8 @@ MosaicPlan plan_for(const MosaicRequest& request, const cv::Mat& image) {
 
 /// As the job names it: relative to the job's folder, unless it was given from the root.
 std::string path_in_job(const std::string& path, const std::string& job) {
-  if (!is_utf8(path)) throw InputError(printable_utf8(path) + ": found a name that is not UTF-8, as a job's text must be");
+  if (!is_utf8(path))
+    throw InputError(printable_utf8(path) + ": found a name that is not UTF-8, as a job's text must be");
   const fs::path given(path);
   if (given.is_absolute()) return path;
   const fs::path from = fs::absolute(job).parent_path();
@@ -73,8 +74,8 @@ bool holds(const std::string& path, std::span<const std::uint8_t> bytes) {
   return fs::exists(path) && std::ranges::equal(read_regular_file(path, kMostOwnBytes), bytes);
 }
 
-/// What is there may have been edited: it goes only when that is asked for, and only if it is a mosaic's. A map is that of
-/// the job beside it.
+/// What is there may have been edited: it goes only when that is asked for, and only if it is a mosaic's. A map is that
+/// of the job beside it.
 void check_replaceable(const std::string& output, std::span<const std::uint8_t> bytes, const MosaicRequest& request) {
   if (!fs::exists(output) || holds(output, bytes)) return;
   if (!fs::exists(request.job) || !is_mosaic_job(read_regular_file(request.job, kMostOwnBytes)))
@@ -108,7 +109,7 @@ MosaicPlan write_mosaic_files(const MosaicRequest& request, Drawers& drawers) {
   const cv::Mat image = read_image(request.image, drawers);
   const MosaicPlan plan = plan_for(request, image);
   const Bytes map = png_of(size_map(image, plan));
-  const std::string text = mosaic_job(files, plan, request.shift, mean_colour(image));
+  const std::string text = mosaic_job(files, plan, request.shift, joint_colour(image));
   const Bytes job(text.begin(), text.end());
   check_replaceable(request.job, job, request);
   check_replaceable(map_path, map, request);

@@ -21,9 +21,9 @@ struct MosaicRequest {
 /// Of the job's name: portrait_sizes.png beside portrait.toml.
 std::string size_map_path(const std::string& job);
 
-/// Writes both, each whole or not at all; those that are there with the same content stay. Paths in the job are relative
-/// to its folder where the request's are relative. Throws InputError where the image or a path is of no use, and where a
-/// file of another content is there (with `replace`: one that is no mosaic's); EnvironmentError.
+/// Writes both, each whole or not at all; those that are there with the same content stay. Paths in the job are
+/// relative to its folder where the request's are relative. Throws InputError where the image or a path is of no use,
+/// and where a file of another content is there (with `replace`: one that is no mosaic's); EnvironmentError.
 MosaicPlan write_mosaic_files(const MosaicRequest& request, Drawers& drawers);
 
 }  // namespace tessera::io

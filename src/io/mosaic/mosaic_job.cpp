@@ -49,8 +49,9 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          "\n"
          "\n"
          "[colour]\n"
-         "# Pieces are chosen by the colour of what they cover. weight: how much it counts beside outlines that fit; 0 = not.\n"
-         "# shift: the tone of each piece may be moved towards what it covers, by so much CIEDE2000 at most; 0 = as drawn.\n"
+         "# Pieces are chosen by the colours of what they cover.\n"
+         "# weight: how much that counts beside outlines that fit; 0 = not.\n"
+         "# shift: the tone of a piece may be moved towards the image by so much CIEDE2000; 0 = as drawn.\n"
          "image = " +
          toml_text(files.image) +
          "\n"
@@ -60,8 +61,8 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          "\n"
          "\n"
          "[pieces]\n"
-         "# The smallest and the largest size, px of the canvas, and where which: black = smallest, white = largest. The map is\n"
-         "# a grey picture: paint what is to be finer darker.\n"
+         "# The smallest and the largest size, px of the canvas. The map, a grey picture, says where: black = the\n"
+         "# smallest alone, white = up to the largest. Paint darker what is to be finer.\n"
          "scale_px = " +
          pair_text(plan.min_scale_px, plan.max_scale_px) +
          "\n"
@@ -70,7 +71,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          "\n"
          "\n"
          "[output]\n"
-         "# Between the pieces: the image's mean colour. Darker makes joints, lighter paper. tessera draw changes it later.\n"
+         "# Between the pieces: the image's mean colour, half as bright, as joints are. tessera draw changes it.\n"
          "background = " +
          toml_text(background) +
          "\n"

@@ -17,9 +17,9 @@ constexpr double kMaxScale_px = kMeanScale_px * 2;
 /// Of the canvas.
 constexpr double kCoverage = 0.93;
 
-/// Small pieces in the gaps of large ones, for each square of the smallest size. Measured: with the largest allowed 1.25,
-/// 1.75, 2.5 and 4 times as large as the smallest, 1.11, 1.14, 1.35 and 1.83 times as many pieces come as kCoverage of
-/// the canvas has room for; 1 + 0.052 · (largest / smallest)² is that.
+/// Small pieces in the gaps of large ones, for each square of the smallest size. Measured: with the largest allowed
+/// 1.25, 1.75, 2.5 and 4 times as large as the smallest, 1.11, 1.14, 1.35 and 1.83 times as many pieces come as kCoverage
+/// of the canvas has room for; 1 + 0.052 · (largest / smallest)² is that.
 constexpr double kFillers = 0.052 * kCoverage;
 
 std::string size_text(cv::Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }

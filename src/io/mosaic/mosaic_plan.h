@@ -1,4 +1,4 @@
-// How large the canvas of a mosaic is and how large its pieces may be, so that about as many come out as are wished for.
+// How large the canvas of a mosaic is and how large its pieces may be, so that about as many come out as are wished.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -21,8 +21,8 @@ struct MosaicPlan {
 /// `image`: its size, of the canvas' aspect. Throws InputError that names what was found and what is allowed.
 MosaicPlan mosaic_plan(cv::Size image, int pieces);
 
-/// Pieces that a canvas px² gets where the largest may have the size `largest_px`: those that fill it, and the small ones
-/// between them.
+/// Pieces that a canvas px² gets where the largest may have the size `largest_px`: those that fill it, and the small
+/// ones between them.
 double pieces_per_px2(const MosaicPlan& plan, double largest_px);
 
 }  // namespace tessera::io

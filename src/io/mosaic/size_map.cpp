@@ -52,8 +52,7 @@ cv::Mat detail_of(const cv::Mat& image_bgr, const MosaicPlan& plan) {
   cv::Mat picture, detail;
   cv::resize(image_bgr, picture, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
   constexpr double kSobelGain = 8;
-  cv::GaussianBlur(colour_gradient(smooth_lab(picture), kGradientSigma_px, 1) / kSobelGain, detail, {},
-                   kPlaceSigma_px);
+  cv::GaussianBlur(colour_gradient(smooth_lab(picture), kGradientSigma_px, 1) / kSobelGain, detail, {}, kPlaceSigma_px);
   return cv::max(detail, kFlat);
 }
 
@@ -73,9 +72,9 @@ cv::Mat largest_sizes(const cv::Mat& detail, const MosaicPlan& plan) {
 
 cv::Mat size_map(const cv::Mat& image_bgr, const MosaicPlan& plan) {
   const cv::Mat sizes = largest_sizes(detail_of(image_bgr, plan), plan);
-  const double range_px = plan.max_scale_px - plan.min_scale_px;
-  cv::Mat map;
-  sizes.convertTo(map, CV_8U, 255 / range_px, -plan.min_scale_px * 255 / range_px);
+  cv::Mat octaves, map;
+  cv::log(sizes / plan.min_scale_px, octaves);
+  octaves.convertTo(map, CV_8U, 255 / std::log(plan.max_scale_px / plan.min_scale_px));
   return map;
 }
 
