@@ -15,7 +15,7 @@ rsvg-convert sun.svg -o sun.png
 
 run 0 mosaic sun.png own.h5 --pieces 100 --job-only
 expect_silence "a warning of a good job"
-grep -q '^sun.toml: 406 x 271 px, about 100 pieces of 16 to 64 px out of 5 shapes; sizes: sun_sizes.png$' output ||
+grep -q '^sun.toml: 413 x 275 px, about 100 pieces of 16 to 64 px out of 5 shapes; sizes: sun_sizes.png$' output ||
   fail "does not say what it wrote"
 grep -qx 'next: tessera collage sun.toml' output || fail "does not say what to type next"
 [[ -s sun_sizes.png && ! -e out ]] || fail "no map, or a result"

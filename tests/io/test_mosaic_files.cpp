@@ -29,15 +29,15 @@ TEST(MosaicJob, SaysWhatWasPlanned) {
   const MosaicFiles files{.image = "a \"b\"\\c.png", .libraries = {"t.h5"}, .size_map = "ä_sizes.png"};
   const toml::table job = toml::parse(mosaic_job(files, mosaic_plan({300, 200}, 500), 2.5, "#102030"));
   EXPECT_EQ(job["library"]["file"].value<std::string>(), "t.h5");
-  EXPECT_EQ(job["canvas"]["size_px"][0].value<int>(), 909);
-  EXPECT_EQ(job["canvas"]["size_px"][1].value<int>(), 606);
+  EXPECT_EQ(job["canvas"]["size_px"][0].value<int>(), 924);
+  EXPECT_EQ(job["canvas"]["size_px"][1].value<int>(), 616);
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), files.image);
   EXPECT_EQ(job["colour"]["shift"].value<double>(), 2.5);
   EXPECT_EQ(job["pieces"]["scale_px"][0].value<int>(), 16);
   EXPECT_EQ(job["pieces"]["scale_px"][1].value<int>(), 64);
   EXPECT_EQ(job["pieces"]["size_map"].value<std::string>(), files.size_map);
   EXPECT_EQ(job["output"]["background"].value<std::string>(), "#102030");
-  EXPECT_EQ(job["output"]["width_px"].value<int>(), 1818);
+  EXPECT_EQ(job["output"]["width_px"].value<int>(), 1848);
 }
 
 TEST(MosaicJob, NamesSeveralLibraries) {
@@ -92,7 +92,7 @@ TEST_F(MosaicFilesTest, LieBesideEachOther) {
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));  // given from the root
   const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
   EXPECT_EQ(map.type(), CV_8UC1);
-  EXPECT_EQ(map.size(), cv::Size(144, 96));  // of a canvas of 575 x 383 px
+  EXPECT_EQ(map.size(), cv::Size(146, 97));  // of a canvas of 584 x 389 px
 }
 
 TEST_F(MosaicFilesTest, NameWhatIsReadAsSeenFromTheJob) {

@@ -41,7 +41,7 @@ bool same(const cv::Mat& one, const cv::Mat& other) {
 TEST(MosaicPlan, HasTheImagesAspectAndRoomForThePieces) {
   const MosaicPlan plan = mosaic_plan({451, 300}, 3000);
   EXPECT_NEAR(plan.canvas_px.width / double(plan.canvas_px.height), 451 / 300., 1e-3);
-  EXPECT_NEAR(plan.canvas_px.area() * 0.93 / 3000, 32 * 32, 1);  // a piece of the mean size
+  EXPECT_NEAR(plan.canvas_px.area() * 0.9 / 3000, 32 * 32, 1);  // a piece of the mean size
   EXPECT_EQ(plan.min_scale_px, 16);
   EXPECT_EQ(plan.max_scale_px, 64);
 }
@@ -63,12 +63,12 @@ TEST(MosaicPlan, RefusesWhatIsTooFewTooManyOrTooLong) {
   EXPECT_NO_THROW(mosaic_plan({800, 100}, kFewestMosaicPieces));
 }
 
-// 900 x 900 px filled with pieces of 16 px to so many at most.
+// Of mosaics of 521 and 6,455 shapes: pieces in a million px² where the largest may have that size.
 TEST(MosaicPlan, ExpectsAsManyPiecesAsCameInMeasurements) {
   const MosaicPlan plan = mosaic_plan({100, 100}, 3000);
   for (const auto& [largest_px, measured] :
-       {std::pair(20., 2083.), std::pair(28., 1094.), std::pair(40., 635.), std::pair(64., 336.)})
-    EXPECT_NEAR(pieces_per_px2(plan, largest_px) * 900 * 900 / measured, 1, 0.05) << largest_px;
+       {std::pair(28., 1548.), std::pair(36., 1025.), std::pair(36., 1059.), std::pair(63., 496.)})
+    EXPECT_NEAR(pieces_per_px2(plan, largest_px) * 1e6 / measured, 1, 0.06) << largest_px;
 }
 
 TEST(LimitGrowth, MakesAConeRoundWhatIsSmall) {
@@ -108,7 +108,7 @@ TEST(SizeMap, IsSmallOnDetailAndLargeOnFlatParts) {
   const int quarter = map.cols / 4;
   const double detail = cv::mean(map.colRange(0, quarter))[0];
   const double flat = cv::mean(map.colRange(3 * quarter, map.cols))[0];
-  EXPECT_LT(detail, 128);  // 32 px
+  EXPECT_LT(detail, 140);  // 34 px
   EXPECT_GT(flat, 170);    // 40 px
 }
 

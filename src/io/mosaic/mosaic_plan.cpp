@@ -15,12 +15,13 @@ constexpr double kMinScale_px = kMeanScale_px / 2;
 constexpr double kMaxScale_px = kMeanScale_px * 2;
 
 /// Of the canvas.
-constexpr double kCoverage = 0.93;
+constexpr double kCoverage = 0.9;
 
-/// Small pieces in the gaps of large ones, for each square of the smallest size. Measured: with the largest allowed
-/// 1.25, 1.75, 2.5 and 4 times as large as the smallest, 1.11, 1.14, 1.35 and 1.83 times as many pieces come as kCoverage
-/// of the canvas has room for; 1 + 0.052 · (largest / smallest)² is that.
-constexpr double kFillers = 0.052 * kCoverage;
+/// Pieces for each square of the largest size that is allowed at a place, and small ones between them for each square of
+/// the smallest. Measured on mosaics of 800 to 3,400 pieces out of 521 and 6,455 shapes: with both, the number of pieces
+/// was true to 5 %.
+constexpr double kFilling = 1;
+constexpr double kFillers = 0.06;
 
 std::string size_text(cv::Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
@@ -49,7 +50,7 @@ MosaicPlan mosaic_plan(cv::Size image, int pieces) {
 }
 
 double pieces_per_px2(const MosaicPlan& plan, double largest_px) {
-  return kCoverage / (largest_px * largest_px) + kFillers / (plan.min_scale_px * plan.min_scale_px);
+  return kFilling / (largest_px * largest_px) + kFillers / (plan.min_scale_px * plan.min_scale_px);
 }
 
 }  // namespace tessera::io
