@@ -53,9 +53,9 @@ mapfile -t names < <(basename -s .toml jobs/*.toml)
 [[ $# -eq 0 ]] || names=("$@")
 for name in "${names[@]}"; do
   echo "== $name"
-  # Where its elements come from a photo, the job says with which command.
-  read -ra extract < <(sed -n 's/^#  *tessera \(library extract .*\)/\1/p' "jobs/$name.toml") || true
-  if [[ ${#extract[@]} -gt 0 ]]; then "$tessera" "${extract[@]}"; fi
+  # Where it has a library of its own, the job says with which command, whose last word is the file.
+  read -ra make < <(sed -n 's/^#  *tessera \(library .*\)/\1/p' "jobs/$name.toml") || true
+  if [[ ${#make[@]} -gt 0 && ! ${make[-1]} -nt $tessera ]]; then "$tessera" "${make[@]}"; fi
   "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
   "$tessera" draw "out/gallery/$name" --pdf --quiet
   # By way of the PDF: poppler is here for the tests anyway.

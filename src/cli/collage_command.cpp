@@ -1,8 +1,6 @@
-#include <cstdio>
 #include <memory>
 
-#include "cli/collage_input.h"
-#include "cli/collage_run.h"
+#include "cli/collage_options.h"
 #include "cli/commands.h"
 
 namespace tessera::cli {
@@ -27,43 +25,6 @@ constexpr const char* kExamples =
     "a piece is placed; where it is of another job, a line on stderr says so.\n"
     "Every key of a job: docs/job-format.md. Every file of a result: docs/result-format.md";
 
-std::string how_to_go_on(const CollageArguments& arguments) {
-  std::string text = "unfinished: go on with the same command and --resume";
-  if (arguments.restart) text += " instead of --restart";
-  if (arguments.resume == "previous") text += " instead of --resume=previous";
-  if (arguments.resume == "auto") text = "unfinished: the same command goes on with it";
-  return text;
-}
-
-std::string draws_so_far(const CollageArguments& arguments) {
-  return "; tessera draw " + output_folder(arguments) + " draws what is placed so far";
-}
-
-std::string older_stays(const CollageArguments& arguments) {
-  return "; nothing is placed yet, the finished result in " + output_folder(arguments) +
-         " is still that of the run before";
-}
-
-int run(const CollageArguments& arguments, comm::Communicator& ranks) {
-  switch (run_collage(arguments, ranks)) {
-    case CollageEnd::finished: return 0;
-    case CollageEnd::unfinished:
-      std::fprintf(stderr, "tessera: %s\n", (how_to_go_on(arguments) + draws_so_far(arguments)).c_str());
-      break;
-    case CollageEnd::nothing_placed:
-      std::fprintf(stderr, "tessera: %s\n", (how_to_go_on(arguments) + older_stays(arguments)).c_str());
-      break;
-    case CollageEnd::not_begun:
-      std::fprintf(stderr, "tessera: unfinished, before the first round: the same command starts again\n");
-      break;
-    case CollageEnd::not_drawn:
-      std::fprintf(stderr, "tessera: collage finished, drawing interrupted: tessera draw %s goes on\n",
-                   output_folder(arguments).c_str());
-      break;
-  }
-  return kUnfinishedExitCode;
-}
-
 }  // namespace
 
 void add_collage_command(CLI::App& app, Command& selected) {
@@ -71,27 +32,9 @@ void add_collage_command(CLI::App& app, Command& selected) {
   CLI::App* collage = app.add_subcommand("collage", "Make the collage that a job file describes");
   collage->footer(kExamples);
   collage->add_option("JOB", arguments->job, "The job file")->required()->type_name("FILE");
-  collage->add_option("--out", arguments->out, "Folder for the result; default: out/<name of the job file>")
-      ->type_name("DIR");
-  collage->add_option("--set", arguments->overrides, "Use this value instead of the job file's; may be repeated")
-      ->type_name("SECTION.KEY=VALUE")
-      ->allow_extra_args(false)
-      ->take_all();
-  collage->add_flag("--quiet", arguments->quiet, "Print neither progress nor the quality card, only warnings");
-  CLI::Option* resume =
-      collage
-          ->add_flag("--resume{latest}", arguments->resume,
-                     "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5; --resume=auto: "
-                     "from the one that is there, if any")
-          ->check(CLI::IsMember({"latest", "previous", "auto"}));
-  collage->add_flag("--restart", arguments->restart, "Remove the checkpoints in DIR and start again")->excludes(resume);
-  collage
-      ->add_option_function<std::string>(
-          "--time-limit", [arguments](const std::string& limit) { arguments->time_limit = limit; },
-          "Stop so early that all is written by then; default: the end of the Slurm job")
-      ->type_name("LIMIT");
+  add_collage_options(*collage, *arguments);
   collage->callback([arguments, &selected] {
-    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };
+    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return collage_exit_code(*arguments, ranks); };
   });
 }
 

@@ -11,8 +11,6 @@
 namespace tessera::io {
 namespace {
 
-constexpr std::size_t kMaxPhotoBytes = 128u << 20;
-
 std::string size_text(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
 cv::Mat searched_labels(const std::string& photo, const cv::Mat& picture, const ElementSearch& search) {

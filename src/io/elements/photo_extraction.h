@@ -1,6 +1,7 @@
 // From a photo's file to its elements, cut out: what tessera library extract does with each photo.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,6 +12,9 @@
 #include "io/elements/photo_elements.h"
 
 namespace tessera::io {
+
+/// Of a photo's file.
+inline constexpr std::size_t kMaxPhotoBytes = std::size_t(128) << 20;
 
 struct ExtractionSettings {
   ElementSearch search;

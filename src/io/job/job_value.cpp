@@ -10,6 +10,7 @@
 
 #include "core/base/split_text.h"
 #include "io/job/palette.h"
+#include "io/job/toml_text.h"
 
 namespace tessera::io {
 namespace {
@@ -235,12 +236,6 @@ std::string shortest_number(const JobKey& key, const Job& job, std::size_t i) {
   return number_text(exact.numbers[i], digits);
 }
 
-std::string quoted(const std::string& text) {
-  std::ostringstream out;
-  out << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
-  return out.str();
-}
-
 /// The fewest digits that give the same number.
 std::string exact_number(double value) {
   int digits = 1;
@@ -256,7 +251,7 @@ std::string listed(const std::vector<std::string>& items) {
 
 std::string quoted_list(const std::vector<std::string>& texts) {
   std::vector<std::string> items;
-  for (const std::string& text : texts) items.push_back(quoted(text));
+  for (const std::string& text : texts) items.push_back(toml_text(text));
   return listed(items);
 }
 
@@ -265,8 +260,8 @@ template <class Number>
 std::string value_text(const JobKey& key, const JobValue& value, Number number) {
   if (key.kind == JobKind::texts || key.kind == JobKind::files) return quoted_list(value.texts);
   if (key.kind == JobKind::palette)
-    return is_colour_list(value.texts) ? quoted_list(value.texts) : quoted(value.texts[0]);
-  if (value.numbers.empty()) return quoted(value.text);
+    return is_colour_list(value.texts) ? quoted_list(value.texts) : toml_text(value.texts[0]);
+  if (value.numbers.empty()) return toml_text(value.text);
   if (value.numbers.size() == 1) return number(0);
   if (key.kind == JobKind::uses && value.numbers[0] == 0) return number(1);
   std::vector<std::string> items;

@@ -1,0 +1,69 @@
+#include "cli/collage_options.h"
+
+#include <cstdio>
+
+namespace tessera::cli {
+namespace {
+
+std::string how_to_go_on(const CollageArguments& arguments) {
+  std::string text = "unfinished: go on with the same command and --resume";
+  if (arguments.restart) text += " instead of --restart";
+  if (arguments.resume == "previous") text += " instead of --resume=previous";
+  if (arguments.resume == "auto") text = "unfinished: the same command goes on with it";
+  return text;
+}
+
+std::string draws_so_far(const CollageArguments& arguments) {
+  return "; tessera draw " + output_folder(arguments) + " draws what is placed so far";
+}
+
+std::string older_stays(const CollageArguments& arguments) {
+  return "; nothing is placed yet, the finished result in " + output_folder(arguments) +
+         " is still that of the run before";
+}
+
+}  // namespace
+
+void add_collage_options(CLI::App& command, CollageArguments& arguments) {
+  command.add_option("--out", arguments.out, "Folder for the result; default: out/<name of the job file>")
+      ->type_name("DIR");
+  command.add_option("--set", arguments.overrides, "Use this value instead of the job file's; may be repeated")
+      ->type_name("SECTION.KEY=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_flag("--quiet", arguments.quiet, "Print neither progress nor the quality card, only warnings");
+  CLI::Option* resume =
+      command
+          .add_flag("--resume{latest}", arguments.resume,
+                    "Go on from DIR/checkpoint.h5; --resume=previous: from DIR/checkpoint.previous.h5; --resume=auto: "
+                    "from the one that is there, if any")
+          ->check(CLI::IsMember({"latest", "previous", "auto"}));
+  command.add_flag("--restart", arguments.restart, "Remove the checkpoints in DIR and start again")->excludes(resume);
+  command
+      .add_option_function<std::string>(
+          "--time-limit", [&arguments](const std::string& limit) { arguments.time_limit = limit; },
+          "Stop so early that all is written by then; default: the end of the Slurm job")
+      ->type_name("LIMIT");
+}
+
+int collage_exit_code(const CollageArguments& arguments, comm::Communicator& ranks) {
+  switch (run_collage(arguments, ranks)) {
+    case CollageEnd::finished: return 0;
+    case CollageEnd::unfinished:
+      std::fprintf(stderr, "tessera: %s\n", (how_to_go_on(arguments) + draws_so_far(arguments)).c_str());
+      break;
+    case CollageEnd::nothing_placed:
+      std::fprintf(stderr, "tessera: %s\n", (how_to_go_on(arguments) + older_stays(arguments)).c_str());
+      break;
+    case CollageEnd::not_begun:
+      std::fprintf(stderr, "tessera: unfinished, before the first round: the same command starts again\n");
+      break;
+    case CollageEnd::not_drawn:
+      std::fprintf(stderr, "tessera: collage finished, drawing interrupted: tessera draw %s goes on\n",
+                   output_folder(arguments).c_str());
+      break;
+  }
+  return kUnfinishedExitCode;
+}
+
+}  // namespace tessera::cli

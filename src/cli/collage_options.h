@@ -1,0 +1,16 @@
+// How a collage is run, whichever command runs it: the options, and what is said at an end with work left.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/collage_run.h"
+
+namespace tessera::cli {
+
+/// Adds all options but the job. `arguments` must outlive the parsing.
+void add_collage_options(CLI::App& command, CollageArguments& arguments);
+
+/// run_collage, to be called on every rank. Says on stderr how to go on where work is left.
+int collage_exit_code(const CollageArguments& arguments, comm::Communicator& ranks);
+
+}  // namespace tessera::cli

@@ -1,0 +1,92 @@
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "cli/collage_options.h"
+#include "cli/commands.h"
+#include "core/base/error.h"
+#include "io/elements/photo_extraction.h"
+#include "io/library/library_view.h"
+#include "io/mosaic/mosaic_files.h"
+#include "io/utf8_text.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  tessera mosaic portrait.jpg tiles.h5\n"
+    "  tessera mosaic portrait.jpg tiles.h5 emoji.h5 --pieces 8000 --shift 8 --out large\n"
+    "  mpirun -n 3 tessera mosaic portrait.jpg tiles.h5\n"
+    "  tessera mosaic portrait.jpg tiles.h5 --job-only     portrait.toml and portrait_sizes.png, to be edited; then\n"
+    "  tessera collage portrait.toml\n"
+    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; the map of sizes is "
+    "a\n"
+    "grey picture, dark where the image has detail and pieces are to be small. Both stay as they are where they are\n"
+    "there, unless they would change: then --replace is needed. The more colours the library has the better; 500\n"
+    "drawings are few, 5,000 are many. The rest is as in tessera collage.";
+
+constexpr double kMostShift = 100;  // CIEDE2000: all of it
+
+struct MosaicArguments {
+  io::MosaicRequest request;
+  CollageArguments collage;
+  bool job_only = false;
+};
+
+std::string job_path(const io::MosaicRequest& request) {
+  return request.job.empty() ? std::filesystem::path(request.image).stem().string() + ".toml" : request.job;
+}
+
+void write_job(const MosaicArguments& arguments) {
+  const io::MosaicRequest& request = arguments.request;
+  if (std::isnan(request.shift)) throw InputError("--shift: found nan, allowed: a number");
+  const io::LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
+  io::Drawers drawers(io::photo_drawer_settings(1));
+  const io::MosaicPlan plan = io::write_mosaic_files(request, drawers);
+  if (arguments.collage.quiet) return;
+  const std::string job = io::printable_utf8(request.job);
+  std::printf("%s: %d x %d px, about %d pieces of %g to %g px out of %zu shapes; sizes: %s\n", job.c_str(),
+              plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
+              library.size(), io::printable_utf8(io::size_map_path(request.job)).c_str());
+  if (arguments.job_only) std::printf("next: tessera collage %s\n", job.c_str());
+  std::fflush(stdout);
+}
+
+/// Rank 0 alone reads the image and writes the job; the workers get it from there as of any collage.
+int run(MosaicArguments arguments, comm::Communicator& ranks) {
+  arguments.request.job = job_path(arguments.request);
+  arguments.collage.job = arguments.request.job;
+  if (ranks.rank() == 0) write_job(arguments);
+  return arguments.job_only ? 0 : collage_exit_code(arguments.collage, ranks);
+}
+
+}  // namespace
+
+void add_mosaic_command(CLI::App& app, Command& selected) {
+  const auto arguments = std::make_shared<MosaicArguments>();
+  io::MosaicRequest& request = arguments->request;
+  CLI::App* mosaic = app.add_subcommand("mosaic", "Show an image by the colours of a library's pieces");
+  mosaic->footer(kExamples);
+  mosaic->add_option("IMAGE", request.image, "What is to be seen from afar")->required()->type_name("FILE");
+  mosaic->add_option("LIB", request.libraries, "Libraries of the pieces")->required()->type_name("LIB.h5");
+  mosaic->add_option("--pieces", request.pieces, "About so many pieces; more show more of the image")
+      ->capture_default_str();
+  mosaic
+      ->add_option("--shift", request.shift,
+                   "Tone of each piece moved towards the image by so much CIEDE2000 at most; 0 = as drawn")
+      ->check(CLI::Range(0.0, kMostShift))
+      ->capture_default_str();
+  mosaic->add_option("--job", request.job, "The job file to write; default: <name of the image>.toml")
+      ->type_name("FILE.toml");
+  mosaic->add_flag("--job-only", arguments->job_only, "Write the job and its map of sizes, and run nothing");
+  mosaic->add_flag("--replace", request.replace, "Write them anew where another mosaic's are there");
+  add_collage_options(*mosaic, arguments->collage);
+  mosaic->callback([arguments, &selected] {
+    selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };
+  });
+}
+
+}  // namespace tessera::cli

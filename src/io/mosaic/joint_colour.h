@@ -1,0 +1,13 @@
+// What lies between the pieces of a mosaic.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+
+namespace tessera::io {
+
+/// "#rrggbb": the mean of the light of a CV_8UC3 image (BGR, sRGB), half as bright. As bright as the mean, joints grey
+/// what is dark, and outlines of light pieces are lost.
+std::string joint_colour(const cv::Mat& image_bgr);
+
+}  // namespace tessera::io

@@ -1,0 +1,121 @@
+#include "io/mosaic/mosaic_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <opencv2/imgproc.hpp>
+#include <span>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "io/atomic_file.h"
+#include "io/elements/cut_outs.h"
+#include "io/elements/photo_extraction.h"
+#include "io/mosaic/joint_colour.h"
+#include "io/mosaic/mosaic_job.h"
+#include "io/mosaic/size_map.h"
+#include "io/regular_file.h"
+#include "io/utf8_text.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Of a file that is compared with what is to be written.
+constexpr std::size_t kMostOwnBytes = std::size_t(64) << 20;
+
+cv::Mat read_image(const std::string& path, Drawers& drawers) {
+  cv::Mat bgr;
+  cv::cvtColor(drawers.photo(read_regular_file(path, kMaxPhotoBytes), path), bgr, cv::COLOR_BGRA2BGR);
+  return bgr;
+}
+
+MosaicPlan plan_for(const MosaicRequest& request, const cv::Mat& image) {
+  try {
+    return mosaic_plan(image.size(), request.pieces);
+  } catch (const InputError& error) {
+    throw InputError(request.image + ": " + error.what());
+  }
+}
+
+/// As the job names it: relative to the job's folder, unless it was given from the root.
+std::string path_in_job(const std::string& path, const std::string& job) {
+  if (!is_utf8(path))
+    throw InputError(printable_utf8(path) + ": found a name that is not UTF-8, as a job's text must be");
+  const fs::path given(path);
+  if (given.is_absolute()) return path;
+  const fs::path from = fs::absolute(job).parent_path();
+  return (fs::relative(fs::absolute(given).parent_path(), from) / given.filename()).lexically_normal().string();
+}
+
+bool same_file(const std::string& one, const std::string& other) {
+  std::error_code error;
+  return fs::equivalent(one, other, error);
+}
+
+/// Nothing that is read is written.
+void check_is_not_read(const std::string& output, const MosaicRequest& request) {
+  std::vector<std::string> read = request.libraries;
+  read.push_back(request.image);
+  for (const std::string& input : read) {
+    if (same_file(output, input))
+      throw InputError("--job " + request.job + ": would write " + output + ", which is read; allowed: another name");
+  }
+}
+
+bool is_mosaic_job(const Bytes& bytes) {
+  const std::string_view mark(kMosaicJobMark);
+  return bytes.size() >= mark.size() && std::equal(mark.begin(), mark.end(), bytes.begin());
+}
+
+bool holds(const std::string& path, std::span<const std::uint8_t> bytes) {
+  return fs::exists(path) && std::ranges::equal(read_regular_file(path, kMostOwnBytes), bytes);
+}
+
+/// What is there may have been edited: it goes only when that is asked for, and only if it is a mosaic's. A map is that
+/// of the job beside it.
+void check_replaceable(const std::string& output, std::span<const std::uint8_t> bytes, const MosaicRequest& request) {
+  if (!fs::exists(output) || holds(output, bytes)) return;
+  if (!fs::exists(request.job) || !is_mosaic_job(read_regular_file(request.job, kMostOwnBytes)))
+    throw InputError(output + ": is there and is not of tessera mosaic; give another name with --job");
+  if (!request.replace) {
+    throw InputError(output + ": is there already, with another content; tessera collage " + request.job +
+                     " runs the job as it is, --replace writes it anew, --job gives it another name");
+  }
+}
+
+void write_unless_there(const std::string& path, std::span<const std::uint8_t> bytes) {
+  if (!holds(path, bytes)) write_file_atomically(path, bytes);
+}
+
+}  // namespace
+
+std::string size_map_path(const std::string& job) {
+  const fs::path path(job);
+  return (path.parent_path() / (path.stem().string() + "_sizes.png")).string();
+}
+
+MosaicPlan write_mosaic_files(const MosaicRequest& request, Drawers& drawers) {
+  const std::string map_path = size_map_path(request.job);
+  check_is_not_read(request.job, request);
+  check_is_not_read(map_path, request);
+  MosaicFiles files{.image = path_in_job(request.image, request.job),
+                    .libraries = {},
+                    .size_map = fs::path(map_path).filename().string()};
+  for (const std::string& library : request.libraries) files.libraries.push_back(path_in_job(library, request.job));
+
+  const cv::Mat image = read_image(request.image, drawers);
+  const MosaicPlan plan = plan_for(request, image);
+  const Bytes map = png_of(size_map(image, plan));
+  const std::string text = mosaic_job(files, plan, request.shift, joint_colour(image));
+  const Bytes job(text.begin(), text.end());
+  check_replaceable(request.job, job, request);
+  check_replaceable(map_path, map, request);
+  write_unless_there(map_path, map);
+  write_unless_there(request.job, job);
+  return plan;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,82 @@
+#include "io/mosaic/mosaic_job.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "io/job/toml_text.h"
+
+namespace tessera::io {
+namespace {
+
+/// Of the picture, by those of the canvas: drawings are seen as what they are.
+constexpr int kPictureScale = 2;
+constexpr int kWidestPicture_px = 12'000;
+
+/// The fewest digits that give the same number.
+std::string number_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string pair_text(double first, double second) {
+  return "[" + number_text(first) + ", " + number_text(second) + "]";
+}
+
+std::string library_lines(const std::vector<std::string>& libraries) {
+  if (libraries.size() == 1) return "file = " + toml_text(libraries.front()) + "\n";
+  std::string text;
+  for (const std::string& library : libraries) text += (text.empty() ? "" : ", ") + toml_text(library);
+  return "files = [" + text + "]\n";
+}
+
+}  // namespace
+
+std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift, const std::string& background) {
+  const int width_px = std::min(kPictureScale * plan.canvas_px.width, kWidestPicture_px);
+  return std::string(kMosaicJobMark) + ": about " + std::to_string(plan.pieces) +
+         " pieces. Change what you like, then: tessera collage THIS_FILE\n"
+         "# Every key of a job: docs/job-format.md\n"
+         "\n"
+         "seed = 1  # another seed, another mosaic\n"
+         "\n"
+         "[library]\n" +
+         library_lines(files.libraries) +
+         "\n"
+         "[canvas]\n"
+         "# The image's aspect. Twice the width and height with the same sizes of pieces: four times as many of them.\n"
+         "size_px = " +
+         pair_text(plan.canvas_px.width, plan.canvas_px.height) +
+         "\n"
+         "\n"
+         "[colour]\n"
+         "# Pieces are chosen by the colours of what they cover.\n"
+         "# weight: how much that counts beside outlines that fit; 0 = not.\n"
+         "# shift: the tone of a piece may be moved towards the image by so much CIEDE2000; 0 = as drawn.\n"
+         "image = " +
+         toml_text(files.image) +
+         "\n"
+         "weight = 1\n"
+         "shift = " +
+         number_text(shift) +
+         "\n"
+         "\n"
+         "[pieces]\n"
+         "# The smallest and the largest size, px of the canvas. The map, a grey picture, says where: black = the\n"
+         "# smallest alone, white = up to the largest. Paint darker what is to be finer.\n"
+         "scale_px = " +
+         pair_text(plan.min_scale_px, plan.max_scale_px) +
+         "\n"
+         "size_map = " +
+         toml_text(files.size_map) +
+         "\n"
+         "\n"
+         "[output]\n"
+         "# Between the pieces: the image's mean colour, half as bright, as joints are. tessera draw changes it.\n"
+         "background = " +
+         toml_text(background) +
+         "\n"
+         "width_px = " +
+         std::to_string(width_px) + "\n";
+}
+
+}  // namespace tessera::io

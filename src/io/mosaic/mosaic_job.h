@@ -1,0 +1,23 @@
+// The job file of a mosaic: few keys, each with a word on what it does, to be edited by hand.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/mosaic/mosaic_plan.h"
+
+namespace tessera::io {
+
+struct MosaicFiles {
+  std::string image;
+  std::vector<std::string> libraries;  // one at least
+  std::string size_map;
+};
+
+/// How every job of mosaic_job begins, which tells it from files of other kinds.
+inline constexpr const char* kMosaicJobMark = "# A mosaic by tessera mosaic";
+
+/// Paths are written as they are in `files`. `shift`: CIEDE2000. `background`: "#rrggbb".
+std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift, const std::string& background);
+
+}  // namespace tessera::io

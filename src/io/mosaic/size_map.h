@@ -1,0 +1,26 @@
+// Where a mosaic's pieces are small and where large: by how much the image changes from place to place.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "io/mosaic/mosaic_plan.h"
+
+namespace tessera::io {
+
+/// A px of the map, in px of the canvas.
+inline constexpr int kSizeMapPixel_px = 4;
+
+/// `image_bgr`: CV_8UC3 of any size, laid over the whole canvas. How much it changes, for eyes that see no texture
+/// finer than the smallest piece: CV_32F, one px for kSizeMapPixel_px of the canvas; steps of CIE Lab by px.
+cv::Mat detail_of(const cv::Mat& image_bgr, const MosaicPlan& plan);
+
+/// The largest size that a piece may have at each place, px of the canvas: CV_32F of the size of `detail`. Those with
+/// which about plan.pieces pieces of one colour each differ least from the image, as far as plan's sizes and a gentle
+/// change from place to place allow.
+cv::Mat largest_sizes(const cv::Mat& detail, const MosaicPlan& plan);
+
+/// As a picture for pieces.size_map, CV_8U: black = the plan's smallest size, white = up to its largest; equal steps of
+/// grey are equal ratios of sizes.
+cv::Mat size_map(const cv::Mat& image_bgr, const MosaicPlan& plan);
+
+}  // namespace tessera::io

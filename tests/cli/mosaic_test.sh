@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# mosaic_test.sh TESSERA MPIRUN NEW_FOLDER: tessera mosaic, from an image to the job and from it to the picture.
+set -uo pipefail
+tessera=$1
+# shellcheck disable=SC2034 # support/ranks.sh
+mpirun=$2
+folder=$3
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+
+enter_folder
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='300' height='200'><rect width='300' height='200' fill='#48c'/>
+  <circle cx='90' cy='100' r='60' fill='#fc4'/><path d='M60 120q30 30 60 0' stroke='#000' stroke-width='9'/></svg>" >sun.svg
+rsvg-convert sun.svg -o sun.png
+
+run 0 mosaic sun.png own.h5 --pieces 100 --job-only
+expect_silence "a warning of a good job"
+grep -q '^sun.toml: 413 x 275 px, about 100 pieces of 16 to 64 px out of 5 shapes; sizes: sun_sizes.png$' output ||
+  fail "does not say what it wrote"
+grep -qx 'next: tessera collage sun.toml' output || fail "does not say what to type next"
+[[ -s sun_sizes.png && ! -e out ]] || fail "no map, or a result"
+cp sun.toml first.toml
+run 0 mosaic sun.png own.h5 --pieces 100 --job-only --quiet
+[[ ! -s output ]] || fail "--quiet prints"
+run_on_ranks 3 0 mosaic sun.png own.h5 --pieces 100 --job-only
+cmp sun.toml first.toml || fail "another job on three ranks"
+echo "ok job"
+
+run 2 mosaic sun.png own.h5 --pieces 200 --job-only
+expect_word 'is there already, with another content; tessera collage sun.toml runs the job as it is, --replace'
+cmp sun.toml first.toml || fail "replaced unasked"
+run 0 mosaic sun.png own.h5 --pieces 200 --job-only --replace
+grep -q 'about 200 pieces' output sun.toml || fail "not replaced"
+run 0 mosaic sun.png own.h5 --pieces 100 --job-only --job small.toml --shift 7
+grep -qx 'shift = 7' small.toml || fail "--shift is not in the job"
+grep -qx 'size_map = "small_sizes.png"' small.toml || fail "the map has not the job's name"
+echo "ok files"
+
+run 2 mosaic none.png own.h5 --job-only
+expect_word 'none.png: '
+run 2 mosaic sun.png none.h5 --job-only --job none.toml
+expect_word 'none.h5: '
+run 2 mosaic sun.svg own.h5 --job-only --job none.toml
+expect_word 'sun.svg: '
+run 2 mosaic sun.png own.h5 --job-only --pieces 5 --job none.toml
+expect_word '--pieces: found 5, allowed: from 100 to 40000'
+run 2 mosaic sun.png own.h5 --job-only --shift 101 --job none.toml
+expect_word '--shift'
+run 2 mosaic sun.png own.h5 --job-only --shift nan --job none.toml
+expect_word '--shift: found nan'
+run 2 mosaic sun.png
+expect_word 'see tessera mosaic --help'
+[[ ! -e none.toml && ! -e none_sizes.png ]] || fail "files of a mistake"
+echo "ok errors"
+
+same_on_3_ranks out/small mosaic sun.png own.h5 --pieces 100 --job small.toml --shift 7 --set output.width_px=400
+grep -q '^written to out/small$' output || fail "no result"
+[[ -s out/small/collage.png ]] || fail "no picture"
+run 0 collage small.toml --out again --set output.width_px=400
+cmp out/small/pieces.geojson again/pieces.geojson || fail "tessera collage makes other pieces of the job"
+echo "ok mosaic"

@@ -1,0 +1,185 @@
+// The files of a mosaic: its job and its map of sizes.
+#include <gtest/gtest.h>
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+
+#include "artwork_samples.h"
+#include "core/base/error.h"
+#include "io/mosaic/mosaic_files.h"
+#include "io/mosaic/mosaic_job.h"
+#include "scratch_folder.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+TEST(MosaicJob, SaysWhatWasPlanned) {
+  const MosaicFiles files{.image = "a \"b\"\\c.png", .libraries = {"t.h5"}, .size_map = "ä_sizes.png"};
+  const toml::table job = toml::parse(mosaic_job(files, mosaic_plan({300, 200}, 500), 2.5, "#102030"));
+  EXPECT_EQ(job["library"]["file"].value<std::string>(), "t.h5");
+  EXPECT_EQ(job["canvas"]["size_px"][0].value<int>(), 924);
+  EXPECT_EQ(job["canvas"]["size_px"][1].value<int>(), 616);
+  EXPECT_EQ(job["colour"]["image"].value<std::string>(), files.image);
+  EXPECT_EQ(job["colour"]["shift"].value<double>(), 2.5);
+  EXPECT_EQ(job["pieces"]["scale_px"][0].value<int>(), 16);
+  EXPECT_EQ(job["pieces"]["scale_px"][1].value<int>(), 64);
+  EXPECT_EQ(job["pieces"]["size_map"].value<std::string>(), files.size_map);
+  EXPECT_EQ(job["output"]["background"].value<std::string>(), "#102030");
+  EXPECT_EQ(job["output"]["width_px"].value<int>(), 1848);
+}
+
+TEST(MosaicJob, NamesSeveralLibraries) {
+  const toml::table job =
+      toml::parse(mosaic_job({"i.png", {"a.h5", "b.h5"}, "s.png"}, mosaic_plan({1, 1}, 500), 0, "#102030"));
+  EXPECT_FALSE(job["library"]["file"]);
+  EXPECT_EQ(job["library"]["files"][1].value<std::string>(), "b.h5");
+}
+
+TEST(MosaicJob, KeepsThePictureOfAHugeCanvasWithinWhatAScreenShows) {
+  const toml::table job =
+      toml::parse(mosaic_job({"i.png", {"a.h5"}, "s.png"}, mosaic_plan({8, 1}, kMostMosaicPieces), 0, "#102030"));
+  EXPECT_EQ(job["output"]["width_px"].value<int>(), 12'000);
+}
+
+class MosaicFilesTest : public testing::Test {
+ protected:
+  MosaicFilesTest() {
+    cv::Mat image(40, 60, CV_8UC3, cv::Scalar(200, 40, 40));
+    image.colRange(30, 60) = cv::Scalar(40, 200, 40);
+    cv::imwrite(folder_.path("photo.png"), image);
+    folder_.write("tiles.h5", "not read here");
+    fs::create_directory(folder_.path("jobs"));
+  }
+
+  MosaicRequest request() const {
+    return {.image = folder_.path("photo.png"),
+            .libraries = {folder_.path("tiles.h5")},
+            .job = folder_.path("m.toml"),
+            .pieces = 200};
+  }
+  void write(const MosaicRequest& request) {
+    Drawers drawers({});
+    write_mosaic_files(request, drawers);
+  }
+  std::string refusal(const MosaicRequest& request) {
+    try {
+      write(request);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(MosaicFilesTest, LieBesideEachOther) {
+  write(request());
+  const toml::table job = toml::parse(bytes_of(folder_.path("m.toml")));
+  EXPECT_EQ(job["pieces"]["size_map"].value<std::string>(), "m_sizes.png");
+  EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));  // given from the root
+  const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
+  EXPECT_EQ(map.type(), CV_8UC1);
+  EXPECT_EQ(map.size(), cv::Size(146, 97));  // of a canvas of 584 x 389 px
+}
+
+TEST_F(MosaicFilesTest, NameWhatIsReadAsSeenFromTheJob) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_.path("."));
+  write({.image = "photo.png", .libraries = {"tiles.h5"}, .job = "jobs/m.toml", .pieces = 200});
+  fs::current_path(before);
+  const toml::table job = toml::parse(bytes_of(folder_.path("jobs/m.toml")));
+  EXPECT_EQ(job["colour"]["image"].value<std::string>(), "../photo.png");
+  EXPECT_EQ(job["library"]["file"].value<std::string>(), "../tiles.h5");
+}
+
+TEST_F(MosaicFilesTest, StayWhereNothingWouldChange) {
+  write(request());
+  const auto written = fs::last_write_time(folder_.path("m.toml"));
+  EXPECT_EQ(refusal(request()), "");
+  EXPECT_EQ(fs::last_write_time(folder_.path("m.toml")), written);
+}
+
+TEST_F(MosaicFilesTest, AreNotReplacedUnasked) {
+  write(request());
+  const std::string edited = bytes_of(folder_.path("m.toml")) + "# mine\n";
+  folder_.write("m.toml", edited);
+  EXPECT_NE(refusal(request()).find("m.toml: is there already"), std::string::npos);
+  EXPECT_EQ(bytes_of(folder_.path("m.toml")), edited);
+  MosaicRequest again = request();
+  again.replace = true;
+  EXPECT_EQ(refusal(again), "");
+  EXPECT_NE(bytes_of(folder_.path("m.toml")), edited);
+}
+
+TEST_F(MosaicFilesTest, ARetouchedMapIsNotReplacedUnasked) {
+  write(request());
+  folder_.write("m_sizes.png", "painted");
+  EXPECT_NE(refusal(request()).find("m_sizes.png: is there already"), std::string::npos);
+  MosaicRequest again = request();
+  again.replace = true;
+  EXPECT_EQ(refusal(again), "");
+  EXPECT_NE(bytes_of(folder_.path("m_sizes.png")), "painted");
+}
+
+TEST_F(MosaicFilesTest, NeverReplaceWhatIsNoMosaics) {
+  folder_.write("m.toml", "seed = 1\n");
+  MosaicRequest again = request();
+  again.replace = true;
+  EXPECT_NE(refusal(again).find("m.toml: is there and is not of tessera mosaic"), std::string::npos);
+  EXPECT_EQ(bytes_of(folder_.path("m.toml")), "seed = 1\n");
+  EXPECT_FALSE(fs::exists(folder_.path("m_sizes.png")));  // all is looked at before anything is written
+}
+
+TEST_F(MosaicFilesTest, NeverReplaceAPictureThatNoJobIsBeside) {
+  folder_.write("m_sizes.png", "somebody's");
+  MosaicRequest again = request();
+  again.replace = true;
+  EXPECT_NE(refusal(again).find("m_sizes.png: is there and"), std::string::npos);
+  EXPECT_EQ(bytes_of(folder_.path("m_sizes.png")), "somebody's");
+}
+
+TEST_F(MosaicFilesTest, NeverReplaceWhatIsRead) {
+  MosaicRequest onto_library = request();
+  onto_library.job = folder_.path("tiles.h5");
+  onto_library.replace = true;
+  EXPECT_NE(refusal(onto_library).find("tiles.h5, which is read"), std::string::npos);
+  fs::rename(folder_.path("photo.png"), folder_.path("m_sizes.png"));
+  MosaicRequest onto_image = request();
+  onto_image.image = folder_.path("m_sizes.png");
+  onto_image.replace = true;
+  EXPECT_NE(refusal(onto_image).find("m_sizes.png, which is read"), std::string::npos);
+}
+
+TEST_F(MosaicFilesTest, TellWhatIsWrongWithTheImage) {
+  MosaicRequest wrong = request();
+  wrong.image = folder_.write("text.png", "text");
+  EXPECT_NE(refusal(wrong).find("text.png: "), std::string::npos);
+  wrong.image = folder_.path("long.png");
+  cv::imwrite(wrong.image, cv::Mat(10, 90, CV_8UC3, cv::Scalar(1, 2, 3)));
+  EXPECT_NE(refusal(wrong).find("long.png: found an image of 90 x 10 px, allowed: one side at most 8 times"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(wrong.job));
+}
+
+TEST_F(MosaicFilesTest, RefuseNamesThatAJobCannotHold) {
+  MosaicRequest wrong = request();
+  wrong.image = folder_.path("photo\xff.png");
+  fs::copy_file(folder_.path("photo.png"), wrong.image);
+  EXPECT_NE(refusal(wrong).find("not UTF-8"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tessera::io
