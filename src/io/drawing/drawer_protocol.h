@@ -38,11 +38,22 @@ struct DrawerGreeting {
 
 DrawerBuild this_build();
 
-enum class DrawingKind : std::uint32_t { page, natural_size, svg_import, png, shape, pdf, plain_pdf, photo, labels };
+enum class DrawingKind : std::uint32_t {
+  page,
+  natural_size,
+  svg_import,
+  png,
+  shape,
+  pdf,
+  plain_pdf,
+  photo,
+  labels,
+  whole
+};
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
-  int longest_side_px = 0;                   // of page and png
+  int longest_side_px = 0;                   // of page, png and whole
   double width_pt = 0;                       // of the PDFs
   TracingSettings tracing = {};              // of shape
   std::string path = {};                     // stands in messages; a shape's name
