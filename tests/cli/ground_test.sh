@@ -50,6 +50,12 @@ run 0 draw plain --quiet --png --set output.ground=sand.svg
 awk "BEGIN {exit !($("$difference" page.png plain/collage.png) < 5)}" || fail "collage.pdf shows another picture"
 run 0 draw plain --quiet --svg --set output.ground=
 grep -q 'ground' plain/collage.svg && fail "a ground where there is none"
+# On paper, too, a drawing is as fine as the picture.
+paper=(--set 'canvas.size_mm=[120, 90]' --set output.dpi=600 --set output.ground=sand.svg)
+run 0 collage job.toml --out paper --quiet "${paper[@]}"
+cp paper/collage.png page.png
+run 0 draw paper --quiet --png --width 2835
+[[ $("$difference" page.png paper/collage.png) =~ ^0(\.0+)?$ ]] || fail "a coarser ground on paper"
 run 2 draw plain --quiet --set output.ground=lost.png
 expect_word "tessera: output.ground: $PWD/lost.png: "
 echo "ok draw"

@@ -56,6 +56,18 @@ run 0 collage job.toml --out collage
 expect_silence "a warning of pixels that the library holds"
 [[ -s collage/collage.png ]] || fail "no picture"
 mv elsewhere.png wall.png
+
+# How like the photo it is: all stones once have its sizes and elongations, half of them do not.
+figures=$(dirname "${BASH_SOURCE[0]}")/../../scripts/texture-figures.sh
+texture=(--set 'canvas.size_px=[700, 600]' --set pieces.sizes=drawn --set pieces.uses=1 --quiet)
+run 0 collage job.toml --out texture "${texture[@]}" --set stop.pieces=12
+bash "$figures" texture wall.h5 >output || fail "no figures"
+grep -qx 'pieces            12 of 12 elements' output || fail "another number of pieces"
+grep -qx 'KS of sizes       0.000' output || fail "other sizes"
+grep -qx 'KS of elongations 0.000' output || fail "other elongations"
+run 0 collage job.toml --out texture "${texture[@]}" --set stop.pieces=6
+bash "$figures" texture wall.h5 >output || fail "no figures"
+grep -qE '^KS of sizes       0\.[1-9]' output || fail "the sizes of half of the stones are those of all"
 echo "ok collage"
 
 run 0 library extract wall.png --labels map.png -o by_labels.h5
@@ -70,15 +82,14 @@ grep -q '12 larger than --max' output || fail "what is too large is not counted"
 echo "ok labels, --min, --max"
 
 # The ground between the stones, for output.ground of a job.
-rsvg-convert -w 960 -h 720 wall.svg -o twice.png
-run 0 library extract twice.png --element-px 150 -o twice.h5 --ground mortar.png --ground-px 96
-grep -qx '  ground: mortar.png, 6[0-9] % of the photo' output || fail "no word of the ground"
-[[ $(od -An -tx1 -j16 -N8 mortar.png) == ' 00 00 00 60 00 00 00 60' ]] || fail "not 96 px wide and high"
-cp mortar.png first.png
-run 0 library extract twice.png wall.png --element-px 150 -o twice.h5 --ground mortar.png --ground-px 96
-cmp mortar.png first.png || fail "the ground of several photos is not that of the first"
 rsvg-convert <(echo "<svg xmlns='http://www.w3.org/2000/svg' width='240' height='240'><rect width='240' height='240'
   fill='#999'/></svg>") -o tiles.png
+run 0 library extract wall.png --labels map.png -o ground.h5 --ground mortar.png --ground-px 96
+grep -qx '  ground: mortar.png, 6[0-9] % of the photo' output || fail "no word of the ground"
+[[ $(od -An -tx1 -j16 -N8 mortar.png) == ' 00 00 00 60 00 00 00 60' ]] || fail "not 96 px wide and high"
+run 0 library extract wall.png --element-px 75 -o ground.h5 --ground first.png --ground-px 96
+run 0 library extract wall.png tiles.png --element-px 75 -o ground.h5 --ground mortar.png --ground-px 96
+cmp mortar.png first.png || fail "the ground of several photos is not that of the first"
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='240' height='240'><rect width='240' height='240' fill='#333'/>
   <rect x='60' y='60' width='58' height='120' fill='#666'/><rect x='118' y='60' width='62' height='120' fill='#ccc'/>
   </svg>" >gapless.svg
