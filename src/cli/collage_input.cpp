@@ -10,6 +10,7 @@
 #include "io/job/picture_size.h"
 #include "io/job/start_pieces.h"
 #include "io/result/collage_files.h"
+#include "io/result/ground_tile.h"
 
 namespace tessera::cli {
 namespace {
@@ -33,6 +34,7 @@ io::LibraryView library_for(io::Job& job) {
 Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job) {
   Canvas canvas = io::canvas_of(job);
   io::check_picture_size(io::on_paper(job.output, job.canvas, canvas), canvas);
+  io::check_ground(job, canvas);
   if (job.settings.pieces.fit_all) {
     job.size_factor =
         first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2, library.drawings());

@@ -29,6 +29,7 @@ constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --overview found/\n"
     "  tessera library extract beach_*.jpg --element-px 60 --min 30 --max 200 -o pebbles.h5\n"
+    "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --ground mortar.png     the mortar, too\n"
     "  tessera library extract wall.jpg --labels wall_labels.png -o stones.h5      labels from another program\n"
     "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. Each element comes with its own pixels, "
     "which\n"
@@ -40,6 +41,8 @@ struct ExtractArguments {
   std::vector<std::string> photos;
   std::string output;
   std::string overview;
+  std::string ground;  // file
+  int ground_px = 512;
   io::ExtractionSettings settings;
 };
 
@@ -69,13 +72,22 @@ void write_overview(const ExtractArguments& arguments, const std::string& photo,
   std::printf("  overview: %s\n", io::printable_utf8(path).c_str());
 }
 
+void write_ground(const ExtractArguments& arguments, const io::Extraction& extraction) {
+  io::write_file_atomically(arguments.ground, extraction.ground_png);
+  std::printf("  ground: %s, %.0f %% of the photo\n", io::printable_utf8(arguments.ground).c_str(),
+              100 * extraction.ground_part);
+}
+
 std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Drawers& drawers) {
   std::vector<io::CutOut> all;
   for (const std::string& photo : arguments.photos) {
     arguments.settings.search.look();
-    io::Extraction extraction = io::extract_elements(photo, arguments.settings, drawers);
+    io::ExtractionSettings settings = arguments.settings;
+    if (!arguments.ground.empty() && photo == arguments.photos.front()) settings.ground_px = arguments.ground_px;
+    io::Extraction extraction = io::extract_elements(photo, settings, drawers);
     std::printf("%s: %s\n", io::printable_utf8(photo).c_str(), counts_text(extraction.found).c_str());
     if (!arguments.overview.empty()) write_overview(arguments, photo, extraction.overview_png);
+    if (!extraction.ground_png.empty()) write_ground(arguments, extraction);
     for (io::CutOut& cut_out : extraction.cut_outs) all.push_back(std::move(cut_out));
   }
   if (all.empty()) {
@@ -102,6 +114,20 @@ io::LibraryBuildReport build(const ExtractArguments& arguments, const std::vecto
                            monitor);
 }
 
+/// Before the search: it would replace none of the photos, and can be written.
+void check_ground(const ExtractArguments& arguments) {
+  const std::filesystem::path ground = arguments.ground;
+  std::error_code error;
+  if (ground.extension() != ".png")
+    throw InputError("--ground: found " + arguments.ground + ", allowed: a name that ends in .png");
+  for (const std::string& photo : arguments.photos) {
+    if (std::filesystem::equivalent(ground, photo, error))
+      throw InputError("--ground: found the photo " + photo + ", allowed: another file, which is written");
+  }
+  if (ground.has_parent_path() && !std::filesystem::is_directory(ground.parent_path(), error))
+    throw InputError("--ground: found " + arguments.ground + ", allowed: a file in a folder that is there");
+}
+
 void check(const ExtractArguments& arguments) {
   const auto check_number = [](const char* option, double value) {
     if (std::isnan(value)) throw InputError(std::string(option) + ": found nan, allowed: a number");
@@ -118,6 +144,7 @@ void check(const ExtractArguments& arguments) {
   if (!arguments.settings.labels.empty() && arguments.photos.size() > 1)
     throw InputError("--labels: found " + std::to_string(arguments.photos.size()) +
                      " photos, allowed: one, which the map belongs to");
+  if (!arguments.ground.empty()) check_ground(arguments);
   std::map<std::string, std::string> photo_of_overview;
   for (const std::string& photo : arguments.photos) {
     const auto [other, is_new] = photo_of_overview.try_emplace(overview_path(arguments, photo), photo);
@@ -176,6 +203,15 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
   extract
       ->add_option("--overview", arguments->overview, "Show what was found: FOLDER/PHOTO_found.png, elements numbered")
       ->type_name("FOLDER");
+  extract
+      ->add_option("--ground", arguments->ground,
+                   "Write a picture of what lies between the elements, without seams, for output.ground of a job; of "
+                   "several photos that of the first")
+      ->type_name("FILE.png");
+  extract->add_option("--ground-px", arguments->ground_px, "Its width and height")
+      ->type_name("PX")
+      ->check(CLI::Range(64, 2048))
+      ->needs("--ground");
   extract->callback([arguments, &selected] { selected.run = [arguments] { return run(*arguments); }; });
 }
 

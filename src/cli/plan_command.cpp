@@ -13,6 +13,7 @@
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
 #include "io/job/picture_size.h"
+#include "io/result/ground_tile.h"
 
 namespace tessera::cli {
 namespace {
@@ -41,6 +42,7 @@ PlanInput plan_input(const PlanArguments& arguments) {
   const io::OutputSpec output = io::on_paper(job.output, job.canvas, canvas);
   io::check_picture_size(output, canvas);
   io::check_images(canvas, job.settings.pieces);
+  io::check_ground(job, canvas);
   const Window nodes = free_field_grid(canvas, job.settings.pieces).nodes();
   const cv::Size picture_px = io::picture_size_px(output, canvas);
   return {.settings = job.settings,

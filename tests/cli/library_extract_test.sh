@@ -56,6 +56,18 @@ run 0 collage job.toml --out collage
 expect_silence "a warning of pixels that the library holds"
 [[ -s collage/collage.png ]] || fail "no picture"
 mv elsewhere.png wall.png
+
+# How like the photo it is: all stones once have its sizes and elongations, half of them do not.
+figures=$(dirname "${BASH_SOURCE[0]}")/../../scripts/texture-figures.sh
+texture=(--set 'canvas.size_px=[700, 600]' --set pieces.sizes=drawn --set pieces.uses=1 --quiet)
+run 0 collage job.toml --out texture "${texture[@]}" --set stop.pieces=12
+bash "$figures" texture wall.h5 >output || fail "no figures"
+grep -qx 'pieces            12 of 12 elements' output || fail "another number of pieces"
+grep -qx 'KS of sizes       0.000' output || fail "other sizes"
+grep -qx 'KS of elongations 0.000' output || fail "other elongations"
+run 0 collage job.toml --out texture "${texture[@]}" --set stop.pieces=6
+bash "$figures" texture wall.h5 >output || fail "no figures"
+grep -qE '^KS of sizes       0\.[1-9]' output || fail "the sizes of half of the stones are those of all"
 echo "ok collage"
 
 run 0 library extract wall.png --labels map.png -o by_labels.h5
@@ -68,6 +80,34 @@ expect_word 'none.h5 was not written: no element is left of wall.png'
 run 2 library extract wall.png --labels map.png --max 20 -o none.h5
 grep -q '12 larger than --max' output || fail "what is too large is not counted"
 echo "ok labels, --min, --max"
+
+# The ground between the stones, for output.ground of a job.
+rsvg-convert <(echo "<svg xmlns='http://www.w3.org/2000/svg' width='240' height='240'><rect width='240' height='240'
+  fill='#999'/></svg>") -o tiles.png
+run 0 library extract wall.png --labels map.png -o ground.h5 --ground mortar.png --ground-px 96
+grep -qx '  ground: mortar.png, 6[0-9] % of the photo' output || fail "no word of the ground"
+[[ $(od -An -tx1 -j16 -N8 mortar.png) == ' 00 00 00 60 00 00 00 60' ]] || fail "not 96 px wide and high"
+run 0 library extract wall.png --element-px 75 -o ground.h5 --ground first.png --ground-px 96
+run 0 library extract wall.png tiles.png --element-px 75 -o ground.h5 --ground mortar.png --ground-px 96
+cmp mortar.png first.png || fail "the ground of several photos is not that of the first"
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='240' height='240'><rect width='240' height='240' fill='#333'/>
+  <rect x='60' y='60' width='58' height='120' fill='#666'/><rect x='118' y='60' width='62' height='120' fill='#ccc'/>
+  </svg>" >gapless.svg
+rsvg-convert -f pdf gapless.svg -o gapless.pdf
+pdftocairo -png -gray -antialias none -singlefile -r 72 -scale-to-x 240 -scale-to-y 240 gapless.pdf gapless
+run 2 library extract tiles.png --labels gapless.png -o none.h5 --ground none.png
+expect_word 'tiles.png: --ground: found hardly any gaps between the elements, needed: some 12 places of 6 x 6 px;'
+[[ ! -e none.h5 && ! -e none.png ]] || fail "something was written"
+run 2 library extract wall.png --element-px 75 -o none.h5 --ground wall.png
+expect_word '--ground: found the photo wall.png, allowed: another file'
+run 2 library extract wall.png --element-px 75 -o none.h5 --ground mortar.jpg
+expect_word '--ground: found mortar.jpg, allowed: a name that ends in .png'
+run 2 library extract wall.png --element-px 75 -o none.h5 --ground nowhere/mortar.png
+expect_word '--ground: found nowhere/mortar.png, allowed: a file in a folder that is there'
+run 2 library extract wall.png --element-px 75 -o none.h5 --ground-px 96
+run 2 library extract wall.png --element-px 75 -o none.h5 --ground mortar.png --ground-px 63
+run 2 library extract wall.png --element-px 75 -o none.h5 --ground mortar.png --ground-px 2049
+echo "ok ground"
 
 pdftocairo -png -gray -singlefile -r 20 map.pdf small
 run 2 library extract wall.png --labels small.png -o none.h5

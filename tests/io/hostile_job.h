@@ -120,6 +120,7 @@ class HostileJob {
     switch (key.kind) {
       case io::JobKind::number:
       case io::JobKind::integer: return end;
+      case io::JobKind::flag: return "true";
       case io::JobKind::intervals:
         return any(std::vector<std::string>{"[" + number_text(key.min) + ", " + number_text(key.max) + "]", end,
                                             "[[" + end + "], [" + end + ", " + end + "]]",

@@ -21,6 +21,7 @@ JobValue random_value(const JobKey& key) {
   switch (key.kind) {
     case JobKind::number:
     case JobKind::integer: return {{number()}, {}};
+    case JobKind::flag: return {{}, *rc::gen::element<std::string>("true", "false")};
     case JobKind::intervals: {
       JobValue value;
       for (int left = *rc::gen::inRange(1, 5); left > 0; --left) {

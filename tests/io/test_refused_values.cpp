@@ -40,7 +40,9 @@ INSTANTIATE_TEST_SUITE_P(
         "output.background = \"None\"", "output.width_mm = -1", "output.width_mm = 1e6", "output.dpi = 0",
         "output.dpi = \"300\"", "output.outline_px = -1", "output.outline_colour = \"none\"",
         "output.shadow_strength = 1.1", "output.shadow_offset_px = 3", "output.shadow_offset_px = [1, 2, 3]",
-        "output.shadow_offset_px = [0, 1e3]", "output.shadow_blur_px = 0", "output.clip = \"box\""));
+        "output.shadow_offset_px = [0, 1e3]", "output.shadow_blur_px = 0", "output.clip = \"box\"", "output.ground = 3",
+        "output.ground_px = -1", "output.ground_px = 20001", "output.ground_px = \"512\"", "output.labels = 1",
+        "output.labels = \"true\"", "output.labels = []"));
 
 }  // namespace
 }  // namespace tessera::io

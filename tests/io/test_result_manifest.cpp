@@ -63,7 +63,9 @@ TEST(ResultManifest, keeps_what_was_drawn_and_reads_what_earlier_versions_said) 
                          .shadow_offset_px = {-1, 7},
                          .shadow_blur_px = 9,
                          .clip = kNoClip,
-                         .keep_out = "artwork"},
+                         .keep_out = "artwork",
+                         .ground = "/mortar.png",
+                         .ground_px = 333},
                         std::vector<std::string>{"#123456"}}};
   write_manifest(dir, manifest);
   EXPECT_EQ(read_manifest(dir).pictures, manifest.pictures);

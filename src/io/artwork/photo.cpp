@@ -4,9 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "io/artwork/artwork_render.h"
 #include "io/artwork/image_decoding.h"
-#include "io/artwork/svg_page.h"
 
 namespace tessera::io {
 
@@ -14,14 +12,6 @@ cv::Mat photo_picture(std::span<const std::uint8_t> bytes, const std::string& pa
   cv::Mat bgra;
   cv::cvtColor(decode_image(bytes, path, cv::IMREAD_COLOR), bgra, cv::COLOR_BGR2BGRA);
   return bgra;
-}
-
-cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
-  if (looks_like_svg(bytes)) return render_artwork(bytes, path, longest_side_px);
-  cv::Mat image = decode_image(bytes, path, cv::IMREAD_UNCHANGED);
-  if (image.channels() != 4) return photo_picture(bytes, path);
-  if (image.depth() != CV_8U) image.convertTo(image, CV_8U, image.depth() == CV_16U ? 1.0 / 257 : 255);
-  return image;
 }
 
 cv::Mat label_picture(std::span<const std::uint8_t> bytes, const std::string& path) {

@@ -1,5 +1,4 @@
-// A photograph, the map that says which of its pixels belong to which element (tessera library extract), and any picture
-// whose colours count (colour.image).
+// A photograph, and the map that says which of its pixels belong to which element (tessera library extract).
 #pragma once
 
 #include <cstdint>
@@ -12,10 +11,6 @@ namespace tessera::io {
 /// The picture, turned as its EXIF data say: CV_8UC4, BGRA, opaque whatever alpha the file has; 16 bits a channel become
 /// 8. Throws InputError as decode_image does.
 cv::Mat photo_picture(std::span<const std::uint8_t> bytes, const std::string& path);
-
-/// Straight BGRA, CV_8UC4, nothing cut from a background: an image in its own size, turned as its EXIF data say where it
-/// has no alpha; an SVG with its longest side `longest_side_px`. Throws InputError as decode_image and render_artwork do.
-cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
 
 /// An image of one channel with 8 or 16 bits, whose values are labels: CV_8UC4 that holds them as CV_32SC1, so that they
 /// travel as pictures do. Throws InputError, also where the image is none of that kind.

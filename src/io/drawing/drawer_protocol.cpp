@@ -14,15 +14,15 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
   const std::size_t side_px = std::size_t(std::max(0, request.longest_side_px));
   switch (request.kind) {
     case DrawingKind::page:
-    case DrawingKind::png: return 4 * side_px * side_px;
+    case DrawingKind::png:
+    case DrawingKind::whole: return 4 * side_px * side_px;
     case DrawingKind::natural_size: return 2 * sizeof(double);
     case DrawingKind::svg_import: return 64 * kMebibyte;
     case DrawingKind::shape: return 16 * kMebibyte;
     case DrawingKind::pdf:
     case DrawingKind::plain_pdf: return 512 * kMebibyte;
     case DrawingKind::photo:
-    case DrawingKind::labels:
-    case DrawingKind::picture: return 4 * std::size_t(kMaxImagePixels);
+    case DrawingKind::labels: return 4 * std::size_t(kMaxImagePixels);
   }
   return 0;
 }

@@ -48,12 +48,12 @@ enum class DrawingKind : std::uint32_t {
   plain_pdf,
   photo,
   labels,
-  picture
+  whole
 };
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
-  int longest_side_px = 0;                   // of page, png and picture
+  int longest_side_px = 0;                   // of page, png and whole
   double width_pt = 0;                       // of the PDFs
   TracingSettings tracing = {};              // of shape
   std::string path = {};                     // stands in messages; a shape's name

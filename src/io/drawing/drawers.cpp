@@ -208,14 +208,15 @@ DrawerSettings photo_drawer_settings(int processes) {
   return {.processes = processes, .bytes_per_process = std::size_t(1) << 30};
 }
 
-cv::Mat Drawers::photo(std::span<const std::uint8_t> bytes, const std::string& path) {
-  const DrawingRequest request{.kind = DrawingKind::photo, .path = path, .bytes = bytes};
-  return image_of(crew_->draw(request), path, int(kMaxImagePixels));
+cv::Mat Drawers::whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
+  check_side(longest_side_px, path);
+  const DrawingRequest request{
+      .kind = DrawingKind::whole, .longest_side_px = longest_side_px, .path = path, .bytes = bytes};
+  return image_of(crew_->draw(request), path, longest_side_px);
 }
 
-cv::Mat Drawers::picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
-  const DrawingRequest request{
-      .kind = DrawingKind::picture, .longest_side_px = longest_side_px, .path = path, .bytes = bytes};
+cv::Mat Drawers::photo(std::span<const std::uint8_t> bytes, const std::string& path) {
+  const DrawingRequest request{.kind = DrawingKind::photo, .path = path, .bytes = bytes};
   return image_of(crew_->draw(request), path, int(kMaxImagePixels));
 }
 

@@ -60,9 +60,11 @@ class Drawers {
   /// `longest_side_px` is shrunk to it.
   cv::Mat decode_png(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
 
-  /// See photo.h: CV_8UC4, opaque; CV_8UC4, straight; CV_32SC1.
+  /// See whole_picture.h: straight BGRA, CV_8UC4.
+  cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
+
+  /// See photo.h: CV_8UC4, opaque; CV_32SC1.
   cv::Mat photo(std::span<const std::uint8_t> bytes, const std::string& path);
-  cv::Mat picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
   cv::Mat labels(std::span<const std::uint8_t> bytes, const std::string& path);
 
   /// See artwork_shape.h. Shape::name and Artwork::path follow from `path`.

@@ -13,6 +13,7 @@
 #include "io/artwork/png_picture.h"
 #include "io/artwork/svg_import.h"
 #include "io/artwork/svg_pdf.h"
+#include "io/artwork/whole_picture.h"
 #include "io/drawing/shape_answer.h"
 
 namespace tessera::io {
@@ -64,6 +65,7 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
   switch (kind) {
     case DrawingKind::page: return image_answer(render_artwork(bytes, path, longest_side_px));
     case DrawingKind::png: return image_answer(png_picture(bytes, path, longest_side_px));
+    case DrawingKind::whole: return image_answer(whole_picture(bytes, path, longest_side_px));
     case DrawingKind::natural_size: return size_answer(open_artwork_page(bytes, path)->natural_size());
     case DrawingKind::svg_import:
       return text_answer(import_svg(bytes, path, scope_id, open_artwork_page(bytes, path)->natural_size()));
@@ -72,7 +74,6 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
     case DrawingKind::plain_pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, false));
     case DrawingKind::photo: return image_answer(photo_picture(bytes, path));
     case DrawingKind::labels: return image_answer(label_picture(bytes, path));
-    case DrawingKind::picture: return image_answer(whole_picture(bytes, path, longest_side_px));
   }
   throw std::logic_error("no such kind of drawing");
 }

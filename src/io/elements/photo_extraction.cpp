@@ -6,6 +6,8 @@
 #include "core/base/error.h"
 #include "io/elements/connected_labels.h"
 #include "io/elements/elements_overview.h"
+#include "io/elements/ground_pixels.h"
+#include "io/elements/ground_synthesis.h"
 #include "io/regular_file.h"
 
 namespace tessera::io {
@@ -13,11 +15,15 @@ namespace {
 
 std::string size_text(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
-cv::Mat searched_labels(const std::string& photo, const cv::Mat& picture, const ElementSearch& search) {
+cv::Mat without_alpha(const cv::Mat& picture) {
   cv::Mat bgr;
   cv::cvtColor(picture, bgr, cv::COLOR_BGRA2BGR);
+  return bgr;
+}
+
+cv::Mat searched_labels(const std::string& photo, const cv::Mat& picture, const ElementSearch& search) {
   try {
-    return element_labels(bgr, search);
+    return element_labels(without_alpha(picture), search);
   } catch (const std::invalid_argument& error) {
     throw InputError(photo + ": --element-px: " + error.what());
   }
@@ -32,6 +38,20 @@ cv::Mat given_labels(const std::string& path, const std::string& photo, const cv
   return connected_labels(labels);
 }
 
+void add_ground(const std::string& photo, const cv::Mat& picture, const cv::Mat& labels,
+                const ExtractionSettings& settings, Extraction& extraction) {
+  const cv::Mat bgr = without_alpha(picture);
+  const GroundPixels pixels = ground_pixels(bgr, labels);
+  const cv::Mat ground = synthesised_ground(bgr, pixels.certain, settings.ground_px, settings.search.look);
+  if (ground.empty()) {
+    throw InputError(photo + ": --ground: found hardly any gaps between the elements, needed: some " +
+                     std::to_string(kLeastPlaces) + " places of " + std::to_string(kLeastPatch_px) + " x " +
+                     std::to_string(kLeastPatch_px) + " px; without --ground a job's output.background has a colour");
+  }
+  extraction.ground_png = png_of(ground);
+  extraction.ground_part = pixels.part;
+}
+
 }  // namespace
 
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers) {
@@ -42,6 +62,7 @@ Extraction extract_elements(const std::string& photo, const ExtractionSettings& 
   extraction.found = find_elements(labels, settings.sizes);
   const std::vector<PhotoElement>& elements = extraction.found.elements;
   if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
+  if (settings.ground_px > 0) add_ground(photo, picture, labels, settings, extraction);
   extraction.cut_outs = cut_outs(photo, picture, labels, elements, settings.search.look);
   return extraction;
 }

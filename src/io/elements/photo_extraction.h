@@ -21,16 +21,19 @@ struct ExtractionSettings {
   ElementSizes sizes;
   std::string labels;          // path of a map from another program, instead of searching; empty = none
   bool with_overview = false;  // the picture of what was found
+  int ground_px = 0;           // side of the picture of the ground; 0 = none is made
 };
 
 struct Extraction {
   FoundElements found;
   std::vector<CutOut> cut_outs;
   std::vector<std::uint8_t> overview_png;  // empty without with_overview
+  std::vector<std::uint8_t> ground_png;    // empty without ground_px
+  double ground_part = 0;                  // of the photo that is ground, with ground_px
 };
 
-/// Throws InputError where a file is no photo or no map of its size, or elements are too small for the photo; and what
-/// `search.look` throws.
+/// Throws InputError where a file is no photo or no map of its size, where elements are too small for the photo, or
+/// where it shows not enough ground; and what `search.look` throws.
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers);
 
 }  // namespace tessera::io

@@ -59,6 +59,9 @@ struct OutputSpec {
   double shadow_blur_px = 2.5;              // standard deviation, px of the canvas
   std::string clip = "outline";             // artwork is cut off beside its outline; kNoClip: it is drawn whole
   std::string keep_out = kNoKeepOut;        // "artwork": the drawing in canvas.keep_out is part of the pictures
+  std::string ground = {};                  // SVG or image, absolute path, on the background in tiles; empty = none
+  double ground_px = 0;                     // width of a tile, px of the canvas; 0 = that of the drawing
+  bool labels = false;                      // labels.png is made beside collage.png
 
   friend bool operator==(const OutputSpec&, const OutputSpec&) = default;
 };

@@ -273,6 +273,9 @@ void add_piece_drawing_keys(std::vector<JobKey>& keys) {
                             "`artwork`: the drawing in `canvas.keep_out` is part of the pictures; `none`: its place is "
                             "left empty"},
                            FIELD(output.keep_out)));
+  keys.push_back(with_flag({"output", "labels", flag, "", 0, 0, {},
+                            "with collage.png comes labels.png, whose pixels are the numbers of the pieces"},
+                           FIELD(output.labels)));
 }
 
 /// A picture twice as wide as the default canvas shows the artwork's detail on a dense screen and in print.
@@ -299,6 +302,12 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_text({"output", "background", colour, "", 0, 0, {kNoColour},
                             "colour of the canvas, outside it is white; `none`: transparent, the outside too"},
                            FIELD(output.background)));
+  keys.push_back(with_text({"output", "ground", file, "", 0, 0, {},
+                            "SVG or image, laid over the background in tiles, below the pieces; empty = none"},
+                           FIELD(output.ground)));
+  keys.push_back(with_number({"output", "ground_px", number, "px", 0, 20000, {},
+                              "width of a tile of it, in px of the canvas; 0 = as wide as it was drawn"},
+                             FIELD(output.ground_px)));
   add_piece_drawing_keys(keys);
   for (std::size_t i = first; i < keys.size(); ++i) keys[i].decides = false;
 }

@@ -14,6 +14,7 @@ namespace tessera::io {
 enum class JobKind {
   number,
   integer,
+  flag,        // true or false
   intervals,   // one or more [min, max] of numbers, min <= max
   point,       // [x, y]
   uses,        // at most so many, or [at least, at most]

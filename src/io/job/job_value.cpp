@@ -44,6 +44,11 @@ Result read_one(const JobKey& key, const toml::node& node) {
   return value ? Result(JobValue{{*value}, {}}) : Result();
 }
 
+Result read_flag(const toml::node& node) {
+  const auto value = node.value_exact<bool>();
+  return value ? Result(JobValue{{}, *value ? "true" : "false"}) : Result();
+}
+
 Result read_two(const JobKey& key, const toml::node& node) {
   const toml::array* array = node.as_array();
   if (!array || array->size() != 2) return {};
@@ -261,6 +266,7 @@ std::string value_text(const JobKey& key, const JobValue& value, Number number) 
   if (key.kind == JobKind::texts || key.kind == JobKind::files) return quoted_list(value.texts);
   if (key.kind == JobKind::palette)
     return is_colour_list(value.texts) ? quoted_list(value.texts) : toml_text(value.texts[0]);
+  if (key.kind == JobKind::flag) return value.text;
   if (value.numbers.empty()) return toml_text(value.text);
   if (value.numbers.size() == 1) return number(0);
   if (key.kind == JobKind::uses && value.numbers[0] == 0) return number(1);
@@ -275,6 +281,7 @@ std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node
   switch (key.kind) {
     case JobKind::number:
     case JobKind::integer: return read_one(key, node);
+    case JobKind::flag: return read_flag(node);
     case JobKind::intervals: return read_intervals(key, node);
     case JobKind::point:
     case JobKind::size: return read_two(key, node);
@@ -294,6 +301,7 @@ std::string allowed_values(const JobKey& key) {
   switch (key.kind) {
     case JobKind::number: return with_unit(key, "a number from " + min + " to " + max);
     case JobKind::integer: return with_unit(key, "a whole number from " + min + " to " + max);
+    case JobKind::flag: return "true or false";
     case JobKind::intervals:
       return "one value, [min, max] with the smaller one first, a list of three values or more, or a list of [min, "
              "max], from " +

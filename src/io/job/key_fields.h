@@ -20,6 +20,13 @@ JobKey with_number(JobKey key, Field field) {
   return key;
 }
 
+template <class Field>
+JobKey with_flag(JobKey key, Field field) {
+  key.get = [field](const Job& job) { return JobValue{{}, field(job) ? "true" : "false"}; };
+  key.set = [field](Job& job, const JobValue& value) { field(job) = value.text == "true"; };
+  return key;
+}
+
 template <class First, class Second>
 JobKey with_pair(JobKey key, First first, Second second) {
   key.get = [=](const Job& job) { return JobValue{{double(first(job)), double(second(job))}, {}}; };

@@ -11,6 +11,7 @@
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/job/canvas_edge.h"
 #include "io/job/job_file.h"
+#include "io/result/ground_tile.h"
 #include "io/result/keep_out_drawing.h"
 #include "io/result/placed_shapes.h"
 #include "io/result/run_record.h"
@@ -33,6 +34,7 @@ struct CollageReport {
   const Canvas* canvas = nullptr;
   CanvasEdge canvas_edge;   // for pictures
   KeepOutDrawing keep_out;  // for pictures; mostly none
+  GroundTile ground;        // for pictures; mostly none
   std::vector<Placement> placements;
   PlacedShapes shapes;
   std::vector<std::string> colours;  // of the placements, "#rrggbb": silhouettes are drawn; empty: the artwork is

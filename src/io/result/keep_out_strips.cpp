@@ -9,17 +9,6 @@
 namespace tessera::io {
 namespace {
 
-/// What of premultiplied pixels is inside.
-void clip(const cv::Mat& coverage, cv::Mat& bgra) {
-  for (int y = 0; y < bgra.rows; ++y) {
-    const std::uint8_t* inside = coverage.ptr(y);
-    cv::Vec4b* row = bgra.ptr<cv::Vec4b>(y);
-    for (int x = 0; x < bgra.cols; ++x) {
-      for (int c = 0; c < 4; ++c) row[x][c] = std::uint8_t((row[x][c] * inside[x] + 127) / 255);
-    }
-  }
-}
-
 cv::Rect whole_px(const cv::Rect2d& r) {
   const cv::Point low(int(std::floor(r.x)), int(std::floor(r.y)));
   return {low, cv::Point(int(std::ceil(r.x + r.width)), int(std::ceil(r.y + r.height)))};
@@ -46,7 +35,7 @@ void KeepOutStrips::draw(int top, cv::Mat rows) const {
   cv::Mat drawn = draw_rows(page_, sprite_, begin, end);
   if (!drawing_.clip.empty()) {
     const cv::Rect window(page_.box.x, begin, drawn.cols, drawn.rows);
-    clip(filled_coverage(drawing_.clip, {float(picture_px_), 0, 0, 0}, window), drawn);
+    cut_to(filled_coverage(drawing_.clip, {float(picture_px_), 0, 0, 0}, window), drawn);
   }
   lay_over(drawn, rows(cv::Rect(page_.box.x, begin - top, page_.box.width, end - begin)));
 }

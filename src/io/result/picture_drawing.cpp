@@ -10,6 +10,7 @@
 #include "io/parallel_for.h"
 #include "io/result/cairo_paint.h"
 #include "io/result/drawn_pieces.h"
+#include "io/result/ground_strips.h"
 #include "io/result/keep_out_strips.h"
 #include "io/result/piece_drawing.h"
 #include "io/result/shadow.h"
@@ -47,17 +48,23 @@ void shift_tone(cv::Mat& bgra, const ToneShift& tone) {
   }
 }
 
-/// Lays the colour over the picture.
-void blend(const cv::Vec3b& colour, const cv::Mat& coverage, cv::Mat& bgr) {
+/// Lays over the picture what `bgr_at(x, y)` is there.
+template <class BgrAt>
+void blend(const BgrAt& bgr_at, const cv::Mat& coverage, cv::Mat& bgr) {
   for (int y = 0; y < bgr.rows; ++y) {
     cv::Vec3b* row = bgr.ptr<cv::Vec3b>(y);
     const std::uint8_t* covered = coverage.ptr(y);
     for (int x = 0; x < bgr.cols; ++x) {
+      const cv::Vec3b above = bgr_at(x, y);
       for (int c = 0; c < 3; ++c) {
-        row[x][c] = std::uint8_t((row[x][c] * (255 - covered[x]) + colour[c] * covered[x] + 127) / 255);
+        row[x][c] = std::uint8_t((row[x][c] * (255 - covered[x]) + above[c] * covered[x] + 127) / 255);
       }
     }
   }
+}
+
+void blend(const cv::Vec3b& colour, const cv::Mat& coverage, cv::Mat& bgr) {
+  blend([&](int, int) { return colour; }, coverage, bgr);
 }
 
 /// A part of a piece that is drawn: rows of its box from `top` on.
@@ -80,6 +87,7 @@ class PictureBands {
         opaque_(report.job->output.background != kNoColour),
         background_(opaque_ ? parse_colour(report.job->output.background) : cv::Vec3b()),
         line_colour_(parse_colour(report.job->output.outline_colour)),
+        ground_(report.ground, picture_px_, size_),
         keep_out_(report.keep_out, picture_px_, size_),
         shadow_(report, size_),
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
@@ -157,11 +165,7 @@ class PictureBands {
   }
 
   void draw_strip(const std::vector<std::size_t>& reaching, int top, cv::Mat strip) const {
-    if (opaque_) {
-      draw_canvas(top, strip);
-    } else {
-      strip.setTo(cv::Scalar::all(0));
-    }
+    opaque_ ? draw_canvas(top, strip) : draw_ground_alone(top, strip);
     keep_out_.draw(top, strip);
     shadow_.draw(top, strip);
     for (const std::size_t i : reaching) {
@@ -179,14 +183,30 @@ class PictureBands {
   void draw_canvas(int top, cv::Mat& strip) const {
     const CanvasEdge& edge = report_.canvas_edge;
     strip.setTo(cv::Scalar(background_[0], background_[1], background_[2]));
+    if (!ground_.empty()) lay_over(ground_.rows(top, strip.rows), strip);
+    const cv::Mat own = edge.grounds.empty() ? cv::Mat() : strip.clone();
     for (const Ground& ground : edge.grounds) {
-      const cv::Vec3b colour = ground.colour.empty() ? background_ : parse_colour(ground.colour);
-      blend(colour, coverage_of(ground.curves, top, strip), strip);
+      const cv::Mat coverage = coverage_of(ground.curves, top, strip);
+      if (ground.colour.empty()) {
+        blend([&](int x, int y) { return own.at<cv::Vec3b>(y, x); }, coverage, strip);
+      } else {
+        blend(parse_colour(ground.colour), coverage, strip);
+      }
     }
     if (edge.curves.empty()) return;
     cv::Mat outside;
     cv::bitwise_not(coverage_of(edge.curves, top, strip), outside);
     blend({255, 255, 255}, outside, strip);
+  }
+
+  /// Transparent outside the canvas, and without a ground.
+  void draw_ground_alone(int top, cv::Mat& strip) const {
+    strip.setTo(cv::Scalar::all(0));
+    if (ground_.empty()) return;
+    cv::Mat rows = ground_.rows(top, strip.rows);
+    const Curves& edge = report_.canvas_edge.curves;
+    if (!edge.empty()) cut_to(coverage_of(edge, top, strip), rows);
+    lay_over(rows, strip);
   }
 
   /// Of each pixel of a strip that begins at row `top`, CV_8U.
@@ -210,6 +230,7 @@ class PictureBands {
   const bool opaque_;
   const cv::Vec3b background_;
   const cv::Vec3b line_colour_;
+  const GroundStrips ground_;
   const KeepOutStrips keep_out_;
   const Shadow shadow_;
   SpriteCache sprites_;

@@ -9,6 +9,7 @@ struct PictureFormat {
   cv::Size size;       // px
   bool alpha = false;  // 8-bit RGBA with straight alpha, else RGB
   double dpi = 0;      // said in the file; 0 = nothing said
+  int grey_bits = 0;   // 8 or 16: grey instead of colours (PngStream alone)
 };
 
 /// The file appears under its name when it is finished, whole or not at all (atomic_file.h). All members throw
@@ -17,7 +18,8 @@ class PictureFile {
  public:
   virtual ~PictureFile() = default;  // unfinished: nothing is left of it
 
-  /// The next rows, BGR (CV_8UC3) or with alpha straight BGRA (CV_8UC4), as wide as the picture.
+  /// The next rows, as wide as the picture: BGR (CV_8UC3), with alpha straight BGRA (CV_8UC4), or grey (CV_8UC1,
+  /// CV_16UC1).
   virtual void write(const cv::Mat& rows) = 0;
   /// To be called after the last row.
   virtual void finish() = 0;

@@ -101,6 +101,16 @@ cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, in
   return drawn;
 }
 
+void cut_to(const cv::Mat& coverage, cv::Mat& bgra) {
+  for (int y = 0; y < bgra.rows; ++y) {
+    const std::uint8_t* inside = coverage.ptr(y);
+    cv::Vec4b* row = bgra.ptr<cv::Vec4b>(y);
+    for (int x = 0; x < bgra.cols; ++x) {
+      for (int c = 0; c < 4; ++c) row[x][c] = std::uint8_t((row[x][c] * inside[x] + 127) / 255);
+    }
+  }
+}
+
 void lay_over(const cv::Mat& bgra, cv::Mat picture) {
   if (picture.channels() == 4) {
     lay_over_pixels<cv::Vec4b>(bgra, picture);

@@ -39,6 +39,9 @@ PieceDrawing make_piece_drawing(const Placement& placement, std::size_t slot, co
 /// the box. Premultiplied BGRA, as wide as the box.
 cv::Mat draw_rows(const PieceDrawing& piece, const Sprite& sprite, int begin, int end);
 
+/// Leaves of premultiplied BGRA as much of each pixel as is covered: 0 to 255, CV_8U.
+void cut_to(const cv::Mat& coverage, cv::Mat& bgra);
+
 /// Lays premultiplied BGRA over a part of the picture of the same size: BGR, or premultiplied BGRA.
 void lay_over(const cv::Mat& bgra, cv::Mat picture);
 

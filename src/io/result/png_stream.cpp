@@ -2,6 +2,7 @@
 
 #include <png.h>
 
+#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <csetjmp>
@@ -17,7 +18,13 @@ namespace {
 
 // Of drawings each filter alone gives smaller files than the choice by libpng's rule, and Paeth's the smallest.
 constexpr int kFilter = PNG_FILTER_PAETH;
+constexpr int kLabelFilter = PNG_FILTER_UP;  // of areas of one value
 constexpr int kCompression = 6;
+
+int colour_type(const PictureFormat& format) {
+  if (format.grey_bits > 0) return PNG_COLOR_TYPE_GRAY;
+  return format.alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+}
 
 /// libpng leaves by longjmp: between setjmp and here stands nothing that needs a destructor.
 [[noreturn]] void leave(png_structp png, png_const_charp) { std::longjmp(png_jmpbuf(png), 1); }
@@ -36,17 +43,18 @@ struct PngStream::Encoder {
   bool begin(std::FILE* file, const PictureFormat& format) {
     if (!png || !info || setjmp(png_jmpbuf(png))) return false;
     png_init_io(png, file);
-    png_set_IHDR(png, info, png_uint_32(format.size.width), png_uint_32(format.size.height), 8,
-                 format.alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, png_uint_32(format.size.width), png_uint_32(format.size.height),
+                 format.grey_bits == 16 ? 16 : 8, colour_type(format), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     if (format.dpi > 0) {
       const auto per_metre = png_uint_32(std::lround(format.dpi * 1000 / kMmPerInch));
       png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
     }
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, kFilter);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, format.grey_bits > 0 ? kLabelFilter : kFilter);
     png_set_compression_level(png, kCompression);
     png_write_info(png, info);
     png_set_bgr(png);
+    if (std::endian::native == std::endian::little) png_set_swap(png);
     return true;
   }
 

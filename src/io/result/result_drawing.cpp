@@ -20,6 +20,7 @@
 #include "io/result/card_drawing.h"
 #include "io/result/card_input.h"
 #include "io/result/finished_result.h"
+#include "io/result/label_map.h"
 #include "io/result/picture_drawing.h"
 #include "io/result/piece_colours.h"
 #include "io/result/placed_pieces.h"
@@ -81,25 +82,39 @@ LibraryView library_of(const std::string& dir, const Job& job, const ResultManif
   throw InputError(another_library(dir, manifest, library));
 }
 
+/// The job's own output on paper, and what is asked for instead.
+OutputSpec output_of(const WholeResult& result, const PictureRequest& request, const Canvas& canvas) {
+  Job job = result.job;
+  job.output = on_paper(job.output, job.canvas, canvas);
+  set_drawing_keys(job, request.keys);
+  return job.output;
+}
+
 struct DrawnCanvas {
   Canvas canvas;
   CanvasEdge edge;
   KeepOutDrawing keep_out;
+  GroundTile ground;
 };
 
-DrawnCanvas canvas_of(const Job& job, const ResultManifest& manifest, DrawingObserver& observer) {
-  const bool shown = job.output.keep_out != kNoKeepOut;
+/// Also makes the job's output that of the pictures, which goes by the canvas.
+DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, Job& job, DrawingObserver& observer) {
+  const bool shows_keep_out = job.output.keep_out != kNoKeepOut;
+  const bool shows_file = shows_keep_out || !job.output.ground.empty();
   Drawers drawers(canvas_drawer_settings(job.canvas, DrawerSettings{}.seconds_per_drawing,
-                                         shown ? kMaxArtworkSide_px : kEdgeSide_px));
+                                         shows_file ? kMaxArtworkSide_px : kEdgeSide_px));
   const StopWatcher stop(observer, drawers);
   Canvas canvas = load_canvas(job.canvas, drawers);
-  if (canvas_digest(canvas) != manifest.canvas_digest) {
+  if (canvas_digest(canvas) != result.manifest.canvas_digest) {
     const CanvasSpec& spec = job.canvas;
     const std::string both = spec.file + (spec.file.empty() || spec.keep_out.empty() ? "" : " or ") + spec.keep_out;
     throw InputError(both + ": another content than when the collage was made; put the file back to draw it");
   }
-  DrawnCanvas drawn{std::move(canvas), canvas_edge(job.canvas, drawers), {}};
-  if (shown) drawn.keep_out = draw_keep_out(job, drawn.canvas, drawers);
+  job.output = output_of(result, request, canvas);
+  check_picture_size(job.output, canvas);
+  DrawnCanvas drawn{std::move(canvas), canvas_edge(job.canvas, drawers), {}, {}};
+  if (shows_keep_out) drawn.keep_out = draw_keep_out(job, drawn.canvas, drawers);
+  drawn.ground = draw_ground(job, drawn.canvas, drawers);
   return drawn;
 }
 
@@ -117,14 +132,6 @@ std::vector<Placement> placements_of(const std::string& dir, const ResultManifes
     placements[i].canvas_from_shape = pieces[i];
   }
   return placements;
-}
-
-/// The job's own output on paper, and what is asked for instead.
-OutputSpec output_of(const WholeResult& result, const PictureRequest& request, const Canvas& canvas) {
-  Job job = result.job;
-  job.output = on_paper(job.output, job.canvas, canvas);
-  set_drawing_keys(job, request.keys);
-  return job.output;
 }
 
 std::vector<std::string> distinct(std::vector<std::string> colours) {
@@ -178,6 +185,15 @@ class ResultPictures {
     write_picture(report_, artworks_, files, stop_,
                   [&](std::size_t done) { observer_.progressed(names.front(), done, rows); });
     for (const char* name : names) end(name);
+  }
+
+  void labels() {
+    const PictureFormat format = label_format(report_);
+    begin("labels.png");
+    PngStream file(path_in_result(dir_, "labels.png"), format);
+    write_labels(report_, artworks_, file, stop_,
+                 [&](std::size_t done) { observer_.progressed("labels.png", done, std::size_t(format.size.height)); });
+    end("labels.png");
   }
 
   void pdf() {
@@ -251,14 +267,13 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   stop.check();
   const LibraryView library = library_of(dir, job, manifest);
   stop.check();
-  DrawnCanvas canvas = canvas_of(job, manifest, observer);
-  job.output = output_of(result, request, canvas.canvas);
-  check_picture_size(job.output, canvas.canvas);
+  DrawnCanvas canvas = canvas_of(result, request, job, observer);
   CollageReport report;
   report.job = &job;
   report.canvas = &canvas.canvas;
   report.canvas_edge = std::move(canvas.edge);
   report.keep_out = std::move(canvas.keep_out);
+  report.ground = std::move(canvas.ground);
   report.placements = placements_of(dir, manifest, library.size());
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
   report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });
@@ -273,6 +288,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   if (request.svg) pictures.svg();
   if (request.png || request.tiff) pictures.pixels(request.png, request.tiff);
   if (request.pdf) pictures.pdf();
+  if (request.png && job.output.labels) pictures.labels();
   DrawingNotes notes = pictures.notes();
   notes.layers = drawers.layers();
   if (is_result) notes.cards = add_drawing_to_cards(dir, notes);

@@ -55,7 +55,9 @@ Json to_json(const DrawnPicture& picture) {
             {"shadow_offset_px", output.shadow_offset_px},
             {"shadow_blur_px", output.shadow_blur_px},
             {"clip", output.clip},
-            {"keep_out", output.keep_out}};
+            {"keep_out", output.keep_out},
+            {"ground", output.ground},
+            {"ground_px", output.ground_px}};
   if (picture.shift > 0) json["shift"] = picture.shift;
   if (picture.colours) json["palette"] = *picture.colours;
   return json;
@@ -75,6 +77,8 @@ OutputSpec output_from_json(const Json& picture) {
   output.shadow_blur_px = picture.value("shadow_blur_px", output.shadow_blur_px);
   output.clip = picture.value("clip", output.clip);
   output.keep_out = picture.value("keep_out", output.keep_out);
+  output.ground = picture.value("ground", output.ground);
+  output.ground_px = picture.value("ground_px", output.ground_px);
   return output;
 }
 

@@ -13,7 +13,8 @@
 namespace tessera::io {
 
 inline constexpr const char* kManifestName = "manifest.json";
-inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "collage.pdf", "collage.tiff"};
+inline constexpr const char* kPictureNames[] = {"collage.png", "collage.svg", "collage.pdf", "collage.tiff",
+                                                "labels.png"};
 
 struct DrawnPicture {
   std::string file;  // its name in the folder

@@ -60,32 +60,56 @@ void write_rectangle(const std::string& colour, XmlWriter& svg) {
   svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", colour).end();
 }
 
+constexpr const char* kGroundId = "ground";
+
+/// What the canvas is filled with.
+std::string canvas_fill(const CollageReport& report) {
+  return report.ground.svg.empty() ? report.job->output.background : std::string("url(#") + kGroundId + ")";
+}
+
+/// Tiles of the ground, on the background.
+void write_ground_pattern(const CollageReport& report, XmlWriter& svg) {
+  const GroundTile& ground = report.ground;
+  if (ground.svg.empty()) return;
+  const std::string width = fixed(ground.size_px.width, 7), height = fixed(ground.size_px.height, 7);
+  svg.raw("\n").start("pattern").attribute("id", kGroundId).attribute("patternUnits", "userSpaceOnUse");
+  svg.attribute("width", width).attribute("height", height);
+  const std::string& background = report.job->output.background;
+  if (background != kNoColour) {
+    svg.start("rect").attribute("width", width).attribute("height", height).attribute("fill", background).end();
+  }
+  svg.start("g").attribute("transform", "scale(" + fixed(ground.size_px.width / ground.svg_size.width, 9) + " " +
+                                            fixed(ground.size_px.height / ground.svg_size.height, 9) + ")");
+  svg.raw(ground.svg).end().end();
+}
+
 /// Cut off at the canvas' edge, beyond which the grounds reach: only one of the two may blur there.
-void write_grounds(const CanvasEdge& edge, const std::string& background, XmlWriter& svg) {
+void write_grounds(const CanvasEdge& edge, const std::string& fill, XmlWriter& svg) {
   svg.start("clipPath").attribute("id", "canvas").start("path").attribute("clip-rule", "evenodd");
   svg.attribute("d", svg_path(edge.curves, {1, 0, 0, 0})).end().end();
   svg.start("g").attribute("clip-path", "url(#canvas)").attribute("fill-rule", "evenodd");
-  write_rectangle(background, svg);
+  write_rectangle(fill, svg);
   for (const Ground& ground : edge.grounds) {
-    svg.start("path").attribute("fill", ground.colour.empty() ? background : ground.colour);
+    svg.start("path").attribute("fill", ground.colour.empty() ? fill : ground.colour);
     svg.attribute("d", svg_path(ground.curves, {1, 0, 0, 0})).end();
   }
   svg.end();
 }
 
 void write_canvas(const CollageReport& report, XmlWriter& svg) {
-  const std::string& background = report.job->output.background;
+  const std::string fill = canvas_fill(report);
   const CanvasEdge& edge = report.canvas_edge;
-  if (background == kNoColour) return;
+  if (fill == kNoColour) return;
+  const bool opaque = report.job->output.background != kNoColour;
   start_layer(kCanvasLayer, svg);
-  write_rectangle("#ffffff", svg);
+  if (opaque) write_rectangle("#ffffff", svg);
   if (edge.curves.empty()) {
-    write_rectangle(background, svg);
-  } else if (edge.grounds.empty()) {
-    svg.start("path").attribute("fill", background).attribute("fill-rule", "evenodd");
+    write_rectangle(fill, svg);
+  } else if (edge.grounds.empty() || !opaque) {
+    svg.start("path").attribute("fill", fill).attribute("fill-rule", "evenodd");
     svg.attribute("d", svg_path(edge.curves, {1, 0, 0, 0})).end();
   } else {
-    write_grounds(edge, background, svg);
+    write_grounds(edge, fill, svg);
   }
   svg.end();
 }
@@ -194,6 +218,7 @@ void write_definitions(const CollageReport& report, const ShapeArtworks& artwork
   if (has_shadow(output)) write_shadow_filter(report, svg);
   write_tone_filters(report, svg);
   write_keep_out_clip(report.keep_out, svg);
+  write_ground_pattern(report, svg);
   svg.end().raw("\n");
 }
 

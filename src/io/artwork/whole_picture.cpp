@@ -1,0 +1,25 @@
+#include "io/artwork/whole_picture.h"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "io/artwork/image_decoding.h"
+#include "io/artwork/photo.h"
+
+namespace tessera::io {
+
+cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
+  cv::Mat picture = decode_image(bytes, path, cv::IMREAD_UNCHANGED);
+  if (std::max(picture.cols, picture.rows) > longest_side_px) {
+    throw InputError(cv::format("%s: %d x %d pixels, allowed: %d px each way", path.c_str(), picture.cols, picture.rows,
+                                longest_side_px));
+  }
+  if (picture.channels() != 4) return photo_picture(bytes, path);
+  if (picture.depth() == CV_16U) picture.convertTo(picture, CV_8U, 1.0 / 257);
+  if (picture.depth() != CV_8U) throw InputError(path + ": an image must have 8 or 16 bits a channel");
+  return picture;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,33 @@
+// The picture in output.ground, which pictures show in tiles below the pieces: mortar, sand, cloth.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "core/field/canvas.h"
+#include "io/drawing/drawers.h"
+#include "io/job/job_file.h"
+
+namespace tessera::io {
+
+struct GroundTile {
+  cv::Mat page;        // straight BGRA; empty: there is none
+  cv::Size2d size_px;  // of a tile, px of the canvas; the first one lies in its upper left corner
+  std::string svg;     // the same as an SVG element, its page as large as svg_size in units of its own
+  cv::Size2d svg_size;
+};
+
+/// Width and height of a tile, px of the canvas: `width_px` wide (0: as wide as the drawing) with the drawing's
+/// aspect, but at least 1 px each.
+/// Where the canvas is seamless it becomes a little wider or narrower, or higher or lower, so that a whole number of
+/// tiles fits into the period.
+cv::Size2d tile_size_px(cv::Size2d drawing, double width_px, const Canvas& canvas);
+
+/// Drawn fine enough for pictures of the job's output. Throws InputError, which names the key, where the file cannot be read or
+/// drawn, and DrawingStopped.
+GroundTile draw_ground(const Job& job, const Canvas& canvas, Drawers& drawers);
+
+/// Before a long run: throws InputError, which names job and key, where draw_ground would.
+void check_ground(const Job& job, const Canvas& canvas);
+
+}  // namespace tessera::io

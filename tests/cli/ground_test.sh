@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# ground_test.sh TESSERA PICTURE_DIFFERENCE NEW_FOLDER: pictures with a ground below the pieces, and the map of the
+# pieces' numbers.
+set -uo pipefail
+tessera=$1
+difference=$2
+folder=$3
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+
+enter_folder
+write_job '120, 90' '14, 60' 120
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='30' height='30'><rect width='30' height='30' fill='#804020'/>
+  <circle cx='15' cy='15' r='9' fill='#a06040'/></svg>" >sand.svg
+rsvg-convert sand.svg -o sand.png
+
+for command in "collage job.toml --out none" "plan job.toml"; do
+  # shellcheck disable=SC2086
+  run 2 $command --set output.ground=lost.png
+  expect_word "tessera: job.toml: output.ground: $PWD/lost.png: "
+  # shellcheck disable=SC2086
+  run 2 $command --set output.ground=job.toml
+  expect_word "tessera: job.toml: output.ground: $PWD/job.toml: neither SVG nor a readable PNG"
+done
+[[ ! -e none ]] || fail "a run began without its ground"
+echo "ok errors before the run"
+
+run 0 collage job.toml --out plain --quiet
+ground=(--set output.ground=sand.png --set output.ground_px=20 --set output.labels=true)
+run 0 collage job.toml --out result --quiet "${ground[@]}"
+expect_silence "a warning"
+cmp plain/pieces.geojson result/pieces.geojson || fail "the ground changed the pieces"
+grep -q '<pattern id="ground"' result/collage.svg || fail "no ground in collage.svg"
+cmp -s plain/collage.png result/collage.png && fail "no ground in collage.png"
+grep -q "\"ground\":\"$PWD/sand.png\",\"ground_px\":20.0" result/manifest.json || fail "no ground in the manifest"
+grep -q '"file":"labels.png"' result/manifest.json || fail "no labels in the manifest"
+[[ -s result/labels.png && ! -e plain/labels.png ]] || fail "labels.png does not follow output.labels"
+cp result/labels.png labels.png
+run 0 collage job.toml --out result --quiet --set seed=2
+[[ ! -e result/labels.png ]] || fail "the labels of the run before are still there"
+echo "ok collage"
+
+run 0 draw plain --quiet "${ground[@]}"
+cmp plain/labels.png labels.png || fail "tessera draw makes another labels.png"
+run 0 draw plain --quiet --set output.ground=sand.svg --svg --pdf --tiff
+grep -q '<pattern id="ground"' plain/collage.svg || fail "no drawing as a ground"
+[[ -s plain/collage.pdf && -s plain/collage.tiff ]] || fail "no PDF or TIFF"
+pdftocairo -png -singlefile -scale-to-x 120 -scale-to-y 90 plain/collage.pdf page
+run 0 draw plain --quiet --png --set output.ground=sand.svg
+awk "BEGIN {exit !($("$difference" page.png plain/collage.png) < 5)}" || fail "collage.pdf shows another picture"
+run 0 draw plain --quiet --svg --set output.ground=
+grep -q 'ground' plain/collage.svg && fail "a ground where there is none"
+# On paper, too, a drawing is as fine as the picture.
+paper=(--set 'canvas.size_mm=[120, 90]' --set output.dpi=600 --set output.ground=sand.svg)
+run 0 collage job.toml --out paper --quiet "${paper[@]}"
+cp paper/collage.png page.png
+run 0 draw paper --quiet --png --width 2835
+[[ $("$difference" page.png paper/collage.png) =~ ^0(\.0+)?$ ]] || fail "a coarser ground on paper"
+run 2 draw plain --quiet --set output.ground=lost.png
+expect_word "tessera: output.ground: $PWD/lost.png: "
+echo "ok draw"
