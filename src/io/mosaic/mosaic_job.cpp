@@ -69,6 +69,10 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          "size_map = " +
          toml_text(files.size_map) +
          "\n"
+         "# No drawing beside itself: px between the outlines of two of it.\n"
+         "apart_px = " +
+         number_text(plan.min_scale_px) +
+         "\n"
          "\n"
          "[output]\n"
          "# Between the pieces: the image's mean colour, half as bright, as joints are. tessera draw changes it.\n"
