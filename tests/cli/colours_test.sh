@@ -85,6 +85,10 @@ cmp -s before.png expected/collage.png || fail "no shift, another picture"
 run 0 draw expected --png --quiet --set colour.shift=20
 grep -q '"shift":20' expected/manifest.json || fail "the manifest does not say how far tones are shifted"
 cmp -s shifted/collage.png expected/collage.png || fail "the same shift, another picture"
+run 2 draw expected --pdf --quiet --set colour.shift=20 --to nowhere
+grep -q 'colour.shift: found 20.0 with a PDF' errors || fail "tones in a PDF: $(cat errors)"
+[[ ! -e nowhere/collage.pdf ]] || fail "a PDF without its tones"
+run 0 draw expected --pdf --quiet --set colour.shift=0 --to plain
 run 2 draw expected --png --quiet --set colour.weight=2
 grep -q 'colour.weight=2: decides where pieces lie' errors || fail "a key that decides: $(cat errors)"
 echo "ok tones"

@@ -1,5 +1,6 @@
-// golden_inputs FOLDER: writes what the golden jobs read, made from formulas: the library shapes.h5, and mask.png, a
-// canvas with three holes at the resolution that the program draws masks at, so that nothing is scaled.
+// golden_inputs FOLDER: writes what the golden jobs read, made from formulas: the library shapes.h5; mask.png, a canvas
+// with three holes at the resolution that the program draws masks at, so that nothing is scaled; picture.png and
+// sizes.png, to be laid over a canvas.
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -19,6 +20,8 @@ void write_library(const std::string& path) {
   for (tessera::Shape& shape : tessera::test::formula_shapes(kShapes, tessera::PadParameters{})) {
     shape.name = "shape " + std::to_string(number++);
     shape.artwork.width_px = shape.artwork.height_px = 100;
+    const tessera::Lab mean = tessera::make_colour_model(shape.colour_grid, {0, 0}, {1, 1}).mean;
+    shape.mean_lab = {mean.lightness, mean.a, mean.b};
     writer.append(shape);
   }
   writer.finish();
@@ -36,6 +39,26 @@ void write_mask(const std::string& path) {
   if (!cv::imwrite(path, mask)) throw tessera::EnvironmentError("cannot write " + path);
 }
 
+/// Patches of strong colours, one of them transparent.
+void write_picture(const std::string& path) {
+  cv::Mat picture(120, 160, CV_8UC4);
+  for (int y = 0; y < picture.rows; ++y) {
+    for (int x = 0; x < picture.cols; ++x) {
+      const int patch = x / 40 + 4 * (y / 40);
+      picture.at<cv::Vec4b>(y, x) = {std::uint8_t(patch * 70 % 256), std::uint8_t(patch * 110 % 256),
+                                     std::uint8_t(255 - patch * 20), std::uint8_t(patch == 6 ? 0 : 255)};
+    }
+  }
+  if (!cv::imwrite(path, picture)) throw tessera::EnvironmentError("cannot write " + path);
+}
+
+/// From small on the left to large on the right.
+void write_sizes(const std::string& path) {
+  cv::Mat sizes(120, 160, CV_8U);
+  for (int x = 0; x < sizes.cols; ++x) sizes.col(x) = 60 + x;
+  if (!cv::imwrite(path, sizes)) throw tessera::EnvironmentError("cannot write " + path);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -46,4 +69,6 @@ int main(int argc, char** argv) {
   const std::string folder = argv[1];
   write_library(folder + "/shapes.h5");
   write_mask(folder + "/mask.png");
+  write_picture(folder + "/picture.png");
+  write_sizes(folder + "/sizes.png");
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
@@ -113,6 +115,22 @@ TEST_F(Overlaid, MayBeAnSvg) {
       "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 20 10'><path fill='red' d='M0 0H10V10H0Z'/></svg>");
   expect_red(colour_of(file, {50, 50}));
   EXPECT_EQ(colour_of(file, {150, 50}).weight, 0);
+}
+
+/// Sums of pixels are rounded otherwise by other machines, but not by a step.
+TEST_F(Overlaid, ValuesComeInSteps) {
+  cv::Mat noise(173, 311, CV_8UC3);
+  cv::theRNG().state = 7;
+  cv::randu(noise, 0, 256);
+  job_.size_map = job_.colour.image = image("noise.png", noise);
+  set_overlays(read_overlays(canvas_, job_), LibraryFile(library(true)), job_);
+  const ColourTarget& target = *job_.settings.colour.target;
+  const ColourLevel& finest = target.levels().front();
+  for (std::uint32_t i = 0; i < finest.width * finest.height; ++i) {
+    const Texel& t = target.texels()[i];
+    for (const float v : {t.lightness, t.a, t.b, t.weight}) ASSERT_EQ(v * 256, std::round(v * 256));
+  }
+  for (const float v : job_.settings.pieces.size_map->part.data()) ASSERT_EQ(v * 1024, std::round(v * 1024));
 }
 
 /// What decides whether a run may go on.

@@ -16,8 +16,13 @@ namespace {
 
 constexpr float kTexelsPerPiece = 8;  // along the side of the smallest
 constexpr float kSizesPerPiece = 2;
+/// Steps in which what was read is kept: how OpenCV's sums round differs from machine to machine, in bits far below.
+constexpr float kStepsOfColour = 256;
+constexpr float kStepsOfSize = 1024;
 constexpr std::size_t kShapesAtATime = 4096;  // heads alone: some MB
 constexpr LibraryParts kHeadsOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
+
+float in_steps(float value, float steps) { return std::nearbyint(value * steps) / steps; }
 
 /// Of a grid over the canvas, so many for the side of the smallest piece.
 float px_per_cell(const Job& job, float cells_per_piece) {
@@ -58,7 +63,8 @@ Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       const cv::Vec4f& s = sums.at<cv::Vec4f>(y, x);
-      texels(x, y) = {s[0], s[1], s[2], s[3]};
+      texels(x, y) = {in_steps(s[0], kStepsOfColour), in_steps(s[1], kStepsOfColour), in_steps(s[2], kStepsOfColour),
+                      in_steps(s[3], kStepsOfColour)};
     }
   }
   return texels;
@@ -91,7 +97,10 @@ std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job)
   grey.convertTo(grey, CV_32F, 1.0 / 255);
   cv::resize(grey, cells, size, 0, 0, cv::INTER_AREA);
   SizeMap map{Grid<float>(size.width, size.height), 1 / cell_px};
-  for (int y = 0; y < size.height; ++y) std::copy_n(cells.ptr<float>(y), size.width, map.part.row(y));
+  for (int y = 0; y < size.height; ++y) {
+    std::transform(cells.ptr<float>(y), cells.ptr<float>(y) + size.width, map.part.row(y),
+                   [](float part) { return in_steps(part, kStepsOfSize); });
+  }
   return std::make_shared<const SizeMap>(std::move(map));
 }
 

@@ -17,6 +17,7 @@
 #include "io/job/job_library.h"
 #include "io/job/palette.h"
 #include "io/job/picture_size.h"
+#include "io/number_text.h"
 #include "io/result/card_drawing.h"
 #include "io/result/card_input.h"
 #include "io/result/finished_result.h"
@@ -283,6 +284,10 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
     report.colours = piece_colours(report, palette);
   }
   report.tones = tone_shifts(report, manifest.covered, job.colour.shift);
+  if (request.pdf && !report.tones.empty()) {
+    throw InputError(dir + ": colour.shift: found " + fixed(job.colour.shift, 1) +
+                     " with a PDF, which has no means for it; allowed: --set colour.shift=0, or the PNG, TIFF and SVG");
+  }
   const bool is_result = request.to.empty();
   ResultPictures pictures({is_result ? dir : request.to, is_result}, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
