@@ -13,6 +13,7 @@
 #include "io/elements/region_labels.h"
 #include "io/elements/region_vote.h"
 #include "io/elements/relief_watershed.h"
+#include "io/elements/trim.h"
 
 namespace tessera::io {
 namespace {
@@ -209,6 +210,43 @@ TEST(ScaledLabels, WhatThePhotosEdgeCutsStaysCut) {
   labels(cv::Rect(0, 10, 30, 40)).setTo(1);
   EXPECT_EQ(region_boxes(scaled_labels(labels, {200, 150}))[1].box.x, 0);
 }
+
+/// A stone of this radius with a rim of another lightness around it, all of it one region.
+struct RimmedStone {
+  RimmedStone(int stone_px, int region_px, float stone_lightness, float rim_lightness)
+      : labels(80, 80, CV_32S, cv::Scalar(0)),
+        lab(80, 80, CV_32FC3, cv::Scalar(rim_lightness, 0, 0)) {
+    cv::circle(labels, {40, 40}, region_px, cv::Scalar(1), cv::FILLED);
+    cv::circle(lab, {40, 40}, stone_px, cv::Scalar(stone_lightness, 0, 0), cv::FILLED);
+  }
+  int area() const { return cv::countNonZero(trimmed_regions(labels, lab)); }
+
+  cv::Mat labels, lab;
+};
+
+int disc_area(int radius_px) {
+  cv::Mat disc(80, 80, CV_8U, cv::Scalar(0));
+  cv::circle(disc, {40, 40}, radius_px, cv::Scalar(1), cv::FILLED);
+  return cv::countNonZero(disc);
+}
+
+TEST(Trim, TakesOffARimInTheGapsColour) {
+  const RimmedStone stone(20, 24, 70, 30);
+  EXPECT_NEAR(stone.area(), disc_area(20), 0.08 * disc_area(20));
+  const cv::Mat trimmed = trimmed_regions(stone.labels, stone.lab);
+  EXPECT_EQ(trimmed.at<int>(40, 40), 1);
+  EXPECT_EQ(trimmed.at<int>(40, 63), 0) << "the rim";
+}
+
+TEST(Trim, LeavesARegionOfOneColourAlone) {
+  EXPECT_EQ(RimmedStone(20, 24, 70, 67).area(), disc_area(24)) << "3 apart are one colour";
+  EXPECT_LT(RimmedStone(20, 24, 70, 62).area(), disc_area(22)) << "8 are two";
+}
+
+/// It is another thing then: a ring, or two that were taken for one.
+TEST(Trim, NeverTakesMoreThanHalf) { EXPECT_EQ(RimmedStone(15, 24, 70, 30).area(), disc_area(24)); }
+
+TEST(Trim, LeavesWhatIsTooSmallAlone) { EXPECT_EQ(RimmedStone(3, 4, 70, 30).area(), disc_area(4)); }
 
 }  // namespace
 }  // namespace tessera::io
