@@ -1,21 +1,6 @@
 // core/colour and core/matching/colour_fit.cpp in OpenCL C: CIEDE2000, look-ups in the picture that pieces are to show,
 // and how far a piece is from it.
 
-float16 portable_exp2_lanes(float16 x) {
-  const float16 whole = floor(x);
-  const float16 f = x - whole;
-  const float16 y = f * 0.69314718f;
-  float16 p = 1.98412698e-4f;
-  p = p * y + 1.38888889e-3f;
-  p = p * y + 8.33333333e-3f;
-  p = p * y + 4.16666667e-2f;
-  p = p * y + 1.66666667e-1f;
-  p = p * y + 0.5f;
-  p = p * y + 1.f;
-  p = p * y + 1.f;
-  return p * as_float16((convert_int16(whole) + 127) << 23);  // by a power of two: exact, however it is done
-}
-
 // core/colour/ciede2000.cpp, for one pair of colours and for 16: F is float or float16.
 #define DEFINE_CIEDE2000(NAME, F, EXP2)                                                                              \
   F NAME##_saturation(F chroma) {                                                                                    \
@@ -99,17 +84,12 @@ float4 mixed(float4 p, float4 q, float t) { return p * (1 - t) + q * t; }
 // Lightness, a and b times the weight, and that.
 float4 colour_at(const Picture* picture, uint level, float x, float y) {
   constant ColourLevelRecord* l = picture->record->level + level;
-  const float u = clamp(x * l->texels_per_px - 0.5f, 0.f, (float)(l->width - 1));
-  const float v = clamp(y * l->texels_per_px - 0.5f, 0.f, (float)(l->height - 1));
-  const uint i = (uint)u;
-  const uint j = (uint)v;
-  const uint right = min(i + 1, l->width - 1);
-  const uint below = min(j + 1, l->height - 1);
-  const float s = u - (float)i;
-  const size_t upper = l->first + (size_t)j * l->width;
-  const size_t lower = l->first + (size_t)below * l->width;
-  return mixed(mixed(vload4(upper + i, picture->texels), vload4(upper + right, picture->texels), s),
-               mixed(vload4(lower + i, picture->texels), vload4(lower + right, picture->texels), s), v - (float)j);
+  const CellLookup c = cell_lookup(x, y, l->texels_per_px, l->width, l->height);
+  const size_t upper = l->first + (size_t)c.upper * l->width;
+  const size_t lower = l->first + (size_t)c.lower * l->width;
+  global const float* texels = picture->texels;
+  return mixed(mixed(vload4(upper + c.left, texels), vload4(upper + c.right, texels), c.s),
+               mixed(vload4(lower + c.left, texels), vload4(lower + c.right, texels), c.s), c.t);
 }
 
 float mean_colour_difference(const Picture* picture, global const float* contour, PoseRecord s) {

@@ -65,8 +65,8 @@ bool fit_within(const StanceRecord* stance, const Moments* m, Fit* fit) {
 
 // `shape_x`, `shape_y`: key points of the shape's sample, steps. Least squares at the longest level at which both
 // agree, by the stance that fits best.
-Alignment align_pyramids(const Stances* stances, float sizes, global const short* shape_x, global const short* shape_y, float step,
-                         global const SampleRecord* target, float scale_low_px, float scale_high_px) {
+Alignment align_pyramids(const Stances* stances, float sizes, global const short* shape_x, global const short* shape_y,
+                         float step, global const SampleRecord* target, float scale_low_px, float scale_high_px) {
   Alignment result;
   result.valid = false;
   const int least_level = max(0, kPadLevels - kAlignmentLevels);
@@ -167,7 +167,8 @@ int level_of_source(constant MatchRecord* match, uint source) {
 // are those of select_pairs from sample `first_paired` on.
 kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
-                       global const float* size_map, global const float* field_value, constant ColourRecord* colour, global const float* texels,
+                       global const float* size_map, global const float* field_value,
+                       constant ColourRecord* colour, global const float* texels,
                        global const short* keypoints, global const float* contours,
                        global const ShapeRecord* shapes, uint first_sample,
                        uint end_sample, global const SampleRecord* samples, uint first_paired,

@@ -9,21 +9,30 @@
 // Where values must stay in registers over the calls.
 #define INLINE __attribute__((always_inline)) inline
 
+// e^(f ln 2) for 0 <= f < 1: for a float and for 16.
+#define EXP2_OF_FRACTION(F, p, f)  \
+  const F y = f * 0.69314718f;     \
+  F p = 1.98412698e-4f;            \
+  p = p * y + 1.38888889e-3f;      \
+  p = p * y + 8.33333333e-3f;      \
+  p = p * y + 4.16666667e-2f;      \
+  p = p * y + 1.66666667e-1f;      \
+  p = p * y + 0.5f;                \
+  p = p * y + 1.f;                 \
+  p = p * y + 1.f
+
 float portable_exp2(float x) {
   const float whole = floor(x);
-  const float f = x - whole;
-  const float y = f * 0.69314718f;
-  float p = 1.98412698e-4f;
-  p = p * y + 1.38888889e-3f;
-  p = p * y + 8.33333333e-3f;
-  p = p * y + 4.16666667e-2f;
-  p = p * y + 1.66666667e-1f;
-  p = p * y + 0.5f;
-  p = p * y + 1.f;
-  p = p * y + 1.f;
+  EXP2_OF_FRACTION(float, p, (x - whole));
   for (int k = (int)whole; k > 0; --k) p = p * 2.f;
   for (int k = (int)whole; k < 0; ++k) p = p * 0.5f;
   return p;
+}
+
+float16 portable_exp2_lanes(float16 x) {
+  const float16 whole = floor(x);
+  EXP2_OF_FRACTION(float16, p, (x - whole));
+  return p * as_float16((convert_int16(whole) + 127) << 23);  // by a power of two: exact, however it is done
 }
 
 ulong mix_bits(ulong z) {

@@ -203,8 +203,8 @@ ExtentRecord extent_of(PoseRecord s, global const float* contour) {
 
 // Work item: a docking, whose shape is of this shard.
 kernel void refine_dockings(constant MatchRecord* match, global const StanceRecord* stances,
-                            global const float* size_map, global const float* field_value, constant ColourRecord* colour,
-                            global const float* texels, global const float* contours,
+                            global const float* size_map, global const float* field_value,
+                            constant ColourRecord* colour, global const float* texels, global const float* contours,
                             global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
                             global RefinedRecord* refined) {
   const size_t i = get_global_id(0);
@@ -230,8 +230,8 @@ kernel void refine_dockings(constant MatchRecord* match, global const StanceReco
 // Work item: a docking, whose shape is of this shard.
 kernel void measure_dockings(constant MatchRecord* match, global const float* field_value,
                              constant ColourRecord* colour, global const float* texels,
-                             global const float* contours, global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
-                             global TermsRecord* terms) {
+                             global const float* contours, global const ShapeRecord* shapes, uint count,
+                             global const DockingRecord* dockings, global TermsRecord* terms) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const uint shape = dockings[i].shape - match->first_shape;

@@ -12,20 +12,14 @@ Stances stances_of(global const StanceRecord* stances, global const StanceListRe
   return result;
 }
 
-// core/matching/size_map.h: the part of its sizes that a shape may have at a place.
+// core/field/size_map.h: the part of its sizes that a shape may have at a place.
 float size_part(constant MatchRecord* match, global const float* size_map, float x, float y) {
   if (match->size_width == 0) return 1;
-  const float u = clamp(x * match->size_cells_per_px - 0.5f, 0.f, (float)(match->size_width - 1));
-  const float v = clamp(y * match->size_cells_per_px - 0.5f, 0.f, (float)(match->size_height - 1));
-  const uint i = (uint)u;
-  const uint j = (uint)v;
-  const uint right = min(i + 1, match->size_width - 1);
-  const uint below = min(j + 1, match->size_height - 1);
-  const float s = u - (float)i;
-  const float t = v - (float)j;
-  global const float* upper = size_map + (size_t)j * match->size_width;
-  global const float* lower = size_map + (size_t)below * match->size_width;
-  return (upper[i] * (1 - s) + upper[right] * s) * (1 - t) + (lower[i] * (1 - s) + lower[right] * s) * t;
+  const CellLookup c = cell_lookup(x, y, match->size_cells_per_px, match->size_width, match->size_height);
+  global const float* upper = size_map + (size_t)c.upper * match->size_width;
+  global const float* lower = size_map + (size_t)c.lower * match->size_width;
+  return (upper[c.left] * (1 - c.s) + upper[c.right] * c.s) * (1 - c.t) +
+         (lower[c.left] * (1 - c.s) + lower[c.right] * c.s) * c.t;
 }
 
 StanceRecord with_sizes_up_to(float part, StanceRecord stance) {

@@ -27,8 +27,8 @@ void announce_overlays(comm::Communicator& ranks, const io::Job& job);
 /// A worker, after receive_job: throws InputError where `library` has another content than the master's.
 void check_library(comm::Communicator& ranks, const io::ShapeLibrary& library);
 
-/// A worker, after check_library: sets the job's overlays. Throws InputError where its library knows other colours of its
-/// drawings than the master's.
+/// A worker, after check_library: sets the job's overlays. Throws InputError where its library knows other colours of
+/// its drawings than the master's.
 void receive_overlays(comm::Communicator& ranks, const io::ShapeLibrary& library, io::Job& job);
 
 }  // namespace tessera::cli

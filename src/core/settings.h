@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/matching/colour_fit.h"
-#include "core/matching/size_map.h"
+#include "core/colour/colour_wish.h"
+#include "core/field/size_map.h"
 #include "core/pad/pad.h"
 #include "core/wishes.h"
 

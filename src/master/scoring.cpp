@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/collage/objective.h"
+#include "core/matching/colour_fit.h"
 #include "core/tuning.h"
 
 namespace tessera::master {

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "core/matching/colour_fit.h"
 #include "core/matching/composite_matcher.h"
 #include "core/matching/match_round.h"
 #include "core/matching/reference_matcher.h"

@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "core/colour/ciede2000.h"
+#include "core/matching/colour_fit.h"
 #include "core/matching/near_colours.h"
 #include "core/tuning.h"
 #include "support/colours.h"

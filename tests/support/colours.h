@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/matching/colour_fit.h"
+#include "core/colour/colour_grid.h"
+#include "core/colour/colour_wish.h"
 
 namespace tessera::test {
 

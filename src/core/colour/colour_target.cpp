@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/geometry/cell_lookup.h"
+
 namespace tessera {
 namespace {
 
@@ -48,18 +50,10 @@ int ColourTarget::level_for(float length_px) const {
 
 Texel ColourTarget::at(int level, Vec2 p_px) const {
   const ColourLevel& l = levels_[std::size_t(level)];
-  const auto clamped = [](float u, std::uint32_t side) { return std::clamp(u, 0.f, float(side - 1)); };
-  const float u = clamped(p_px.x * l.texels_per_px - 0.5f, l.width);
-  const float v = clamped(p_px.y * l.texels_per_px - 0.5f, l.height);
-  const std::uint32_t i = std::uint32_t(u);
-  const std::uint32_t j = std::uint32_t(v);
-  const float s = u - float(i);
-  const float t = v - float(j);
-  const std::uint32_t right = std::min(i + 1, l.width - 1);
-  const std::uint32_t below = std::min(j + 1, l.height - 1);
-  const Texel* upper_row = texels_.data() + l.first + std::size_t(j) * l.width;
-  const Texel* lower_row = texels_.data() + l.first + std::size_t(below) * l.width;
-  return mixed(mixed(upper_row[i], upper_row[right], s), mixed(lower_row[i], lower_row[right], s), t);
+  const CellLookup c(p_px, l.texels_per_px, int(l.width), int(l.height));
+  const Texel* upper = texels_.data() + l.first + std::size_t(c.upper) * l.width;
+  const Texel* lower = texels_.data() + l.first + std::size_t(c.lower) * l.width;
+  return mixed(mixed(upper[c.left], upper[c.right], c.s), mixed(lower[c.left], lower[c.right], c.s), c.t);
 }
 
 }  // namespace tessera

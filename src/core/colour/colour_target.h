@@ -1,5 +1,5 @@
-// The picture that pieces are to show together: its colours over the canvas, at ever coarser levels, so that the mean of
-// a place of any size is one look-up. kernels/colour.cl looks up the same, bit for bit.
+// The picture that pieces are to show together: its colours over the canvas, at ever coarser levels, so that the mean
+// of a place of any size is one look-up. kernels/colour.cl looks up the same, bit for bit.
 #pragma once
 
 #include <cstdint>

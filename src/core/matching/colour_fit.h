@@ -1,26 +1,14 @@
-// How far a piece's colours are from those that it covers. kernels/colour.cl does the same for many at once, bit for bit.
+// How far a piece's colours are from those that it covers. kernels/colour.cl does the same for many at once, bit for
+// bit.
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <optional>
-#include <vector>
 
 #include "core/colour/colour_grid.h"
 #include "core/colour/colour_target.h"
 #include "core/geometry/similarity.h"
 
 namespace tessera {
-
-/// What matching knows of colours; nothing where the job wishes none.
-struct ColourWish {
-  std::shared_ptr<const ColourTarget> target;
-  /// The mean colour of each shape of the whole library.
-  std::shared_ptr<const std::vector<Lab>> of_shapes;
-  float weight = 1;
-
-  explicit operator bool() const { return target != nullptr && weight > 0; }
-};
 
 /// CIEDE2000 between the piece's mean and that of the place, by one look-up. 0 where the target wishes nothing.
 float mean_colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target);

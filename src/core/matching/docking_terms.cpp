@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/matching/colour_fit.h"
 #include "core/tuning.h"
 
 namespace tessera {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/matching/colour_fit.h"
+#include "core/colour/colour_wish.h"
 #include "core/matching/stances.h"
 #include "core/settings.h"
 #include "core/shape/shape_model.h"

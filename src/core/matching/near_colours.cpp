@@ -12,9 +12,9 @@ namespace tessera {
 
 void NearColours::start(const StanceTable& stances) {
   if (!wish_) return;
-  open_.clear();
-  for (std::uint32_t i = 0; i < stances.open_shapes(); ++i) open_.push_back(index_of(stances.open_shape(i)));
-  const std::uint32_t all = std::uint32_t(open_.size());
+  open_.assign(stances.library_shapes(), false);
+  for (std::uint32_t i = 0; i < stances.open_shapes(); ++i) open_[index_of(stances.open_shape(i))] = true;
+  const std::uint32_t all = stances.open_shapes();
   const float share = 1 + (kNearColourShare - 1) * std::min(1.f, wish_.weight);
   length_ = std::min(all, std::max(kLeastNearColours, std::uint32_t(float(all) / share)));
   words_ = (stances.library_shapes() + 31) / 32;
@@ -31,27 +31,36 @@ NearColours::List NearColours::list_for(const TargetSample& sample) {
   if (there.weight < kLeastColourWeight) return kAny;
   const auto step = [](float value) { return int(std::floor(value / kColourStep + 0.5f)); };
   const Lab colour = there.colour();
-  const std::array<int, 3> point = {step(colour.lightness), step(colour.a), step(colour.b)};
+  const Point point = {step(colour.lightness), step(colour.a), step(colour.b)};
   const auto known = lists_.find(point);
-  if (known != lists_.end()) return known->second;
-  const List list =
-      make_list({float(point[0]) * kColourStep, float(point[1]) * kColourStep, float(point[2]) * kColourStep});
-  lists_.emplace(point, list);
-  return list;
+  return known != lists_.end() ? known->second : make_list(point);
 }
 
-NearColours::List NearColours::make_list(const Lab& colour) {
+/// All shapes, the nearest to the point first; of equals the first.
+const std::vector<std::uint32_t>& NearColours::nearest(const Point& point) {
+  const auto [known, is_new] = nearest_.try_emplace(point);
+  if (!is_new) return known->second;
+  const Lab colour{float(point[0]) * kColourStep, float(point[1]) * kColourStep, float(point[2]) * kColourStep};
   std::vector<std::pair<float, std::uint32_t>> order;
-  order.reserve(open_.size());
-  for (const std::uint32_t shape : open_) order.emplace_back(ciede2000(colour, (*wish_.of_shapes)[shape]), shape);
-  std::partial_sort(order.begin(), order.begin() + length_, order.end());
+  order.reserve(wish_.of_shapes->size());
+  for (const Lab& of_shape : *wish_.of_shapes) order.emplace_back(ciede2000(colour, of_shape), order.size());
+  std::sort(order.begin(), order.end());
+  for (const auto& [difference, shape] : order) known->second.push_back(shape);
+  return known->second;
+}
+
+NearColours::List NearColours::make_list(const Point& point) {
   const List list = List(lists_.size());
+  lists_.emplace(point, list);
   bits_.resize(bits_.size() + words_, 0u);
   std::uint32_t* const bits = bits_.data() + std::size_t(list) * words_;
-  for (std::uint32_t i = 0; i < length_; ++i) {
-    const std::uint32_t shape = order[i].second;
+  std::uint32_t left = length_;
+  for (const std::uint32_t shape : nearest(point)) {
+    if (left == 0) break;
+    if (!open_[shape]) continue;
     shapes_.push_back(shape);
     bits[shape / 32] |= 1u << (shape % 32);
+    --left;
   }
   return list;
 }

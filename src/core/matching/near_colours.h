@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/field/target_sample.h"
-#include "core/matching/colour_fit.h"
+#include "core/colour/colour_wish.h"
 #include "core/matching/stances.h"
 
 namespace tessera {
@@ -26,7 +26,8 @@ class NearColours {
   /// `depth_px`: how far inside the region, seen from a sample, the colour is looked up.
   NearColours(ColourWish wish, float depth_px) : wish_(std::move(wish)), depth_px_(depth_px) {}
 
-  /// The lists are of shapes that may stand by this table. Those there were are gone.
+  /// The lists are of shapes that may stand by this table. Those there were are gone; which shapes are nearest to a
+  /// colour is not looked for again, so that it may be called each round.
   void start(const StanceTable& stances);
   /// The list for the sample, made where there is none yet.
   List list_for(const TargetSample& sample);
@@ -44,14 +45,17 @@ class NearColours {
   std::uint32_t words() const { return words_; }
 
  private:
-  List make_list(const Lab& colour);
+  using Point = std::array<int, 3>;  // of the lattice
+  const std::vector<std::uint32_t>& nearest(const Point& point);
+  List make_list(const Point& point);
 
   ColourWish wish_;
   float depth_px_ = 0;
-  std::vector<std::uint32_t> open_;
+  std::map<Point, std::vector<std::uint32_t>> nearest_;  // of the whole library, whatever the limits
+  std::vector<bool> open_;
   std::uint32_t length_ = 0;
   std::uint32_t words_ = 0;
-  std::map<std::array<int, 3>, List> lists_;  // by the point of the lattice
+  std::map<Point, List> lists_;
   std::vector<std::uint32_t> shapes_;
   std::vector<std::uint32_t> bits_;
 };

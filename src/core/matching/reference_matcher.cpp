@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/matching/colour_fit.h"
 #include "core/matching/refinement.h"
 
 namespace tessera {

@@ -7,6 +7,7 @@
 
 #include "io/artwork/alpha.h"
 #include "io/artwork/artwork_page.h"
+#include "io/artwork/colour_conversion.h"
 
 namespace tessera::io {
 namespace {
@@ -67,10 +68,8 @@ cv::Mat thumbnail_of(const cv::Mat& page_bgra) {
 }
 
 ArtworkColour colour_of(const cv::Mat& straight_bgra) {
-  cv::Mat bgr, lab, alpha;
-  cv::cvtColor(straight_bgra, bgr, cv::COLOR_BGRA2BGR);
-  bgr.convertTo(bgr, CV_32F, 1.0 / 255);
-  cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
+  const cv::Mat lab = lab_image_of(straight_bgra);
+  cv::Mat alpha;
   cv::extractChannel(straight_bgra, alpha, 3);
   cv::Vec3d sum(0, 0, 0);
   double weight = 0, squares = 0;
@@ -94,12 +93,10 @@ ColourRaster colours_of(const Drawing& drawing) {
   if (drawing.bgra.empty()) return {};
   const double scale = std::min(1., double(kColoursSide_px) / std::max(drawing.bgra.cols, drawing.bgra.rows));
   const cv::Size size(std::max(1, cvRound(drawing.bgra.cols * scale)), std::max(1, cvRound(drawing.bgra.rows * scale)));
-  cv::Mat small, bgr, lab;
+  cv::Mat small;
   cv::resize(drawing.bgra, small, size, 0, 0, cv::INTER_AREA);
   small = straightened(small);
-  cv::cvtColor(small, bgr, cv::COLOR_BGRA2BGR);
-  bgr.convertTo(bgr, CV_32F, 1.0 / 255);
-  cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
+  const cv::Mat lab = lab_image_of(small);
   ColourRaster raster{Grid<Lab>(size.width, size.height),
                       alpha_grid(small),
                       {float(drawing.part.x), float(drawing.part.y)},

@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "io/artwork/colour_conversion.h"
 #include "io/artwork/mask.h"
 #include "io/job/job_keys.h"
 #include "io/number_text.h"
@@ -13,12 +14,6 @@ namespace {
 
 /// A background that is no further from a region's colour, in all three channels together, is that region.
 constexpr int kSameColour = 48;
-
-/// Of "#rrggbb", as OpenCV has it.
-cv::Vec3i bgr_of(const std::string& colour) {
-  const int rgb = std::stoi(colour.substr(1), nullptr, 16);
-  return {rgb & 255, rgb >> 8 & 255, rgb >> 16};
-}
 
 int squared_difference(const cv::Vec3i& a, const cv::Vec3i& b) { return (a - b).dot(a - b); }
 

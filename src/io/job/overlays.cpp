@@ -9,6 +9,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/error.h"
+#include "io/artwork/colour_conversion.h"
 #include "io/job/overlay.h"
 
 namespace tessera::io {
@@ -46,10 +47,8 @@ void refuse_seamless(const Job& job, const char* key) {
 
 /// Means of straight BGRA, weighted by alpha.
 Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
-  cv::Mat bgr, lab, alpha, sums;
-  cv::cvtColor(straight_bgra, bgr, cv::COLOR_BGRA2BGR);
-  bgr.convertTo(bgr, CV_32F, 1.0 / 255);
-  cv::cvtColor(bgr, lab, cv::COLOR_BGR2Lab);
+  const cv::Mat lab = lab_image_of(straight_bgra);
+  cv::Mat alpha, sums;
   cv::extractChannel(straight_bgra, alpha, 3);
   alpha.convertTo(alpha, CV_32F, 1.0 / 255);
   cv::Mat weighted;

@@ -6,7 +6,7 @@
 
 #include "core/colour/colour_target.h"
 #include "core/field/canvas.h"
-#include "core/matching/size_map.h"
+#include "core/field/size_map.h"
 #include "io/job/job_file.h"
 #include "io/library/shape_library.h"
 

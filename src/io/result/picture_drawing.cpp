@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/artwork/alpha.h"
+#include "io/artwork/colour_conversion.h"
 #include "io/job/picture_size.h"
 #include "io/parallel_for.h"
 #include "io/result/cairo_paint.h"
@@ -18,11 +19,6 @@
 
 namespace tessera::io {
 namespace {
-
-cv::Vec3b parse_colour(const std::string& hex) {
-  const unsigned long rgb = std::stoul(hex.substr(1), nullptr, 16);
-  return {std::uint8_t(rgb), std::uint8_t(rgb >> 8), std::uint8_t(rgb >> 16)};
-}
 
 /// Premultiplied: what is drawn, all of it in this colour.
 void tint(cv::Mat& bgra, cv::Vec3b colour) {
@@ -85,14 +81,14 @@ class PictureBands {
         size_(picture_size_px(report.job->output, *report.canvas)),
         picture_px_(double(size_.width) / report.canvas->width_px),
         opaque_(report.job->output.background != kNoColour),
-        background_(opaque_ ? parse_colour(report.job->output.background) : cv::Vec3b()),
-        line_colour_(parse_colour(report.job->output.outline_colour)),
+        background_(opaque_ ? bgr_of(report.job->output.background) : cv::Vec3b()),
+        line_colour_(bgr_of(report.job->output.outline_colour)),
         ground_(report.ground, picture_px_, size_),
         keep_out_(report.keep_out, picture_px_, size_),
         shadow_(report, size_),
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
     for (const auto& [placement, piece] : drawn_pieces(report, artworks)) {
-      if (!report.colours.empty()) tints_.push_back(parse_colour(report.colours[piece]));
+      if (!report.colours.empty()) tints_.push_back(bgr_of(report.colours[piece]));
       if (!report.tones.empty()) tones_.push_back(report.tones[piece]);
       const std::size_t slot = report.shapes.slot_of(placement.shape);
       pieces_.push_back(make_piece_drawing(placement, report.shapes.slot_of_drawing(slot), report.shapes[slot],
@@ -190,7 +186,7 @@ class PictureBands {
       if (ground.colour.empty()) {
         blend([&](int x, int y) { return own.at<cv::Vec3b>(y, x); }, coverage, strip);
       } else {
-        blend(parse_colour(ground.colour), coverage, strip);
+        blend(bgr_of(ground.colour), coverage, strip);
       }
     }
     if (edge.curves.empty()) return;

@@ -1,9 +1,9 @@
 #include "io/result/shape_artworks.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "core/base/error.h"
+#include "io/artwork/colour_conversion.h"
 #include "io/artwork/silhouette.h"
 #include "io/artwork/svg_page.h"
 #include "io/number_text.h"
@@ -20,12 +20,6 @@ int longest_side(const Artwork& artwork) { return std::max(artwork.width_px, art
 
 SvgSymbol bitmap_symbol(const cv::Mat& bgra, const std::string& id, const Artwork& artwork) {
   return {svg_image(bgra, id), double(longest_side(artwork)) / std::max(bgra.cols, bgra.rows)};
-}
-
-std::string hex_colour(cv::Vec3b bgr) {
-  std::array<char, 8> text;
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", bgr[2], bgr[1], bgr[0]);
-  return text.data();
 }
 
 /// Without the file's place, which is nobody's business who sees the card.
@@ -46,7 +40,7 @@ SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
   XmlWriter writer;
   writer.start("path")
       .attribute("id", id)
-      .attribute("fill", hex_colour(mean_bgr(shape)))
+      .attribute("fill", hex_of(mean_bgr(shape)))
       .attribute("fill-rule", "evenodd");
   writer.attribute("d", svg_path(as_drawn(shape.artwork, shape.outline.curves), artwork_from_shape(shape.artwork)));
   return {writer.finish(), 1};

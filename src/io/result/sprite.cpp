@@ -5,6 +5,7 @@
 
 #include "core/geometry/rasterise.h"
 #include "io/artwork/alpha.h"
+#include "io/artwork/colour_conversion.h"
 #include "io/result/artwork_original.h"
 
 namespace tessera::io {
@@ -53,12 +54,7 @@ Sprite shrunk(const Sprite& sprite, double px_per_artwork_px) {
 }
 
 cv::Vec3b mean_bgr(const Shape& shape) {
-  const cv::Mat lab(1, 1, CV_32FC3, cv::Scalar(shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]));
-  cv::Mat bgr;
-  cv::cvtColor(lab, bgr, cv::COLOR_Lab2BGR);
-  const cv::Vec3f c = bgr.at<cv::Vec3f>(0, 0) * 255;
-  return {cv::saturate_cast<std::uint8_t>(c[0]), cv::saturate_cast<std::uint8_t>(c[1]),
-          cv::saturate_cast<std::uint8_t>(c[2])};
+  return bgr_of(Lab{shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]});
 }
 
 }  // namespace tessera::io

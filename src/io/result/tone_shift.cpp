@@ -1,13 +1,11 @@
 #include "io/result/tone_shift.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <opencv2/imgproc.hpp>
 
 #include "core/colour/ciede2000.h"
 #include "core/geometry/extent.h"
 #include "core/matching/colour_fit.h"
+#include "io/artwork/colour_conversion.h"
 #include "io/result/sprite.h"
 
 namespace tessera::io {
@@ -15,34 +13,6 @@ namespace {
 
 constexpr int kStep = 4;       // of 255: pieces of one shift share a filter in the SVG
 constexpr int kHalvings = 12;  // of the way to the colour beneath
-
-cv::Vec3b bgr_of(const Lab& lab) {
-  const cv::Mat pixel(1, 1, CV_32FC3, cv::Scalar(lab.lightness, lab.a, lab.b));
-  cv::Mat bgr;
-  cv::cvtColor(pixel, bgr, cv::COLOR_Lab2BGR);
-  const cv::Vec3f c = bgr.at<cv::Vec3f>(0, 0) * 255;
-  return {cv::saturate_cast<std::uint8_t>(c[0]), cv::saturate_cast<std::uint8_t>(c[1]),
-          cv::saturate_cast<std::uint8_t>(c[2])};
-}
-
-Lab lab_of(const cv::Vec3d& bgr) {
-  const cv::Mat pixel(1, 1, CV_32FC3, cv::Scalar(bgr[0] / 255, bgr[1] / 255, bgr[2] / 255));
-  cv::Mat lab;
-  cv::cvtColor(pixel, lab, cv::COLOR_BGR2Lab);
-  const cv::Vec3f c = lab.at<cv::Vec3f>(0, 0);
-  return {c[0], c[1], c[2]};
-}
-
-std::string hex_of(const cv::Vec3b& bgr) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", unsigned(bgr[2]), unsigned(bgr[1]), unsigned(bgr[0]));
-  return text;
-}
-
-cv::Vec3d bgr_of_hex(const std::string& hex) {
-  const long value = std::strtol(hex.c_str() + 1, nullptr, 16);
-  return {double(value & 255), double((value >> 8) & 255), double((value >> 16) & 255)};
-}
 
 int in_steps(double value) { return kStep * int(std::lround(value / kStep)); }
 
@@ -83,7 +53,7 @@ std::vector<ToneShift> tone_shifts(const CollageReport& report, const std::vecto
     const cv::Vec3b own = mean_bgr(report.shape(report.placements[i].shape));
     shifts.push_back(covered[i].empty() ? ToneShift{}
                                         : shift_between({double(own[0]), double(own[1]), double(own[2])},
-                                                        bgr_of_hex(covered[i]), most_difference));
+                                                        bgr_of(covered[i]), most_difference));
   }
   return shifts;
 }
