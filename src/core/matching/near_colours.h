@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/field/target_sample.h"
 #include "core/colour/colour_wish.h"
+#include "core/field/target_sample.h"
 #include "core/matching/stances.h"
 
 namespace tessera {

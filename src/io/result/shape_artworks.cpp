@@ -38,10 +38,7 @@ SvgSymbol plain_symbol(const Shape& shape, const std::string& id) {
 
 SvgSymbol silhouette_symbol(const Shape& shape, const std::string& id) {
   XmlWriter writer;
-  writer.start("path")
-      .attribute("id", id)
-      .attribute("fill", hex_of(mean_bgr(shape)))
-      .attribute("fill-rule", "evenodd");
+  writer.start("path").attribute("id", id).attribute("fill", hex_of(mean_bgr(shape))).attribute("fill-rule", "evenodd");
   writer.attribute("d", svg_path(as_drawn(shape.artwork, shape.outline.curves), artwork_from_shape(shape.artwork)));
   return {writer.finish(), 1};
 }
