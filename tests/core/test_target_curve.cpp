@@ -63,6 +63,30 @@ TEST(TargetCurve, UpdatingEqualsTracingAfresh) {
   }));
 }
 
+/// Sides are walked 16 x 8 px far alone.
+TEST(TargetCurve, UpdatingEqualsTracingAfreshWhereSidesAreLong) {
+  EXPECT_TRUE(rc::check([] {
+    std::vector<test::Piece> pieces;
+    for (int i = 0; i < 5; ++i) pieces.push_back(test::any_piece(5, 30, {1, 600, 60}));
+    const PieceSettings small{.min_scale_px = 4, .max_scale_px = 8};
+    test::expect_updating_equals_tracing_afresh(make_rectangle_canvas(600, 60), small, pieces);
+  }));
+}
+
+TEST(TargetCurve, ASampleOnALongSideDoesNotSeeItsEnd) {
+  const PieceSettings small{.min_scale_px = 4, .max_scale_px = 8};
+  Target target(make_rectangle_canvas(900, 60), small);
+  const TargetCurve::Change change = target.place({0, {20, 0, 60, 10}});
+  const float seen_px = 80 + kLongestSide * small.max_scale_px + 40;
+  EXPECT_GT(change.renewed.size(), 0u);
+  for (const SampleId id : change.renewed) EXPECT_LT(target.curve.sample(id).position.x, seen_px);
+  float longest_px = 0;
+  for (const SampleId id : target.curve.samples())
+    longest_px = std::max(longest_px, target.curve.sample(id).pyramid.left[0]);
+  EXPECT_GT(longest_px, kLongestSide * small.max_scale_px) << "all that was walked";
+  EXPECT_LT(longest_px, kLongestSide * small.max_scale_px + 5);
+}
+
 TEST(TargetCurve, ALoopThatIsJoinedGetsItsSamples) {
   EXPECT_TRUE(rc::check([] {
     const PieceSettings pieces{.min_scale_px = 100, .max_scale_px = 160};

@@ -65,6 +65,7 @@ TargetCurve::TargetCurve(const PieceSettings& pieces, const PadParameters& pad)
     : contour_(target_sigma_px(pieces)),
       sigma_px_(target_sigma_px(pieces)),
       shortest_loop_px_(kShortestLoop * pieces.min_scale_px),
+      longest_side_px_(kLongestSide * pieces.max_scale_px),
       spacing_px_(sample_spacing_px(pieces)),
       pad_(pad) {}
 
@@ -184,7 +185,7 @@ TargetCurve::Held TargetCurve::make_sample(int v, TileIndex::Region support) {
   const GridEdge& e = contour_.vertex(v).edge;
   held.sample.id = SampleId{e.number(contour_.width())};
   held.sample.position = contour_.vertex(v).raw;
-  held.sample.pyramid = make_pyramid(Walk(*this, v, support), pad_, curvature_dead_zone(sigma_px_));
+  held.sample.pyramid = make_pyramid(Walk(*this, v, support), pad_, curvature_dead_zone(sigma_px_), longest_side_px_);
   const auto& key = held.sample.pyramid.keypoint;
   const Vec2 chord = key[pad_.levels + 1] - key[pad_.levels - 1];
   held.sample.tangent = chord * (1 / std::max(norm(chord), 1e-6f));

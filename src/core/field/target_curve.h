@@ -71,6 +71,7 @@ class TargetCurve {
   LinkedContour contour_;
   float sigma_px_;
   float shortest_loop_px_;
+  float longest_side_px_;
   int spacing_px_;
   PadParameters pad_;
   std::map<SampleId, Held> samples_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/pad/pad.h"
 
@@ -33,14 +34,14 @@ struct SideOfPyramid {
 };
 
 /// Walks one side. `step(walk)` goes to the next vertex on it, `ahead(walk)` is the length of that edge; `edge_before`
-/// is the edge on the centre's other side. Where the loop closes the walk ends, and the levels not reached get the
-/// loop's whole length.
+/// is the edge on the centre's other side. Where the loop closes, or when it is `longest` long, the walk ends, and the
+/// levels not reached get all that was walked.
 ///
 /// The turning at a vertex is spread over the halves of its two edges, so that levels end between vertices and move
 /// smoothly; the centre's is split between both sides.
 template <class Walk, class Step, class Ahead>
 SideOfPyramid walk_side(const Walk& start, Vec2 before, float edge_before, Step step, Ahead ahead,
-                        const PadParameters& pad, float dead_zone) {
+                        const PadParameters& pad, float dead_zone, float longest) {
   SideOfPyramid side;
   Walk at = start;
   int level = 0;
@@ -52,7 +53,7 @@ SideOfPyramid walk_side(const Walk& start, Vec2 before, float edge_before, Step 
   float edge_in = 0;  // half the centre's own interval: it starts at the centre
   float whole_in = edge_before;
   bool closed = false;
-  while (level < pad.levels && !closed) {
+  while (level < pad.levels && !closed && walked < longest) {
     const float half_in = 0.5f * edge_in;
     const float edge_out = ahead(at);
     const float half_out = 0.5f * edge_out;
@@ -90,19 +91,21 @@ SideOfPyramid walk_side(const Walk& start, Vec2 before, float edge_before, Step 
 }  // namespace detail
 
 /// `Walk` stands on a vertex of a closed polyline. It has forward(), backward() and operator==; position(), the
-/// absolute turning_rad() there, and edge_forward() and edge_backward(), the lengths of the edges on both sides.
+/// absolute turning_rad() there, and edge_forward() and edge_backward(), the lengths of the edges on both sides. No side
+/// is walked much farther than `longest`.
 template <class Walk>
-ArclengthPyramid make_pyramid(const Walk& centre, const PadParameters& pad, float dead_zone) {
+ArclengthPyramid make_pyramid(const Walk& centre, const PadParameters& pad, float dead_zone,
+                              float longest = std::numeric_limits<float>::infinity()) {
   Walk after = centre;
   Walk before = centre;
   after.forward();
   before.backward();
   const auto r = detail::walk_side(
       centre, before.position(), centre.edge_backward(), [](Walk& w) { w.forward(); },
-      [](const Walk& w) { return w.edge_forward(); }, pad, dead_zone);
+      [](const Walk& w) { return w.edge_forward(); }, pad, dead_zone, longest);
   const auto l = detail::walk_side(
       centre, after.position(), centre.edge_forward(), [](Walk& w) { w.backward(); },
-      [](const Walk& w) { return w.edge_backward(); }, pad, dead_zone);
+      [](const Walk& w) { return w.edge_backward(); }, pad, dead_zone, longest);
 
   ArclengthPyramid pyramid;
   const int n = pad.levels;
