@@ -321,11 +321,13 @@ bool Collage::keeps_apart(const Candidate& candidate) {
 
 void Collage::drop_what_is_too_near_to(const Placement& placement) {
   if (!apart_.concerns(placement.shape)) return;
-  std::vector<SampleId> ids;
-  for (const auto& [id, entry] : pool_.entries()) ids.push_back(id);
   const auto may_stay = [&](const Candidate& c) {
     return !apart_.are_like(c.shape, placement.shape) || keeps_apart(c);
   };
+  std::vector<SampleId> ids;
+  for (const auto& [id, entry] : pool_.entries()) {
+    if (!std::all_of(entry.candidates.begin(), entry.candidates.end(), may_stay)) ids.push_back(id);
+  }
   for (const SampleId id : ids) review(id, may_stay);
 }
 

@@ -26,6 +26,7 @@ Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, st
       wishes_(settings.wishes),
       objective_(settings.objective),
       colour_(settings.colour),
+      neighbours_(settings.colour, period),
       period_(period),
       silhouettes_(filled_up(std::move(silhouettes), stances.library_shapes())),
       drawings_(filled_up(std::move(drawings), stances.library_shapes())),
@@ -39,10 +40,12 @@ Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, st
 
 void Scoring::count(const Placement& placement) {
   placed_[silhouette(placement.shape)].push_back({placement.shape, placement.canvas_from_shape});
+  neighbours_.add(placement);
 }
 
 void Scoring::forget_placements() {
   for (std::vector<Placed>& placed : placed_) placed.clear();
+  neighbours_.forget_placements();
 }
 
 /// Of this drawing alone: the same outline in other colours is another one.
@@ -105,8 +108,12 @@ float Scoring::score(const Candidate& candidate) const {
   return colour_ ? score * colour_worth(candidate.terms.colour_difference, colour_.weight) : score;
 }
 
-/// Repetition costs something, or one shape that fits everywhere fills the canvas.
 float Scoring::preference(const Candidate& candidate) const {
+  return of_repetition(candidate) * neighbours_.worth(candidate.shape, candidate.canvas_from_shape);
+}
+
+/// Repetition costs something, or one shape that fits everywhere fills the canvas.
+float Scoring::of_repetition(const Candidate& candidate) const {
   const std::vector<Placed>& placed = placed_[silhouette(candidate.shape)];
   if (placed.empty()) return 1;
   const int same_colours = uses_of(candidate.shape);

@@ -10,6 +10,7 @@
 #include "core/geometry/period.h"
 #include "core/matching/stances.h"
 #include "core/settings.h"
+#include "master/neighbour_colours.h"
 
 namespace tessera::master {
 
@@ -45,12 +46,13 @@ class Scoring {
   bool overlaps_little(const Candidate& candidate, const ExactAreas& areas) const;
   /// The objective of the candidate's terms, times the weight that is wished for and what its colours are worth there.
   float score(const Candidate& candidate) const;
-  /// The part (0..1) of its score that is left to a candidate whose silhouette stands already: the smaller, the more of
-  /// them stand, above all close by and in the same colours. It falls as pieces are placed, and never rises but by
-  /// forget_placements().
+  /// The part (0..1) of its score that is left to a candidate by what stands already: the smaller, the more there are of
+  /// its silhouette, above all close by and in the same colours, and the less its neighbours' colours are welcome. It
+  /// falls as pieces are placed, and never rises but by forget_placements().
   float preference(const Candidate& candidate) const;
 
  private:
+  float of_repetition(const Candidate& candidate) const;
   struct Placed {
     ShapeId shape;
     Similarity canvas_from_shape;
@@ -70,6 +72,7 @@ class Scoring {
   std::vector<float> weight_;  // by stance
   ObjectiveSettings objective_;
   ColourWish colour_;
+  NeighbourColours neighbours_;
   Period period_;
   bool limits_uses_ = false;
   std::vector<ShapeId> silhouettes_;

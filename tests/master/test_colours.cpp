@@ -100,6 +100,37 @@ TEST(Colours, SizesGoByPlace) {
   EXPECT_GT(quality(canvas(), result).coverage, 0.8);
 }
 
+/// Of all pairs of neighbours the part whose colours are alike.
+double like_neighbours(const std::vector<Placement>& placements) {
+  int like = 0, all = 0;
+  for (const Placement& p : placements) {
+    for (const Placement& q : placements) {
+      const Vec2 apart = p.canvas_from_shape.translation() - q.canvas_from_shape.translation();
+      const float near_px = 0.75f * (p.canvas_from_shape.scale() + q.canvas_from_shape.scale());
+      if (&p == &q || dot(apart, apart) >= near_px * near_px) continue;
+      ++all;
+      if (index_of(p.shape) % 2 == index_of(q.shape) % 2) ++like;
+    }
+  }
+  return double(like) / all;
+}
+
+TEST(Colours, NeighboursAreAlikeOrUnlike) {
+  const auto neighbours = [](float weight) {
+    CollageSettings s = coloured(1);
+    s.colour.target = nullptr;
+    s.colour.neighbours = weight;
+    return s;
+  };
+  const master::CollageResult alike = run_coloured(neighbours(1));
+  const master::CollageResult unlike = run_coloured(neighbours(-1));
+  EXPECT_GT(like_neighbours(alike.placements), 0.7);
+  EXPECT_LT(like_neighbours(unlike.placements), 0.4);
+  EXPECT_GT(quality(canvas(), unlike).coverage, 0.8);
+  EXPECT_EQ(run_coloured(neighbours(-1), {2, 7}).placements, unlike.placements);
+  EXPECT_EQ(run_coloured(neighbours(0)).placements, run_coloured(settings()).placements);
+}
+
 /// A place whose colour nothing has is filled all the same.
 TEST(Colours, LeaveNoPlaceEmpty) {
   CollageSettings s = coloured(3);

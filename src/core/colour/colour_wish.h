@@ -8,13 +8,14 @@
 
 namespace tessera {
 
-/// Nothing where the job has no picture, or its colours have no weight.
 struct ColourWish {
   std::shared_ptr<const ColourTarget> target;
-  /// The mean colour of each shape of the whole library.
+  /// The mean colour of each shape of the whole library; null where nothing is wished.
   std::shared_ptr<const std::vector<Lab>> of_shapes;
   float weight = 1;
+  float neighbours = 0;  // a weight: above 0 neighbours are of like colours, below 0 of unlike ones
 
+  /// Whether pieces are to show a picture.
   explicit operator bool() const { return target != nullptr && weight > 0; }
 };
 

@@ -243,6 +243,9 @@ void add_colour_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"colour", "weight", number, "", 0, 100, {},
                               "how much colour counts beside fit, with `image`"},
                              FIELD(settings.colour.weight)));
+  keys.push_back(with_number({"colour", "neighbours", number, "", -100, 100, {},
+                              "above 0: pieces side by side are of like colours, below 0: of unlike ones"},
+                             FIELD(settings.colour.neighbours)));
   keys.push_back(with_number({"colour", "shift", number, "CIEDE2000", 0, 100, {},
                               "so far a piece's tone may be shifted to that of what it covers, with `image`"},
                              FIELD(colour.shift)));

@@ -103,20 +103,31 @@ std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job)
   return std::make_shared<const SizeMap>(std::move(map));
 }
 
-/// The mean colour of each shape. Adds their colours to the digest.
-std::shared_ptr<const std::vector<Lab>> colours_of(const ShapeLibrary& library, const Job& job, Digest& digest) {
-  auto colours = std::make_shared<std::vector<Lab>>();
+template <class Take>
+void for_each_shape(const ShapeLibrary& library, Take take) {
   for (std::size_t begin = 0; begin < library.size(); begin += kShapesAtATime) {
-    for (const Shape& shape : library.read(begin, std::min(library.size(), begin + kShapesAtATime), kHeadsOnly)) {
-      if (!shape.colour_grid.known()) {
-        throw InputError(job.path + ": colour.image: " + library.path() + " does not know the colours of " +
-                         shape.name + "'s parts, as libraries of older versions; build it again");
-      }
-      digest.add_all(std::span<const std::uint8_t>(shape.colour_grid.bytes));
-      colours->push_back({shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]});
-    }
+    for (const Shape& shape : library.read(begin, std::min(library.size(), begin + kShapesAtATime), kHeadsOnly))
+      take(shape);
   }
+}
+
+std::shared_ptr<const std::vector<Lab>> mean_colours_of(const ShapeLibrary& library) {
+  auto colours = std::make_shared<std::vector<Lab>>();
+  for_each_shape(library, [&](const Shape& shape) {
+    colours->push_back({shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]});
+  });
   return colours;
+}
+
+/// Throws InputError where the library does not know the colours of its drawings' parts.
+void add_colour_grids(const ShapeLibrary& library, const Job& job, Digest& digest) {
+  for_each_shape(library, [&](const Shape& shape) {
+    if (!shape.colour_grid.known()) {
+      throw InputError(job.path + ": colour.image: " + library.path() + " does not know the colours of " + shape.name +
+                       "'s parts, as libraries of older versions; build it again");
+    }
+    digest.add_all(std::span<const std::uint8_t>(shape.colour_grid.bytes));
+  });
 }
 
 }  // namespace
@@ -129,8 +140,9 @@ void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& jo
   Digest digest;
   if (overlays.colour) {
     digest.add_all(std::span<const Texel>(overlays.colour->texels()));
-    job.settings.colour.of_shapes = colours_of(library, job, digest);
+    add_colour_grids(library, job, digest);
   }
+  if (overlays.colour || job.settings.colour.neighbours != 0) job.settings.colour.of_shapes = mean_colours_of(library);
   if (overlays.sizes) digest.add_all(std::span<const float>(overlays.sizes->part.data()));
   job.settings.colour.target = overlays.colour;
   job.settings.pieces.size_map = overlays.sizes;
