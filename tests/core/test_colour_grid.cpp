@@ -2,7 +2,9 @@
 
 #include <numeric>
 
+#include "core/colour/ciede2000.h"
 #include "core/colour/colour_grid.h"
+#include "core/colour/palette_difference.h"
 #include "support/colours.h"
 
 namespace tessera {
@@ -27,6 +29,15 @@ void expect_colour(const Lab& found, const Lab& expected) {
   EXPECT_NEAR(found.lightness, expected.lightness, 0.21f);
   EXPECT_NEAR(found.a, expected.a, 0.51f);
   EXPECT_NEAR(found.b, expected.b, 0.51f);
+}
+
+TEST(PaletteDifference, IsTheMeanOfWhatIsDrawnToTheNearestColours) {
+  const ColourGrid grid = make_colour_grid(flag(40, 16), {0, 0}, {40, 16});
+  const Lab red_and_blue[] = {kBlue, kRed};
+  EXPECT_LT(palette_difference(grid, red_and_blue), 0.5f);
+  const Lab blue[] = {kBlue};
+  EXPECT_NEAR(palette_difference(grid, blue), 0.5f * ciede2000(kRed, kBlue), 0.5f);
+  EXPECT_EQ(palette_difference(ColourGrid{}, blue), 0);
 }
 
 TEST(ColourGrid, HoldsTheMeanOfEachCell) {

@@ -11,6 +11,7 @@
 #include "io/library/library_view.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
+#include "support/colours.h"
 #include "support/input_error.h"
 
 namespace tessera::io {
@@ -97,6 +98,39 @@ TEST_F(LibraryViews, JobsWithDrawnSizesTellThemApart) {
   EXPECT_EQ(any_sizes, LibraryFile(job.library).content_digest());
   job.drawn_sizes = true;
   EXPECT_NE(open_library_of(job).content_digest(), any_sizes);
+}
+
+TEST_F(LibraryViews, ChooseByColour) {
+  std::vector<Shape> drawn = animals_;
+  const Lab red{53, 80, 67}, dark_red{45, 72, 58}, blue{32, 79, -108}, white{100, 0, 0};
+  drawn[0].colour_grid = test::two_toned_grid(red, red);
+  drawn[1].colour_grid = test::two_toned_grid(red, white);
+  drawn[2].colour_grid = test::two_toned_grid(dark_red, dark_red);
+  drawn[3].colour_grid = test::two_toned_grid(blue, blue);
+  const std::string path = write("a.h5", drawn);
+  Job job;
+  job.path = "job.toml";
+  job.library = path;
+  const auto chosen = [&](const std::vector<std::string>& colours, double within) {
+    job.library_colours = colours;
+    job.library_colours_within = within;
+    return names(open_library_of(job));
+  };
+  EXPECT_EQ(chosen({"all"}, 3), (Names{"cat", "cow", "dog", "Cat"}));
+  EXPECT_EQ(chosen({"#ff0000"}, 3), (Names{"cat"}));
+  EXPECT_EQ(chosen({"#ff0000"}, 15), (Names{"cat", "dog"}));
+  EXPECT_EQ(chosen({"#ff0000", "#ffffff"}, 3), (Names{"cat", "cow"}));
+  EXPECT_EQ(chosen({"#ff0000", "#0000ff"}, 3), (Names{"cat", "Cat"}));
+  job.library_include = {"c*"};
+  EXPECT_EQ(chosen({"#ff0000", "#0000ff"}, 3), (Names{"cat"})) << "both choices hold";
+  EXPECT_NE(
+      message_of([&] { chosen({"#00ff00"}, 5); })
+          .find("job.toml: library.colours: no drawing that is chosen is within 5.0 CIEDE2000 of these colours; the "
+                "nearest of all is at "),
+      std::string::npos);
+  for (Shape& shape : drawn) shape.colour_grid = {};
+  job.library = write("old.h5", drawn);
+  EXPECT_NE(message_of([&] { chosen({"#ff0000"}, 5); }).find("build it again"), std::string::npos);
 }
 
 TEST_F(LibraryViews, ChooseByName) {

@@ -45,6 +45,17 @@ TEST_F(Palettes, ComeFromFilesBesideTheJob) {
   EXPECT_EQ(job_from_toml(again, "again").colour.palette, Colours{folder_.path("sea.gpl")});
 }
 
+/// A result is drawn again, and other ranks read the job, where the file may not be.
+TEST_F(Palettes, OfTheLibrarysChoiceAreInTheJob) {
+  EXPECT_EQ(load_library_colours(job("\"ink\"")), Colours{}) << "all";
+  folder_.write("lines.txt", "#0000FF\n#00ff00\n");
+  const Job from_file = job("\"ink\"", {"library.colours=" + folder_.path("lines.txt")});
+  EXPECT_EQ(from_file.library_colours, (Colours{"#0000ff", "#00ff00"}));
+  EXPECT_EQ(job("\"ink\"", {"library.colours=ink"}).library_colours, load_palette(job("\"ink\"")));
+  EXPECT_NE(test::message_of([&] { job("\"ink\"", {"library.colours=/duks"}); }).find("library.colours: /duks"),
+            std::string::npos);
+}
+
 TEST_F(Palettes, SayWhatIsWrong) {
   EXPECT_NE(mistake("\"duks\"").find("job.toml: colour.palette: " + folder_.path("duks")), std::string::npos);
   EXPECT_NE(mistake("\"duks\"").find("allowed: dusk, forest, ink, a GIMP palette"), std::string::npos);

@@ -170,7 +170,10 @@ void apply_entry(const JobEntry& entry, Job& job) {
   if (key->kind == JobKind::files) {
     for (std::string& path : value->texts) path = (entry.base / path).lexically_normal().string();
   }
-  if (key->kind == JobKind::palette && is_palette_file(value->texts)) {
+  const auto is_word = [&](const std::string& text) {
+    return std::find(key->words.begin(), key->words.end(), text) != key->words.end();
+  };
+  if (key->kind == JobKind::palette && !is_colour_list(value->texts) && !is_word(value->texts[0])) {
     value->texts[0] = (entry.base / value->texts[0]).lexically_normal().string();
   }
   key->set(job, *value);

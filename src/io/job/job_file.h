@@ -97,6 +97,8 @@ struct Job {
   std::string path;                          // the file it came from
   std::string library;                       // absolute path; empty: library_files
   std::vector<std::string> library_files;    // absolute paths
+  std::vector<std::string> library_colours = {"all"};  // as ColourSpec::palette, or "all" alone
+  double library_colours_within = 15;                  // CIEDE2000
   std::vector<std::string> library_include;  // patterns of names (io/library/name_globs.h); empty: all shapes
   std::vector<std::string> library_exclude;
   std::string size_map;      // a grey picture, absolute path; empty: all sizes everywhere

@@ -22,6 +22,11 @@ namespace {
 constexpr double kMaxSeed = 9007199254740991;
 constexpr double kDegreesPerRad = 180 / std::numbers::pi;
 
+std::vector<std::string> all_and(std::vector<std::string> words) {
+  words.insert(words.begin(), "all");
+  return words;
+}
+
 // A table, a key a row.
 // clang-format off
 
@@ -44,6 +49,12 @@ void add_input_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_texts({"library", "exclude", texts, "", 0, 0, {},
                              "patterns of the names of shapes to leave out"},
                             FIELD(library_exclude)));
+  keys.push_back(with_texts({"library", "colours", palette, "", 0, 0, all_and(built_in_palettes()),
+                             "use drawings in these colours alone"},
+                            FIELD(library_colours)));
+  keys.push_back(with_number({"library", "colours_within", number, "CIEDE2000", 0, 100, {},
+                              "how far a drawing may be from them, in the mean of its parts"},
+                             FIELD(library_colours_within)));
   keys.push_back(with_text({"library", "wishes", file, "", 0, 0, {},
                             "a table (CSV) of wishes, whose rows come before those of [[shapes]]; empty = none"},
                            FIELD(wishes)));

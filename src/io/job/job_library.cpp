@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "io/artwork/colour_conversion.h"
+#include "io/job/palette.h"
 #include "io/job/start_pieces.h"
 #include "io/job/wish_resolution.h"
 
@@ -35,14 +37,24 @@ std::vector<MirroringRule> mirroring_of(const Job& job) {
   return rules;
 }
 
+ColourChoice colours_of(const Job& job) {
+  ColourChoice choice;
+  for (const std::string& colour : load_library_colours(job)) choice.palette.push_back(lab_of(bgr_of(colour)));
+  choice.most_difference = float(job.library_colours_within);
+  return choice;
+}
+
 }  // namespace
 
 LibraryView open_library_of(const Job& job) {
+  const ColourChoice colours = colours_of(job);
   try {
     return LibraryView(
-        {library_paths(job), {job.library_include, job.library_exclude}, mirroring_of(job), job.drawn_sizes});
+        {library_paths(job), {job.library_include, job.library_exclude}, mirroring_of(job), job.drawn_sizes, colours});
   } catch (const NamesNotFound& error) {
     throw InputError(job.path + ": library." + error.what());
+  } catch (const NoSuchColours& error) {
+    throw InputError(job.path + ": library.colours: " + error.what());
   } catch (const InputError& error) {
     const char* key = job.library_files.empty() ? ": library.file: " : ": library.files: ";
     throw InputError(job.path + key + error.what() + "; allowed: a library made by tessera library build");

@@ -15,6 +15,7 @@
 #include "io/job/job_entry.h"
 #include "io/job/job_keys.h"
 #include "io/job/millimetres.h"
+#include "io/job/palette.h"
 #include "io/job/wishes_file.h"
 
 namespace tessera::io {
@@ -292,7 +293,11 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
 }  // namespace
 
 Job load_job(const std::string& path, const std::vector<std::string>& overrides) {
-  return read_job(read_bytes(path), path, overrides);
+  Job job = read_job(read_bytes(path), path, overrides);
+  // Here, so that every rank has the same, and a result does not need the palette's file.
+  if (const std::vector<std::string> colours = load_library_colours(job); !colours.empty())
+    job.library_colours = colours;
+  return job;
 }
 
 bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {

@@ -102,6 +102,19 @@ std::vector<std::string> colours_of_file(const std::string& path) {
   return colours;
 }
 
+std::vector<std::string> load(const Job& job, const std::string& key, const std::vector<std::string>& palette) {
+  if (is_colour_list(palette)) return distinct(palette);
+  if (const auto found = built_in().find(palette[0]); found != built_in().end()) return found->second;
+  try {
+    return colours_of_file(palette[0]);
+  } catch (const InputError& error) {
+    std::string names;
+    for (const std::string& name : built_in_palettes()) names += name + ", ";
+    throw InputError(job.path + ": " + key + ": " + error.what() + "; allowed: " + names +
+                     "a GIMP palette or a file with a #rrggbb a line, or a list of colours");
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string>& built_in_palettes() {
@@ -115,22 +128,11 @@ const std::vector<std::string>& built_in_palettes() {
 
 bool is_colour_list(const std::vector<std::string>& palette) { return palette.size() > 1 || is_colour(palette[0]); }
 
-bool is_palette_file(const std::vector<std::string>& palette) {
-  return !is_colour_list(palette) && !built_in().contains(palette[0]);
-}
+std::vector<std::string> load_palette(const Job& job) { return load(job, "colour.palette", job.colour.palette); }
 
-std::vector<std::string> load_palette(const Job& job) {
-  const std::vector<std::string>& palette = job.colour.palette;
-  if (is_colour_list(palette)) return distinct(palette);
-  if (const auto found = built_in().find(palette[0]); found != built_in().end()) return found->second;
-  try {
-    return colours_of_file(palette[0]);
-  } catch (const InputError& error) {
-    std::string names;
-    for (const std::string& name : built_in_palettes()) names += name + ", ";
-    throw InputError(job.path + ": colour.palette: " + error.what() + "; allowed: " + names +
-                     "a GIMP palette or a file with a #rrggbb a line, or a list of colours");
-  }
+std::vector<std::string> load_library_colours(const Job& job) {
+  if (job.library_colours == std::vector<std::string>{"all"}) return {};
+  return load(job, "library.colours", job.library_colours);
 }
 
 }  // namespace tessera::io

@@ -11,12 +11,14 @@ namespace tessera::io {
 /// The names of the palettes that the program has.
 const std::vector<std::string>& built_in_palettes();
 
-/// What the value of `colour.palette` is: a list of colours; else the text alone is a built-in name or a file.
+/// What the value of a key of colours is: a list of colours; else the text alone is one of the key's words or a file.
 bool is_colour_list(const std::vector<std::string>& palette);
-bool is_palette_file(const std::vector<std::string>& palette);
 
 /// The colours of `colour.palette` as "#rrggbb", each once, one at least. Throws InputError that names the job, the
 /// key, the file and its line, what was found and what is allowed.
 std::vector<std::string> load_palette(const Job& job);
+
+/// The same of `library.colours`; none where it is "all".
+std::vector<std::string> load_library_colours(const Job& job);
 
 }  // namespace tessera::io

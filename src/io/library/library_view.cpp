@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <span>
 #include <unordered_map>
@@ -11,6 +12,7 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/split_text.h"
+#include "core/colour/palette_difference.h"
 #include "core/shape/mirrored_shape.h"
 #include "io/library/library_names.h"
 #include "io/library/same_colour.h"
@@ -21,6 +23,7 @@ namespace {
 
 constexpr std::size_t kBatchShapes = 1024;  // heads read at a time, some 400 bytes each
 
+constexpr LibraryParts kColours{.outline = false, .field = false, .levels = 0, .artwork = false};
 constexpr LibraryParts kArtwork{.outline = false, .field = false, .levels = 0, .artwork = true, .original = false};
 
 std::string parameters_text(const PadParameters& pad) {
@@ -56,6 +59,39 @@ std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std
   std::vector<bool> chosen(index.names().size());
   for (const std::uint32_t place : chosen_names(index, globs, path)) chosen[place] = true;
   return chosen;
+}
+
+/// For each shape of a file whether its colours are those.
+std::vector<bool> in_colours(const LibraryFile& file, const ColourChoice& choice, float& nearest) {
+  std::vector<bool> chosen;
+  for (std::size_t at = 0; at < file.size(); at += kBatchShapes) {
+    for (const Shape& shape : file.read(at, std::min(file.size(), at + kBatchShapes), kColours)) {
+      if (!shape.colour_grid.known()) {
+        throw InputError(file.path() + " does not know the colours of " + shape.name +
+                         "'s parts, as libraries of older versions; build it again");
+      }
+      const float difference = palette_difference(shape.colour_grid, choice.palette);
+      nearest = std::min(nearest, difference);
+      chosen.push_back(difference <= choice.most_difference);
+    }
+  }
+  return chosen;
+}
+
+/// Takes from what is chosen the drawings of other colours.
+void keep_colours(const std::vector<LibraryFile>& files, const ColourChoice& choice, std::vector<bool>& chosen) {
+  if (choice.palette.empty()) return;
+  float nearest = std::numeric_limits<float>::infinity();
+  std::size_t at = 0;
+  for (const LibraryFile& file : files) {
+    for (const bool matches : in_colours(file, choice, nearest)) {
+      chosen[at] = chosen[at] && matches;
+      ++at;
+    }
+  }
+  if (std::find(chosen.begin(), chosen.end(), true) != chosen.end()) return;
+  throw NoSuchColours("no drawing that is chosen is within " + fixed(double(choice.most_difference), 1) +
+                      " CIEDE2000 of these colours; the nearest of all is at " + fixed(double(nearest), 1));
 }
 
 /// Of each name what the last rule that has it says.
@@ -136,13 +172,14 @@ LibraryView::LibraryView(const LibraryChoice& choice) : drawn_sizes_(choice.draw
   check_built_alike(files_);
   const bool mirrors = std::any_of(choice.mirroring.begin(), choice.mirroring.end(),
                                    [](const MirroringRule& rule) { return rule.mirroring != Mirroring::never; });
-  if (files_.size() == 1 && choice.names.empty() && !mirrors) return;
-  gather(choice.names);
+  if (files_.size() == 1 && choice.names.empty() && choice.colours.palette.empty() && !mirrors) return;
+  gather(choice.names, choice.colours);
   if (mirrors) add_mirror_images(choice.mirroring);
 }
 
-void LibraryView::gather(const NameGlobs& names) {
-  const std::vector<bool> chosen = chosen_shapes(files_, path_, names);
+void LibraryView::gather(const NameGlobs& names, const ColourChoice& colours) {
+  std::vector<bool> chosen = chosen_shapes(files_, path_, names);
+  keep_colours(files_, colours, chosen);
   if (chosen.size() > layout::kMaxShapes) throw InputError(path_ + ": too many shapes");
   Gathering gathering(*this);
   std::size_t at = 0;

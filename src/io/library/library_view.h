@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/colour/lab.h"
 #include "io/library/library_file.h"
 #include "io/library/mirroring.h"
 #include "io/library/name_globs.h"
@@ -13,11 +15,22 @@
 
 namespace tessera::io {
 
+struct NoSuchColours : InputError {
+  using InputError::InputError;
+};
+
+/// Drawings that are so near to a palette.
+struct ColourChoice {
+  std::vector<Lab> palette;    // empty: all drawings
+  float most_difference = 15;  // CIEDE2000 (core/colour/palette_difference.h)
+};
+
 struct LibraryChoice {
   std::vector<std::string> files;             // one at least
   NameGlobs names;                            // as they are in the files
   std::vector<MirroringRule> mirroring = {};  // by the names of the view; of several the last one holds; none: never
   bool drawn_sizes = false;                   // content_digest() tells libraries apart whose drawings' sizes differ
+  ColourChoice colours = {};
 };
 
 /// The shapes come in the order of the files, and in a file's order, then mirror images under the names of their
@@ -32,8 +45,8 @@ class LibraryView : public ShapeLibrary {
     std::string kept;  // the name of the shape that stands for it
   };
 
-  /// Throws InputError as LibraryFile does; where the files were built with different parameters; and where the choice
-  /// is empty.
+  /// Throws InputError as LibraryFile does; where the files were built with different parameters; where the choice is
+  /// empty (NoSuchColours where by colours); and where a file does not know its drawings' colours and they are asked for.
   explicit LibraryView(const LibraryChoice& choice);
 
   const std::string& path() const override { return path_; }
@@ -61,7 +74,7 @@ class LibraryView : public ShapeLibrary {
   };
   class Gathering;
 
-  void gather(const NameGlobs& names);
+  void gather(const NameGlobs& names, const ColourChoice& colours);
   void add_mirror_images(const std::vector<MirroringRule>& rules);
 
   bool whole_file() const { return entries_.empty(); }
