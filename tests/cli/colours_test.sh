@@ -92,3 +92,26 @@ run 0 draw expected --pdf --quiet --set colour.shift=0 --to plain
 run 2 draw expected --png --quiet --set colour.weight=2
 grep -q 'colour.weight=2: decides where pieces lie' errors || fail "a key that decides: $(cat errors)"
 echo "ok tones"
+
+# Harmony: red drawings and blue ones, both to one hue.
+run 0 draw expected --png --quiet --set colour.harmony=none --to plain
+cmp -s before.png plain/collage.png || fail "no harmony, another picture"
+run 0 draw expected --png --svg --quiet --set colour.harmony=i --to one_hue
+! cmp -s before.png one_hue/collage.png || fail "no hue is turned"
+grep -q 'type="hueRotate"' one_hue/collage.svg || fail "no hue is turned in the SVG"
+run 0 draw expected --png --svg --quiet --set colour.harmony=i
+cmp -s one_hue/collage.png expected/collage.png || fail "the same harmony, another PNG"
+cmp -s one_hue/collage.svg expected/collage.svg || fail "the same harmony, another SVG"
+grep -q '"harmony":{"template":"i","angle_deg":[0-9]*}' expected/manifest.json || fail "the manifest does not say which"
+! grep -q '"shift"' expected/manifest.json || fail "the manifest has a shift that was not asked for"
+run 0 draw expected --png --quiet --set colour.harmony=i --set colour.shift=20 --to both
+! cmp -s one_hue/collage.png both/collage.png || fail "harmony without the shift of tones"
+run 2 draw expected --pdf --quiet --set colour.harmony=i --to nowhere
+grep -q 'colour.harmony: found "i" with a PDF' errors || fail "harmony in a PDF: $(cat errors)"
+run 2 draw expected --png --quiet --set colour.harmony=N
+grep -q 'colour.harmony: found "N", allowed: "none" or "auto" or "i"' errors || fail "no template: $(cat errors)"
+run 0 collage job.toml --set colour.harmony=i --set colour.image="" --out harmonic --quiet
+run 0 collage job.toml --set colour.image="" --out disharmonic --quiet
+cmp -s harmonic/pieces.geojson disharmonic/pieces.geojson || fail "harmony decides where pieces lie"
+! cmp -s harmonic/collage.png disharmonic/collage.png || fail "no hue is turned without colour.image"
+echo "ok harmony"

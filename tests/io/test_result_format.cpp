@@ -68,6 +68,8 @@ TEST(ResultFormat, has_every_key_of_the_manifest) {
   const test::ScratchFolder folder;
   ResultManifest manifest;
   manifest.pictures.resize(1);
+  manifest.pictures[0].shift = 1;
+  manifest.pictures[0].harmony = Harmony{};
   manifest.colours = {"#000000"};
   write_manifest(folder.path(""), manifest);
   std::ifstream file(folder.path("manifest.json"));

@@ -46,6 +46,9 @@ inline constexpr const char* kNoClip = "none";
 /// OutputSpec::keep_out of pictures that leave those zones empty.
 inline constexpr const char* kNoKeepOut = "none";
 
+/// ColourSpec::harmony of pictures whose hues stay as they are.
+inline constexpr const char* kNoHarmony = "none";
+
 /// How the pictures look. Nothing of it changes where pieces lie.
 struct OutputSpec {
   int width_px = 2000;                 // of collage.png, where no width_mm is given; its height follows from the canvas
@@ -71,6 +74,7 @@ struct ColourSpec {
   std::vector<std::string> palette = {"dusk"};  // colours "#rrggbb"; or alone: a built-in name, a file's absolute path
   std::string image = {};                       // that pieces are to show together, absolute path; empty = none
   double shift = 0;                             // so far a piece's tone may go to what it covers, CIEDE2000
+  std::string harmony = kNoHarmony;             // "auto", or the letter of a template (harmony.h)
 };
 
 struct CheckpointSpec {

@@ -1,11 +1,13 @@
 // What a run leaves in its directory: pieces, quality card, effective job, manifest. The pictures are made from these.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/run_statistics.h"
 #include "core/collage/placement.h"
+#include "core/colour/harmony.h"
 #include "core/field/canvas.h"
 #include "core/ranks/rank_statistics.h"
 #include "io/checkpoint/checkpoint_origin.h"
@@ -18,11 +20,12 @@
 
 namespace tessera::io {
 
-/// What is added to red, green and blue, of 255.
+/// What is done to all colours of a piece: so much is added to red, green and blue, of 255, then hues are turned.
 struct ToneShift {
   int red = 0;
   int green = 0;
   int blue = 0;
+  int turn_deg = 0;  // hue_turns.h
 
   friend auto operator<=>(const ToneShift&, const ToneShift&) = default;
 };
@@ -40,6 +43,7 @@ struct CollageReport {
   std::vector<std::string> colours;  // of the placements, "#rrggbb": silhouettes are drawn; empty: the artwork is
   std::vector<std::string> covered;  // of the placements: covered_colours (tone_shift.h); empty: no picture is shown
   std::vector<ToneShift> tones;      // of the placements; empty: the drawings' own
+  std::optional<Harmony> harmony;    // that the hues of `tones` make
   RunStatistics statistics;
   RankStatistics ranks;
   RunRecord record;

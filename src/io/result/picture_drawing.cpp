@@ -12,6 +12,7 @@
 #include "io/result/cairo_paint.h"
 #include "io/result/drawn_pieces.h"
 #include "io/result/ground_strips.h"
+#include "io/result/hue_turns.h"
 #include "io/result/keep_out_strips.h"
 #include "io/result/piece_drawing.h"
 #include "io/result/shadow.h"
@@ -42,6 +43,7 @@ void shift_tone(cv::Mat& bgra, const ToneShift& tone) {
       }
     }
   }
+  turn_hues(bgra, tone.turn_deg);
 }
 
 /// Lays over the picture what `bgr_at(x, y)` is there.

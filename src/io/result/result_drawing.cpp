@@ -21,6 +21,7 @@
 #include "io/result/card_drawing.h"
 #include "io/result/card_input.h"
 #include "io/result/finished_result.h"
+#include "io/result/hue_turns.h"
 #include "io/result/label_map.h"
 #include "io/result/picture_drawing.h"
 #include "io/result/piece_colours.h"
@@ -141,6 +142,12 @@ std::vector<std::string> distinct(std::vector<std::string> colours) {
   return colours;
 }
 
+InputError no_pdf(const std::string& dir, const std::string& key, const std::string& found,
+                  const std::string& without) {
+  return InputError(dir + ": " + key + ": found " + found + " with a PDF, which has no means for it; allowed: --set " +
+                    without + ", or the PNG, TIFF and SVG");
+}
+
 /// For a document of all drawings together, in which each of them has been drawn before.
 const DrawerSettings kWholeCollage{
     .processes = 1, .seconds_per_drawing = 600, .bytes_per_process = std::size_t(4) << 30};
@@ -220,7 +227,8 @@ class ResultPictures {
 
   void end(const char* name) {
     manifest_.pictures.push_back({name, report_.job->output});
-    if (!report_.tones.empty()) manifest_.pictures.back().shift = report_.job->colour.shift;
+    if (!manifest_.covered.empty()) manifest_.pictures.back().shift = report_.job->colour.shift;
+    manifest_.pictures.back().harmony = report_.harmony;
     if (report_.colours != manifest_.colours) manifest_.pictures.back().colours = distinct(report_.colours);
     tell();
   }
@@ -285,8 +293,11 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   }
   report.tones = tone_shifts(report, manifest.covered, job.colour.shift);
   if (request.pdf && !report.tones.empty()) {
-    throw InputError(dir + ": colour.shift: found " + fixed(job.colour.shift, 1) +
-                     " with a PDF, which has no means for it; allowed: --set colour.shift=0, or the PNG, TIFF and SVG");
+    throw no_pdf(dir, "colour.shift", fixed(job.colour.shift, 1), "colour.shift=0");
+  }
+  harmonise(report, job.colour.harmony);
+  if (request.pdf && !report.tones.empty()) {
+    throw no_pdf(dir, "colour.harmony", "\"" + job.colour.harmony + "\"", std::string("colour.harmony=") + kNoHarmony);
   }
   const bool is_result = request.to.empty();
   ResultPictures pictures({is_result ? dir : request.to, is_result}, report, manifest, drawers, stop, observer);

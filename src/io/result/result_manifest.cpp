@@ -59,8 +59,15 @@ Json to_json(const DrawnPicture& picture) {
             {"ground", output.ground},
             {"ground_px", output.ground_px}};
   if (picture.shift > 0) json["shift"] = picture.shift;
+  if (picture.harmony) {
+    json["harmony"] = {{"template", letter_of(picture.harmony->form)}, {"angle_deg", picture.harmony->angle_deg}};
+  }
   if (picture.colours) json["palette"] = *picture.colours;
   return json;
+}
+
+Harmony harmony_from_json(const Json& harmony) {
+  return {template_of(harmony.at("template").get<std::string>()), harmony.at("angle_deg")};
 }
 
 /// Results of earlier versions say less: then it is as the defaults are.
@@ -100,6 +107,7 @@ ResultManifest from_json(const Json& json) {
   for (const Json& picture : json.at("pictures")) {
     manifest.pictures.push_back({picture.at("file"), output_from_json(picture)});
     manifest.pictures.back().shift = picture.value("shift", 0.);
+    if (picture.contains("harmony")) manifest.pictures.back().harmony = harmony_from_json(picture.at("harmony"));
     if (picture.contains("palette"))
       manifest.pictures.back().colours = picture.at("palette").get<std::vector<std::string>>();
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/colour/harmony.h"
 #include "core/shape/shape_id.h"
 #include "io/job/job_file.h"
 
@@ -22,6 +23,7 @@ struct DrawnPicture {
   std::optional<std::vector<std::string>> colours =
       {};            // of a palette, where it is not drawn in ResultManifest::colours
   double shift = 0;  // of tones, CIEDE2000 at most
+  std::optional<Harmony> harmony = {};
 
   friend bool operator==(const DrawnPicture&, const DrawnPicture&) = default;
 };

@@ -163,7 +163,28 @@ void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip
 }
 
 std::string tone_id(const ToneShift& tone) {
-  return "tone_" + std::to_string(tone.red) + "_" + std::to_string(tone.green) + "_" + std::to_string(tone.blue);
+  const std::string id =
+      "tone_" + std::to_string(tone.red) + "_" + std::to_string(tone.green) + "_" + std::to_string(tone.blue);
+  return tone.turn_deg == 0 ? id : id + "_" + std::to_string(tone.turn_deg) + "deg";
+}
+
+void write_addition(const ToneShift& tone, XmlWriter& svg) {
+  svg.start("feComponentTransfer");
+  const std::pair<const char*, int> channels[] = {
+      {"feFuncR", tone.red}, {"feFuncG", tone.green}, {"feFuncB", tone.blue}};
+  for (const auto& [name, add] : channels) {
+    svg.start(name)
+        .attribute("type", "linear")
+        .attribute("slope", "1")
+        .attribute("intercept", fixed(add / 255., 5))
+        .end();
+  }
+  svg.end();
+}
+
+/// The matrix of hue_turns.h.
+void write_turn(int turn_deg, XmlWriter& svg) {
+  svg.start("feColorMatrix").attribute("type", "hueRotate").attribute("values", std::to_string(turn_deg)).end();
 }
 
 /// One for all pieces with the same shift.
@@ -171,17 +192,9 @@ void write_tone_filters(const CollageReport& report, XmlWriter& svg) {
   for (const ToneShift& tone : std::set<ToneShift>(report.tones.begin(), report.tones.end())) {
     if (tone == ToneShift{}) continue;
     svg.raw("\n").start("filter").attribute("id", tone_id(tone)).attribute("color-interpolation-filters", "sRGB");
-    svg.start("feComponentTransfer");
-    const std::pair<const char*, int> channels[] = {
-        {"feFuncR", tone.red}, {"feFuncG", tone.green}, {"feFuncB", tone.blue}};
-    for (const auto& [name, add] : channels) {
-      svg.start(name)
-          .attribute("type", "linear")
-          .attribute("slope", "1")
-          .attribute("intercept", fixed(add / 255., 5))
-          .end();
-    }
-    svg.end().end();
+    if (tone.red != 0 || tone.green != 0 || tone.blue != 0) write_addition(tone, svg);
+    if (tone.turn_deg != 0) write_turn(tone.turn_deg, svg);
+    svg.end();
   }
 }
 
