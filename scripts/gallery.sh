@@ -57,8 +57,8 @@ for name in "${names[@]}"; do
   read -ra make < <(sed -n 's/^#  *tessera \(library .*\)/\1/p' "jobs/$name.toml") || true
   if [[ ${#make[@]} -gt 0 && ! ${make[-1]} -nt $tessera ]]; then "$tessera" "${make[@]}"; fi
   "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
-  shifted=false  # tones, which a PDF does not show
-  if grep -q '^shift = [1-9]' "jobs/$name.toml"; then shifted=true; fi
+  shifted=false  # tones and hues, which a PDF does not show
+  if grep -qE '^(shift = [1-9]|harmony = )' "jobs/$name.toml"; then shifted=true; fi
   $shifted || "$tessera" draw "out/gallery/$name" --pdf --quiet
   # By way of the PDF: poppler is here for the tests anyway.
   shown=out/gallery/$name/collage.pdf
