@@ -54,8 +54,8 @@ mapfile -t names < <(basename -s .toml jobs/*.toml)
 for name in "${names[@]}"; do
   echo "== $name"
   # Where it has a library of its own, the job says with which command, whose last word is the file.
-  read -ra make < <(sed -n 's/^#  *tessera \(library .*\)/\1/p' "jobs/$name.toml") || true
-  if [[ ${#make[@]} -gt 0 && ! ${make[-1]} -nt $tessera ]]; then "$tessera" "${make[@]}"; fi
+  read -ra make < <(sed -n "s,^#  *tessera \(library .*\),$tessera \1,p; s,^#  *\(scripts/.*\),\1,p" "jobs/$name.toml") || true
+  if [[ ${#make[@]} -gt 0 && ! ${make[-1]} -nt $tessera ]]; then "${make[@]}"; fi
   "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
   shifted=false  # tones and hues, which a PDF does not show
   if grep -qE '^(shift = [1-9]|harmony = )' "jobs/$name.toml"; then shifted=true; fi
@@ -83,7 +83,7 @@ value() { sed -n "s/^  $2  *//p" "$1" | head -1; }
     [[ -e $card && -e $gallery/$name.jpg ]] || continue
     echo
     echo "## [$name](../../$job)"
-    sed -n '/^#/!q; /^#  *tessera\|mpirun/q; s/^# \{0,1\}//; /./p' "$job"
+    sed -n '/^#/!q; /^#  *tessera\|^#  *scripts\|mpirun/q; s/^# \{0,1\}//; /./p' "$job"
     echo
     echo "![$name]($name.jpg)"
     echo
