@@ -48,9 +48,12 @@ void write_job(const MosaicArguments& arguments) {
   const io::MosaicPlan plan = io::write_mosaic_files(request, drawers);
   if (arguments.collage.quiet) return;
   const std::string job = io::printable_utf8(request.job);
-  std::printf("%s: %d x %d px, about %d pieces of %g to %g px out of %zu shapes; sizes: %s\n", job.c_str(),
+  std::printf("%s: %d x %d px, about %d pieces of %g to %g px out of %zu shapes; sizes: %s", job.c_str(),
               plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
               library.size(), io::printable_utf8(io::size_map_path(request.job)).c_str());
+  if (request.regions > 0)
+    std::printf("; regions: %s", io::printable_utf8(io::region_picture_path(request.job)).c_str());
+  std::printf("\n");
   if (arguments.job_only) std::printf("next: tessera collage %s\n", job.c_str());
   std::fflush(stdout);
 }
@@ -78,6 +81,11 @@ void add_mosaic_command(CLI::App& app, Command& selected) {
       ->add_option("--shift", request.shift,
                    "Tone of each piece moved towards the image by so much CIEDE2000 at most; 0 = as drawn")
       ->check(CLI::Range(0.0, kMostShift))
+      ->capture_default_str();
+  mosaic
+      ->add_option("--regions", request.regions,
+                   "2 to 8: pieces keep within parts of the image of so many colours, so that their edges are sharp; "
+                   "0 = they lie across")
       ->capture_default_str();
   mosaic->add_option("--job", request.job, "The job file to write; default: <name of the image>.toml")
       ->type_name("FILE.toml");

@@ -48,9 +48,11 @@ run 2 mosaic sun.png own.h5 --job-only --shift 101 --job none.toml
 expect_word '--shift'
 run 2 mosaic sun.png own.h5 --job-only --shift nan --job none.toml
 expect_word '--shift: found nan'
+run 2 mosaic sun.png own.h5 --job-only --regions 9 --job none.toml
+expect_word '--regions: found 9, allowed: 0 or from 2 to 8'
 run 2 mosaic sun.png
 expect_word 'see tessera mosaic --help'
-[[ ! -e none.toml && ! -e none_sizes.png ]] || fail "files of a mistake"
+[[ ! -e none.toml && ! -e none_sizes.png && ! -e none_regions.png ]] || fail "files of a mistake"
 echo "ok errors"
 
 same_on_3_ranks out/small mosaic sun.png own.h5 --pieces 100 --job small.toml --shift 7 --set output.width_px=400
@@ -59,3 +61,10 @@ grep -q '^written to out/small$' output || fail "no result"
 run 0 collage small.toml --out again --set output.width_px=400
 cmp out/small/pieces.geojson again/pieces.geojson || fail "tessera collage makes other pieces of the job"
 echo "ok mosaic"
+
+same_on_3_ranks out/parted mosaic sun.png own.h5 --pieces 100 --regions 2 --job parted.toml --set output.width_px=400
+[[ -s parted_regions.png ]] || fail "no picture of the regions"
+[[ $(grep -c '^\[\[regions\]\]$' parted.toml) == 2 ]] || fail "not a region for the sky and one for the sun"
+# The sky is a whole rectangle without regions; with them pieces keep off the sun's edge.
+cmp -s out/small/pieces.geojson out/parted/pieces.geojson && fail "regions change nothing"
+echo "ok regions"

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <set>
 #include <sstream>
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
+#include "io/mosaic/joint_colour.h"
 #include "io/mosaic/mosaic_files.h"
 #include "io/mosaic/mosaic_job.h"
 #include "scratch_folder.h"
@@ -26,7 +28,7 @@ std::string bytes_of(const std::string& path) {
 }
 
 TEST(MosaicJob, SaysWhatWasPlanned) {
-  const MosaicFiles files{.image = "a \"b\"\\c.png", .libraries = {"t.h5"}, .size_map = "ä_sizes.png"};
+  const MosaicFiles files{.image = "a \"b\"\\c.png", .libraries = {"t.h5"}, .size_map = "ä_sizes.png", .regions = {}};
   const toml::table job = toml::parse(mosaic_job(files, mosaic_plan({300, 200}, 500), 2.5, "#102030"));
   EXPECT_EQ(job["library"]["file"].value<std::string>(), "t.h5");
   EXPECT_EQ(job["canvas"]["size_px"][0].value<int>(), 924);
@@ -42,14 +44,14 @@ TEST(MosaicJob, SaysWhatWasPlanned) {
 
 TEST(MosaicJob, NamesSeveralLibraries) {
   const toml::table job =
-      toml::parse(mosaic_job({"i.png", {"a.h5", "b.h5"}, "s.png"}, mosaic_plan({1, 1}, 500), 0, "#102030"));
+      toml::parse(mosaic_job({"i.png", {"a.h5", "b.h5"}, "s.png", ""}, mosaic_plan({1, 1}, 500), 0, "#102030"));
   EXPECT_FALSE(job["library"]["file"]);
   EXPECT_EQ(job["library"]["files"][1].value<std::string>(), "b.h5");
 }
 
 TEST(MosaicJob, KeepsThePictureOfAHugeCanvasWithinWhatAScreenShows) {
   const toml::table job =
-      toml::parse(mosaic_job({"i.png", {"a.h5"}, "s.png"}, mosaic_plan({8, 1}, kMostMosaicPieces), 0, "#102030"));
+      toml::parse(mosaic_job({"i.png", {"a.h5"}, "s.png", ""}, mosaic_plan({8, 1}, kMostMosaicPieces), 0, "#102030"));
   EXPECT_EQ(job["output"]["width_px"].value<int>(), 12'000);
 }
 
@@ -93,6 +95,51 @@ TEST_F(MosaicFilesTest, LieBesideEachOther) {
   const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
   EXPECT_EQ(map.type(), CV_8UC1);
   EXPECT_EQ(map.size(), cv::Size(146, 97));  // of a canvas of 584 x 389 px
+}
+
+TEST_F(MosaicFilesTest, NameTheRegionsByTheirColoursInThePicture) {
+  write(request());
+  EXPECT_FALSE(fs::exists(folder_.path("m_regions.png")));
+  MosaicRequest parted = request();
+  parted.job = folder_.path("p.toml");
+  parted.regions = 3;
+  write(parted);
+  const toml::table job = toml::parse(bytes_of(folder_.path("p.toml")));
+  EXPECT_EQ(job["canvas"]["file"].value<std::string>(), "p_regions.png");
+  EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));
+  const cv::Mat picture = cv::imread(folder_.path("p_regions.png"), cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(picture.type(), CV_8UC4);
+  ASSERT_EQ(job["regions"].as_array()->size(), 2u);
+  const auto colour_at = [&](int x) {
+    const cv::Vec4b p = picture.at<cv::Vec4b>(picture.rows / 2, x);
+    return colour_text({p[0], p[1], p[2]});
+  };
+  std::set<std::string> named, shown = {colour_at(2), colour_at(picture.cols - 3)};
+  for (const int i : {0, 1}) named.insert(*job["regions"][i]["colour"].value<std::string>());
+  EXPECT_EQ(named, shown);
+}
+
+TEST_F(MosaicFilesTest, RefuseRegionsWhereThereAreNone) {
+  MosaicRequest flat = request();
+  flat.image = folder_.path("flat.png");
+  cv::imwrite(flat.image, cv::Mat(40, 60, CV_8UC3, cv::Scalar(10, 20, 30)));
+  flat.regions = 4;
+  EXPECT_NE(refusal(flat).find("flat.png: --regions finds no parts of different colours"), std::string::npos);
+  flat.image = folder_.path("photo.png");
+  for (const int wrong : {-1, 1, 9}) {
+    flat.regions = wrong;
+    EXPECT_NE(refusal(flat).find("--regions: found " + std::to_string(wrong) + ", allowed: 0 or from 2 to 8"),
+              std::string::npos);
+  }
+  EXPECT_FALSE(fs::exists(flat.job));
+}
+
+TEST_F(MosaicFilesTest, ARetouchedPictureOfRegionsIsNotReplacedUnasked) {
+  MosaicRequest parted = request();
+  parted.regions = 2;
+  write(parted);
+  folder_.write("m_regions.png", "painted");
+  EXPECT_NE(refusal(parted).find("m_regions.png: is there already"), std::string::npos);
 }
 
 TEST_F(MosaicFilesTest, NameWhatIsReadAsSeenFromTheJob) {

@@ -1,6 +1,7 @@
 #include "io/mosaic/joint_colour.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 namespace tessera::io {
@@ -15,7 +16,7 @@ double encoded(double light) { return light <= 0.0031308 ? 12.92 * light : 1.055
 
 }  // namespace
 
-std::string joint_colour(const cv::Mat& image_bgr) {
+cv::Vec3b joint_colour(const cv::Mat& image_bgr) {
   double table[256];
   for (int value = 0; value < 256; ++value) table[value] = linear(value / 255.);
   double sum[3] = {};
@@ -26,10 +27,14 @@ std::string joint_colour(const cv::Mat& image_bgr) {
     }
   }
   const auto value = [&](int channel) {
-    return int(std::lround(kBrightness * 255 * encoded(sum[channel] / double(image_bgr.total()))));
+    return std::uint8_t(std::lround(kBrightness * 255 * encoded(sum[channel] / double(image_bgr.total()))));
   };
+  return {value(0), value(1), value(2)};
+}
+
+std::string colour_text(const cv::Vec3b& bgr) {
   char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", value(2), value(1), value(0));
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", bgr[2], bgr[1], bgr[0]);
   return text;
 }
 

@@ -6,8 +6,11 @@
 
 namespace tessera::io {
 
-/// "#rrggbb": the mean of the light of a CV_8UC3 image (BGR, sRGB), half as bright. As bright as the mean, joints grey
-/// what is dark, and outlines of light pieces are lost.
-std::string joint_colour(const cv::Mat& image_bgr);
+/// The mean of the light of a CV_8UC3 image (BGR, sRGB), half as bright. As bright as the mean, joints grey what is
+/// dark, and outlines of light pieces are lost.
+cv::Vec3b joint_colour(const cv::Mat& image_bgr);
+
+/// "#rrggbb".
+std::string colour_text(const cv::Vec3b& bgr);
 
 }  // namespace tessera::io

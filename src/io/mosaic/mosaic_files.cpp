@@ -12,6 +12,7 @@
 #include "io/elements/photo_extraction.h"
 #include "io/mosaic/joint_colour.h"
 #include "io/mosaic/mosaic_job.h"
+#include "io/mosaic/segmentation.h"
 #include "io/mosaic/size_map.h"
 #include "io/regular_file.h"
 #include "io/utf8_text.h"
@@ -22,6 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 using Bytes = std::vector<std::uint8_t>;
+
+struct Output {
+  std::string path;
+  Bytes bytes;
+};
 
 /// Of a file that is compared with what is to be written.
 constexpr std::size_t kMostOwnBytes = std::size_t(64) << 20;
@@ -90,31 +96,64 @@ void write_unless_there(const std::string& path, std::span<const std::uint8_t> b
   if (!holds(path, bytes)) write_file_atomically(path, bytes);
 }
 
-}  // namespace
-
-std::string size_map_path(const std::string& job) {
+std::string path_beside(const std::string& job, const char* ending) {
   const fs::path path(job);
-  return (path.parent_path() / (path.stem().string() + "_sizes.png")).string();
+  return (path.parent_path() / (path.stem().string() + ending)).string();
 }
 
+void check_regions(int regions) {
+  if (regions == 0 || (regions >= 2 && regions <= kMostMosaicRegions)) return;
+  throw InputError("--regions: found " + std::to_string(regions) + ", allowed: 0 or from 2 to " +
+                   std::to_string(kMostMosaicRegions));
+}
+
+Segmentation regions_of(const MosaicRequest& request, const cv::Mat& image, const MosaicPlan& plan) {
+  Segmentation found = segmentation(image, plan, request.regions);
+  if (found.colours.size() > 1) return found;
+  throw InputError(request.image +
+                   ": --regions finds no parts of different colours that are large enough for pieces; "
+                   "leave --regions out, or give more --pieces");
+}
+
+std::vector<MosaicRegion> region_tables(const Segmentation& found) {
+  std::vector<MosaicRegion> tables;
+  for (std::size_t i = 0; i < found.colours.size(); ++i)
+    tables.push_back({colour_text(found.colours[i]), colour_text(found.joints[i])});
+  return tables;
+}
+
+}  // namespace
+
+std::string size_map_path(const std::string& job) { return path_beside(job, "_sizes.png"); }
+
+std::string region_picture_path(const std::string& job) { return path_beside(job, "_regions.png"); }
+
 MosaicPlan write_mosaic_files(const MosaicRequest& request, Drawers& drawers) {
-  const std::string map_path = size_map_path(request.job);
+  check_regions(request.regions);
+  const std::string map_path = size_map_path(request.job), picture_path = region_picture_path(request.job);
   check_is_not_read(request.job, request);
   check_is_not_read(map_path, request);
+  if (request.regions > 0) check_is_not_read(picture_path, request);
   MosaicFiles files{.image = path_in_job(request.image, request.job),
                     .libraries = {},
-                    .size_map = fs::path(map_path).filename().string()};
+                    .size_map = fs::path(map_path).filename().string(),
+                    .regions = {}};
   for (const std::string& library : request.libraries) files.libraries.push_back(path_in_job(library, request.job));
 
   const cv::Mat image = read_image(request.image, drawers);
   const MosaicPlan plan = plan_for(request, image);
-  const Bytes map = png_of(size_map(image, plan));
-  const std::string text = mosaic_job(files, plan, request.shift, joint_colour(image));
-  const Bytes job(text.begin(), text.end());
-  check_replaceable(request.job, job, request);
-  check_replaceable(map_path, map, request);
-  write_unless_there(map_path, map);
-  write_unless_there(request.job, job);
+  std::vector<Output> outputs = {{map_path, png_of(size_map(image, plan))}};
+  std::vector<MosaicRegion> regions;
+  if (request.regions > 0) {
+    const Segmentation found = regions_of(request, image, plan);
+    regions = region_tables(found);
+    files.regions = fs::path(picture_path).filename().string();
+    outputs.push_back({picture_path, png_of(region_picture(found, plan))});
+  }
+  const std::string text = mosaic_job(files, plan, request.shift, colour_text(joint_colour(image)), regions);
+  outputs.push_back({request.job, Bytes(text.begin(), text.end())});
+  for (const Output& output : outputs) check_replaceable(output.path, output.bytes, request);
+  for (const Output& output : outputs) write_unless_there(output.path, output.bytes);
   return plan;
 }
 

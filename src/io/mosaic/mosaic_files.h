@@ -1,4 +1,4 @@
-// From an image to the files of a mosaic: its job, and beside it the map of sizes that the job names.
+// From an image to the files of a mosaic: its job, and beside it the pictures that the job names, sizes and regions.
 #pragma once
 
 #include <string>
@@ -15,15 +15,20 @@ struct MosaicRequest {
   std::string job;                     // the file to write
   int pieces = 3000;
   double shift = 0;      // CIEDE2000
+  int regions = 0;       // 2 to kMostMosaicRegions by the image's colours; 0 = none
   bool replace = false;  // another mosaic's files of these names
 };
 
 /// Of the job's name: portrait_sizes.png beside portrait.toml.
 std::string size_map_path(const std::string& job);
 
-/// Writes both, each whole or not at all; those that are there with the same content stay. Paths in the job are
-/// relative to its folder where the request's are relative. Throws InputError where the image or a path is of no use,
-/// and where a file of another content is there (with `replace`: one that is no mosaic's); EnvironmentError.
+/// portrait_regions.png beside portrait.toml.
+std::string region_picture_path(const std::string& job);
+
+/// Writes all of them, each whole or not at all; those that are there with the same content stay. Paths in the job are
+/// relative to its folder where the request's are relative. Throws InputError where the image or a path is of no use or
+/// no regions are found in it, and where a file of another content is there (with `replace`: one that is no mosaic's);
+/// EnvironmentError.
 MosaicPlan write_mosaic_files(const MosaicRequest& request, Drawers& drawers);
 
 }  // namespace tessera::io

@@ -29,9 +29,26 @@ std::string library_lines(const std::vector<std::string>& libraries) {
   return "files = [" + text + "]\n";
 }
 
+std::string canvas_file_lines(const std::string& regions) {
+  if (regions.empty()) return "";
+  return "# A picture of the regions in flat colours, without mixed ones between them; paint in it to move borders.\n"
+         "file = " +
+         toml_text(regions) + "\n";
+}
+
+std::string region_lines(const std::vector<MosaicRegion>& regions) {
+  std::string text;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    text += "\n[[regions]]\nname = \"" + std::to_string(i + 1) + "\"\ncolour = " + toml_text(regions[i].colour) +
+            "  # in the picture of the regions\nbackground = " + toml_text(regions[i].joints) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift, const std::string& background) {
+std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift, const std::string& background,
+                       const std::vector<MosaicRegion>& regions) {
   const int width_px = std::min(kPictureScale * plan.canvas_px.width, kWidestPicture_px);
   return std::string(kMosaicJobMark) + ": about " + std::to_string(plan.pieces) +
          " pieces. Change what you like, then: tessera collage THIS_FILE\n"
@@ -45,8 +62,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          "[canvas]\n"
          "# The image's aspect. Twice the width and height with the same sizes of pieces: four times as many of them.\n"
          "size_px = " +
-         pair_text(plan.canvas_px.width, plan.canvas_px.height) +
-         "\n"
+         pair_text(plan.canvas_px.width, plan.canvas_px.height) + "\n" + canvas_file_lines(files.regions) +
          "\n"
          "[colour]\n"
          "# Pieces are chosen by the colours of what they cover.\n"
@@ -80,7 +96,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          toml_text(background) +
          "\n"
          "width_px = " +
-         std::to_string(width_px) + "\n";
+         std::to_string(width_px) + "\n" + region_lines(regions);
 }
 
 }  // namespace tessera::io

@@ -8,16 +8,25 @@
 
 namespace tessera::io {
 
+/// Of a table of [[regions]]; colours are "#rrggbb".
+struct MosaicRegion {
+  std::string colour;
+  std::string joints;
+};
+
 struct MosaicFiles {
   std::string image;
   std::vector<std::string> libraries;  // one at least
   std::string size_map;
+  std::string regions;  // the picture of them; empty = none
 };
 
 /// How every job of mosaic_job begins, which tells it from files of other kinds.
 inline constexpr const char* kMosaicJobMark = "# A mosaic by tessera mosaic";
 
-/// Paths are written as they are in `files`. `shift`: CIEDE2000. `background`: "#rrggbb".
-std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift, const std::string& background);
+/// Paths are written as they are in `files`. `shift`: CIEDE2000. `background`: "#rrggbb". `regions`: those of
+/// files.regions.
+std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift, const std::string& background,
+                       const std::vector<MosaicRegion>& regions = {});
 
 }  // namespace tessera::io

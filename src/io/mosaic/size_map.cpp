@@ -22,11 +22,6 @@ constexpr double kDetailExponent = 1. / 3;
 /// By px of the canvas: a piece beside another may be larger by its own width.
 constexpr double kGrowth = 1;
 
-cv::Size map_size(const MosaicPlan& plan) {
-  const auto along = [](int canvas_px) { return std::max(1, (canvas_px + kSizeMapPixel_px / 2) / kSizeMapPixel_px); };
-  return {along(plan.canvas_px.width), along(plan.canvas_px.height)};
-}
-
 /// For one level of detail as large as the smallest piece is.
 cv::Mat sizes_for(const cv::Mat& detail, double detail_of_smallest, const MosaicPlan& plan) {
   cv::Mat sizes;
@@ -46,8 +41,13 @@ double expected_pieces(const cv::Mat& sizes, const MosaicPlan& plan) {
 
 }  // namespace
 
+cv::Size size_map_size(const MosaicPlan& plan) {
+  const auto along = [](int canvas_px) { return std::max(1, (canvas_px + kSizeMapPixel_px / 2) / kSizeMapPixel_px); };
+  return {along(plan.canvas_px.width), along(plan.canvas_px.height)};
+}
+
 cv::Mat detail_of(const cv::Mat& image_bgr, const MosaicPlan& plan) {
-  const cv::Size size = map_size(plan);
+  const cv::Size size = size_map_size(plan);
   const bool shrinks = image_bgr.cols > size.width;
   cv::Mat picture, detail;
   cv::resize(image_bgr, picture, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);

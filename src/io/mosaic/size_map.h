@@ -10,6 +10,9 @@ namespace tessera::io {
 /// A px of the map, in px of the canvas.
 inline constexpr int kSizeMapPixel_px = 4;
 
+/// px, of the map of plan's canvas.
+cv::Size size_map_size(const MosaicPlan& plan);
+
 /// `image_bgr`: CV_8UC3 of any size, laid over the whole canvas. How much it changes, for eyes that see no texture
 /// finer than the smallest piece: CV_32F, one px for kSizeMapPixel_px of the canvas; steps of CIE Lab by px.
 cv::Mat detail_of(const cv::Mat& image_bgr, const MosaicPlan& plan);
