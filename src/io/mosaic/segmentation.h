@@ -17,8 +17,8 @@ struct Segmentation {
 };
 
 /// `image_bgr`: CV_8UC3 of any size, laid over the whole canvas. At most `regions` (1..kMostMosaicRegions) labels, by
-/// colour: fewer where colours are alike, or parts too small, down to one. Each connected part of a label is large enough
-/// for several pieces, unless none is. The same labels each time, whatever the threads.
+/// colour: fewer where colours are alike, or parts too small, down to one. Each connected part of a label is large
+/// enough for several pieces, unless none is. The same labels each time, whatever the threads.
 Segmentation segmentation(const cv::Mat& image_bgr, const MosaicPlan& plan, int regions);
 
 /// For canvas.file: each label in its colour, with smooth borders and no mixed colours on them; CV_8UC4, BGRA, twice as
