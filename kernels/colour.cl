@@ -138,7 +138,8 @@ float colour_difference(const Picture* picture, global const float* contour, Pos
 }
 
 float colour_worth(const Picture* picture, float difference) {
-  return portable_exp2(-min(kMostFading, kColourFading * picture->record->weight * difference));
+  const float halvings = kColourFading * picture->record->weight * difference;
+  return portable_exp2(halvings <= kEvenFading ? -halvings : kEvenFading * kEvenFading / halvings - 2 * kEvenFading);
 }
 
 // NearColours: the lists of shapes that samples go by.

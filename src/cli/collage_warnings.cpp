@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "core/collage/standing_check.h"
 #include "io/job/job_keys.h"
@@ -117,12 +118,26 @@ std::string idle_dpi_warning(const io::Job& job) {
          std::to_string(job.output.width_px) + " px wide (output.width_px)";
 }
 
+std::string idle_shift_warning(const io::Job& job) {
+  if (is_default(job, "colour", "shift") || !job.colour.image.empty()) return "";
+  return with_value(job, "colour", "shift") + " means nothing without colour.image";
+}
+
 std::string idle_keys_warning(const io::Job& job) {
-  std::string text = idle_dpi_warning(job);
+  std::vector<std::string> warnings = {idle_dpi_warning(job)};
   if (job.settings.pieces.padding_px > 0 && !is_default(job, "pieces", "overlap_px")) {
-    text += (text.empty() ? "" : "; ") + with_value(job, "pieces", "overlap_px") + " does not count beside " +
-            with_value(job, "pieces", "padding_px") + ", which keeps all pieces apart";
+    warnings.push_back(with_value(job, "pieces", "overlap_px") + " does not count beside " +
+                       with_value(job, "pieces", "padding_px") + ", which keeps all pieces apart");
   }
+  if (is_default(job, "library", "colours") && !is_default(job, "library", "colours_within")) {
+    warnings.push_back(with_value(job, "library", "colours_within") + " means nothing without library.colours");
+  }
+  if (job.colour.image.empty() && !is_default(job, "colour", "weight")) {
+    warnings.push_back(with_value(job, "colour", "weight") + " means nothing without colour.image");
+  }
+  warnings.push_back(idle_shift_warning(job));
+  std::string text;
+  for (const std::string& warning : warnings) text += (text.empty() || warning.empty() ? "" : "; ") + warning;
   return text;
 }
 

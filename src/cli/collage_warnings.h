@@ -27,11 +27,14 @@ std::string standing_warning(const io::Job& job, const Canvas& canvas,
 /// program found the sizes itself.
 std::string used_up_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result);
 
-/// Of keys that were given and mean nothing beside others: output.dpi, pieces.overlap_px.
+/// Of keys that were given and mean nothing beside others, or without them: output.dpi, pieces.overlap_px,
+/// library.colours_within, colour.weight, colour.shift.
 std::string idle_keys_warning(const io::Job& job);
 
 /// Where an output.dpi is given, and the pictures have no size in mm. Empty where they have.
 std::string idle_dpi_warning(const io::Job& job);
+/// Where a colour.shift is given, and no picture to shift to.
+std::string idle_shift_warning(const io::Job& job);
 
 /// Prints nothing where the warning is empty.
 void print_warning(const std::string& warning);

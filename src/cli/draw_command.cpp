@@ -86,9 +86,11 @@ io::Job job_of_result(const std::string& folder) {
 
 /// Of what is asked for; what the result's job says was told when it was run.
 std::string idle_keys_warning(io::Job job, const std::vector<std::string>& keys) {
-  const double dpi = job.output.dpi;
+  const io::Job before = job;
   io::set_drawing_keys(job, keys);
-  return job.output.dpi == dpi ? "" : idle_dpi_warning(job);
+  const std::string dpi = job.output.dpi == before.output.dpi ? "" : idle_dpi_warning(job);
+  const std::string shift = job.colour.shift == before.colour.shift ? "" : idle_shift_warning(job);
+  return dpi + (dpi.empty() || shift.empty() ? "" : "; ") + shift;
 }
 
 /// Pictures of one result are none of another, nor of a run that is to go on.

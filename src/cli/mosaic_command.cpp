@@ -20,13 +20,12 @@ constexpr const char* kExamples =
     "  tessera mosaic portrait.jpg tiles.h5\n"
     "  tessera mosaic portrait.jpg tiles.h5 emoji.h5 --pieces 8000 --shift 8 --out large\n"
     "  mpirun -n 3 tessera mosaic portrait.jpg tiles.h5\n"
-    "  tessera mosaic portrait.jpg tiles.h5 --job-only     portrait.toml and portrait_sizes.png, to be edited; then\n"
+    "  tessera mosaic portrait.jpg tiles.h5 --job-only     portrait.toml and its two pictures, to be edited; then\n"
     "  tessera collage portrait.toml\n"
-    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; the map of sizes is "
-    "a\n"
-    "grey picture, dark where the image has detail and pieces are to be small. Both stay as they are where they are\n"
-    "there, unless they would change: then --replace is needed. The more colours the library has the better; 500\n"
-    "drawings are few, 5,000 are many. The rest is as in tessera collage.";
+    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; portrait_sizes.png is\n"
+    "grey, dark where the image has detail and pieces are to be small, portrait_regions.png shows the parts that pieces\n"
+    "keep within. All stay as they are where they are there, unless they would change: then --replace is needed. The\n"
+    "more colours the library has the better; 500 drawings are few, 5,000 are many. The rest is as in tessera collage.";
 
 constexpr double kMostShift = 100;  // CIEDE2000: all of it
 
@@ -45,14 +44,15 @@ void write_job(const MosaicArguments& arguments) {
   if (std::isnan(request.shift)) throw InputError("--shift: found nan, allowed: a number");
   const io::LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
   io::Drawers drawers(io::photo_drawer_settings(1));
-  const io::MosaicPlan plan = io::write_mosaic_files(request, drawers);
+  const io::WrittenMosaic written = io::write_mosaic_files(request, drawers);
+  const io::MosaicPlan& plan = written.plan;
   if (arguments.collage.quiet) return;
   const std::string job = io::printable_utf8(request.job);
   std::printf("%s: %d x %d px, about %d pieces of %g to %g px out of %zu shapes; sizes: %s", job.c_str(),
               plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
               library.size(), io::printable_utf8(io::size_map_path(request.job)).c_str());
-  if (request.regions > 0)
-    std::printf("; regions: %s", io::printable_utf8(io::region_picture_path(request.job)).c_str());
+  if (written.regions > 0)
+    std::printf("; %d regions: %s", written.regions, io::printable_utf8(io::region_picture_path(request.job)).c_str());
   std::printf("\n");
   if (arguments.job_only) std::printf("next: tessera collage %s\n", job.c_str());
   std::fflush(stdout);
@@ -84,12 +84,12 @@ void add_mosaic_command(CLI::App& app, Command& selected) {
       ->capture_default_str();
   mosaic
       ->add_option("--regions", request.regions,
-                   "2 to 8: pieces keep within parts of the image of so many colours, so that their edges are sharp; "
-                   "0 = they lie across")
+                   "Parts of the image, of so many colours at most, 8 or fewer: pieces keep within them, so that "
+                   "their edges are sharp; 1 = pieces lie anywhere, which covers a little more")
       ->capture_default_str();
   mosaic->add_option("--job", request.job, "The job file to write; default: <name of the image>.toml")
       ->type_name("FILE.toml");
-  mosaic->add_flag("--job-only", arguments->job_only, "Write the job and its map of sizes, and run nothing");
+  mosaic->add_flag("--job-only", arguments->job_only, "Write the job and its pictures, and run nothing");
   mosaic->add_flag("--replace", request.replace, "Write them anew where another mosaic's are there");
   add_collage_options(*mosaic, arguments->collage);
   mosaic->callback([arguments, &selected] {

@@ -12,6 +12,7 @@
 #include "io/job/canvas_file.h"
 #include "io/job/job_file.h"
 #include "io/job/job_library.h"
+#include "io/job/overlays.h"
 #include "io/job/picture_size.h"
 #include "io/result/ground_tile.h"
 
@@ -36,13 +37,14 @@ struct PlanArguments {
 };
 
 PlanInput plan_input(const PlanArguments& arguments) {
-  const io::Job job = io::load_job(arguments.job, arguments.overrides);
+  io::Job job = io::load_job(arguments.job, arguments.overrides);
   const io::LibraryView library = io::open_library_of(job);
   const Canvas canvas = io::canvas_of(job);
   const io::OutputSpec output = io::on_paper(job.output, job.canvas, canvas);
   io::check_picture_size(output, canvas);
   io::check_images(canvas, job.settings.pieces);
   io::check_ground(job, canvas);
+  io::set_overlays(io::read_overlays(canvas, job), library, job);  // what is wrong with them shows before the queue
   const Window nodes = free_field_grid(canvas, job.settings.pieces).nodes();
   const cv::Size picture_px = io::picture_size_px(output, canvas);
   return {.settings = job.settings,

@@ -121,7 +121,7 @@ inline constexpr float kLeastDefect = 0.0025f;  // paper: keeps Z finite for a p
 
 // Colour, where a picture is to be shown. Differences are CIEDE2000.
 inline constexpr float kColourFading = 0.125f;   // at weight 1 a score halves with every 8
-inline constexpr float kMostFading = 40;         // halvings: keeps numbers normal
+inline constexpr float kEvenFading = 20;         // halvings; twice as many are never reached
 inline constexpr float kColourOfMeans = 0.5f;    // of the difference; the rest is that of the cells
 inline constexpr float kColourFootprint = 0.7f;  // of the scale: the place whose mean is compared before refinement
 inline constexpr float kNearColourShare = 4;     // at weight 1 one in so many shapes has the colour of a place,

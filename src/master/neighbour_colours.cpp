@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/portable_math.h"
 #include "core/colour/ciede2000.h"
+#include "core/colour/fading.h"
 #include "core/tuning.h"
 
 namespace tessera::master {
@@ -52,7 +52,7 @@ float NeighbourColours::worth(ShapeId shape, const Similarity& canvas_from_shape
     const float unlike = difference / kOtherColour;
     least_welcome = std::max(least_welcome, wish_.neighbours > 0 ? unlike : 1 - unlike);
   });
-  return portable_exp2(-std::min(kMostFading, kNeighbourFading * std::abs(wish_.neighbours) * least_welcome));
+  return faded(kNeighbourFading * std::abs(wish_.neighbours) * least_welcome);
 }
 
 }  // namespace tessera::master

@@ -94,7 +94,7 @@ std::string kernel_options(const cl::Device& device, int pad_levels) {
 
   DEFINE(kMaxColourLevels);
   DEFINE(kColourFading);
-  DEFINE(kMostFading);
+  DEFINE(kEvenFading);
   DEFINE(kColourOfMeans);
   DEFINE(kColourFootprint);
   DEFINE(kLeastColourWeight);

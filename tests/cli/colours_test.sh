@@ -67,6 +67,10 @@ expect_result other
 echo "ok another picture"
 
 rm picture.svg
+run 2 plan job.toml
+grep -q 'colour.image' errors || fail "a plan without the picture: $(cat errors)"
+echo "ok plan"
+
 cp expected/collage.png before.png
 run 0 draw expected --png --quiet
 cmp -s before.png expected/collage.png || fail "drawn again, the picture differs"
@@ -115,3 +119,26 @@ run 0 collage job.toml --set colour.image="" --out disharmonic --quiet
 cmp -s harmonic/pieces.geojson disharmonic/pieces.geojson || fail "harmony decides where pieces lie"
 ! cmp -s harmonic/collage.png disharmonic/collage.png || fail "no hue is turned without colour.image"
 echo "ok harmony"
+
+# Neighbours of other colours decide: the same on three ranks, and after an interruption.
+neighbours=(--set colour.image= --set colour.neighbours=-2)
+same_on_3_ranks unlike collage job.toml "${neighbours[@]}"
+! cmp -s unlike/pieces.geojson disharmonic/pieces.geojson || fail "colours of neighbours do not matter"
+cp unlike/pieces.geojson expected.geojson
+interrupt USR2 1 in_parts "${neighbours[@]}" --set checkpoint.every_s=0.01
+expect_code 75 "an interruption"
+start 1 in_parts --resume "${neighbours[@]}"
+expect_end 0 "the rest"
+expect_result in_parts
+echo "ok neighbours"
+
+# A palette: red drawings alone, on three ranks and when drawn without its file.
+printf '#ff0000\n' >reds.txt
+same_on_3_ranks red collage job.toml --set colour.image= --set library.colours=reds.txt
+! grep -qE '"shape":"(bean|drop|corner)"' red/pieces.geojson || fail "a blue drawing in a palette of reds"
+grep -q '"shape":"star"' red/pieces.geojson || fail "no red drawing in a palette of reds"
+rm reds.txt
+run 0 draw red --png --quiet
+run 2 collage job.toml --set colour.image= --set 'library.colours="#00ff00"' --out green
+grep -q 'library.colours: no drawing that is chosen is within 15.0 CIEDE2000' errors || fail "no such colours: $(cat errors)"
+echo "ok palette"

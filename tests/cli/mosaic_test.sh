@@ -15,8 +15,8 @@ rsvg-convert sun.svg -o sun.png
 
 run 0 mosaic sun.png own.h5 --pieces 100 --job-only
 expect_silence "a warning of a good job"
-grep -q '^sun.toml: 413 x 275 px, about 100 pieces of 16 to 64 px out of 5 shapes; sizes: sun_sizes.png$' output ||
-  fail "does not say what it wrote"
+grep -q '^sun.toml: 413 x 275 px, about 100 pieces of 16 to 64 px out of 5 shapes; sizes: sun_sizes.png' output &&
+  grep -q '; 2 regions: sun_regions.png$' output || fail "does not say what it wrote"
 grep -qx 'next: tessera collage sun.toml' output || fail "does not say what to type next"
 [[ -s sun_sizes.png && ! -e out ]] || fail "no map, or a result"
 cp sun.toml first.toml
@@ -31,7 +31,7 @@ expect_word 'is there already, with another content; tessera collage sun.toml ru
 cmp sun.toml first.toml || fail "replaced unasked"
 run 0 mosaic sun.png own.h5 --pieces 200 --job-only --replace
 grep -q 'about 200 pieces' output sun.toml || fail "not replaced"
-run 0 mosaic sun.png own.h5 --pieces 100 --job-only --job small.toml --shift 7
+run 0 mosaic sun.png own.h5 --pieces 100 --job-only --job small.toml --shift 7 --regions 1
 grep -qx 'shift = 7' small.toml || fail "--shift is not in the job"
 grep -qx 'size_map = "small_sizes.png"' small.toml || fail "the map has not the job's name"
 echo "ok files"
@@ -49,20 +49,20 @@ expect_word '--shift'
 run 2 mosaic sun.png own.h5 --job-only --shift nan --job none.toml
 expect_word '--shift: found nan'
 run 2 mosaic sun.png own.h5 --job-only --regions 9 --job none.toml
-expect_word '--regions: found 9, allowed: 0 or from 2 to 8'
+expect_word '--regions: found 9, allowed: from 1 to 8'
 run 2 mosaic sun.png
 expect_word 'see tessera mosaic --help'
 [[ ! -e none.toml && ! -e none_sizes.png && ! -e none_regions.png ]] || fail "files of a mistake"
 echo "ok errors"
 
-same_on_3_ranks out/small mosaic sun.png own.h5 --pieces 100 --job small.toml --shift 7 --set output.width_px=400
+same_on_3_ranks out/small mosaic sun.png own.h5 --pieces 100 --job small.toml --shift 7 --regions 1 --set output.width_px=400
 grep -q '^written to out/small$' output || fail "no result"
 [[ -s out/small/collage.png ]] || fail "no picture"
 run 0 collage small.toml --out again --set output.width_px=400
 cmp out/small/pieces.geojson again/pieces.geojson || fail "tessera collage makes other pieces of the job"
 echo "ok mosaic"
 
-same_on_3_ranks out/parted mosaic sun.png own.h5 --pieces 100 --regions 2 --job parted.toml --set output.width_px=400
+same_on_3_ranks out/parted mosaic sun.png own.h5 --pieces 100 --job parted.toml --set output.width_px=400
 [[ -s parted_regions.png ]] || fail "no picture of the regions"
 [[ $(grep -c '^\[\[regions\]\]$' parted.toml) == 2 ]] || fail "not a region for the sky and one for the sun"
 # The sky is a whole rectangle without regions; with them pieces keep off the sun's edge.

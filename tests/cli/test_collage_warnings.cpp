@@ -63,6 +63,23 @@ TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
   EXPECT_EQ(idle_keys_warning(job), "");
 }
 
+TEST(CollageWarnings, KeysOfColourThatMeanNothingAreTold) {
+  io::Job job;
+  job.library_colours_within = 30;
+  EXPECT_EQ(idle_keys_warning(job), "library.colours_within (now 30) means nothing without library.colours");
+  job.library_colours = {"#ff0000"};
+  EXPECT_EQ(idle_keys_warning(job), "");
+  job.settings.colour.weight = 2;
+  job.colour.shift = 8;
+  EXPECT_EQ(idle_keys_warning(job),
+            "colour.weight (now 2) means nothing without colour.image; colour.shift (now 8) means nothing without "
+            "colour.image");
+  EXPECT_EQ(idle_shift_warning(job), "colour.shift (now 8) means nothing without colour.image");
+  job.colour.image = "/portrait.png";
+  EXPECT_EQ(idle_keys_warning(job), "");
+  EXPECT_EQ(idle_shift_warning(job), "");
+}
+
 TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
   io::Job job;
   job.settings.pieces.min_scale_px = 20;

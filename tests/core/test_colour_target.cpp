@@ -76,6 +76,12 @@ TEST(ColourFit, WorthFallsWithDifferenceAndWeight) {
   EXPECT_NEAR(colour_worth(1 / kColourFading, 2), 0.25f, 1e-6f);
   EXPECT_EQ(colour_worth(50, 0), 1);
   EXPECT_GT(colour_worth(200, 100), 0) << "never nothing: a wrong colour is better than a hole";
+  for (const float weight : {0.5f, 4.f, 20.f, 100.f}) {
+    for (float difference = 0; difference < 100; difference += 4) {
+      EXPECT_GT(colour_worth(difference, weight), 1.0001f * colour_worth(difference + 4, weight))
+          << "the nearer colour is worth more, whatever the weight: " << weight << ", " << difference;
+    }
+  }
 }
 
 /// A sample at p whose region lies to its right in the picture.

@@ -126,9 +126,15 @@ TEST_F(LibraryViews, ChooseByColour) {
   EXPECT_NE(
       message_of([&] { chosen({"#00ff00"}, 5); })
           .find("job.toml: library.colours: no drawing that is chosen is within 5.0 CIEDE2000 of these colours; the "
-                "nearest of all is at "),
+                "nearest is at "),
       std::string::npos);
-  for (Shape& shape : drawn) shape.colour_grid = {};
+  job.library_include = {"Cat"};
+  EXPECT_EQ(message_of([&] { chosen({"#ff0000"}, 3); }).find("nearest is at 0."), std::string::npos)
+      << "red ones are there, but not chosen";
+  drawn[0].colour_grid = {};
+  job.library = write("b.h5", drawn);
+  EXPECT_EQ(chosen({"#0000ff"}, 3), (Names{"Cat"})) << "who is not chosen need not have colours";
+  job.library_include.clear();
   job.library = write("old.h5", drawn);
   EXPECT_NE(message_of([&] { chosen({"#ff0000"}, 5); }).find("build it again"), std::string::npos);
 }

@@ -10,7 +10,7 @@
 
 #include "artwork_samples.h"
 #include "core/base/error.h"
-#include "io/mosaic/joint_colour.h"
+#include "io/artwork/colour_conversion.h"
 #include "io/mosaic/mosaic_files.h"
 #include "io/mosaic/mosaic_job.h"
 #include "scratch_folder.h"
@@ -71,9 +71,9 @@ class MosaicFilesTest : public testing::Test {
             .job = folder_.path("m.toml"),
             .pieces = 200};
   }
-  void write(const MosaicRequest& request) {
+  WrittenMosaic write(const MosaicRequest& request) {
     Drawers drawers({});
-    write_mosaic_files(request, drawers);
+    return write_mosaic_files(request, drawers);
   }
   std::string refusal(const MosaicRequest& request) {
     try {
@@ -98,12 +98,14 @@ TEST_F(MosaicFilesTest, LieBesideEachOther) {
 }
 
 TEST_F(MosaicFilesTest, NameTheRegionsByTheirColoursInThePicture) {
-  write(request());
+  MosaicRequest whole = request();
+  whole.regions = 1;
+  EXPECT_EQ(write(whole).regions, 0);
   EXPECT_FALSE(fs::exists(folder_.path("m_regions.png")));
+  EXPECT_FALSE(toml::parse(bytes_of(whole.job)).contains("regions"));
   MosaicRequest parted = request();
   parted.job = folder_.path("p.toml");
-  parted.regions = 3;
-  write(parted);
+  EXPECT_EQ(write(parted).regions, 2) << "six are asked for, two are there";
   const toml::table job = toml::parse(bytes_of(folder_.path("p.toml")));
   EXPECT_EQ(job["canvas"]["file"].value<std::string>(), "p_regions.png");
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));
@@ -112,26 +114,29 @@ TEST_F(MosaicFilesTest, NameTheRegionsByTheirColoursInThePicture) {
   ASSERT_EQ(job["regions"].as_array()->size(), 2u);
   const auto colour_at = [&](int x) {
     const cv::Vec4b p = picture.at<cv::Vec4b>(picture.rows / 2, x);
-    return colour_text({p[0], p[1], p[2]});
+    return hex_of({p[0], p[1], p[2]});
   };
   std::set<std::string> named, shown = {colour_at(2), colour_at(picture.cols - 3)};
   for (const int i : {0, 1}) named.insert(*job["regions"][i]["colour"].value<std::string>());
   EXPECT_EQ(named, shown);
 }
 
-TEST_F(MosaicFilesTest, RefuseRegionsWhereThereAreNone) {
+TEST_F(MosaicFilesTest, OfAFlatImageHaveNoRegions) {
   MosaicRequest flat = request();
   flat.image = folder_.path("flat.png");
   cv::imwrite(flat.image, cv::Mat(40, 60, CV_8UC3, cv::Scalar(10, 20, 30)));
-  flat.regions = 4;
-  EXPECT_NE(refusal(flat).find("flat.png: --regions finds no parts of different colours"), std::string::npos);
-  flat.image = folder_.path("photo.png");
-  for (const int wrong : {-1, 1, 9}) {
-    flat.regions = wrong;
-    EXPECT_NE(refusal(flat).find("--regions: found " + std::to_string(wrong) + ", allowed: 0 or from 2 to 8"),
+  EXPECT_EQ(write(flat).regions, 0);
+  EXPECT_FALSE(fs::exists(folder_.path("m_regions.png")));
+}
+
+TEST_F(MosaicFilesTest, RefuseOtherNumbersOfRegions) {
+  MosaicRequest wrong = request();
+  for (const int regions : {-1, 0, 9}) {
+    wrong.regions = regions;
+    EXPECT_NE(refusal(wrong).find("--regions: found " + std::to_string(regions) + ", allowed: from 1 to 8"),
               std::string::npos);
   }
-  EXPECT_FALSE(fs::exists(flat.job));
+  EXPECT_FALSE(fs::exists(wrong.job));
 }
 
 TEST_F(MosaicFilesTest, ARetouchedPictureOfRegionsIsNotReplacedUnasked) {

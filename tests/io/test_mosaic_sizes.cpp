@@ -169,8 +169,8 @@ TEST(LargestSizes, GrowByAPxForAPxOfTheCanvas) {
 TEST(JointColour, IsThatOfTheLightHalfAsBright) {
   cv::Mat image(10, 10, CV_8UC3, cv::Scalar(0, 0, 0));
   image.colRange(0, 5) = cv::Scalar(255, 255, 255);
-  EXPECT_EQ(colour_text(joint_colour(image)), "#5e5e5e");
-  EXPECT_EQ(colour_text(joint_colour(cv::Mat(3, 3, CV_8UC3, cv::Scalar(4, 2, 250)))), "#7d0102");
+  EXPECT_EQ(joint_colour(image), cv::Vec3b(0x5e, 0x5e, 0x5e));
+  EXPECT_EQ(joint_colour(cv::Mat(3, 3, CV_8UC3, cv::Scalar(4, 2, 250))), cv::Vec3b(0x02, 0x01, 0x7d));
 }
 
 }  // namespace

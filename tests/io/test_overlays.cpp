@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <set>
 
 #include "core/base/error.h"
 #include "io/library/library_file.h"
@@ -24,14 +25,14 @@ class Overlaid : public testing::Test {
     job_.settings.pieces.min_scale_px = 16;  // a texel for 2 px
   }
 
-  std::string library(bool known) const {
+  std::string library(bool known, std::uint32_t colours = 0) const {
     LibraryWriter writer(folder_.path("library.h5"), {});
     for (std::uint64_t seed : {1, 2, 3}) {
       Shape shape = test::RandomShape(seed, 5).make();
       shape.name = "shape" + std::to_string(seed);
       shape.colour_grid = {};
       shape.mean_lab = {float(10 * seed), 1, 2};
-      if (known) test::paint(shape.colour_grid, int(seed), test::numbered_colour(std::uint32_t(seed)));
+      if (known) test::paint(shape.colour_grid, int(seed), test::numbered_colour(std::uint32_t(seed) + colours));
       writer.append(shape);
     }
     writer.finish();
@@ -144,6 +145,14 @@ TEST_F(Overlaid, DigestKnowsPictureAndLibrary) {
   EXPECT_EQ(digest(other), first);
   other.at<cv::Vec3b>(3, 3) = {255, 255, 255};
   EXPECT_NE(digest(other), first);
+  const Grid<Texel> finest(20, 10, Texel{50, 0, 0, 1});
+  const Overlays overlays{std::make_shared<const ColourTarget>(finest, 20.f), nullptr};
+  std::set<std::uint64_t> of_libraries;
+  for (const std::uint32_t colours : {0, 9}) {
+    set_overlays(overlays, LibraryFile(library(true, colours)), job_);
+    of_libraries.insert(job_.overlay_digest);
+  }
+  EXPECT_EQ(of_libraries.size(), 2u) << "other colours of the drawings";
 }
 
 TEST_F(Overlaid, SizesGoByLightness) {
@@ -163,7 +172,7 @@ TEST_F(Overlaid, SizesGoByLightness) {
 TEST_F(Overlaid, MistakesNameKeyAndFile) {
   EXPECT_EQ(mistake(folder_.path("none.png")).rfind("colour.image: ", 0), 0u);
   const std::string text = folder_.write("text.png", "no picture");
-  EXPECT_NE(mistake(text).find(text), std::string::npos);
+  EXPECT_EQ(mistake(text).rfind("colour.image: " + text, 0), 0u) << mistake(text);
   const std::string clear = image("clear.png", cv::Mat(10, 20, CV_8UC4, cv::Scalar()));
   EXPECT_EQ(mistake(clear), "a.toml: colour.image: " + clear + " is transparent all over");
   const std::string good = image("a.png", two_halves({400, 200}));

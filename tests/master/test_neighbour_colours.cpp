@@ -57,6 +57,16 @@ TEST(NeighbourColours, TheWeightCounts) {
   EXPECT_FLOAT_EQ(colours.worth(kRed, pose({140, 100})), 0.25f);
 }
 
+TEST(NeighbourColours, TheLessLikeOneIsWorthMoreWhateverTheWeight) {
+  for (const float weight : {-1.f, -10.f, -100.f}) {
+    NeighbourColours colours(wish(weight), {});
+    colours.add(placed(kRed, {100, 100}));
+    const float red = colours.worth(kRed, pose({140, 100})), dark = colours.worth(kDarkRed, pose({140, 100}));
+    EXPECT_GT(dark, 1.0001f * red) << weight;
+    EXPECT_GT(colours.worth(kBlue, pose({140, 100})), 1.0001f * dark) << weight;
+  }
+}
+
 /// Two of 40 px: kNeighbourReach * 80 apart.
 TEST(NeighbourColours, NeighboursAreNear) {
   NeighbourColours colours(wish(-1), {});

@@ -31,6 +31,7 @@ Grid<Texel> halved(const Grid<Texel>& fine) {
 }  // namespace
 
 ColourTarget::ColourTarget(const Grid<Texel>& finest, float px_per_texel) : px_per_texel_(px_per_texel) {
+  texels_.reserve(finest.data().size() * 4 / 3 + 4 * kMaxColourLevels);  // else as much again is kept for nothing
   Grid<Texel> level = finest;
   for (;;) {
     levels_.push_back(

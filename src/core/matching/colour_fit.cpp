@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
-#include "core/base/portable_math.h"
 #include "core/colour/ciede2000.h"
+#include "core/colour/fading.h"
 #include "core/tuning.h"
 
 namespace tessera {
@@ -79,7 +79,7 @@ float colour_difference(const ColourModel& piece, const Similarity& canvas_from_
 }
 
 float colour_worth(float difference, float weight) {
-  return portable_exp2(-std::min(kMostFading, kColourFading * weight * difference));
+  return faded(kColourFading * weight * difference);
 }
 
 }  // namespace tessera

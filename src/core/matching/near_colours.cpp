@@ -10,8 +10,15 @@
 
 namespace tessera {
 
+namespace {
+
+constexpr std::size_t kMostNearestKept = std::size_t(32) << 20;  // shapes of all points: 128 MB
+
+}  // namespace
+
 void NearColours::start(const StanceTable& stances) {
   if (!wish_) return;
+  if (nearest_.size() * wish_.of_shapes->size() > kMostNearestKept) nearest_.clear();
   open_.assign(stances.library_shapes(), false);
   for (std::uint32_t i = 0; i < stances.open_shapes(); ++i) open_[index_of(stances.open_shape(i))] = true;
   const std::uint32_t all = stances.open_shapes();
@@ -45,6 +52,7 @@ const std::vector<std::uint32_t>& NearColours::nearest(const Point& point) {
   order.reserve(wish_.of_shapes->size());
   for (const Lab& of_shape : *wish_.of_shapes) order.emplace_back(ciede2000(colour, of_shape), order.size());
   std::sort(order.begin(), order.end());
+  known->second.reserve(order.size());
   for (const auto& [difference, shape] : order) known->second.push_back(shape);
   return known->second;
 }

@@ -35,7 +35,7 @@ class NearColours {
   /// So many shapes are in each list.
   std::uint32_t length() const { return length_; }
   /// Nearest first.
-  std::span<const std::uint32_t> shapes(List list) const { return {shapes_.data() + list * length_, length_}; }
+  std::span<const std::uint32_t> shapes(List list) const { return {shapes_.data() + std::size_t(list) * length_, length_}; }
   bool holds(List list, ShapeId shape) const;
 
   // The same of all lists one after the other: length() shapes each; a bit for each shape of the library, words()
@@ -51,7 +51,7 @@ class NearColours {
 
   ColourWish wish_;
   float depth_px_ = 0;
-  std::map<Point, std::vector<std::uint32_t>> nearest_;  // of the whole library, whatever the limits
+  std::map<Point, std::vector<std::uint32_t>> nearest_;  // of the whole library, whatever the limits: a cache
   std::vector<bool> open_;
   std::uint32_t length_ = 0;
   std::uint32_t words_ = 0;

@@ -20,6 +20,7 @@ constexpr float kSizesPerPiece = 2;
 /// Steps in which what was read is kept: how OpenCV's sums round differs from machine to machine, in bits far below.
 constexpr float kStepsOfColour = 256;
 constexpr float kStepsOfSize = 1024;
+constexpr int kStripRows = 64;
 constexpr std::size_t kShapesAtATime = 4096;  // heads alone: some MB
 constexpr LibraryParts kHeadsOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
 
@@ -45,18 +46,26 @@ void refuse_seamless(const Job& job, const char* key) {
   throw InputError(job.path + ": " + key + ": found with canvas.seamless, allowed: a canvas that does not repeat");
 }
 
-/// Means of straight BGRA, weighted by alpha.
+/// Of straight BGRA: lightness, a and b times alpha, and alpha. By strips, as much is needed for each pixel on the way.
+cv::Mat weighted_lab(const cv::Mat& straight_bgra) {
+  cv::Mat sums(straight_bgra.size(), CV_32FC4);
+  for (int top = 0; top < sums.rows; top += kStripRows) {
+    const cv::Range rows(top, std::min(sums.rows, top + kStripRows));
+    const cv::Mat strip = straight_bgra.rowRange(rows), lab = lab_image_of(strip);
+    for (int y = 0; y < strip.rows; ++y) {
+      for (int x = 0; x < strip.cols; ++x) {
+        const float alpha = float(strip.at<cv::Vec4b>(y, x)[3]) * (1.f / 255);
+        const cv::Vec3f& c = lab.at<cv::Vec3f>(y, x);
+        sums.at<cv::Vec4f>(top + y, x) = {c[0] * alpha, c[1] * alpha, c[2] * alpha, alpha};
+      }
+    }
+  }
+  return sums;
+}
+
+/// Means, weighted by alpha.
 Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
-  const cv::Mat lab = lab_image_of(straight_bgra);
-  cv::Mat alpha, sums;
-  cv::extractChannel(straight_bgra, alpha, 3);
-  alpha.convertTo(alpha, CV_32F, 1.0 / 255);
-  cv::Mat weighted;
-  const cv::Mat three[] = {alpha, alpha, alpha};
-  cv::merge(three, 3, weighted);
-  cv::multiply(lab, weighted, weighted);
-  const cv::Mat four[] = {weighted, alpha};
-  cv::merge(four, 2, sums);
+  cv::Mat sums = weighted_lab(straight_bgra);
   cv::resize(sums, sums, size, 0, 0, cv::INTER_AREA);
   Grid<Texel> texels(size.width, size.height);
   for (int y = 0; y < size.height; ++y) {

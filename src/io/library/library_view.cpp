@@ -61,37 +61,31 @@ std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std
   return chosen;
 }
 
-/// For each shape of a file whether its colours are those.
-std::vector<bool> in_colours(const LibraryFile& file, const ColourChoice& choice, float& nearest) {
-  std::vector<bool> chosen;
-  for (std::size_t at = 0; at < file.size(); at += kBatchShapes) {
-    for (const Shape& shape : file.read(at, std::min(file.size(), at + kBatchShapes), kColours)) {
-      if (!shape.colour_grid.known()) {
-        throw InputError(file.path() + " does not know the colours of " + shape.name +
-                         "'s parts, as libraries of older versions; build it again");
-      }
-      const float difference = palette_difference(shape.colour_grid, choice.palette);
-      nearest = std::min(nearest, difference);
-      chosen.push_back(difference <= choice.most_difference);
-    }
-  }
-  return chosen;
+float difference_of(const LibraryFile& file, const Shape& shape, const std::vector<Lab>& palette) {
+  if (shape.colour_grid.known()) return palette_difference(shape.colour_grid, palette);
+  throw InputError(file.path() + " does not know the colours of " + shape.name +
+                   "'s parts, as libraries of older versions; build it again");
 }
 
 /// Takes from what is chosen the drawings of other colours.
 void keep_colours(const std::vector<LibraryFile>& files, const ColourChoice& choice, std::vector<bool>& chosen) {
   if (choice.palette.empty()) return;
   float nearest = std::numeric_limits<float>::infinity();
-  std::size_t at = 0;
+  std::size_t place = 0;
   for (const LibraryFile& file : files) {
-    for (const bool matches : in_colours(file, choice, nearest)) {
-      chosen[at] = chosen[at] && matches;
-      ++at;
+    for (std::size_t at = 0; at < file.size(); at += kBatchShapes) {
+      for (const Shape& shape : file.read(at, std::min(file.size(), at + kBatchShapes), kColours)) {
+        const std::size_t own = place++;
+        if (!chosen[own]) continue;
+        const float difference = difference_of(file, shape, choice.palette);
+        nearest = std::min(nearest, difference);
+        chosen[own] = difference <= choice.most_difference;
+      }
     }
   }
   if (std::find(chosen.begin(), chosen.end(), true) != chosen.end()) return;
   throw NoSuchColours("no drawing that is chosen is within " + fixed(double(choice.most_difference), 1) +
-                      " CIEDE2000 of these colours; the nearest of all is at " + fixed(double(nearest), 1));
+                      " CIEDE2000 of these colours; the nearest is at " + fixed(double(nearest), 1));
 }
 
 /// Of each name what the last rule that has it says.

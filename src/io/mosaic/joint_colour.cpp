@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 
 namespace tessera::io {
 namespace {
@@ -30,12 +29,6 @@ cv::Vec3b joint_colour(const cv::Mat& image_bgr) {
     return std::uint8_t(std::lround(kBrightness * 255 * encoded(sum[channel] / double(image_bgr.total()))));
   };
   return {value(0), value(1), value(2)};
-}
-
-std::string colour_text(const cv::Vec3b& bgr) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", bgr[2], bgr[1], bgr[0]);
-  return text;
 }
 
 }  // namespace tessera::io

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "io/artwork/colour_conversion.h"
 #include "io/atomic_file.h"
 #include "io/elements/cut_outs.h"
 #include "io/elements/photo_extraction.h"
@@ -46,14 +47,15 @@ MosaicPlan plan_for(const MosaicRequest& request, const cv::Mat& image) {
   }
 }
 
-/// As the job names it: relative to the job's folder, unless it was given from the root.
+/// As the job names it: relative to the job's folder, unless it was given from the root. By names alone, as it is read:
+/// links are followed by nobody.
 std::string path_in_job(const std::string& path, const std::string& job) {
   if (!is_utf8(path))
     throw InputError(printable_utf8(path) + ": found a name that is not UTF-8, as a job's text must be");
   const fs::path given(path);
   if (given.is_absolute()) return path;
-  const fs::path from = fs::absolute(job).parent_path();
-  return (fs::relative(fs::absolute(given).parent_path(), from) / given.filename()).lexically_normal().string();
+  const fs::path from = fs::absolute(job).lexically_normal().parent_path();
+  return fs::absolute(given).lexically_normal().lexically_relative(from).string();
 }
 
 bool same_file(const std::string& one, const std::string& other) {
@@ -102,23 +104,15 @@ std::string path_beside(const std::string& job, const char* ending) {
 }
 
 void check_regions(int regions) {
-  if (regions == 0 || (regions >= 2 && regions <= kMostMosaicRegions)) return;
-  throw InputError("--regions: found " + std::to_string(regions) + ", allowed: 0 or from 2 to " +
+  if (regions >= 1 && regions <= kMostMosaicRegions) return;
+  throw InputError("--regions: found " + std::to_string(regions) + ", allowed: from 1 to " +
                    std::to_string(kMostMosaicRegions));
-}
-
-Segmentation regions_of(const MosaicRequest& request, const cv::Mat& image, const MosaicPlan& plan) {
-  Segmentation found = segmentation(image, plan, request.regions);
-  if (found.colours.size() > 1) return found;
-  throw InputError(request.image +
-                   ": --regions finds no parts of different colours that are large enough for pieces; "
-                   "leave --regions out, or give more --pieces");
 }
 
 std::vector<MosaicRegion> region_tables(const Segmentation& found) {
   std::vector<MosaicRegion> tables;
   for (std::size_t i = 0; i < found.colours.size(); ++i)
-    tables.push_back({colour_text(found.colours[i]), colour_text(found.joints[i])});
+    tables.push_back({hex_of(found.colours[i]), hex_of(found.joints[i])});
   return tables;
 }
 
@@ -128,12 +122,12 @@ std::string size_map_path(const std::string& job) { return path_beside(job, "_si
 
 std::string region_picture_path(const std::string& job) { return path_beside(job, "_regions.png"); }
 
-MosaicPlan write_mosaic_files(const MosaicRequest& request, Drawers& drawers) {
+WrittenMosaic write_mosaic_files(const MosaicRequest& request, Drawers& drawers) {
   check_regions(request.regions);
   const std::string map_path = size_map_path(request.job), picture_path = region_picture_path(request.job);
   check_is_not_read(request.job, request);
   check_is_not_read(map_path, request);
-  if (request.regions > 0) check_is_not_read(picture_path, request);
+  check_is_not_read(picture_path, request);
   MosaicFiles files{.image = path_in_job(request.image, request.job),
                     .libraries = {},
                     .size_map = fs::path(map_path).filename().string(),
@@ -144,17 +138,16 @@ MosaicPlan write_mosaic_files(const MosaicRequest& request, Drawers& drawers) {
   const MosaicPlan plan = plan_for(request, image);
   std::vector<Output> outputs = {{map_path, png_of(size_map(image, plan))}};
   std::vector<MosaicRegion> regions;
-  if (request.regions > 0) {
-    const Segmentation found = regions_of(request, image, plan);
+  if (const Segmentation found = segmentation(image, plan, request.regions); found.colours.size() > 1) {
     regions = region_tables(found);
     files.regions = fs::path(picture_path).filename().string();
     outputs.push_back({picture_path, png_of(region_picture(found, plan))});
   }
-  const std::string text = mosaic_job(files, plan, request.shift, colour_text(joint_colour(image)), regions);
+  const std::string text = mosaic_job(files, plan, request.shift, hex_of(joint_colour(image)), regions);
   outputs.push_back({request.job, Bytes(text.begin(), text.end())});
   for (const Output& output : outputs) check_replaceable(output.path, output.bytes, request);
   for (const Output& output : outputs) write_unless_there(output.path, output.bytes);
-  return plan;
+  return {plan, int(regions.size())};
 }
 
 }  // namespace tessera::io

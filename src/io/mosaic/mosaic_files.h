@@ -15,8 +15,13 @@ struct MosaicRequest {
   std::string job;                     // the file to write
   int pieces = 3000;
   double shift = 0;      // CIEDE2000
-  int regions = 0;       // 2 to kMostMosaicRegions by the image's colours; 0 = none
+  int regions = 6;       // at most, by the image's colours; 1 = pieces may lie anywhere
   bool replace = false;  // another mosaic's files of these names
+};
+
+struct WrittenMosaic {
+  MosaicPlan plan;
+  int regions = 0;  // 0: the image has no parts of different colours that are large enough, or none were wanted
 };
 
 /// Of the job's name: portrait_sizes.png beside portrait.toml.
@@ -26,9 +31,8 @@ std::string size_map_path(const std::string& job);
 std::string region_picture_path(const std::string& job);
 
 /// Writes all of them, each whole or not at all; those that are there with the same content stay. Paths in the job are
-/// relative to its folder where the request's are relative. Throws InputError where the image or a path is of no use or
-/// no regions are found in it, and where a file of another content is there (with `replace`: one that is no mosaic's);
-/// EnvironmentError.
-MosaicPlan write_mosaic_files(const MosaicRequest& request, Drawers& drawers);
+/// relative to its folder where the request's are relative. Throws InputError where the image or a path is of no use,
+/// and where a file of another content is there (with `replace`: one that is no mosaic's); EnvironmentError.
+WrittenMosaic write_mosaic_files(const MosaicRequest& request, Drawers& drawers);
 
 }  // namespace tessera::io

@@ -40,8 +40,9 @@ int page_side_px(const Job& job, const Canvas& canvas, cv::Size2d tile_px) {
 cv::Mat embedded(const cv::Mat& page) {
   const double scale = double(kMaxBitmapSide_px) / std::max(page.cols, page.rows);
   if (scale >= 1) return page;
+  const cv::Size size(std::max(1, cvRound(page.cols * scale)), std::max(1, cvRound(page.rows * scale)));
   cv::Mat small;
-  cv::resize(page, small, {}, scale, scale, cv::INTER_AREA);
+  cv::resize(page, small, size, 0, 0, cv::INTER_AREA);
   return small;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/artwork/colour_conversion.h"
-#include "io/result/sprite.h"
+#include "io/result/tone_shift.h"
 
 namespace tessera::io {
 namespace {
@@ -26,9 +26,8 @@ double hue_of(double a, double b) {
 double arc_deg(double from_deg, double to_deg) { return std::abs(std::remainder(to_deg - from_deg, kHues)); }
 
 /// A piece's mean colour as it is drawn without harmony.
-cv::Vec3b drawn_colour(const CollageReport& report, std::size_t piece) {
-  cv::Vec3b bgr =
-      report.colours.empty() ? mean_bgr(report.shape(report.placements[piece].shape)) : bgr_of(report.colours[piece]);
+cv::Vec3b shifted_colour(const CollageReport& report, std::size_t piece) {
+  cv::Vec3b bgr = drawn_colour(report, piece);
   if (report.tones.empty()) return bgr;
   const ToneShift& tone = report.tones[piece];
   const int add[3] = {tone.blue, tone.green, tone.red};
@@ -76,7 +75,7 @@ struct PieceHue {
 };
 
 PieceHue hue_of_piece(const CollageReport& report, std::size_t piece) {
-  PieceHue result{drawn_colour(report, piece), {}, 0};
+  PieceHue result{shifted_colour(report, piece), {}, 0};
   const Lab lab = lab_of(cv::Vec3d(result.bgr));
   result.chroma = std::hypot(double(lab.a), double(lab.b));
   if (result.chroma >= kLeastChroma) result.hue_deg = int(std::lround(hue_of(lab.a, lab.b))) % kHues;

@@ -14,7 +14,8 @@ namespace {
 constexpr int kStep = 4;       // of 255: pieces of one shift share a filter in the SVG
 constexpr int kHalvings = 12;  // of the way to the colour beneath
 
-int in_steps(double value) { return kStep * int(std::lround(value / kStep)); }
+/// Towards zero: no shift is larger than wished for.
+int in_steps(double value) { return kStep * int(value / kStep); }
 
 ToneShift shift_between(const cv::Vec3d& own, const cv::Vec3d& wanted, double most_difference) {
   double part = 1;
@@ -45,12 +46,17 @@ std::vector<std::string> covered_colours(const CollageReport& report, const Colo
   return colours;
 }
 
+cv::Vec3b drawn_colour(const CollageReport& report, std::size_t piece) {
+  if (!report.colours.empty()) return bgr_of(report.colours[piece]);
+  return mean_bgr(report.shape(report.placements[piece].shape));
+}
+
 std::vector<ToneShift> tone_shifts(const CollageReport& report, const std::vector<std::string>& covered,
                                    double most_difference) {
   std::vector<ToneShift> shifts;
   if (most_difference <= 0) return shifts;
   for (std::size_t i = 0; i < covered.size(); ++i) {
-    const cv::Vec3b own = mean_bgr(report.shape(report.placements[i].shape));
+    const cv::Vec3b own = drawn_colour(report, i);
     shifts.push_back(covered[i].empty() ? ToneShift{}
                                         : shift_between({double(own[0]), double(own[1]), double(own[2])},
                                                         bgr_of(covered[i]), most_difference));
