@@ -54,6 +54,14 @@ TEST(Ground, TilesAreAsLargeAsDrawnOrAsWideAsIsAsked) {
   EXPECT_EQ(tile_size_px({8192, 1}, 1e-300, canvas), cv::Size2d(1, 1)) << "no tile is smaller than a px";
 }
 
+TEST(Ground, MayBeALine) {
+  WithGround along, down;
+  along.lay(noise({8192, 1}));
+  down.lay(noise({1, 8192}));
+  EXPECT_FALSE(along.report.ground.page.empty());
+  EXPECT_FALSE(down.report.ground.page.empty());
+}
+
 TEST(Ground, AWholeNumberOfTilesFitsIntoASeamlessCanvas) {
   EXPECT_EQ(tile_size_px({60, 30}, 0, make_seamless_canvas(200, 100, true, true)), cv::Size2d(200. / 3, 100. / 3));
   EXPECT_EQ(tile_size_px({60, 30}, 0, make_seamless_canvas(200, 100, true, false)), cv::Size2d(200. / 3, 30));

@@ -11,6 +11,7 @@
 #include "artwork_samples.h"
 #include "core/base/error.h"
 #include "io/artwork/colour_conversion.h"
+#include "io/job/job_file.h"
 #include "io/mosaic/mosaic_files.h"
 #include "io/mosaic/mosaic_job.h"
 #include "scratch_folder.h"
@@ -145,6 +146,19 @@ TEST_F(MosaicFilesTest, ARetouchedPictureOfRegionsIsNotReplacedUnasked) {
   write(parted);
   folder_.write("m_regions.png", "painted");
   EXPECT_NE(refusal(parted).find("m_regions.png: is there already"), std::string::npos);
+}
+
+/// As jobs are read: links are followed by nobody.
+TEST_F(MosaicFilesTest, NameWhatIsReadByNamesAlone) {
+  fs::create_directories(folder_.path("far/away"));
+  fs::create_directory_symlink(folder_.path("far/away"), folder_.path("jobs/link"));
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_.path("."));
+  write({.image = "photo.png", .libraries = {"tiles.h5"}, .job = "jobs/link/m.toml", .pieces = 200});
+  fs::current_path(before);
+  const toml::table job = toml::parse(bytes_of(folder_.path("jobs/link/m.toml")));
+  EXPECT_EQ(job["colour"]["image"].value<std::string>(), "../../photo.png");
+  EXPECT_EQ(load_job(folder_.path("jobs/link/m.toml"), {}).colour.image, folder_.path("photo.png"));
 }
 
 TEST_F(MosaicFilesTest, NameWhatIsReadAsSeenFromTheJob) {
