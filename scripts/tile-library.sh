@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # A library of some thousand tiles for mosaics, out of Debian's packages and the photos of jobs/ alone:
-#   scripts/tile-library.sh [LIB.h5]    default: out/tiles.h5; what it is made of stays in the folder LIB.parts
+#   scripts/tile-library.sh [LIB.h5]    default: out/mosaic_tiles.h5; what it is made of stays in the folder LIB.parts
 # All of openclipart (public domain), the emoji of Google's Noto (SIL Open Font License), and stones and coins from photos.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 readonly tessera=${TESSERA:-build/release/src/cli/tessera}
 readonly font=/usr/share/fonts/truetype/noto/NotoColorEmoji.ttf
-readonly library=${1:-out/tiles.h5}
+readonly library=${1:-out/mosaic_tiles.h5}
 readonly parts=${library%.h5}.parts
 
 if [[ $# -gt 1 || $library != *.h5 ]]; then

@@ -22,9 +22,9 @@ std::string publish(const CollageInput& input, const master::CollageResult& resu
   report.record = record;
   const io::LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = false};
   report.shapes = io::read_placed_shapes(input.library, report.placements, parts);
-  if (io::draws_palette(input.job.colour, input.library)) report.colours = io::piece_colours(report, input.palette);
   const ColourWish& colour = input.job.settings.colour;
   if (colour.target) report.covered = io::covered_colours(report, *colour.target);
+  if (io::draws_palette(input.job.colour, input.library)) report.colours = io::piece_colours(report, input.palette);
   report.placements = result.placements;
   const std::string card = io::publish_result(input.folder, report, input.origin, !result.unfinished);
   if (result.unfinished) {

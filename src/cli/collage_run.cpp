@@ -27,6 +27,7 @@
 #include "core/base/version.h"
 #include "core/matching/sized_settings.h"
 #include "io/job/job_library.h"
+#include "io/library/one_colour.h"
 #include "io/result/rank_table.h"
 #include "io/utc_time.h"
 #include "master/collage_loop.h"
@@ -100,12 +101,18 @@ std::string standing_warning_of(const CollageInput& input) {
   });
 }
 
+std::string unable_library_warning_of(const CollageInput& input) {
+  if (input.job.colour.image.empty()) return "";
+  return unable_library_warning(input.job, input.library.size(), io::is_of_one_colour(input.library));
+}
+
 /// From the empty canvas or a checkpoint to the result without its pictures.
 CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   journal->warn(replaced_result_warning(input.earlier, input.job));
   journal->warn(idle_keys_warning(input.job));
+  journal->warn(unable_library_warning_of(input));
   journal->warn(standing_warning_of(input));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);

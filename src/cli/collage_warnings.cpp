@@ -141,6 +141,18 @@ std::string idle_keys_warning(const io::Job& job) {
   return text;
 }
 
+std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool one_colour) {
+  constexpr std::size_t kFew = 50;
+  if (job.colour.image.empty()) return "";
+  if (one_colour && job.colour.pieces != "palette") {
+    return "nearly all shapes of the library are of one colour, which cannot show colour.image; colour.pieces = "
+           "\"palette\" draws them in the colours of the palette that are nearest to it";
+  }
+  if (shapes >= kFew || job.colour.pieces == "palette") return "";
+  return "a library of " + std::to_string(shapes) +
+         " shapes has few colours to show colour.image; photos take 500 and more";
+}
+
 void print_warning(const std::string& warning) {
   if (!warning.empty()) std::fprintf(stderr, "tessera: warning: %s\n", warning.c_str());
 }

@@ -1,6 +1,7 @@
 // What tessera collage says on stderr, --quiet or not, where it does as it was told and somebody may be sorry.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -37,6 +38,10 @@ std::string idle_dpi_warning(const io::Job& job);
 std::string idle_shift_warning(const io::Job& job);
 
 /// Prints nothing where the warning is empty.
+/// Where the pieces are to show an image and will not: `one_colour`, nearly all shapes are of the same colour and drawn
+/// in it; or they are few.
+std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool one_colour);
+
 void print_warning(const std::string& warning);
 
 }  // namespace tessera::cli

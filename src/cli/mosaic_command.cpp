@@ -20,10 +20,13 @@ constexpr const char* kExamples =
     "  tessera mosaic portrait.jpg tiles.h5\n"
     "  tessera mosaic portrait.jpg tiles.h5 emoji.h5 --pieces 8000 --shift 8 --out large\n"
     "  mpirun -n 3 tessera mosaic portrait.jpg tiles.h5\n"
+    "  tessera mosaic portrait.jpg tiles.h5 --regions 1 --replace     the same image once more, in another way\n"
     "  tessera mosaic portrait.jpg tiles.h5 --job-only     portrait.toml and its two pictures, to be edited; then\n"
     "  tessera collage portrait.toml\n"
-    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; portrait_sizes.png is\n"
-    "grey, dark where the image has detail and pieces are to be small, portrait_regions.png shows the parts that pieces\n"
+    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; portrait_sizes.png "
+    "is\n"
+    "grey, dark where the image has detail and pieces are to be small, portrait_regions.png shows the parts that "
+    "pieces\n"
     "keep within. All stay as they are where they are there, unless they would change: then --replace is needed. The\n"
     "more colours the library has the better; 500 drawings are few, 5,000 are many. The rest is as in tessera collage.";
 
@@ -75,7 +78,7 @@ void add_mosaic_command(CLI::App& app, Command& selected) {
   mosaic->footer(kExamples);
   mosaic->add_option("IMAGE", request.image, "What is to be seen from afar")->required()->type_name("FILE");
   mosaic->add_option("LIB", request.libraries, "Libraries of the pieces")->required()->type_name("LIB.h5");
-  mosaic->add_option("--pieces", request.pieces, "About so many pieces; more show more of the image")
+  mosaic->add_option("--pieces", request.pieces, "About so many pieces, 100 to 40000; more show more of the image")
       ->capture_default_str();
   mosaic
       ->add_option("--shift", request.shift,

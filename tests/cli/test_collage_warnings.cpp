@@ -80,6 +80,19 @@ TEST(CollageWarnings, KeysOfColourThatMeanNothingAreTold) {
   EXPECT_EQ(idle_shift_warning(job), "");
 }
 
+TEST(CollageWarnings, ALibraryThatCannotShowAnImageIsTold) {
+  io::Job job;
+  EXPECT_EQ(unable_library_warning(job, 5, true), "") << "there is no image";
+  job.colour.image = "/portrait.png";
+  EXPECT_EQ(unable_library_warning(job, 50, false), "");
+  EXPECT_EQ(unable_library_warning(job, 49, false),
+            "a library of 49 shapes has few colours to show colour.image; photos take 500 and more");
+  EXPECT_EQ(unable_library_warning(job, 500, true).substr(0, 95),
+            "nearly all shapes of the library are of one colour, which cannot show colour.image; colour.piec");
+  job.colour.pieces = "palette";
+  EXPECT_EQ(unable_library_warning(job, 5, true), "");
+}
+
 TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
   io::Job job;
   job.settings.pieces.min_scale_px = 20;

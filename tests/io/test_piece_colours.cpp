@@ -35,6 +35,15 @@ TEST(PieceColours, NeighboursDiffer) {
   EXPECT_EQ(std::set<std::string>(colours.begin(), colours.end()).size(), kPalette.size());
 }
 
+TEST(PieceColours, AreThoseOfThePictureThatPiecesShow) {
+  Discs discs(3);
+  discs.report.covered = {"#a01010", "#102030", ""};
+  const auto colours = discs.colours();
+  EXPECT_EQ(colours[0], "#aa0000");
+  EXPECT_EQ(colours[1], "#112233");
+  EXPECT_NE(colours[2], colours[1]) << "nothing is wished there: another one than its neighbour's";
+}
+
 TEST(PieceColours, AreNotChangedByLaterPieces) {
   const auto many = Discs(25).colours();
   const auto few = Discs(12).colours();

@@ -9,7 +9,9 @@
 #include <string_view>
 
 #include "core/base/digest.h"
+#include "core/colour/ciede2000.h"
 #include "core/field/piece_distance.h"
+#include "io/artwork/colour_conversion.h"
 #include "io/library/one_colour.h"
 
 namespace tessera::io {
@@ -62,6 +64,13 @@ std::vector<std::size_t> drawn_by_lot(const Piece& piece, std::size_t colours) {
   return order;
 }
 
+std::size_t nearest_to(const std::string& wanted, const std::vector<std::string>& palette) {
+  const Lab there = lab_of(bgr_of(wanted));
+  std::vector<float> differences;
+  for (const std::string& colour : palette) differences.push_back(ciede2000(there, lab_of(bgr_of(colour))));
+  return std::size_t(std::min_element(differences.begin(), differences.end()) - differences.begin());
+}
+
 }  // namespace
 
 bool draws_palette(const ColourSpec& colour, const ShapeLibrary& library) {
@@ -74,12 +83,17 @@ std::vector<std::string> piece_colours(const CollageReport& report, const std::v
   std::vector<std::size_t> chosen;
   for (const Placement& placement : report.placements) {
     const Piece piece = make_piece(placement, report.shape(placement.shape));
+    const std::string wanted = report.covered.empty() ? "" : report.covered[pieces.size()];
+    pieces.push_back(piece);
+    if (!wanted.empty()) {
+      chosen.push_back(nearest_to(wanted, palette));
+      continue;
+    }
     std::vector<int> beside(palette.size());
-    for (std::size_t i = 0; i < pieces.size(); ++i) beside[chosen[i]] += are_neighbours(piece, pieces[i], padding_px);
+    for (std::size_t i = 0; i < chosen.size(); ++i) beside[chosen[i]] += are_neighbours(piece, pieces[i], padding_px);
     const std::vector<std::size_t> order = drawn_by_lot(piece, palette.size());
     chosen.push_back(*std::min_element(order.begin(), order.end(),
                                        [&](std::size_t a, std::size_t b) { return beside[a] < beside[b]; }));
-    pieces.push_back(piece);
   }
   std::vector<std::string> colours;
   for (const std::size_t c : chosen) colours.push_back(palette[c]);

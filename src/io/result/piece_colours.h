@@ -12,7 +12,8 @@ namespace tessera::io {
 /// Whether pieces are silhouettes in colours of a palette.
 bool draws_palette(const ColourSpec& colour, const ShapeLibrary& library);
 
-/// A colour for each placement. What the shape and its pose draw by lot comes first; a colour that an earlier neighbour
+/// A colour for each placement. Where the pieces show a picture (report.covered): the one that is nearest to what the
+/// piece covers. Else: what the shape and its pose draw by lot comes first; a colour that an earlier neighbour
 /// has is passed over, so that neighbours differ wherever the palette has a colour left (else it is the one that the
 /// fewest of them have). It depends on the piece and on its earlier neighbours alone: pieces placed later change
 /// nothing, and taking one away changes at most those that lay beside it and came later. The shapes have their fields.

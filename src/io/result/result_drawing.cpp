@@ -286,6 +286,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   report.placements = placements_of(dir, manifest, library.size());
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
   report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });
+  report.covered = manifest.covered;
   if (!other_colours) {
     report.colours = manifest.colours;
   } else if (draws_palette(job.colour, library)) {
