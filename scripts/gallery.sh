@@ -54,7 +54,8 @@ mapfile -t names < <(basename -s .toml jobs/*.toml)
 for name in "${names[@]}"; do
   echo "== $name"
   # Where it has a library of its own, the job says with which command, whose last word is the file.
-  read -ra make < <(sed -n "s,^#  *tessera \(library .*\),$tessera \1,p; s,^#  *\(scripts/.*\),\1,p" "jobs/$name.toml") || true
+  read -ra make < <(sed -n "s,^#  *tessera \(library .*\),$tessera \1,p; s,^#  *\(scripts/.*\),\1,p" \
+    "jobs/$name.toml") || true
   if [[ ${#make[@]} -gt 0 && ! ${make[-1]} -nt $tessera ]]; then "${make[@]}"; fi
   "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
   shifted=false  # tones and hues, which a PDF does not show

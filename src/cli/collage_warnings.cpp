@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <vector>
 
 #include "core/collage/standing_check.h"
 #include "io/job/job_keys.h"
@@ -136,9 +135,7 @@ std::string idle_keys_warning(const io::Job& job) {
     warnings.push_back(with_value(job, "colour", "weight") + " means nothing without colour.image");
   }
   warnings.push_back(idle_shift_warning(job));
-  std::string text;
-  for (const std::string& warning : warnings) text += (text.empty() || warning.empty() ? "" : "; ") + warning;
-  return text;
+  return joined_warnings(warnings);
 }
 
 std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool one_colour) {
@@ -151,6 +148,12 @@ std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool 
   if (shapes >= kFew || job.colour.pieces == "palette") return "";
   return "a library of " + std::to_string(shapes) +
          " shapes has few colours to show colour.image; photos take 500 and more";
+}
+
+std::string joined_warnings(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += (text.empty() || warning.empty() ? "" : "; ") + warning;
+  return text;
 }
 
 void print_warning(const std::string& warning) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/field/canvas.h"
 #include "core/shape/shape.h"
@@ -37,11 +38,14 @@ std::string idle_dpi_warning(const io::Job& job);
 /// Where a colour.shift is given, and no picture to shift to.
 std::string idle_shift_warning(const io::Job& job);
 
-/// Prints nothing where the warning is empty.
 /// Where the pieces are to show an image and will not: `one_colour`, nearly all shapes are of the same colour and drawn
 /// in it; or they are few.
 std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool one_colour);
 
+/// Those that say something, with semicolons between them.
+std::string joined_warnings(const std::vector<std::string>& warnings);
+
+/// Prints nothing where the warning is empty.
 void print_warning(const std::string& warning);
 
 }  // namespace tessera::cli

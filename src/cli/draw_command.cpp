@@ -88,9 +88,8 @@ io::Job job_of_result(const std::string& folder) {
 std::string idle_keys_warning(io::Job job, const std::vector<std::string>& keys) {
   const io::Job before = job;
   io::set_drawing_keys(job, keys);
-  const std::string dpi = job.output.dpi == before.output.dpi ? "" : idle_dpi_warning(job);
-  const std::string shift = job.colour.shift == before.colour.shift ? "" : idle_shift_warning(job);
-  return dpi + (dpi.empty() || shift.empty() ? "" : "; ") + shift;
+  return joined_warnings({job.output.dpi == before.output.dpi ? "" : idle_dpi_warning(job),
+                          job.colour.shift == before.colour.shift ? "" : idle_shift_warning(job)});
 }
 
 /// Pictures of one result are none of another, nor of a run that is to go on.

@@ -23,12 +23,11 @@ constexpr const char* kExamples =
     "  tessera mosaic portrait.jpg tiles.h5 --regions 1 --replace     the same image once more, in another way\n"
     "  tessera mosaic portrait.jpg tiles.h5 --job-only     portrait.toml and its two pictures, to be edited; then\n"
     "  tessera collage portrait.toml\n"
-    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; portrait_sizes.png "
-    "is\n"
-    "grey, dark where the image has detail and pieces are to be small, portrait_regions.png shows the parts that "
-    "pieces\n"
-    "keep within. All stay as they are where they are there, unless they would change: then --replace is needed. The\n"
-    "more colours the library has the better; 500 drawings are few, 5,000 are many. The rest is as in tessera collage.";
+    "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; portrait_sizes.png\n"
+    "is grey, dark where the image has detail and pieces are to be small, portrait_regions.png shows the parts that\n"
+    "pieces keep within. All stay as they are where they are there, unless they would change: then --replace is\n"
+    "needed. The more colours the library has the better; 500 drawings are few, 5,000 are many. The rest is as in\n"
+    "tessera collage.";
 
 constexpr double kMostShift = 100;  // CIEDE2000: all of it
 

@@ -52,11 +52,11 @@ class Scoring {
   float preference(const Candidate& candidate) const;
 
  private:
-  float of_repetition(const Candidate& candidate) const;
   struct Placed {
     ShapeId shape;
     Similarity canvas_from_shape;
   };
+  float of_repetition(const Candidate& candidate) const;
   std::uint32_t silhouette(ShapeId shape) const { return index_of(silhouettes_[index_of(shape)]); }
   ShapeId drawing(ShapeId shape) const { return drawings_[index_of(shape)]; }
   bool is_mirror_image(ShapeId shape) const { return drawing(shape) != shape; }

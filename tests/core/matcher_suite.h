@@ -167,6 +167,23 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithColoursWithinLimits) {
   for (const Docking& docking : round.docked.dockings) EXPECT_NE(index_of(docking.shape) % 3, 0u);
 }
 
+/// Most differences are worth more than kEvenFading halvings.
+TEST_P(MatcherSuite, GivesTheReferencesRoundWithHeavyColours) { expect_the_references_round(scene_with_colours(12)); }
+
+/// The order of shapes by colour is kept, whatever the limits; which of them are listed is not.
+TEST_P(MatcherSuite, ColoursAfterOtherLimitsAreThoseOfTheLimits) {
+  const MatchingScene scene = scene_with_colours();
+  StandingLimits limits;
+  for (std::uint32_t shape = 0; shape < 40; ++shape) limits.used_up.push_back(ShapeId{shape});
+  const auto matcher = matcher_of(scene), fresh = matcher_of(scene);
+  const Round before = run_round(*matcher, scene);
+  matcher->limit(limits);
+  fresh->limit(limits);
+  expect_same_round(run_round(*matcher, scene), run_round(*fresh, scene));
+  matcher->limit({});
+  expect_same_round(run_round(*matcher, scene), before);
+}
+
 /// From small ones alone on the left to all sizes on the right.
 TEST_P(MatcherSuite, GivesTheReferencesRoundWithSizesByPlace) {
   CollageSettings settings = scene_settings();

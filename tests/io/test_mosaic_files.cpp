@@ -76,6 +76,13 @@ class MosaicFilesTest : public testing::Test {
     Drawers drawers({});
     return write_mosaic_files(request, drawers);
   }
+  /// With names as seen from there.
+  void write_from_the_folder(const std::string& job) {
+    const fs::path before = fs::current_path();
+    fs::current_path(folder_.path("."));
+    write({.image = "photo.png", .libraries = {"tiles.h5"}, .job = job, .pieces = 200});
+    fs::current_path(before);
+  }
   std::string refusal(const MosaicRequest& request) {
     try {
       write(request);
@@ -152,20 +159,14 @@ TEST_F(MosaicFilesTest, ARetouchedPictureOfRegionsIsNotReplacedUnasked) {
 TEST_F(MosaicFilesTest, NameWhatIsReadByNamesAlone) {
   fs::create_directories(folder_.path("far/away"));
   fs::create_directory_symlink(folder_.path("far/away"), folder_.path("jobs/link"));
-  const fs::path before = fs::current_path();
-  fs::current_path(folder_.path("."));
-  write({.image = "photo.png", .libraries = {"tiles.h5"}, .job = "jobs/link/m.toml", .pieces = 200});
-  fs::current_path(before);
+  write_from_the_folder("jobs/link/m.toml");
   const toml::table job = toml::parse(bytes_of(folder_.path("jobs/link/m.toml")));
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), "../../photo.png");
   EXPECT_EQ(load_job(folder_.path("jobs/link/m.toml"), {}).colour.image, folder_.path("photo.png"));
 }
 
 TEST_F(MosaicFilesTest, NameWhatIsReadAsSeenFromTheJob) {
-  const fs::path before = fs::current_path();
-  fs::current_path(folder_.path("."));
-  write({.image = "photo.png", .libraries = {"tiles.h5"}, .job = "jobs/m.toml", .pieces = 200});
-  fs::current_path(before);
+  write_from_the_folder("jobs/m.toml");
   const toml::table job = toml::parse(bytes_of(folder_.path("jobs/m.toml")));
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), "../photo.png");
   EXPECT_EQ(job["library"]["file"].value<std::string>(), "../tiles.h5");

@@ -15,18 +15,23 @@ namespace {
 /// The shapes' mean colour is a grey of lightness 60: #919191.
 constexpr double kGrey = 145;
 
+/// Two pieces.
+struct Covering : test::SampleCollage {
+  explicit Covering(std::vector<std::string> covered) { report.covered = std::move(covered); }
+};
+
 TEST(ToneShift, GoesAllTheWayWhereItMay) {
-  const test::SampleCollage collage;
-  const auto shifts = tone_shifts(collage.report, {"#999d95", ""}, 8);
+  const Covering collage({"#999d95", ""});
+  const auto shifts = tone_shifts(collage.report, 8);
   ASSERT_EQ(shifts.size(), 2u);
   EXPECT_EQ(shifts[0], (ToneShift{8, 12, 4}));
   EXPECT_EQ(shifts[1], ToneShift{}) << "nothing is wished there";
 }
 
 TEST(ToneShift, GoesNoFurtherThanItMay) {
-  const test::SampleCollage collage;
+  const Covering collage({"#2040ff", "#000000"});
   for (const double most : {6., 12., 30.}) {
-    const ToneShift s = tone_shifts(collage.report, {"#2040ff", "#000000"}, most)[0];
+    const ToneShift s = tone_shifts(collage.report, most)[0];
     const float moved = ciede2000(lab_of(cv::Vec3d(kGrey, kGrey, kGrey)),
                                   lab_of(cv::Vec3d(kGrey + s.blue, kGrey + s.green, kGrey + s.red)));
     EXPECT_LE(moved, most);
@@ -37,17 +42,16 @@ TEST(ToneShift, GoesNoFurtherThanItMay) {
 }
 
 TEST(ToneShift, StartsFromTheColourThatIsDrawn) {
-  test::SampleCollage collage;
+  Covering collage({"#ff0000", "#808080"});
   collage.report.colours = {"#ff0000", "#808080"};
-  const auto shifts = tone_shifts(collage.report, {"#ff0000", "#808080"}, 20);
+  const auto shifts = tone_shifts(collage.report, 20);
   EXPECT_EQ(shifts[0], ToneShift{}) << "a silhouette in the colour of what it covers";
   EXPECT_EQ(shifts[1], ToneShift{});
 }
 
 TEST(ToneShift, OfNothingIsNone) {
-  const test::SampleCollage collage;
-  EXPECT_TRUE(tone_shifts(collage.report, {"#2040ff", "#000000"}, 0).empty());
-  EXPECT_TRUE(tone_shifts(collage.report, {}, 8).empty());
+  EXPECT_TRUE(tone_shifts(Covering({"#2040ff", "#000000"}).report, 0).empty());
+  EXPECT_TRUE(tone_shifts(Covering({}).report, 8).empty());
 }
 
 TEST(ToneShift, KnowsWhatPiecesCover) {

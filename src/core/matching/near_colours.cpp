@@ -9,7 +9,6 @@
 #include "core/tuning.h"
 
 namespace tessera {
-
 namespace {
 
 constexpr std::size_t kMostNearestKept = std::size_t(32) << 20;  // shapes of all points: 128 MB

@@ -17,7 +17,7 @@
 namespace tessera::io {
 namespace {
 
-constexpr float kNeighbourReach = 0.2f;  // of the smaller one's scale: what is nearer is seen as one with it
+constexpr float kBesideReach = 0.2f;     // of the smaller one's scale: what is nearer is seen as one with it
 constexpr std::size_t kPointStride = 8;  // of the 512 points of an outline
 
 struct Piece {
@@ -43,7 +43,7 @@ bool comes_near(const Piece& piece, const Piece& other, float reach_px) {
 /// One of them may be long and bend round the other: both are asked.
 bool are_neighbours(const Piece& a, const Piece& b, float padding_px) {
   const float scale_a = a.canvas_from_shape.scale(), scale_b = b.canvas_from_shape.scale();
-  const float reach_px = padding_px + kNeighbourReach * std::min(scale_a, scale_b);
+  const float reach_px = padding_px + kBesideReach * std::min(scale_a, scale_b);
   const float most_px = a.shape->radius * scale_a + b.shape->radius * scale_b + reach_px;
   const Vec2 apart = a.canvas_from_shape.translation() - b.canvas_from_shape.translation();
   return dot(apart, apart) < most_px * most_px && (comes_near(a, b, reach_px) || comes_near(b, a, reach_px));
@@ -64,6 +64,17 @@ std::vector<std::size_t> drawn_by_lot(const Piece& piece, std::size_t colours) {
   return order;
 }
 
+/// For the last of the pieces; those before it have chosen.
+std::size_t unlike_neighbours(const std::vector<Piece>& pieces, const std::vector<std::size_t>& chosen,
+                              std::size_t colours, float padding_px) {
+  const Piece& piece = pieces.back();
+  std::vector<int> beside(colours);
+  for (std::size_t i = 0; i < chosen.size(); ++i) beside[chosen[i]] += are_neighbours(piece, pieces[i], padding_px);
+  const std::vector<std::size_t> order = drawn_by_lot(piece, colours);
+  return *std::min_element(order.begin(), order.end(),
+                           [&](std::size_t a, std::size_t b) { return beside[a] < beside[b]; });
+}
+
 std::size_t nearest_to(const std::string& wanted, const std::vector<std::string>& palette) {
   const Lab there = lab_of(bgr_of(wanted));
   std::vector<float> differences;
@@ -82,18 +93,10 @@ std::vector<std::string> piece_colours(const CollageReport& report, const std::v
   std::vector<Piece> pieces;
   std::vector<std::size_t> chosen;
   for (const Placement& placement : report.placements) {
-    const Piece piece = make_piece(placement, report.shape(placement.shape));
     const std::string wanted = report.covered.empty() ? "" : report.covered[pieces.size()];
-    pieces.push_back(piece);
-    if (!wanted.empty()) {
-      chosen.push_back(nearest_to(wanted, palette));
-      continue;
-    }
-    std::vector<int> beside(palette.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i) beside[chosen[i]] += are_neighbours(piece, pieces[i], padding_px);
-    const std::vector<std::size_t> order = drawn_by_lot(piece, palette.size());
-    chosen.push_back(*std::min_element(order.begin(), order.end(),
-                                       [&](std::size_t a, std::size_t b) { return beside[a] < beside[b]; }));
+    pieces.push_back(make_piece(placement, report.shape(placement.shape)));
+    chosen.push_back(wanted.empty() ? unlike_neighbours(pieces, chosen, palette.size(), padding_px)
+                                    : nearest_to(wanted, palette));
   }
   std::vector<std::string> colours;
   for (const std::size_t c : chosen) colours.push_back(palette[c]);

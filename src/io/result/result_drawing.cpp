@@ -292,7 +292,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   } else if (draws_palette(job.colour, library)) {
     report.colours = piece_colours(report, palette);
   }
-  report.tones = tone_shifts(report, manifest.covered, job.colour.shift);
+  report.tones = tone_shifts(report, job.colour.shift);
   if (request.pdf && !report.tones.empty()) {
     throw no_pdf(dir, "colour.shift", fixed(job.colour.shift, 1), "colour.shift=0");
   }

@@ -51,8 +51,8 @@ cv::Vec3b drawn_colour(const CollageReport& report, std::size_t piece) {
   return mean_bgr(report.shape(report.placements[piece].shape));
 }
 
-std::vector<ToneShift> tone_shifts(const CollageReport& report, const std::vector<std::string>& covered,
-                                   double most_difference) {
+std::vector<ToneShift> tone_shifts(const CollageReport& report, double most_difference) {
+  const std::vector<std::string>& covered = report.covered;
   std::vector<ToneShift> shifts;
   if (most_difference <= 0) return shifts;
   for (std::size_t i = 0; i < covered.size(); ++i) {

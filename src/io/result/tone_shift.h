@@ -18,9 +18,8 @@ std::vector<std::string> covered_colours(const CollageReport& report, const Colo
 /// A piece's mean colour before tones are shifted: that of its drawing, or of its silhouette in a palette.
 cv::Vec3b drawn_colour(const CollageReport& report, std::size_t piece);
 
-/// For each piece what goes to CollageReport::tones: from its mean colour towards that of what it covers (`covered`), as
-/// far as `most_difference` (CIEDE2000) allows. Empty where that is 0.
-std::vector<ToneShift> tone_shifts(const CollageReport& report, const std::vector<std::string>& covered,
-                                   double most_difference);
+/// For each piece what goes to CollageReport::tones: from its mean colour towards that of what it covers
+/// (CollageReport::covered), as far as `most_difference` (CIEDE2000) allows. Empty where that is 0.
+std::vector<ToneShift> tone_shifts(const CollageReport& report, double most_difference);
 
 }  // namespace tessera::io
