@@ -74,6 +74,13 @@ done
 # value CARD LABEL: what stands behind the label on a line of card.txt
 value() { sed -n "s/^  $2  *//p" "$1" | head -1; }
 
+# old_section JOB: what the README says of a job that did not run here.
+old_section() {
+  echo
+  awk -v title="## [$1](" 'index($0, "## [") == 1 { on = index($0, title) == 1 } on { lines = lines $0 "\n" }
+    END { sub(/\n+$/, "", lines); print lines }' "$gallery/README.md"
+}
+
 {
   echo "# Gallery"
   echo "Every job of [jobs](../../jobs), made by \`scripts/gallery.sh\` with Debian's openclipart (public domain) and photos."
@@ -81,6 +88,7 @@ value() { sed -n "s/^  $2  *//p" "$1" | head -1; }
   for job in jobs/*.toml; do
     name=$(basename -s .toml "$job")
     card=out/gallery/$name/card.txt
+    if [[ ! -e $card && -e $gallery/$name.jpg ]]; then old_section "$name"; fi
     [[ -e $card && -e $gallery/$name.jpg ]] || continue
     echo
     echo "## [$name](../../$job)"

@@ -29,6 +29,7 @@ constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --overview found/\n"
     "  tessera library extract beach_*.jpg --element-px 60 --min 30 --max 200 -o pebbles.h5\n"
+    "  tessera library extract gravel.jpg --element-px 16 --enlarge 3 -o gravel.h5    elements of few pixels\n"
     "  tessera library extract wall.jpg --element-px 120 -o stones.h5 --ground mortar.png     the mortar, too\n"
     "  tessera library extract wall.jpg --labels wall_labels.png -o stones.h5      labels from another program\n"
     "Reads JPEG, PNG, TIFF, WebP and BMP, turned as their EXIF data say. Each element comes with its own pixels, "
@@ -46,15 +47,21 @@ struct ExtractArguments {
   io::ExtractionSettings settings;
 };
 
-std::string counts_text(const io::FoundElements& found) {
+std::string counts_text(const io::Extraction& extraction, const io::ExtractionSettings& settings) {
+  const io::FoundElements& found = extraction.found;
   const std::size_t count = found.elements.size();
   std::string text = std::to_string(count) + (count == 1 ? " element" : " elements");
   const auto add = [&](std::size_t left_out, const char* why) {
     if (left_out > 0) text += ", " + std::to_string(left_out) + " " + why;
   };
   add(found.at_edge, "at the photo's edge left out");
-  add(found.too_small, "smaller than --min");
+  const bool by_min = extraction.least_px <= settings.sizes.least_px;
+  char least[32];
+  std::snprintf(least, sizeof least, "smaller than %.3g px", extraction.least_px);
+  add(found.too_small, by_min ? "smaller than --min" : least);
   add(found.too_large, "larger than --max");
+  if (found.too_small > 0 && !by_min && settings.enlarged < io::kMostEnlarged)
+    text += "; --enlarge " + std::to_string(settings.enlarged + 1) + " or more has smaller ones";
   return text;
 }
 
@@ -85,7 +92,7 @@ std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Draw
     io::ExtractionSettings settings = arguments.settings;
     if (!arguments.ground.empty() && photo == arguments.photos.front()) settings.ground_px = arguments.ground_px;
     io::Extraction extraction = io::extract_elements(photo, settings, drawers);
-    std::printf("%s: %s\n", io::printable_utf8(photo).c_str(), counts_text(extraction.found).c_str());
+    std::printf("%s: %s\n", io::printable_utf8(photo).c_str(), counts_text(extraction, settings).c_str());
     if (!arguments.overview.empty()) write_overview(arguments, photo, extraction.overview_png);
     if (!extraction.ground_png.empty()) write_ground(arguments, extraction);
     for (io::CutOut& cut_out : extraction.cut_outs) all.push_back(std::move(cut_out));
@@ -195,6 +202,11 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
       ->check(CLI::Range(0.0, kMostSide_px));
   extract->add_option("--max", arguments->settings.sizes.most_px, "Leave out larger ones")
       ->check(CLI::Range(0.0, kMostSide_px));
+  extract
+      ->add_option("--enlarge", arguments->settings.enlarged,
+                   "Search and cut up the photo so many times larger; the other options stay in its own px. A library "
+                   "needs elements of 24 px (square root of the area), and twice that for good outlines")
+      ->check(CLI::Range(1, io::kMostEnlarged));
   extract
       ->add_option("--labels", arguments->settings.labels,
                    "Which pixels belong together, from another program: grey, 8 or 16 bits, 0 = gap; instead of "

@@ -81,6 +81,22 @@ run 2 library extract wall.png --labels map.png --max 20 -o none.h5
 grep -q '12 larger than --max' output || fail "what is too large is not counted"
 echo "ok labels, --min, --max"
 
+# Stones of few pixels: told at once, and found in the photo enlarged.
+rsvg-convert -w 120 -h 90 wall.svg -o few.png
+run 2 library extract few.png --element-px 18 -o none.h5
+grep -qx "few.png: 0 elements, 1 at the photo's edge left out, 12 smaller than 24 px; --enlarge 2 or more has smaller ones" output ||
+  fail "what is too small for a library is not told"
+run 0 library extract few.png --element-px 18 --enlarge 4 -o few.h5 --overview found
+grep -q '^few.png: 12 elements' output || fail "another count of the photo enlarged"
+run 0 library info few.h5
+grep -qx 'shapes          12' output || fail "another number of shapes enlarged"
+run 0 library extract few.png --element-px 18 --enlarge 4 --min 10 --max 20 -o few.h5
+grep -q '^few.png: 12 elements' output || fail "--min and --max are not in px of the photo as it is"
+pdftocairo -png -gray -antialias none -singlefile -r 72 -scale-to-x 120 -scale-to-y 90 map.pdf few_map
+run 0 library extract few.png --labels few_map.png --enlarge 2 -o few.h5
+grep -q '^few.png: 12 elements' output || fail "another count by a map of the photo as it is"
+echo "ok --enlarge"
+
 # The ground between the stones, for output.ground of a job.
 rsvg-convert <(echo "<svg xmlns='http://www.w3.org/2000/svg' width='240' height='240'><rect width='240' height='240'
   fill='#999'/></svg>") -o tiles.png
@@ -139,6 +155,8 @@ echo "ok errors"
 
 # Ctrl-C while it searches leaves the library as it was.
 rsvg-convert -w 4800 -h 3600 wall.svg -o large.png
+run 2 library extract large.png --element-px 150 --enlarge 2 -o none.h5
+expect_word 'large.png: --enlarge: found 2, allowed with its 4800 x 3600 px: 1 or less'
 cp wall.h5 before.h5
 timeout -s INT 1 "$tessera" library extract large.png --element-px 150 -o wall.h5 >output 2>errors
 code=$?

@@ -1,13 +1,18 @@
 #include "io/elements/photo_extraction.h"
 
+#include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "core/base/error.h"
+#include "core/shape/outline.h"
+#include "io/artwork/image_decoding.h"
 #include "io/elements/connected_labels.h"
 #include "io/elements/elements_overview.h"
 #include "io/elements/ground_pixels.h"
 #include "io/elements/ground_synthesis.h"
+#include "io/elements/label_scaling.h"
 #include "io/regular_file.h"
 
 namespace tessera::io {
@@ -21,7 +26,20 @@ cv::Mat without_alpha(const cv::Mat& picture) {
   return bgr;
 }
 
-cv::Mat searched_labels(const std::string& photo, const cv::Mat& picture, const ElementSearch& search) {
+cv::Mat enlarged_photo(const std::string& photo, const cv::Mat& picture, int times) {
+  if (times == 1) return picture;
+  const int most = int(std::sqrt(kMaxImagePixels / (double(picture.cols) * picture.rows)));
+  if (times > most) {
+    throw InputError(photo + ": --enlarge: found " + std::to_string(times) + ", allowed with its " +
+                     size_text(picture.size()) + " px: " + std::to_string(std::max(most, 1)) + " or less");
+  }
+  cv::Mat enlarged;
+  cv::resize(picture, enlarged, picture.size() * times, 0, 0, cv::INTER_CUBIC);
+  return enlarged;
+}
+
+cv::Mat searched_labels(const std::string& photo, const cv::Mat& picture, ElementSearch search, int times) {
+  search.element_px *= times;
   try {
     return element_labels(without_alpha(picture), search);
   } catch (const std::invalid_argument& error) {
@@ -55,11 +73,19 @@ void add_ground(const std::string& photo, const cv::Mat& picture, const cv::Mat&
 }  // namespace
 
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers) {
-  const cv::Mat picture = drawers.photo(read_regular_file(photo, kMaxPhotoBytes), photo);
-  const cv::Mat labels = settings.labels.empty() ? searched_labels(photo, picture, settings.search)
-                                                 : given_labels(settings.labels, photo, picture.size(), drawers);
+  const int times = settings.enlarged;
+  const cv::Mat as_it_is = drawers.photo(read_regular_file(photo, kMaxPhotoBytes), photo);
+  const cv::Mat picture = enlarged_photo(photo, as_it_is, times);
+  cv::Mat labels;
+  if (settings.labels.empty()) {
+    labels = searched_labels(photo, picture, settings.search, times);
+  } else {
+    labels = given_labels(settings.labels, photo, as_it_is.size(), drawers);
+    if (times > 1) labels = scaled_labels(labels, picture.size());
+  }
   Extraction extraction;
-  extraction.found = find_elements(labels, settings.sizes);
+  extraction.least_px = std::max(settings.sizes.least_px, double(kLeastSize_px) / times);
+  extraction.found = find_elements(labels, {extraction.least_px * times, settings.sizes.most_px * times});
   const std::vector<PhotoElement>& elements = extraction.found.elements;
   if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
   if (settings.ground_px > 0) add_ground(photo, picture, labels, settings, extraction);
