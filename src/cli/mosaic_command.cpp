@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "core/base/error.h"
 #include "io/elements/photo_extraction.h"
+#include "io/job/job_file.h"
 #include "io/library/library_view.h"
 #include "io/mosaic/mosaic_files.h"
 #include "io/utf8_text.h"
@@ -41,12 +42,22 @@ std::string job_path(const io::MosaicRequest& request) {
   return request.job.empty() ? std::filesystem::path(request.image).stem().string() + ".toml" : request.job;
 }
 
+/// What is wrong with the overrides is wrong with the command: it leaves nothing behind.
+void check_overrides(const MosaicArguments& arguments, const io::WrittenMosaic& written) try {
+  io::load_job(arguments.request.job, arguments.collage.overrides);
+} catch (const InputError&) {
+  std::error_code ignored;
+  for (const std::string& path : written.new_files) std::filesystem::remove(path, ignored);
+  throw;
+}
+
 void write_job(const MosaicArguments& arguments) {
   const io::MosaicRequest& request = arguments.request;
   if (std::isnan(request.shift)) throw InputError("--shift: found nan, allowed: a number");
   const io::LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
   io::Drawers drawers(io::photo_drawer_settings(1));
   const io::WrittenMosaic written = io::write_mosaic_files(request, drawers);
+  check_overrides(arguments, written);
   const io::MosaicPlan& plan = written.plan;
   if (arguments.collage.quiet) return;
   const std::string job = io::printable_utf8(request.job);

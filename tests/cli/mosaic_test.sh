@@ -68,3 +68,10 @@ same_on_3_ranks out/parted mosaic sun.png own.h5 --pieces 100 --job parted.toml 
 # The sky is a whole rectangle without regions; with them pieces keep off the sun's edge.
 cmp -s out/small/pieces.geojson out/parted/pieces.geojson && fail "regions change nothing"
 echo "ok regions"
+
+run 2 mosaic sun.png own.h5 --pieces 100 --job slip.toml --set output.widht_px=400
+expect_word 'output.width_px'
+[[ ! -e slip.toml && ! -e slip_sizes.png && ! -e slip_regions.png ]] || fail "a mistake left files behind"
+run 2 mosaic sun.png own.h5 --pieces 100 --job parted.toml --set output.widht_px=400
+[[ -s parted.toml && -s parted_regions.png ]] || fail "a mistake removed the job that was there"
+echo "ok mistakes"

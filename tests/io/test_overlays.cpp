@@ -170,9 +170,9 @@ TEST_F(Overlaid, SizesGoByLightness) {
 }
 
 TEST_F(Overlaid, MistakesNameKeyAndFile) {
-  EXPECT_EQ(mistake(folder_.path("none.png")).rfind("colour.image: ", 0), 0u);
+  EXPECT_EQ(mistake(folder_.path("none.png")).rfind("a.toml: colour.image: ", 0), 0u);
   const std::string text = folder_.write("text.png", "no picture");
-  EXPECT_EQ(mistake(text).rfind("colour.image: " + text, 0), 0u) << mistake(text);
+  EXPECT_EQ(mistake(text).rfind("a.toml: colour.image: " + text, 0), 0u) << mistake(text);
   const std::string clear = image("clear.png", cv::Mat(10, 20, CV_8UC4, cv::Scalar()));
   EXPECT_EQ(mistake(clear), "a.toml: colour.image: " + clear + " is transparent all over");
   const std::string good = image("a.png", two_halves({400, 200}));

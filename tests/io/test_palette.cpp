@@ -58,6 +58,8 @@ TEST_F(Palettes, OfTheLibrarysChoiceAreInTheJob) {
 
 TEST_F(Palettes, SayWhatIsWrong) {
   EXPECT_NE(mistake("\"duks\"").find("job.toml: colour.palette: " + folder_.path("duks")), std::string::npos);
+  EXPECT_NE(mistake("\"duks\"").find("(did you mean dusk?)"), std::string::npos);
+  EXPECT_EQ(mistake("\"elsewhere\"").find("did you mean"), std::string::npos);
   EXPECT_NE(mistake("\"duks\"").find("allowed: dusk, forest, ink, a GIMP palette"), std::string::npos);
   folder_.write("bad.txt", "#000000\nred\n");
   EXPECT_NE(mistake("\"bad.txt\"").find("bad.txt:2: found \"red\", allowed: #rrggbb"), std::string::npos);

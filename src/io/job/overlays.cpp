@@ -37,8 +37,12 @@ cv::Size cells_of(const Canvas& canvas, float px_per_cell) {
 }
 
 /// SVGs are drawn twice as fine.
-cv::Mat picture_for(const std::string& path, const char* key, const Canvas& canvas, cv::Size cells) {
-  return overlay_picture(path, key, canvas, 2 * std::max(cells.width, cells.height));
+cv::Mat picture_for(const Job& job, const std::string& path, const char* key, const Canvas& canvas, cv::Size cells) {
+  try {
+    return overlay_picture(path, key, canvas, 2 * std::max(cells.width, cells.height));
+  } catch (const InputError& error) {
+    throw InputError(job.path + ": " + error.what());
+  }
 }
 
 void refuse_seamless(const Job& job, const char* key) {
@@ -83,7 +87,7 @@ std::shared_ptr<const ColourTarget> colour_target_of(const Canvas& canvas, const
   refuse_seamless(job, "colour.image");
   const float px_per_texel = px_per_cell(job, kTexelsPerPiece);
   const cv::Size size = cells_of(canvas, px_per_texel);
-  const Grid<Texel> finest = texels_from(picture_for(job.colour.image, "colour.image", canvas, size), size);
+  const Grid<Texel> finest = texels_from(picture_for(job, job.colour.image, "colour.image", canvas, size), size);
   if (std::none_of(finest.data().begin(), finest.data().end(),
                    [](const Texel& texel) { return texel.weight >= kLeastColourWeight; })) {
     throw InputError(job.path + ": colour.image: " + job.colour.image + " is transparent all over");
@@ -97,7 +101,7 @@ std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job)
   refuse_seamless(job, "pieces.size_map");
   const float cell_px = px_per_cell(job, kSizesPerPiece);
   const cv::Size size = cells_of(canvas, cell_px);
-  const cv::Mat bgra = picture_for(job.size_map, "pieces.size_map", canvas, size);
+  const cv::Mat bgra = picture_for(job, job.size_map, "pieces.size_map", canvas, size);
   cv::Mat grey, alpha, cells;
   cv::cvtColor(bgra, grey, cv::COLOR_BGRA2GRAY);
   cv::extractChannel(bgra, alpha, 3);

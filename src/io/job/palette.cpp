@@ -5,12 +5,14 @@
 #include <cctype>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/split_text.h"
 #include "io/job/job_entry.h"
+#include "io/nearest_name.h"
 #include "io/regular_file.h"
 
 namespace tessera::io {
@@ -110,7 +112,9 @@ std::vector<std::string> load(const Job& job, const std::string& key, const std:
   } catch (const InputError& error) {
     std::string names;
     for (const std::string& name : built_in_palettes()) names += name + ", ";
-    throw InputError(job.path + ": " + key + ": " + error.what() + "; allowed: " + names +
+    const std::string nearest = nearest_name(std::filesystem::path(palette[0]).filename(), built_in_palettes());
+    throw InputError(job.path + ": " + key + ": " + error.what() +
+                     (nearest.empty() ? "" : " (did you mean " + nearest + "?)") + "; allowed: " + names +
                      "a GIMP palette or a file with a #rrggbb a line, or a list of colours");
   }
 }

@@ -146,8 +146,12 @@ WrittenMosaic write_mosaic_files(const MosaicRequest& request, Drawers& drawers)
   const std::string text = mosaic_job(files, plan, request.shift, hex_of(joint_colour(image)), regions);
   outputs.push_back({request.job, Bytes(text.begin(), text.end())});
   for (const Output& output : outputs) check_replaceable(output.path, output.bytes, request);
-  for (const Output& output : outputs) write_unless_there(output.path, output.bytes);
-  return {plan, int(regions.size())};
+  WrittenMosaic written{.plan = plan, .new_files = {}, .regions = int(regions.size())};
+  for (const Output& output : outputs) {
+    if (!fs::exists(output.path)) written.new_files.push_back(output.path);
+    write_unless_there(output.path, output.bytes);
+  }
+  return written;
 }
 
 }  // namespace tessera::io

@@ -21,6 +21,7 @@ struct MosaicRequest {
 
 struct WrittenMosaic {
   MosaicPlan plan;
+  std::vector<std::string> new_files;  // that were not there before
   int regions = 0;  // 0: the image has no parts of different colours that are large enough, or none were wanted
 };
 
