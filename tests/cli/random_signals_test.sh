@@ -30,6 +30,25 @@ go_on() { # HOW MANY ENDS SO FAR
   expect_end 0 "end $1: going on"
 }
 
+# Waits for $started; its exit $code. Debian 12's mpirun may lock up in PMIx_server_finalize where a rank was ended while
+# it connected: the ranks are gone, as they should be, and mpirun waits for itself. Then it is ended, and counted.
+locked_up=0
+await_end() { # RANKS
+  local alone=0
+  while (($1 == 3)) && kill -0 "$started" 2>/dev/null; do
+    sleep 0.1
+    ps -o stat= --ppid "$started" >children
+    if grep -qv '^Z' children; then alone=0; else alone=$((alone + 1)); fi
+    ((alone < 300)) || break
+  done
+  if ((alone >= 300)); then
+    locked_up=$((locked_up + 1))
+    kill -KILL "$started" 2>/dev/null
+  fi
+  wait "$started" 2>/dev/null
+  code=$?
+}
+
 computing=0
 drawing=0
 for ((n = 0; n < moments; ++n)); do
@@ -49,8 +68,7 @@ for ((n = 0; n < moments; ++n)); do
   signals=(INT TERM USR2)
   ((how == 3)) || kill -s "${signals[how]}" "$started" 2>/dev/null
   began_ms=$(date +%s%3N)
-  wait "$started" 2>/dev/null
-  code=$?
+  await_end "$ranks"
   took_ms=$(($(date +%s%3N) - began_ms))
   [[ $code != 2 ]] || fail "end $n: what was there is refused"
   if [[ $code == 75 ]] && ((took_ms > most_ms)); then
@@ -67,4 +85,5 @@ for ((n = 0; n < moments; ++n)); do
   [[ $code == 0 ]] || go_on "$n"
   expect_drawn out
 done
+((locked_up <= 2)) || fail "mpirun locked up $locked_up times"
 echo "ok: $moments ends, $computing while computing, $drawing while drawing"
