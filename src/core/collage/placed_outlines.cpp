@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "core/field/piece_distance.h"
@@ -19,6 +20,9 @@ constexpr float kEdgeSpacing_px = 1;
 /// A vertex that a field sees so near, or inside, is worth an exact look: at thin tips fields are wrong by so much and
 /// the allowed depth together.
 constexpr float kSuspect_px = 0.5f;
+
+/// Of a piece that was taken out: near to nothing.
+constexpr Box kNowhere{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
 bool near(const Box& a, const Box& b, float reach) {
   return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach &&
@@ -84,6 +88,13 @@ Vec2 way_out(const PolygonIndex& piece, const PolygonIndex& other, float apart_p
   return along(out, norm(out) + apart_px);
 }
 
+Outline moved(Outline outline, Vec2 by) {
+  for (std::vector<Vec2>& curve : outline.curves) {
+    for (Vec2& p : curve) p = p + by;
+  }
+  return outline;
+}
+
 auto key_of(const Placement& p) {
   const Similarity& s = p.canvas_from_shape;
   return std::tuple(p.shape, s.a, s.b, s.tx, s.ty);
@@ -110,19 +121,34 @@ PlacedOutlines::PlacedOutlines(const FreeField& free, const PieceSettings& piece
       needed_px_(needed_px(pieces)) {}
 
 void PlacedOutlines::add(const Placement& placement, const Outline& outline) {
-  placed_.push_back({placement, std::make_shared<PolygonIndex>(placed_outline(outline, placement.canvas_from_shape))});
+  const auto placed = std::make_shared<PolygonIndex>(placed_outline(outline, placement.canvas_from_shape));
+  placed_.push_back({placement, placed, placed->box()});
+}
+
+void PlacedOutlines::move(std::size_t index, const Similarity& canvas_from_shape, const Outline& outline) {
+  Placed& placed = placed_[index];
+  placed.placement.canvas_from_shape = canvas_from_shape;
+  placed.outline = std::make_shared<PolygonIndex>(placed_outline(outline, canvas_from_shape));
+  placed.box = placed.outline->box();
+}
+
+void PlacedOutlines::take_out(std::size_t index) {
+  placed_[index].outline.reset();
+  placed_[index].box = kNowhere;
 }
 
 void PlacedOutlines::replace(const std::vector<Placement>& placements, ShapeSource& shapes) {
   std::map<decltype(key_of({})), std::shared_ptr<const PolygonIndex>> known;
-  for (const Placed& placed : placed_) known.emplace(key_of(placed.placement), placed.outline);
+  for (const Placed& placed : placed_) {
+    if (placed.outline) known.emplace(key_of(placed.placement), placed.outline);
+  }
   placed_.clear();
   for (const Placement& p : placements) {
     const auto found = known.find(key_of(p));
     if (found == known.end()) {
       add(p, shapes.shape(p.shape).outline);
     } else {
-      placed_.push_back({p, found->second});
+      placed_.push_back({p, found->second, found->second->box()});
     }
   }
 }
@@ -173,9 +199,8 @@ bool PlacedOutlines::holds_a_zone(const PolygonIndex& piece) const {
 }
 
 bool PlacedOutlines::any_near(const Box& piece) const {
-  return std::any_of(placed_.begin(), placed_.end(), [&](const Placed& placed) {
-    return near(piece, placed.outline->box(), std::max(needed_px_, 0.f));
-  });
+  return std::any_of(placed_.begin(), placed_.end(),
+                     [&](const Placed& placed) { return near(piece, placed.box, std::max(needed_px_, 0.f)); });
 }
 
 /// By its box: a piece that is longer than the period stands nowhere, even where it could pass its own image.
@@ -191,8 +216,8 @@ void PlacedOutlines::add_neighbours(const Shape& shape, const Similarity& canvas
   const FieldView free = free_.view();
   Vec2 way;
   for (const Placed& placed : placed_) {
+    if (!near(piece.box(), placed.box, std::max(needed_px_, 0.f))) continue;
     const PolygonIndex& other = *placed.outline;
-    if (!near(piece.box(), other.box(), std::max(needed_px_, 0.f))) continue;
     if (needed_px_ > 0) {
       if (too_near(piece, other, way)) ways.push_back(way);
       continue;
@@ -213,6 +238,38 @@ std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity
     if (offset == Vec2{} || !any_near({piece.box().low + offset, piece.box().high + offset})) continue;
     const Similarity image = moved(canvas_from_shape, offset);
     add_neighbours(shape, image, PolygonIndex(placed_outline(shape.outline, image)), ways);
+  }
+  if (reaches_itself(piece.box())) ways.push_back({});
+  Vec2 way;
+  if (too_near_the_edge(piece, way)) ways.push_back(way);
+  return ways;
+}
+
+/// Of `other`, by the outlines alone.
+void PlacedOutlines::add_ways(const PolygonIndex& piece, const PolygonIndex& other, std::vector<Vec2>& ways) const {
+  Vec2 way;
+  if (needed_px_ > 0) {
+    if (too_near(piece, other, way)) ways.push_back(way);
+    return;
+  }
+  const auto suspect = [](Vec2) { return true; };
+  if (deepest_vertex(piece, other, -needed_px_, suspect, way)) ways.push_back(way);
+  if (deepest_vertex(other, piece, -needed_px_, suspect, way)) ways.push_back(way * -1.f);
+}
+
+std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index) const {
+  const PolygonIndex& piece = *placed_[index].outline;
+  std::vector<Vec2> ways;
+  for (const Vec2 offset : free_.grid().period().offsets()) {
+    const bool own_place = offset == Vec2{};
+    const Box box{piece.box().low + offset, piece.box().high + offset};
+    if (!own_place && !any_near(box)) continue;
+    std::optional<PolygonIndex> image;
+    if (!own_place) image.emplace(moved(piece.outline(), offset));
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      if ((own_place && i == index) || !near(box, placed_[i].box, std::max(needed_px_, 0.f))) continue;
+      add_ways(own_place ? piece : *image, *placed_[i].outline, ways);
+    }
   }
   if (reaches_itself(piece.box())) ways.push_back({});
   Vec2 way;

@@ -31,13 +31,24 @@ class PlacedOutlines {
   /// overlap_px in the other. Where the list is empty, the piece may stand.
   std::vector<Vec2> conflicts(const Shape& shape, const Similarity& canvas_from_shape) const;
 
+  // For those that are placed and still move: by their index, in the order in which they were added.
+
+  void move(std::size_t index, const Similarity& canvas_from_shape, const Outline& outline);
+  /// Takes the piece out; the others keep their indices. Of this one nothing may be asked any more.
+  void take_out(std::size_t index);
+  /// conflicts() of a placed piece with all others. It asks the outlines alone, whatever the free field holds: where
+  /// this list is empty, that of conflicts() is.
+  std::vector<Vec2> conflicts_of(std::size_t index) const;
+
  private:
   struct Placed {
     Placement placement;
-    std::shared_ptr<const PolygonIndex> outline;
+    std::shared_ptr<const PolygonIndex> outline;  // none: it was taken out
+    Box box;
   };
   void add_neighbours(const Shape& shape, const Similarity& canvas_from_shape, const PolygonIndex& piece,
                       std::vector<Vec2>& ways) const;
+  void add_ways(const PolygonIndex& piece, const PolygonIndex& other, std::vector<Vec2>& ways) const;
   bool any_near(const Box& piece) const;
   bool reaches_itself(const Box& piece) const;
   bool too_near(const PolygonIndex& piece, const PolygonIndex& other, Vec2& way) const;

@@ -1,0 +1,130 @@
+#include "core/collage/clearing.h"
+
+#include <algorithm>
+
+#include "core/relax/piece_neighbours.h"
+
+namespace tessera {
+namespace {
+
+/// A piece that conflicts gives way so often before it is given up; now and then all that stand round such pieces make
+/// way for them, so that not one of them pays for all.
+constexpr int kPasses = 48;
+constexpr int kPassesToMakingWay = 8;
+/// Of the scale, in each pass but those after making way. Smaller costs passes, larger costs area.
+constexpr float kShrink = 0.995f;
+/// Stiff, as nothing grows meanwhile; a conflict that is left is about so many times smaller than that before.
+constexpr RelaxationSchedule kMakingWay{12, 20, 20, 1, 0.3f, false};
+/// What fields do not see of an outline's depth at its vertices.
+constexpr float kUnseen_px = 0.25f;
+
+/// From which distance on pieces make way.
+float contact_px(const PieceSettings& pieces) {
+  const bool apart = pieces.padding_px > 0 || pieces.overlap_px == 0;
+  return apart ? pieces.padding_px + kUnseen_px : std::min(0.f, kUnseen_px - pieces.overlap_px);
+}
+
+class Clearing {
+ public:
+  Clearing(std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active, const Canvas& canvas,
+           const FreeField& free, const PieceSettings& settings)
+      : pieces_(pieces),
+        period_(canvas.period),
+        making_way_(canvas, contact_px(settings)),
+        outlines_(free, settings),
+        may_move_(pieces.size(), false) {
+    for (const std::size_t i : active) may_move_[i] = !pieces[i].fixed;
+    for (const RelaxedPiece& piece : pieces) outlines_.add({ShapeId{}, piece.canvas_from_shape}, piece.shape->outline);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (may_move_[i]) unsure_.push_back(i);
+    }
+  }
+
+  std::vector<std::size_t> run(const std::function<void()>& look) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+      look();
+      if (pass % kPassesToMakingWay == 0) make_way(look);
+      const bool shrinking = pass % kPassesToMakingWay > 0;
+      std::erase_if(unsure_, [&](std::size_t i) { return !gives_way(i, shrinking); });
+      if (unsure_.empty()) return {};
+    }
+    std::erase_if(unsure_, [&](std::size_t i) {
+      if (outlines_.conflicts_of(i).empty()) return true;
+      outlines_.take_out(i);
+      return false;
+    });
+    return unsure_;
+  }
+
+ private:
+  /// False where it has no conflict.
+  bool gives_way(std::size_t i, bool shrinking) {
+    const std::vector<Vec2> ways = outlines_.conflicts_of(i);
+    if (ways.empty()) return false;
+    Similarity pose = pieces_[i].canvas_from_shape;
+    for (const Vec2 way : ways) pose = moved(pose, way);
+    if (shrinking) {
+      pose.a *= kShrink;
+      pose.b *= kShrink;
+      pieces_[i].poses.pull_in(pose);
+    }
+    place(i, pose);
+    return true;
+  }
+
+  void place(std::size_t i, const Similarity& pose) {
+    pieces_[i].canvas_from_shape = period_.wrapped(pose);
+    outlines_.move(i, pieces_[i].canvas_from_shape, pieces_[i].shape->outline);
+  }
+
+  /// A conflict is one of both pieces, so that only those that moved need be looked at again.
+  void make_way(const std::function<void()>& look) {
+    std::erase_if(unsure_, [&](std::size_t i) { return outlines_.conflicts_of(i).empty(); });
+    const std::vector<std::size_t> movable = with_neighbours(unsure_);
+    std::vector<RelaxedPiece> before = pieces_;
+    making_way_.relax(pieces_, movable, kMakingWay, look);
+    std::vector<std::size_t> unsure;
+    for (const std::size_t i : movable) {
+      const bool was_unsure = std::binary_search(unsure_.begin(), unsure_.end(), i);
+      const bool moved = pieces_[i].canvas_from_shape != before[i].canvas_from_shape;
+      if (moved) place(i, pieces_[i].canvas_from_shape);
+      if (moved || was_unsure) unsure.push_back(i);
+    }
+    unsure_ = std::move(unsure);
+  }
+
+  /// Those, and all that touch them and may move; ascending.
+  std::vector<std::size_t> with_neighbours(const std::vector<std::size_t>& some) const {
+    std::vector<Box> boxes;
+    for (const RelaxedPiece& piece : pieces_) {
+      boxes.push_back(bounding_box(placed_outline(piece.shape->outline, piece.canvas_from_shape).curves.front()));
+    }
+    const PieceNeighbours near(boxes, period_);
+    std::vector<std::size_t> all = some;
+    for (const std::size_t i : some) {
+      for (const Neighbour& n : near.of(std::uint32_t(i), 0)) {
+        if (may_move_[n.piece]) all.push_back(n.piece);
+      }
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+  }
+
+  std::vector<RelaxedPiece>& pieces_;
+  Period period_;
+  Relaxation making_way_;
+  PlacedOutlines outlines_;
+  std::vector<bool> may_move_;
+  std::vector<std::size_t> unsure_;  // ascending: who may have a conflict
+};
+
+}  // namespace
+
+std::vector<std::size_t> make_clear(std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active,
+                                    const Canvas& canvas, const FreeField& free, const PieceSettings& settings,
+                                    const std::function<void()>& look) {
+  return Clearing(pieces, active, canvas, free, settings).run(look);
+}
+
+}  // namespace tessera

@@ -1,0 +1,28 @@
+#include "core/relax/canvas_edge.h"
+
+#include <algorithm>
+
+namespace tessera {
+namespace {
+
+/// The last cell of the field ends so much before its last node: where look-ups are on the grid.
+constexpr float kBeforeTheLastNode_px = 1e-3f;
+
+}  // namespace
+
+FieldSample CanvasEdge::at(Vec2 canvas_px) const {
+  const FieldView field(canvas_.distance);
+  const Vec2 p = canvas_.period.wrapped(canvas_px);
+  const Vec2 last{float(field.width - 1) - kBeforeTheLastNode_px, float(field.height - 1) - kBeforeTheLastNode_px};
+  const Vec2 nearest{std::clamp(p.x, field.origin.x, field.origin.x + last.x),
+                     std::clamp(p.y, field.origin.y, field.origin.y + last.y)};
+  FieldSample sample = field_sample(field, nearest);
+  if (nearest == p) return sample;
+  const Vec2 beyond = p - nearest;
+  const float way = norm(beyond);
+  if (beyond.x != 0) sample.gradient.x = 0;
+  if (beyond.y != 0) sample.gradient.y = 0;
+  return {sample.value - way, sample.gradient - beyond * (1 / way)};
+}
+
+}  // namespace tessera

@@ -1,0 +1,95 @@
+// Where pieces touch: boundary samples of one in the distance field of another, and beside the canvas' edge.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/geometry/similarity.h"
+#include "core/relax/canvas_edge.h"
+#include "core/relax/contact_shape.h"
+
+namespace tessera {
+
+/// A shape as it lies on the canvas. Canvas px.
+struct LaidPiece {
+  const ContactShape* shape = nullptr;  // outlives the piece
+  Similarity canvas_from_shape;
+  float scale_px = 0;
+  const BoundarySamples* samples = nullptr;  // of the shape, as dense as the scale needs
+  std::vector<Vec2> points;                  // the samples' positions
+  Box box;                                   // of the points
+
+  void lay(const ContactShape& of_shape, const Similarity& where);
+
+  /// Distance to the outline, positive outside, with its gradient.
+  FieldSample distance(Vec2 p) const {
+    const Similarity& s = canvas_from_shape;
+    const float per_px2 = 1 / (scale_px * scale_px);
+    const Vec2 d = p - s.translation();
+    const FieldSample at = shape->distance({(s.a * d.x + s.b * d.y) * per_px2, (s.a * d.y - s.b * d.x) * per_px2});
+    return {at.value * scale_px, s.apply_direction(at.gradient) * (1 / scale_px)};
+  }
+};
+
+struct Contact {
+  Vec2 at;            // a sample, canvas px
+  float distance_px;  // to the other's boundary; negative: so deep in it
+  Vec2 gradient;      // of the distance
+  float length_px;    // of the boundary that the sample stands for
+};
+
+inline bool nearer_than(float reach, const Box& a, const Box& b) {
+  return a.low.x < b.high.x + reach && b.low.x < a.high.x + reach && a.low.y < b.high.y + reach &&
+         b.low.y < a.high.y + reach;
+}
+
+/// Walks along the samples, `distance(p)` giving what is to be met there, and calls f(contact) for those that are nearer
+/// than `reach_px`. Elsewhere it skips as many as a distance that changes by no more than the way allows;
+/// `slack_px` is by how much look-up between nodes may be wrong.
+template <class Distance, class F>
+void walk_contacts(const LaidPiece& piece, float reach_px, float slack_px, Distance distance, F f) {
+  const float per_step = 1 / (piece.samples->longest_step * piece.scale_px);
+  std::size_t i = 0;
+  for (const std::size_t end : piece.samples->curve_ends) {
+    while (i < end) {
+      const Vec2 p = piece.points[i];
+      const FieldSample d = distance(p);
+      if (d.value < reach_px) {
+        f(Contact{p, d.value, d.gradient, piece.samples->samples[i].length * piece.scale_px});
+        ++i;
+      } else {
+        const float steps = (d.value - reach_px - slack_px) * per_step;
+        i = steps < float(end - i) ? i + std::max<std::size_t>(1, std::size_t(std::max(steps, 0.f))) : end;
+      }
+    }
+  }
+}
+
+/// Calls f(contact) for the samples of `piece` that are nearer than `reach_px` to `other` moved by `offset`.
+template <class F>
+void each_contact(const LaidPiece& piece, const LaidPiece& other, Vec2 offset, float reach_px, F f) {
+  const Box box{other.box.low + offset, other.box.high + offset};
+  if (!nearer_than(std::max(reach_px, 0.f), piece.box, box)) return;
+  const float node_px = other.scale_px / other.shape->nodes_per_unit;
+  const auto distance = [&](Vec2 p) {
+    // Far from the box there is no need to look.
+    const float to_box =
+        std::max(std::max(box.low.x - p.x, p.x - box.high.x), std::max(box.low.y - p.y, p.y - box.high.y));
+    if (to_box > std::max(reach_px, 0.f) + node_px) return FieldSample{to_box, {}};
+    return other.distance(p - offset);
+  };
+  walk_contacts(piece, reach_px, node_px, distance, f);
+}
+
+/// The same with the canvas' edge, whose distance is negative outside the canvas.
+template <class F>
+void each_contact(const LaidPiece& piece, const CanvasEdge& edge, float reach_px, F f) {
+  constexpr float kNode_px = 1;
+  // The farthest sample is no farther from the centre than the radius.
+  const FieldSample centre = edge.at(piece.canvas_from_shape.translation());
+  if (centre.value > piece.shape->radius * piece.scale_px + reach_px + kNode_px) return;
+  walk_contacts(
+      piece, reach_px, kNode_px, [&](Vec2 p) { return edge.at(p); }, f);
+}
+
+}  // namespace tessera

@@ -1,0 +1,156 @@
+#include "core/relax/relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/portable_math.h"
+#include "core/relax/contacts.h"
+#include "core/relax/piece_neighbours.h"
+#include "core/relax/relaxation_step.h"
+
+namespace tessera {
+namespace {
+
+/// The canvas' edge is stiffer than a neighbour: it does not give way, and what lies outside is lost.
+constexpr float kEdgeStiffness = 2;
+/// Of the energy of a neighbour's contact, which is felt both ways, each way has so much.
+constexpr float kOneWay = 0.5f;
+/// Of the stiffness of a whole boundary in contact: keeps pieces that nothing holds from leaping.
+constexpr float kStepDamping = 0.01f;
+/// A sweep in which no piece moves farther ends the relaxation.
+constexpr float kAtRest_px = 0.01f;
+/// Neighbours are looked for within this reach, and again when pieces may have moved by half of it. Longer: more boxes
+/// to look at; shorter: more often.
+constexpr float kNeighbourReach_px = 16;
+/// A step of 1 px moves the points of a piece by no more: its shift, turn and growth together, to 1.5 scales from the
+/// centre.
+constexpr float kMostMovement = 4;
+
+std::vector<LaidPiece> laid(const std::vector<RelaxedPiece>& pieces) {
+  std::vector<LaidPiece> all(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) all[i].lay(*pieces[i].shape, pieces[i].canvas_from_shape);
+  return all;
+}
+
+PieceNeighbours neighbours_among(const std::vector<LaidPiece>& pieces, const Period& period) {
+  std::vector<Box> boxes;
+  for (const LaidPiece& piece : pieces) boxes.push_back(piece.box);
+  return {boxes, period};
+}
+
+/// The piece's energy as far as it depends on its pose, to second order.
+RelaxationStep step_of(const LaidPiece& piece, const std::vector<LaidPiece>& pieces,
+                       const std::vector<Neighbour>& neighbours, const CanvasEdge& edge, float contact_px,
+                       float stiffness, bool growing) {
+  RelaxationStep step(piece.canvas_from_shape);
+  for (const Neighbour& n : neighbours) {
+    const LaidPiece& other = pieces[n.piece];
+    each_contact(piece, other, n.offset, contact_px,
+                 [&](const Contact& c) { step.add_own(c, contact_px - c.distance_px, kOneWay * stiffness); });
+    each_contact(other, piece, n.offset * -1.f, contact_px, [&](Contact c) {
+      c.at = c.at + n.offset;
+      step.add_others(c, contact_px - c.distance_px, kOneWay * stiffness);
+    });
+  }
+  each_contact(piece, edge, contact_px,
+               [&](const Contact& c) { step.add_own(c, contact_px - c.distance_px, kEdgeStiffness * stiffness); });
+  if (growing) step.add_growth();
+  return step;
+}
+
+/// Moves the piece, by no more than `most_px`; returns by how much.
+float take(const RelaxationStep& step, const PoseRange& poses, float most_px, LaidPiece& piece) {
+  const PieceMovement movement = step.solved(piece.canvas_from_shape, poses);
+  const float wanted_px = movement.largest();
+  const float part = wanted_px > most_px ? most_px / wanted_px : 1.f;
+  piece.lay(*piece.shape, moved(piece.canvas_from_shape, movement, part, poses));
+  return part * wanted_px;
+}
+
+/// So far through the schedule, 0..1. Softness, the depth at rest, falls evenly.
+float stiffness_at(const RelaxationSchedule& s, float progress) {
+  return 1 / ((1 - progress) / s.first_stiffness + progress / s.last_stiffness);
+}
+float step_at(const RelaxationSchedule& s, float progress) {
+  return s.first_step_px + (s.last_step_px - s.first_step_px) * progress;
+}
+
+/// In another order each sweep, so that none is always the first to grow.
+void shuffle(std::vector<std::size_t>& pieces, int sweep) {
+  const auto key = [sweep](std::size_t piece) {
+    return std::pair(mix_bits(std::uint64_t(sweep) << 32 ^ std::uint64_t(piece)), piece);
+  };
+  std::sort(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+}
+
+}  // namespace
+
+void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_t> active,
+                       const RelaxationSchedule& schedule, const std::function<void()>& look) const {
+  std::erase_if(active, [&](std::size_t i) { return pieces[i].fixed; });
+  std::vector<LaidPiece> all = laid(pieces);
+  std::vector<std::vector<Neighbour>> neighbours(pieces.size());
+  float may_have_moved_px = kNeighbourReach_px;
+  for (int sweep = 0; sweep < schedule.sweeps; ++sweep) {
+    look();
+    const float progress = schedule.sweeps > 1 ? float(sweep) / float(schedule.sweeps - 1) : 1.f;
+    const float stiffness = stiffness_at(schedule, progress);
+    const float most_step_px = step_at(schedule, progress);
+    // Two pieces come nearer to each other by twice that.
+    if (2 * (may_have_moved_px + kMostMovement * most_step_px) > kNeighbourReach_px) {
+      const PieceNeighbours near = neighbours_among(all, edge_.period());
+      for (const std::size_t i : active) neighbours[i] = near.of(std::uint32_t(i), kNeighbourReach_px);
+      may_have_moved_px = 0;
+    }
+    shuffle(active, sweep);
+    float largest_px = 0;
+    for (const std::size_t i : active) {
+      RelaxationStep step = step_of(all[i], all, neighbours[i], edge_, contact_px_, stiffness, schedule.growing);
+      step.add_damping(kStepDamping * stiffness * all[i].shape->perimeter * all[i].scale_px);
+      largest_px = std::max(largest_px, take(step, pieces[i].poses, most_step_px, all[i]));
+    }
+    may_have_moved_px += kMostMovement * largest_px;
+    if (largest_px < kAtRest_px) break;
+  }
+  for (const std::size_t i : active) {
+    pieces[i].canvas_from_shape = edge_.period().wrapped(all[i].canvas_from_shape);
+  }
+}
+
+RelaxationBalance Relaxation::balance(const std::vector<RelaxedPiece>& pieces, float stiffness) const {
+  const std::vector<LaidPiece> all = laid(pieces);
+  const PieceNeighbours near = neighbours_among(all, edge_.period());
+  RelaxationBalance balance;
+  double between = 0;  // sums of length times depth²
+  double outside = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    balance.area_px2 += double(all[i].scale_px) * double(all[i].scale_px);
+    for (const Neighbour& n : near.of(std::uint32_t(i), std::max(contact_px_, 0.f))) {
+      each_contact(all[i], all[n.piece], n.offset, contact_px_, [&](const Contact& c) {
+        const double depth_px = contact_px_ - c.distance_px;
+        between += c.length_px * depth_px * depth_px;
+        balance.overlap_px2 += kOneWay * c.length_px * depth_px;
+      });
+    }
+    each_contact(all[i], edge_, contact_px_, [&](const Contact& c) {
+      const double depth_px = contact_px_ - c.distance_px;
+      outside += c.length_px * depth_px * depth_px;
+      balance.outside_px2 += c.length_px * depth_px;
+    });
+  }
+  balance.energy_px2 = 0.5 * stiffness * (kOneWay * between + kEdgeStiffness * outside) - balance.area_px2;
+  return balance;
+}
+
+std::array<double, 4> Relaxation::energy_gradient(const std::vector<RelaxedPiece>& pieces, std::size_t piece,
+                                                  float stiffness) const {
+  const std::vector<LaidPiece> all = laid(pieces);
+  const PieceNeighbours near = neighbours_among(all, edge_.period());
+  const RelaxationStep step = step_of(all[piece], all, near.of(std::uint32_t(piece), std::max(contact_px_, 0.f)), edge_,
+                                      contact_px_, stiffness, true);
+  const auto& g = step.gradient();
+  return {g[0], g[1], g[2], g[3]};
+}
+
+}  // namespace tessera

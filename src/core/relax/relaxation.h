@@ -1,0 +1,73 @@
+// Joint relaxation: the pieces of a collage move, turn and scale together until they grew into the gaps between them.
+//
+// What becomes less is the energy, px²: -(sum of scale²), which is the pieces' area, + for each two pieces, both ways,
+// stiffness / 4 · sum of length · depth² over the boundary samples of the one that lie in the other's distance field,
+// + for the canvas' edge 2 · stiffness · the same sum. At rest a piece with neighbours all round lies 1 / stiffness px
+// deep in them. Gauss-Seidel over the pieces, one Gauss-Newton step each a sweep.
+//
+// The same pieces give the same bits on every machine: + - * / and square roots in a fixed order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/field/canvas.h"
+#include "core/matching/pose_range.h"
+#include "core/relax/canvas_edge.h"
+#include "core/relax/contact_shape.h"
+
+namespace tessera {
+
+struct RelaxedPiece {
+  const ContactShape* shape = nullptr;  // outlives the piece
+  Similarity canvas_from_shape;
+  PoseRange poses;     // what the pose may be
+  bool fixed = false;  // it never moves, but others feel it
+};
+
+/// From the first sweep to the last: contacts become stiffer and steps shorter, so that pieces pass each other's tips
+/// first and come to rest in the end.
+struct RelaxationSchedule {
+  int sweeps = 0;
+  float first_stiffness = 0;
+  float last_stiffness = 0;
+  float first_step_px = 0;  // the farthest that a step leads, turn and growth measured as in PieceMovement
+  float last_step_px = 0;
+  bool growing = true;  // false: the pieces' area is worth nothing, they only make way
+};
+
+/// What a relaxation strikes a balance between, px².
+struct RelaxationBalance {
+  double energy_px2 = 0;
+  double area_px2 = 0;     // of all pieces, overlaps counted as often as they are covered
+  double overlap_px2 = 0;  // of pieces with each other, about: from the depths of their boundaries
+  double outside_px2 = 0;  // of pieces beyond the canvas' edge, likewise
+};
+
+class Relaxation {
+ public:
+  /// `canvas`, or the one region of it that is filled, outlives the relaxation. Pieces feel each other and the edge from
+  /// `contact_px` on: the padding that is kept, or 0, or a negative distance where so much depth is free.
+  Relaxation(const Canvas& canvas, float contact_px) : edge_(canvas), contact_px_(contact_px) {}
+
+  /// Moves those of `pieces` that `active` (indices, in any order) names and that are not fixed; afterwards their
+  /// centres lie in the one period of a seamless canvas. `look` is called between sweeps; where it throws, the pieces
+  /// are left as they are.
+  void relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_t> active, const RelaxationSchedule& schedule,
+             const std::function<void()>& look) const;
+
+  /// Of all pieces, depths counted from contact_px on.
+  RelaxationBalance balance(const std::vector<RelaxedPiece>& pieces, float stiffness) const;
+
+  /// By how much the energy changes with each of the piece's movements (order of PieceMovement), px² a px.
+  std::array<double, 4> energy_gradient(const std::vector<RelaxedPiece>& pieces, std::size_t piece,
+                                        float stiffness) const;
+
+ private:
+  CanvasEdge edge_;
+  float contact_px_;
+};
+
+}  // namespace tessera

@@ -1,0 +1,54 @@
+// One Gauss-Newton step of one piece: how it moves, turns and grows to lessen the energy that its contacts make.
+#pragma once
+
+#include "core/geometry/similarity.h"
+#include "core/matching/pose_range.h"
+#include "core/relax/contacts.h"
+
+namespace tessera {
+
+/// Everything in px: a turn and a growth as the movement that they make at the distance of the scale from the centre.
+struct PieceMovement {
+  float shift_x = 0;
+  float shift_y = 0;
+  float turn = 0;
+  float growth = 0;
+
+  float largest() const;
+};
+
+/// A symmetric 4 x 4 system, in the order of PieceMovement.
+class RelaxationStep {
+ public:
+  explicit RelaxationStep(const Similarity& canvas_from_shape)
+      : centre_(canvas_from_shape.translation()),
+        scale_px_(canvas_from_shape.scale()) {}
+
+  /// Adds stiffness / 2 · length · depth², the sample being the piece's own and so deep in what stands still.
+  void add_own(const Contact& contact, float depth_px, float stiffness);
+  /// The same for a sample of another piece that lies so deep in this one.
+  void add_others(const Contact& contact, float depth_px, float stiffness);
+  /// Adds -scale².
+  void add_growth();
+  /// Adds stiffness / 2 · |movement|².
+  void add_damping(float stiffness);
+
+  const double (&gradient() const)[4] { return gradient_; }
+
+  /// The movement that makes the sum least, as long as the pose stays within `poses`.
+  PieceMovement solved(const Similarity& canvas_from_shape, const PoseRange& poses) const;
+
+ private:
+  void add(const float (&change)[4], float depth_px, float weight);
+
+  Vec2 centre_;
+  float scale_px_;
+  double matrix_[4][4] = {};  // the lower half
+  double gradient_[4] = {};
+};
+
+/// The pose after `part` (0..1) of the movement, within `poses`.
+Similarity moved(const Similarity& canvas_from_shape, const PieceMovement& movement, float part,
+                 const PoseRange& poses);
+
+}  // namespace tessera
