@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/relax/contacts.h"
 #include "core/relax/piece_neighbours.h"
 
 namespace tessera {
@@ -14,7 +15,7 @@ constexpr int kPassesToMakingWay = 8;
 /// Of the scale, in each pass but those after making way. Smaller costs passes, larger costs area.
 constexpr float kShrink = 0.995f;
 /// Stiff, as nothing grows meanwhile; a conflict that is left is about so many times smaller than that before.
-constexpr RelaxationSchedule kMakingWay{12, 20, 20, 1, 0.3f, false};
+constexpr RelaxationSchedule kMakingWay{12, 20, 20, 1, 0.3f, 0, false};
 /// What fields do not see of an outline's depth at its vertices.
 constexpr float kUnseen_px = 0.25f;
 
@@ -30,12 +31,14 @@ class Clearing {
            const FreeField& free, const PieceSettings& settings)
       : pieces_(pieces),
         period_(canvas.period),
-        making_way_(canvas, contact_px(settings)),
+        making_way_(canvas, {contact_px(settings), 0}),
         outlines_(free, settings),
+        laid_(pieces.size()),
         may_move_(pieces.size(), false) {
     for (const std::size_t i : active) may_move_[i] = !pieces[i].fixed;
-    for (const RelaxedPiece& piece : pieces) outlines_.add({ShapeId{}, piece.canvas_from_shape}, piece.shape->outline);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
+      laid_[i].lay(*pieces[i].shape, pieces[i].canvas_from_shape);
+      outlines_.add({ShapeId{}, pieces[i].canvas_from_shape}, pieces[i].shape->outline);
       if (may_move_[i]) unsure_.push_back(i);
     }
   }
@@ -49,7 +52,7 @@ class Clearing {
       if (unsure_.empty()) return {};
     }
     std::erase_if(unsure_, [&](std::size_t i) {
-      if (outlines_.conflicts_of(i).empty()) return true;
+      if (conflicts_of(i).empty()) return true;
       outlines_.take_out(i);
       return false;
     });
@@ -59,7 +62,7 @@ class Clearing {
  private:
   /// False where it has no conflict.
   bool gives_way(std::size_t i, bool shrinking) {
-    const std::vector<Vec2> ways = outlines_.conflicts_of(i);
+    const std::vector<Vec2> ways = conflicts_of(i);
     if (ways.empty()) return false;
     Similarity pose = pieces_[i].canvas_from_shape;
     for (const Vec2 way : ways) pose = moved(pose, way);
@@ -72,14 +75,19 @@ class Clearing {
     return true;
   }
 
+  std::vector<Vec2> conflicts_of(std::size_t i) const {
+    return outlines_.conflicts_of(i, [this](std::size_t piece, Vec2 p) { return laid_[piece].distance(p).value; });
+  }
+
   void place(std::size_t i, const Similarity& pose) {
     pieces_[i].canvas_from_shape = period_.wrapped(pose);
+    laid_[i].lay(*pieces_[i].shape, pieces_[i].canvas_from_shape);
     outlines_.move(i, pieces_[i].canvas_from_shape, pieces_[i].shape->outline);
   }
 
   /// A conflict is one of both pieces, so that only those that moved need be looked at again.
   void make_way(const std::function<void()>& look) {
-    std::erase_if(unsure_, [&](std::size_t i) { return outlines_.conflicts_of(i).empty(); });
+    std::erase_if(unsure_, [&](std::size_t i) { return conflicts_of(i).empty(); });
     const std::vector<std::size_t> movable = with_neighbours(unsure_);
     std::vector<RelaxedPiece> before = pieces_;
     making_way_.relax(pieces_, movable, kMakingWay, look);
@@ -96,9 +104,7 @@ class Clearing {
   /// Those, and all that touch them and may move; ascending.
   std::vector<std::size_t> with_neighbours(const std::vector<std::size_t>& some) const {
     std::vector<Box> boxes;
-    for (const RelaxedPiece& piece : pieces_) {
-      boxes.push_back(bounding_box(placed_outline(piece.shape->outline, piece.canvas_from_shape).curves.front()));
-    }
+    for (const LaidPiece& piece : laid_) boxes.push_back(piece.box);
     const PieceNeighbours near(boxes, period_);
     std::vector<std::size_t> all = some;
     for (const std::size_t i : some) {
@@ -115,6 +121,7 @@ class Clearing {
   Period period_;
   Relaxation making_way_;
   PlacedOutlines outlines_;
+  std::vector<LaidPiece> laid_;
   std::vector<bool> may_move_;
   std::vector<std::size_t> unsure_;  // ascending: who may have a conflict
 };

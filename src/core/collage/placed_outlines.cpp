@@ -20,6 +20,8 @@ constexpr float kEdgeSpacing_px = 1;
 /// A vertex that a field sees so near, or inside, is worth an exact look: at thin tips fields are wrong by so much and
 /// the allowed depth together.
 constexpr float kSuspect_px = 0.5f;
+/// The same of a shape's own field: the free field, which was looked up twice, may see a little more.
+constexpr float kSuspectPlaced_px = 0.75f;
 
 /// Of a piece that was taken out: near to nothing.
 constexpr Box kNowhere{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
@@ -214,20 +216,26 @@ void PlacedOutlines::add_neighbours(const Shape& shape, const Similarity& canvas
                                     std::vector<Vec2>& ways) const {
   const PieceDistance distance(shape, canvas_from_shape, 0);
   const FieldView free = free_.view();
-  Vec2 way;
   for (const Placed& placed : placed_) {
     if (!near(piece.box(), placed.box, std::max(needed_px_, 0.f))) continue;
     const PolygonIndex& other = *placed.outline;
-    if (needed_px_ > 0) {
-      if (too_near(piece, other, way)) ways.push_back(way);
-      continue;
-    }
-    const float limit = -needed_px_;
     const auto in_others = [&](Vec2 p) { return field_value(free, p) < kSuspect_px; };
     const auto in_piece = [&](Vec2 p) { return distance.at(p) < kSuspect_px; };
-    if (deepest_vertex(piece, other, limit, in_others, way)) ways.push_back(way);
-    if (deepest_vertex(other, piece, limit, in_piece, way)) ways.push_back(way * -1.f);
+    add_ways(piece, in_piece, other, in_others, ways);
   }
+}
+
+template <class InPiece, class InOther>
+void PlacedOutlines::add_ways(const PolygonIndex& piece, InPiece in_piece, const PolygonIndex& other, InOther in_other,
+                              std::vector<Vec2>& ways) const {
+  Vec2 way;
+  if (needed_px_ > 0) {
+    if (too_near(piece, other, way)) ways.push_back(way);
+    return;
+  }
+  const float limit = -needed_px_;
+  if (deepest_vertex(piece, other, limit, in_other, way)) ways.push_back(way);
+  if (deepest_vertex(other, piece, limit, in_piece, way)) ways.push_back(way * -1.f);
 }
 
 std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity& canvas_from_shape) const {
@@ -245,19 +253,7 @@ std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity
   return ways;
 }
 
-/// Of `other`, by the outlines alone.
-void PlacedOutlines::add_ways(const PolygonIndex& piece, const PolygonIndex& other, std::vector<Vec2>& ways) const {
-  Vec2 way;
-  if (needed_px_ > 0) {
-    if (too_near(piece, other, way)) ways.push_back(way);
-    return;
-  }
-  const auto suspect = [](Vec2) { return true; };
-  if (deepest_vertex(piece, other, -needed_px_, suspect, way)) ways.push_back(way);
-  if (deepest_vertex(other, piece, -needed_px_, suspect, way)) ways.push_back(way * -1.f);
-}
-
-std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index) const {
+std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index, const FieldDistance& distance_px) const {
   const PolygonIndex& piece = *placed_[index].outline;
   std::vector<Vec2> ways;
   for (const Vec2 offset : free_.grid().period().offsets()) {
@@ -268,7 +264,9 @@ std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index) const {
     if (!own_place) image.emplace(moved(piece.outline(), offset));
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       if ((own_place && i == index) || !near(box, placed_[i].box, std::max(needed_px_, 0.f))) continue;
-      add_ways(own_place ? piece : *image, *placed_[i].outline, ways);
+      const auto in_piece = [&](Vec2 p) { return distance_px(index, p - offset) < kSuspectPlaced_px; };
+      const auto in_other = [&](Vec2 p) { return distance_px(i, p) < kSuspectPlaced_px; };
+      add_ways(own_place ? piece : *image, in_piece, *placed_[i].outline, in_other, ways);
     }
   }
   if (reaches_itself(piece.box())) ways.push_back({});

@@ -2,6 +2,7 @@
 // may stand beside them: polygon against polygon, where fields and boundary points only estimate.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -36,9 +37,10 @@ class PlacedOutlines {
   void move(std::size_t index, const Similarity& canvas_from_shape, const Outline& outline);
   /// Takes the piece out; the others keep their indices. Of this one nothing may be asked any more.
   void take_out(std::size_t index);
-  /// conflicts() of a placed piece with all others. It asks the outlines alone, whatever the free field holds: where
-  /// this list is empty, that of conflicts() is.
-  std::vector<Vec2> conflicts_of(std::size_t index) const;
+  /// The distance of a placed piece by its shape's field, positive outside, canvas px.
+  using FieldDistance = std::function<float(std::size_t index, Vec2 canvas_px)>;
+  /// conflicts() of a placed piece with all others, whatever the free field holds.
+  std::vector<Vec2> conflicts_of(std::size_t index, const FieldDistance& distance_px) const;
 
  private:
   struct Placed {
@@ -48,7 +50,10 @@ class PlacedOutlines {
   };
   void add_neighbours(const Shape& shape, const Similarity& canvas_from_shape, const PolygonIndex& piece,
                       std::vector<Vec2>& ways) const;
-  void add_ways(const PolygonIndex& piece, const PolygonIndex& other, std::vector<Vec2>& ways) const;
+  /// `in_piece` and `in_other`: see deepest_vertex().
+  template <class InPiece, class InOther>
+  void add_ways(const PolygonIndex& piece, InPiece in_piece, const PolygonIndex& other, InOther in_other,
+                std::vector<Vec2>& ways) const;
   bool any_near(const Box& piece) const;
   bool reaches_itself(const Box& piece) const;
   bool too_near(const PolygonIndex& piece, const PolygonIndex& other, Vec2& way) const;

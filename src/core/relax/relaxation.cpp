@@ -39,23 +39,41 @@ PieceNeighbours neighbours_among(const std::vector<LaidPiece>& pieces, const Per
   return {boxes, period};
 }
 
-/// The piece's energy as far as it depends on its pose, to second order.
+/// How stiff contacts are at the moment.
+struct Stiffness {
+  float soft;
+  float hard;
+};
+
+/// Calls add(depth, stiffness) for a contact at this distance, once for each stiffness that it feels.
+template <class Add>
+void each_depth(float distance_px, const ContactDistances& distances, const Stiffness& stiffness, Add add) {
+  add(distances.soft_px - distance_px, stiffness.soft);
+  if (stiffness.hard > 0 && distance_px < distances.hard_px) add(distances.hard_px - distance_px, stiffness.hard);
+}
+
+/// The piece's energy as far as it depends on its pose, to second order, without its area.
 RelaxationStep step_of(const LaidPiece& piece, const std::vector<LaidPiece>& pieces,
-                       const std::vector<Neighbour>& neighbours, const CanvasEdge& edge, float contact_px,
-                       float stiffness, bool growing) {
+                       const std::vector<Neighbour>& neighbours, const CanvasEdge& edge,
+                       const ContactDistances& distances, const Stiffness& stiffness) {
   RelaxationStep step(piece.canvas_from_shape);
+  const float reach_px = distances.soft_px;
   for (const Neighbour& n : neighbours) {
     const LaidPiece& other = pieces[n.piece];
-    each_contact(piece, other, n.offset, contact_px,
-                 [&](const Contact& c) { step.add_own(c, contact_px - c.distance_px, kOneWay * stiffness); });
-    each_contact(other, piece, n.offset * -1.f, contact_px, [&](Contact c) {
+    each_contact(piece, other, n.offset, reach_px, [&](const Contact& c) {
+      each_depth(c.distance_px, distances, stiffness,
+                 [&](float depth_px, float k) { step.add_own(c, depth_px, kOneWay * k); });
+    });
+    each_contact(other, piece, n.offset * -1.f, reach_px, [&](Contact c) {
       c.at = c.at + n.offset;
-      step.add_others(c, contact_px - c.distance_px, kOneWay * stiffness);
+      each_depth(c.distance_px, distances, stiffness,
+                 [&](float depth_px, float k) { step.add_others(c, depth_px, kOneWay * k); });
     });
   }
-  each_contact(piece, edge, contact_px,
-               [&](const Contact& c) { step.add_own(c, contact_px - c.distance_px, kEdgeStiffness * stiffness); });
-  if (growing) step.add_growth();
+  each_contact(piece, edge, reach_px, [&](const Contact& c) {
+    each_depth(c.distance_px, distances, stiffness,
+               [&](float depth_px, float k) { step.add_own(c, depth_px, kEdgeStiffness * k); });
+  });
   return step;
 }
 
@@ -106,7 +124,9 @@ void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_
     shuffle(active, sweep);
     float largest_px = 0;
     for (const std::size_t i : active) {
-      RelaxationStep step = step_of(all[i], all, neighbours[i], edge_, contact_px_, stiffness, schedule.growing);
+      RelaxationStep step =
+          step_of(all[i], all, neighbours[i], edge_, distances_, {stiffness, schedule.hard_stiffness});
+      if (schedule.growing) step.add_growth();
       step.add_damping(kStepDamping * stiffness * all[i].shape->perimeter * all[i].scale_px);
       largest_px = std::max(largest_px, take(step, pieces[i].poses, most_step_px, all[i]));
     }
@@ -126,15 +146,15 @@ RelaxationBalance Relaxation::balance(const std::vector<RelaxedPiece>& pieces, f
   double outside = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     balance.area_px2 += double(all[i].scale_px) * double(all[i].scale_px);
-    for (const Neighbour& n : near.of(std::uint32_t(i), std::max(contact_px_, 0.f))) {
-      each_contact(all[i], all[n.piece], n.offset, contact_px_, [&](const Contact& c) {
-        const double depth_px = contact_px_ - c.distance_px;
+    for (const Neighbour& n : near.of(std::uint32_t(i), std::max(distances_.soft_px, 0.f))) {
+      each_contact(all[i], all[n.piece], n.offset, distances_.soft_px, [&](const Contact& c) {
+        const double depth_px = distances_.soft_px - c.distance_px;
         between += c.length_px * depth_px * depth_px;
         balance.overlap_px2 += kOneWay * c.length_px * depth_px;
       });
     }
-    each_contact(all[i], edge_, contact_px_, [&](const Contact& c) {
-      const double depth_px = contact_px_ - c.distance_px;
+    each_contact(all[i], edge_, distances_.soft_px, [&](const Contact& c) {
+      const double depth_px = distances_.soft_px - c.distance_px;
       outside += c.length_px * depth_px * depth_px;
       balance.outside_px2 += c.length_px * depth_px;
     });
@@ -147,8 +167,9 @@ std::array<double, 4> Relaxation::energy_gradient(const std::vector<RelaxedPiece
                                                   float stiffness) const {
   const std::vector<LaidPiece> all = laid(pieces);
   const PieceNeighbours near = neighbours_among(all, edge_.period());
-  const RelaxationStep step = step_of(all[piece], all, near.of(std::uint32_t(piece), std::max(contact_px_, 0.f)), edge_,
-                                      contact_px_, stiffness, true);
+  RelaxationStep step = step_of(all[piece], all, near.of(std::uint32_t(piece), std::max(distances_.soft_px, 0.f)),
+                                edge_, distances_, {stiffness, 0});
+  step.add_growth();
   const auto& g = step.gradient();
   return {g[0], g[1], g[2], g[3]};
 }

@@ -27,6 +27,12 @@ struct RelaxedPiece {
   bool fixed = false;  // it never moves, but others feel it
 };
 
+/// From which distance on pieces feel each other and the edge, px; negative: so deep.
+struct ContactDistances {
+  float soft_px = 0;
+  float hard_px = 0;  // what is nearer than this is pushed away with the hard stiffness, too
+};
+
 /// From the first sweep to the last: contacts become stiffer and steps shorter, so that pieces pass each other's tips
 /// first and come to rest in the end.
 struct RelaxationSchedule {
@@ -35,6 +41,7 @@ struct RelaxationSchedule {
   float last_stiffness = 0;
   float first_step_px = 0;  // the farthest that a step leads, turn and growth measured as in PieceMovement
   float last_step_px = 0;
+  float hard_stiffness = 0;
   bool growing = true;  // false: the pieces' area is worth nothing, they only make way
 };
 
@@ -48,9 +55,8 @@ struct RelaxationBalance {
 
 class Relaxation {
  public:
-  /// `canvas`, or the one region of it that is filled, outlives the relaxation. Pieces feel each other and the edge from
-  /// `contact_px` on: the padding that is kept, or 0, or a negative distance where so much depth is free.
-  Relaxation(const Canvas& canvas, float contact_px) : edge_(canvas), contact_px_(contact_px) {}
+  /// `canvas`, or the one region of it that is filled, outlives the relaxation.
+  Relaxation(const Canvas& canvas, const ContactDistances& distances) : edge_(canvas), distances_(distances) {}
 
   /// Moves those of `pieces` that `active` (indices, in any order) names and that are not fixed; afterwards their
   /// centres lie in the one period of a seamless canvas. `look` is called between sweeps; where it throws, the pieces
@@ -58,7 +64,7 @@ class Relaxation {
   void relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_t> active, const RelaxationSchedule& schedule,
              const std::function<void()>& look) const;
 
-  /// Of all pieces, depths counted from contact_px on.
+  /// Of all pieces, depths counted from soft_px on, without what is hard.
   RelaxationBalance balance(const std::vector<RelaxedPiece>& pieces, float stiffness) const;
 
   /// By how much the energy changes with each of the piece's movements (order of PieceMovement), px² a px.
@@ -67,7 +73,7 @@ class Relaxation {
 
  private:
   CanvasEdge edge_;
-  float contact_px_;
+  ContactDistances distances_;
 };
 
 }  // namespace tessera
