@@ -14,6 +14,8 @@ constexpr int kPasses = 48;
 constexpr int kPassesToMakingWay = 8;
 /// Of the scale, in each pass but those after making way. Smaller costs passes, larger costs area.
 constexpr float kShrink = 0.995f;
+/// Of a piece out of a neighbour: it has others on its other sides.
+constexpr float kMostPush_px = 0.5f;
 /// Stiff, as nothing grows meanwhile; a conflict that is left is about so many times smaller than that before.
 constexpr RelaxationSchedule kMakingWay{12, 20, 20, 1, 0.3f, 0, false};
 /// What fields do not see of an outline's depth at its vertices.
@@ -65,7 +67,10 @@ class Clearing {
     const std::vector<Vec2> ways = conflicts_of(i);
     if (ways.empty()) return false;
     Similarity pose = pieces_[i].canvas_from_shape;
-    for (const Vec2 way : ways) pose = moved(pose, way);
+    Vec2 out;
+    for (const Vec2 way : ways) out = out + way;
+    const float length_px = norm(out);
+    pose = moved(pose, length_px > kMostPush_px ? out * (kMostPush_px / length_px) : out);
     if (shrinking) {
       pose.a *= kShrink;
       pose.b *= kShrink;
