@@ -4,6 +4,7 @@
 
 #include "core/relax/contacts.h"
 #include "core/relax/piece_neighbours.h"
+#include "core/relax/schedules.h"
 
 namespace tessera {
 namespace {
@@ -18,13 +19,12 @@ constexpr float kShrink = 0.995f;
 constexpr float kMostPush_px = 0.5f;
 /// Stiff, as nothing grows meanwhile; a conflict that is left is about so many times smaller than that before.
 constexpr RelaxationSchedule kMakingWay{12, 20, 20, 1, 0.3f, 0, false};
-/// What fields do not see of an outline's depth at its vertices.
-constexpr float kUnseen_px = 0.25f;
-
-/// From which distance on pieces make way.
-float contact_px(const PieceSettings& pieces) {
-  const bool apart = pieces.padding_px > 0 || pieces.overlap_px == 0;
-  return apart ? pieces.padding_px + kUnseen_px : std::min(0.f, kUnseen_px - pieces.overlap_px);
+/// Farther apart than what is hard while pieces grow, so that few are left between which outlines still see a conflict;
+/// nobody feels more than that.
+constexpr float kClearer_px = 0.15f;
+ContactDistances rule_alone(const PieceSettings& settings) {
+  const float hard_px = contact_distances(settings).hard_px + kClearer_px;
+  return {hard_px, hard_px};
 }
 
 class Clearing {
@@ -33,7 +33,7 @@ class Clearing {
            const FreeField& free, const PieceSettings& settings)
       : pieces_(pieces),
         period_(canvas.period),
-        making_way_(canvas, {contact_px(settings), 0}),
+        making_way_(canvas, rule_alone(settings)),
         outlines_(free, settings),
         laid_(pieces.size()),
         may_move_(pieces.size(), false) {
@@ -53,12 +53,7 @@ class Clearing {
       std::erase_if(unsure_, [&](std::size_t i) { return !gives_way(i, shrinking); });
       if (unsure_.empty()) return {};
     }
-    std::erase_if(unsure_, [&](std::size_t i) {
-      if (conflicts_of(i).empty()) return true;
-      outlines_.take_out(i);
-      return false;
-    });
-    return unsure_;
+    return give_up();
   }
 
  private:
@@ -78,6 +73,20 @@ class Clearing {
     }
     place(i, pose);
     return true;
+  }
+
+  /// The smallest first, as of two pieces only one need go.
+  std::vector<std::size_t> give_up() {
+    std::stable_sort(unsure_.begin(), unsure_.end(),
+                     [&](std::size_t a, std::size_t b) { return laid_[a].scale_px < laid_[b].scale_px; });
+    std::vector<std::size_t> given_up;
+    for (const std::size_t i : unsure_) {
+      if (conflicts_of(i).empty()) continue;
+      outlines_.take_out(i);
+      given_up.push_back(i);
+    }
+    std::sort(given_up.begin(), given_up.end());
+    return given_up;
   }
 
   std::vector<Vec2> conflicts_of(std::size_t i) const {
