@@ -43,8 +43,8 @@ inline bool nearer_than(float reach, const Box& a, const Box& b) {
          b.low.y < a.high.y + reach;
 }
 
-/// Walks along the samples, `distance(p)` giving what is to be met there, and calls f(contact) for those that are nearer
-/// than `reach_px`. Elsewhere it skips as many as a distance that changes by no more than the way allows;
+/// Walks along the samples, `distance(p)` giving what is to be met there, and calls f(contact) for those that are
+/// nearer than `reach_px`. Elsewhere it skips as many as a distance that changes by no more than the way allows;
 /// `slack_px` is by how much look-up between nodes may be wrong.
 template <class Distance, class F>
 void walk_contacts(const LaidPiece& piece, float reach_px, float slack_px, Distance distance, F f) {

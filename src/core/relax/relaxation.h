@@ -1,9 +1,9 @@
 // Joint relaxation: the pieces of a collage move, turn and scale together until they grew into the gaps between them.
 //
-// What becomes less is the energy, px²: -(sum of scale²), which is the pieces' area, + for each two pieces, both ways,
-// stiffness / 4 · sum of length · depth² over the boundary samples of the one that lie in the other's distance field,
-// + for the canvas' edge 2 · stiffness · the same sum. At rest a piece with neighbours all round lies 1 / stiffness px
-// deep in them. Gauss-Seidel over the pieces, one Gauss-Newton step each a sweep.
+// What becomes less is the energy, px²: -(sum of scale²), which is the pieces' area; for each two pieces, both ways,
+// + stiffness / 4 · sum of length · depth² over the boundary samples of the one, by the distance field of the other;
+// for the canvas' edge + stiffness · the same sum. At rest a piece with neighbours all round lies 1 / stiffness px deep
+// in them. Gauss-Seidel over the pieces, one Gauss-Newton step each a sweep.
 //
 // The same pieces give the same bits on every machine: + - * / and square roots in a fixed order.
 #pragma once
