@@ -359,6 +359,30 @@ TEST(PlacedOutlines, ReplacedOnesAreAsIfPlacedAfresh) {
   EXPECT_FALSE(conflict_at(gone));
 }
 
+/// A placed piece is asked about as one that comes to the others would be, wherever it moved and whoever went.
+TEST(PlacedOutlines, ConflictsOfAPlacedPieceAreThoseOfOneThatComes) {
+  EXPECT_TRUE(rc::check([] {
+    const PieceSettings pieces = *rc::gen::element(padded_by(kPadding_px), overlapping_by(kOverlap_px));
+    Scene all(pieces), others(pieces);
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t shape = any_shape();
+      const Similarity where = any_pose(200, 40);
+      all.add(shape, where);
+      others.add(shape, where);
+    }
+    for (int k = 0; k < 2; ++k) all.outlines.add({ShapeId{}, pose(20, 0, {200, 200}), 1, 1}, shapes()[0].outline);
+    const Shape& shape = shapes()[any_shape()];
+    const Similarity where = any_pose(200, 40);
+    all.outlines.move(3, where, shape.outline);
+    all.outlines.take_out(4);
+    // By outlines alone: whoever lies deep is suspect.
+    const auto always = [](std::size_t, Vec2) { return -1.f; };
+    const std::size_t found = all.outlines.conflicts_of(3, always).size();
+    RC_TAG(found);
+    RC_ASSERT(found == others.outlines.conflicts(shape, where).size());
+  }));
+}
+
 /// Processor time of asking for every place of a square grid of pieces, each just far enough from the others.
 double time_for_all_s(int across) {
   constexpr float kWide_px = 40;
