@@ -5,8 +5,8 @@
 namespace tessera {
 namespace {
 
-/// The last cell of the field ends so much before its last node: where look-ups are on the grid.
-constexpr float kBeforeTheLastNode_px = 1e-3f;
+/// So much before the last node look-ups are on the grid, however rounding takes them: to 100,000 px.
+constexpr float kBeforeTheLastNode_px = 0.01f;
 
 }  // namespace
 
