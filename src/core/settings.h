@@ -72,6 +72,7 @@ struct StopSettings {
 struct ImproveSettings {
   int trials = 0;      // 0 = no limit
   double seconds = 0;  // 0 = no limit
+  bool relax = true;   // now and then, and at its beginning, all pieces move, turn and grow together
 };
 
 struct CollageSettings {

@@ -128,9 +128,9 @@ inline constexpr float kNearColourShare = 4;     // at weight 1 one in so many s
 inline constexpr std::uint32_t kLeastNearColours = 64;  // but so many at least
 inline constexpr float kColourStep = 8;  // of a lattice in CIELAB: places of one lattice point share their shapes
 inline constexpr std::uint32_t kAnyColourDraws = 2;  // every so-many-th random docking takes a shape of any colour
-inline constexpr float kNeighbourReach = 0.75f;  // of the scales: pieces whose centres are nearer are neighbours
-inline constexpr float kNeighbourFading = 4;     // halvings by the least welcome neighbour, at a weight of 1
-inline constexpr float kOtherColour = 48;        // from here on colours are as unlike as any
+inline constexpr float kNeighbourReach = 0.75f;      // of the scales: pieces whose centres are nearer are neighbours
+inline constexpr float kNeighbourFading = 4;         // halvings by the least welcome neighbour, at a weight of 1
+inline constexpr float kOtherColour = 48;            // from here on colours are as unlike as any
 
 // The pool and the choice.
 inline constexpr int kPoolPerSample = 4;       // refined candidates kept
@@ -183,5 +183,8 @@ inline constexpr int kMostRuined = 4;
 inline constexpr int kRuinedLookedAt = 16;  // small pieces whose distance from the gap is measured
 inline constexpr int kGapDraws = 4096;      // to hit a gap
 inline constexpr float kGapDepth_px = 1.f;  // what is shallower lies between coupled pieces
+
+// Relaxation in improving: of all pieces after so many trials, or as many as there are pieces.
+inline constexpr std::uint32_t kTrialsPerRelaxation = 64;
 
 }  // namespace tessera

@@ -269,6 +269,28 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   return window;
 }
 
+bool Collage::keep_apart(const std::vector<Placement>& placements) const {
+  if (!apart_.matters()) return true;
+  KeptApart apart(settings_, shapes_, free_.grid().period());
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    const auto& [shape, pose, score, matched_px] = placements[i];
+    if (i >= given_ && apart.concerns(shape) && !apart.may_stand(shape, pose, shapes_.model(shape).radius))
+      return false;
+    apart.add(placements[i]);
+  }
+  return true;
+}
+
+PoseRange Collage::poses_of(const Placement& p) const {
+  for (const Stance& stance : region_stances_.of(region_stances_.list(p.shape))) {
+    const PoseRange poses = sized_at(context_, stance, p.canvas_from_shape.translation()).poses;
+    if (poses.contains(p.canvas_from_shape)) return poses;
+  }
+  const Similarity& pose = p.canvas_from_shape;
+  const float scale_px = pose.scale();
+  return {scale_px, scale_px, {{pose.a / scale_px, pose.b / scale_px}, {1, 0}}};
+}
+
 /// The free field anew in the windows of the pieces that come and go.
 Window Collage::restamp(const std::vector<Placement>& changed) {
   Window window;

@@ -22,10 +22,12 @@ namespace tessera::master {
 namespace {
 
 Canvas region_of(const Canvas& canvas, std::uint32_t region) {
-  Canvas part = canvas;
-  if (!canvas.regions.empty()) part.distance = canvas.regions[region].distance;
-  part.regions.clear();
-  return part;
+  return {.width_px = canvas.width_px,
+          .height_px = canvas.height_px,
+          .distance = canvas.regions.empty() ? canvas.distance : canvas.regions[region].distance,
+          .area_px2 = canvas.area_px2,
+          .keep_out = canvas.keep_out,
+          .period = canvas.period};
 }
 
 /// The observer asked to stop while no question was under way.
@@ -205,12 +207,17 @@ class Run {
     filling().count_into(trial_work_);
     const double earlier_s = statistics_.improve_s;
     const Stopwatch watch;
-    RuinAndRecreate ruin_and_recreate(collage(), filling(), settings_);
+    const bool parted = !canvas_.regions.empty();
+    const Canvas part = parted ? region_of(canvas_, collage().limits().region) : Canvas{};
+    const Canvas& region = parted ? part : canvas_;  // large: not copied for nothing
+    const auto earlier_trials = std::uint32_t(trials_in_regions_below(collage().limits().region));
+    RuinAndRecreate ruin_and_recreate(region, collage(), filling(), settings_, shapes_);
     while (may_improve() && !reached_limit() && !interrupted()) {
       Trial trial = Trial::interrupted;
       try {
-        trial = ruin_and_recreate.try_once(std::uint32_t(statistics_.trials),
-                                           [this] { return observer_.stop_requested() != nullptr; });
+        trial = ruin_and_recreate.try_once(
+            std::uint32_t(statistics_.trials), [this] { return observer_.stop_requested() != nullptr; },
+            earlier_trials);
       } catch (const Interrupted&) {
         statistics_.improve_s = earlier_s + watch.seconds();
         throw;
@@ -225,17 +232,18 @@ class Run {
 
   bool may_improve() const {
     const ImproveSettings& limits = settings_.improve;
-    return (limits.trials == 0 || statistics_.trials < trials_so_far()) &&
+    return (limits.trials == 0 || statistics_.trials < trials_in_regions_below(collage().limits().region + 1)) &&
            (limits.seconds == 0 || statistics_.improve_s < limits.seconds);
   }
 
-  /// Up to this region; they are divided by area.
-  std::uint64_t trials_so_far() const {
+  /// They are divided by area.
+  std::uint64_t trials_in_regions_below(std::uint32_t end) const {
+    if (end == 0) return 0;
     double before_px2 = 0;
     double all_px2 = 0;
     for (std::size_t r = 0; r < canvas_.regions.size(); ++r) {
       all_px2 += canvas_.regions[r].area_px2;
-      if (r <= collage().limits().region) before_px2 += canvas_.regions[r].area_px2;
+      if (r < end) before_px2 += canvas_.regions[r].area_px2;
     }
     const double trials = settings_.improve.trials;
     return std::uint64_t(before_px2 == all_px2 ? trials : trials * before_px2 / all_px2);

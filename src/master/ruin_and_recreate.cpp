@@ -14,6 +14,31 @@ namespace {
 constexpr std::uint64_t kRuin = 0x7275696e;  // keeps these random numbers apart from those of the dockings
 constexpr std::uint32_t kPassesPerTrial = 4;
 
+/// In whole numbers: the same in any order of the pieces.
+std::int64_t area_256ths_px2(const std::vector<Placement>& placements) {
+  std::int64_t sum = 0;
+  for (const Placement& p : placements) {
+    const Similarity& s = p.canvas_from_shape;
+    sum += std::int64_t(256 * (double(s.a) * s.a + double(s.b) * s.b));
+  }
+  return sum;
+}
+
+/// Where sizes differ more, dwarfs fill the gaps as well as pieces that grow into them (docs/measurements.md).
+constexpr float kMostSizeRatio = 5;
+
+/// Colours and sizes that go by the place would not hold where a piece moved to.
+bool pays_to_relax(const CollageSettings& s) {
+  return s.improve.relax && s.pieces.max_scale_px <= kMostSizeRatio * s.pieces.min_scale_px && !s.pieces.size_map &&
+         !s.colour;
+}
+
+/// About as many as there are pieces, as it takes as much longer.
+std::uint32_t trials_per_relaxation(double area_px2, const PieceSettings& pieces) {
+  const double pieces_at_most = area_px2 / (double(pieces.min_scale_px) * pieces.max_scale_px);
+  return std::uint32_t(std::clamp(pieces_at_most, double(kTrialsPerRelaxation), 1e6));
+}
+
 /// A point in a gap; every free px is as likely. False where there is hardly any.
 bool find_gap(const FreeField& free, std::uint64_t random, Vec2& gap) {
   const CanvasField& field = free.field();
@@ -31,9 +56,14 @@ bool find_gap(const FreeField& free, std::uint64_t random, Vec2& gap) {
 
 }  // namespace
 
-RuinAndRecreate::RuinAndRecreate(Collage& collage, Filling& filling, const CollageSettings& settings)
+RuinAndRecreate::RuinAndRecreate(const Canvas& region, Collage& collage, Filling& filling,
+                                 const CollageSettings& settings, ShapeSource& shapes)
     : collage_(collage),
       filling_(filling),
+      relaxing_(region, collage.free(), settings.pieces, shapes,
+                [&collage](const Placement& p) { return collage.poses_of(p); }),
+      relax_(pays_to_relax(settings)),
+      trials_per_relaxation_(trials_per_relaxation(region.area_px2, settings.pieces)),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
                                              : kRuinedScale * settings.pieces.min_scale_px),
@@ -77,29 +107,60 @@ std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
   return left;
 }
 
-Trial RuinAndRecreate::try_once(std::uint32_t trial, const std::function<bool()>& stopped) {
-  const std::vector<Placement> before = collage_.placements();
-  const std::int64_t free_before = collage_.free().free_256ths_px2();
-  const std::size_t missing_before = collage_.missing().size();
-  const std::uint64_t random = mix_bits(seed_ ^ mix_bits(kRuin ^ (std::uint64_t(trial) << 32)));
-  std::vector<Placement> rest = ruined(random);
-  if (rest.size() == before.size()) return Trial::put_back;
+void RuinAndRecreate::fill(const Look& look) {
+  do look();
+  while (filling_.place_one());
+}
+
+/// What is free, and what is covered twice.
+std::int64_t RuinAndRecreate::loss_256ths_px2() const {
+  const std::int64_t free = collage_.free().free_256ths_px2();
+  return relax_ ? 2 * free + area_256ths_px2(collage_.placements()) : free;
+}
+
+void RuinAndRecreate::recreate(std::uint32_t trial, const Look& look) {
+  std::vector<Placement> rest = ruined(mix_bits(seed_ ^ mix_bits(kRuin ^ (std::uint64_t(trial) << 32))));
+  if (rest.size() == collage_.placements().size()) return;
   filling_.start(collage_.replace_placements(std::move(rest)));
   collage_.set_first_pass(kPassesPerTrial * trial);
+  fill(look);
+}
+
+void RuinAndRecreate::relax_all(std::uint32_t trial, const Look& look) {
+  std::vector<Placement> relaxed = relaxing_.relaxed(collage_.placements(), collage_.given(), look);
+  if (!collage_.keep_apart(relaxed)) return;
+  filling_.start(collage_.replace_placements(std::move(relaxed)));
+  collage_.set_first_pass(kPassesPerTrial * trial);
+  fill(look);
+}
+
+Trial RuinAndRecreate::try_once(std::uint32_t trial, const std::function<bool()>& stopped, std::uint32_t earlier) {
+  const std::vector<Placement> before = collage_.placements();
+  const std::int64_t loss_before = loss_256ths_px2();
+  const std::size_t missing_before = collage_.missing().size();
+  const auto look = [&] {
+    if (stopped()) throw Stopped{};
+  };
   try {
-    while (!stopped() && filling_.place_one()) {
+    if (relax_ && (trial - earlier) % trials_per_relaxation_ == 0) {
+      relax_all(trial, look);
+    } else {
+      recreate(trial, look);
     }
+    look();
+  } catch (const Stopped&) {
+    collage_.replace_placements(before);
+    return Trial::interrupted;
   } catch (const Interrupted&) {
     collage_.replace_placements(before);
     throw;
   }
-  const bool interrupted = stopped();
-  if (!interrupted && collage_.placements().size() <= most_pieces_ && collage_.missing().size() <= missing_before &&
-      collage_.free().free_256ths_px2() < free_before) {
+  if (collage_.placements().size() <= most_pieces_ && collage_.missing().size() <= missing_before &&
+      loss_256ths_px2() < loss_before) {
     return Trial::kept;
   }
   collage_.replace_placements(before);
-  return interrupted ? Trial::interrupted : Trial::put_back;
+  return Trial::put_back;
 }
 
 }  // namespace tessera::master

@@ -1,11 +1,14 @@
 // Beyond greedy, which the paper names as its limit (section 6): take a few small pieces beside a gap out, fill the
-// hole again, and keep the result where more of the canvas is covered.
+// hole again, and keep the result where more of the canvas is covered. Now and then all pieces move, turn and grow
+// together instead.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "master/collage.h"
 #include "master/filling.h"
+#include "master/relaxing.h"
 
 namespace tessera::master {
 
@@ -13,19 +16,32 @@ enum class Trial { kept, put_back, interrupted };
 
 class RuinAndRecreate {
  public:
-  RuinAndRecreate(Collage& collage, Filling& filling, const CollageSettings& settings);
+  /// `region` of the canvas is what the collage fills. All but the settings outlive it.
+  RuinAndRecreate(const Canvas& region, Collage& collage, Filling& filling, const CollageSettings& settings,
+                  ShapeSource& shapes);
 
-  /// Trial number `trial`: its outcome follows from this number and the placements alone. `stopped` is asked before
-  /// every piece; an interrupted trial, also where the matcher throws Interrupted, leaves the placements as they were.
-  Trial try_once(std::uint32_t trial, const std::function<bool()>& stopped);
+  /// Trial number `trial`, of which `earlier` were before the region was begun: its outcome follows from these numbers
+  /// and the placements alone. `stopped` is asked before every piece and while pieces move; an interrupted trial, also
+  /// where the matcher throws Interrupted, leaves the placements as they were.
+  Trial try_once(std::uint32_t trial, const std::function<bool()>& stopped, std::uint32_t earlier = 0);
 
  private:
+  struct Stopped {};
+  using Look = std::function<void()>;
+
   std::vector<std::size_t> pieces_near(Vec2 gap_px) const;
   /// The placements without a few beside a gap; all of them where there is no gap, or no small piece.
   std::vector<Placement> ruined(std::uint64_t random);
+  void recreate(std::uint32_t trial, const Look& look);
+  void relax_all(std::uint32_t trial, const Look& look);
+  void fill(const Look& look);
+  std::int64_t loss_256ths_px2() const;
 
   Collage& collage_;
   Filling& filling_;
+  Relaxing relaxing_;
+  bool relax_;
+  std::uint32_t trials_per_relaxation_;
   std::uint64_t seed_;
   float most_scale_px_;
   std::size_t most_pieces_;

@@ -222,8 +222,8 @@ TEST_F(DamagedCheckpoint, OtherFiles) {
 }
 
 TEST_F(DamagedCheckpoint, AnotherVersionNamesBothAndTheCure) {
-  std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out).seekp(27).put('8');
-  expect_complaint("format version 8, this program reads version 9; continue with the program that wrote it");
+  std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out).seekp(27).put('2');
+  expect_complaint("format version 20, this program reads version 10; continue with the program that wrote it");
 }
 
 TEST_F(DamagedCheckpoint, AHugeHoleIsNotRead) {

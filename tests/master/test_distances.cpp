@@ -119,6 +119,39 @@ TEST(Distances, WithoutOverlapNoPieceReachesIntoAnother) {
   });
 }
 
+/// What pieces keep to when they are placed, they keep to when they move together.
+TEST(Distances, HoldAfterPiecesMovedTogether) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  for_seeds(2, [&](CollageSettings s) {
+    s.improve.trials = 6;
+    const CollageResult touching = run(canvas, s);
+    EXPECT_GT(touching.statistics.trials_kept, 0u);
+    EXPECT_LE(deepest_vertex_px(touching.placements), s.pieces.overlap_px + 0.01f);
+    s.pieces.overlap_px = 0;
+    const CollageResult apart = run(canvas, s);
+    EXPECT_GT(apart.statistics.trials_kept, 0u);
+    EXPECT_LE(deepest_vertex_px(apart.placements), 0.002f);
+    s.pieces.padding_px = 3;
+    const CollageResult padded = run(canvas, s);
+    EXPECT_GT(padded.statistics.trials_kept, 0u);
+    EXPECT_GE(least_distance_px(canvas, padded.placements), 3);
+  });
+}
+
+/// Of one size, each piece is as near as that to others that do not move in a trial; one is given.
+TEST(Distances, HoldBesidePiecesThatDoNotMove) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  for_seeds(3, [&](CollageSettings s) {
+    s.pieces.padding_px = 3;
+    s.pieces.min_scale_px = s.pieces.max_scale_px = 30;
+    s.wishes.given = {{ShapeId{1}, {30, 0, 120, 80}, true}};
+    s.improve.trials = 24;
+    const CollageResult result = run(canvas, s);
+    EXPECT_EQ(result.placements[0].canvas_from_shape, s.wishes.given[0].canvas_from_shape);
+    EXPECT_GE(least_distance_px(canvas, result.placements), 3);
+  });
+}
+
 /// Lines that are thinner than the depth at which pieces may lie in each other: they must not lie on one another.
 TEST(Distances, LinesDoNotLieOnLines) {
   const std::vector<Shape> rings{test::make_test_shape("ring", test::ring_outline(0.96f))};

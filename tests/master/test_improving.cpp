@@ -38,6 +38,49 @@ TEST(Improving, KeepsToTheNumberOfUses) {
   for (const Placement& p : result.placements) EXPECT_LE(++uses[p.shape], 2);
 }
 
+TEST(Improving, CoversMoreWherePiecesMoveTogether) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  CollageSettings s = improved(12);
+  s.pieces.min_scale_px = 40;
+  s.pieces.max_scale_px = 80;
+  const double moving = quality(canvas, run(canvas, s)).coverage;
+  s.improve.relax = false;
+  EXPECT_GT(moving, quality(canvas, run(canvas, s)).coverage + 0.01);
+}
+
+/// Each keeps to the sizes and rotations of a stance, and those that are given do not move.
+TEST(Improving, PiecesMoveWithinTheirPoses) {
+  const Canvas canvas = make_rectangle_canvas(300, 220);
+  CollageSettings s = improved(8);
+  s.pieces.min_scale_px = 30;
+  s.pieces.max_scale_px = 60;
+  s.pieces.min_rotation_rad = -0.2f;
+  s.pieces.max_rotation_rad = 0.3f;
+  s.wishes.given = {{ShapeId{2}, {40, 0, 150, 110}, true}};
+  const CollageResult result = run(canvas, s);
+  EXPECT_GT(result.statistics.trials_kept, 0u);
+  EXPECT_EQ(result.placements[0].canvas_from_shape, s.wishes.given[0].canvas_from_shape);
+  for (const Placement& p : result.placements) {
+    EXPECT_GE(p.canvas_from_shape.scale(), 30 * (1 - 1e-5f));
+    EXPECT_LE(p.canvas_from_shape.scale(), 60 * (1 + 1e-5f));
+    EXPECT_GE(p.canvas_from_shape.rotation_rad(), -0.2f - 1e-4f);
+    EXPECT_LE(p.canvas_from_shape.rotation_rad(), 0.3f + 1e-4f);
+  }
+}
+
+TEST(Improving, PiecesMoveTogetherAcrossASeam) {
+  const Canvas canvas = make_seamless_canvas(300, 220, true, true);
+  CollageSettings s = improved(12);
+  s.pieces.min_scale_px = 40;
+  s.pieces.max_scale_px = 80;
+  const CollageResult result = run(canvas, s);
+  EXPECT_GT(result.statistics.trials_kept, 0u);
+  const Quality q = quality(canvas, result);
+  EXPECT_LT(q.overlap, 0.01);
+  s.improve.trials = 0;
+  EXPECT_GT(q.coverage, quality(canvas, run(canvas, s)).coverage + 0.005);
+}
+
 /// The limits of [stop] hold while improving, too.
 TEST(Improving, KeepsToTheLimitsOfStop) {
   const Canvas canvas = make_rectangle_canvas(300, 220);

@@ -17,12 +17,13 @@ class RuinAndRecreateTest : public test::OfferedFilling {
   static CollageSettings unsettled() {
     CollageSettings s = settings();
     s.settle = false;
+    s.improve.relax = false;
     return s;
   }
 
   explicit RuinAndRecreateTest(const CollageSettings& s = unsettled())
       : OfferedFilling(s),
-        ruin_(collage_, filling_, s) {
+        ruin_(canvas_, collage_, filling_, s, shapes_) {
     collage_.replace_placements(before_);
   }
 
@@ -63,6 +64,54 @@ TEST_F(RuinAndRecreateTest, WhatCoversAsMuchIsPutBack) {
 TEST_F(RuinAndRecreateTest, AnInterruptedTrialIsPutBack) {
   EXPECT_EQ(try_with({piece(1, 60, {100, 70})}, true), Trial::interrupted);
   EXPECT_EQ(collage_.placements(), before_);
+}
+
+class RelaxingTest : public RuinAndRecreateTest {
+ protected:
+  static CollageSettings relaxing() {
+    CollageSettings s = unsettled();
+    s.improve.relax = true;
+    return s;
+  }
+  RelaxingTest() : RuinAndRecreateTest(relaxing()) {}
+};
+
+/// The first trial; nothing hinders these two from growing to the largest size.
+TEST_F(RelaxingTest, AtFirstAllPiecesGrow) {
+  EXPECT_EQ(try_with({}), Trial::kept);
+  ASSERT_EQ(collage_.placements().size(), 2u);
+  for (const Placement& p : collage_.placements()) EXPECT_GT(p.canvas_from_shape.scale(), 80);
+}
+
+/// Only now and then, as it is dear.
+TEST_F(RelaxingTest, ThenPiecesStandAgain) {
+  trial_ = 1;
+  EXPECT_EQ(try_with({piece(1, 60, {100, 70})}), Trial::kept);
+  EXPECT_EQ(collage_.placements().back().canvas_from_shape.scale(), 60);
+  trial_ = 64;
+  EXPECT_EQ(try_with({}), Trial::kept);
+  EXPECT_GT(collage_.placements().back().canvas_from_shape.scale(), 70);
+}
+
+/// Of a region that is begun later.
+TEST_F(RelaxingTest, TheFirstTrialIsThatOfTheRegion) {
+  EXPECT_EQ(ruin_.try_once(
+                7, [] { return false; }, 7),
+            Trial::kept);
+  for (const Placement& p : collage_.placements()) EXPECT_GT(p.canvas_from_shape.scale(), 80);
+}
+
+/// At whatever moment.
+TEST_F(RelaxingTest, AnInterruptedRelaxationIsPutBack) {
+  int interrupted = 0;
+  for (int questions = 1;; questions += 3) {
+    matcher_.offers = {piece(1, 25, {100, 70}), piece(2, 21, {30, 120})};
+    int asked = 0;
+    if (ruin_.try_once(0, [&] { return ++asked > questions; }) != Trial::interrupted) break;
+    ++interrupted;
+    ASSERT_EQ(collage_.placements(), before_) << "after " << questions << " questions";
+  }
+  EXPECT_GT(interrupted, 20);
 }
 
 class WithTwoPiecesAtMost : public RuinAndRecreateTest {

@@ -193,11 +193,12 @@ TEST(Seamless, APieceThatIsPushedAcrossASeamComesInAtTheOtherSide) {
 }
 
 TEST(Seamless, PiecesOnBothSidesOfASeamAreTakenOutTogether) {
-  Scene scene(settings(), make_seamless_canvas(400, 60, true, true));
+  const Canvas canvas = make_seamless_canvas(400, 60, true, true);
+  Scene scene(settings(), canvas);
   std::vector<Placement> row;
   for (int i = 0; i < 20; ++i) row.push_back(test::piece(3, 14, {float(20 * i + 2), 30}));
   scene.collage.replace_placements(row);
-  RuinAndRecreate ruin(scene.collage, scene.filling, settings());
+  RuinAndRecreate ruin(canvas, scene.collage, scene.filling, settings(), scene.shapes);
   bool across = false;
   for (std::uint32_t trial = 0; trial < 60; ++trial) {
     ruin.try_once(trial, [&] {

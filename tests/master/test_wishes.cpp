@@ -87,6 +87,20 @@ Canvas two_regions(int left_px = 120) {
   return canvas;
 }
 
+/// Each region begins with a relaxation of its pieces; those of the regions before stand.
+TEST(Wishes, PiecesOfEachRegionMoveTogether) {
+  const Canvas canvas = two_regions();
+  CollageSettings s = settings();
+  s.wishes.regions.resize(2);
+  const CollageResult filled = run(canvas, s);
+  s.improve.trials = 2;
+  const CollageResult relaxed = run(canvas, s);
+  EXPECT_EQ(relaxed.statistics.trials, 2u);
+  EXPECT_EQ(relaxed.statistics.trials_kept, 2u);
+  EXPECT_GT(quality(canvas, relaxed).coverage, quality(canvas, filled).coverage + 0.002);
+  EXPECT_LT(quality(canvas, relaxed).overlap, 0.01);
+}
+
 TEST(Wishes, SizesAndAnglesAreThoseThatWereWishedFor) {
   CollageSettings s = settings();
   s.pieces.several.scale_px = {{20, 24}, {60, 90}};

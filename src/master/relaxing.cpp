@@ -1,0 +1,43 @@
+#include "master/relaxing.h"
+
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "core/collage/clearing.h"
+#include "core/relax/schedules.h"
+
+namespace tessera::master {
+
+Relaxing::Relaxing(const Canvas& region, const FreeField& free, const PieceSettings& pieces, ShapeSource& shapes,
+                   PosesOf poses_of)
+    : region_(region),
+      free_(free),
+      pieces_(pieces),
+      shapes_(shapes),
+      poses_of_(std::move(poses_of)),
+      relaxation_(region, contact_distances(pieces)) {}
+
+std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placements, std::size_t given,
+                                         const std::function<void()>& look) {
+  std::map<ShapeId, ContactShape> contact_shapes;  // 80 KB each: of those that stand, and not kept
+  std::vector<RelaxedPiece> pieces;
+  for (const Placement& p : placements) {
+    look();
+    auto found = contact_shapes.find(p.shape);
+    if (found == contact_shapes.end())
+      found = contact_shapes.emplace(p.shape, make_contact_shape(shapes_.shape(p.shape))).first;
+    const bool fixed = pieces.size() < given;
+    pieces.push_back({&found->second, p.canvas_from_shape, poses_of_(p), fixed});
+  }
+  std::vector<std::size_t> moving(placements.size() - given);
+  std::iota(moving.begin(), moving.end(), given);
+  for (const RelaxationSchedule& schedule : kRelaxCollage) relaxation_.relax(pieces, moving, schedule, look);
+  const std::vector<std::size_t> lost = make_clear(pieces, moving, region_, free_, pieces_, look);
+  std::vector<Placement> result = placements;
+  for (const std::size_t i : moving) result[i].canvas_from_shape = pieces[i].canvas_from_shape;
+  for (auto i = lost.rbegin(); i != lost.rend(); ++i) result.erase(result.begin() + std::ptrdiff_t(*i));
+  return result;
+}
+
+}  // namespace tessera::master
