@@ -21,6 +21,7 @@ class HostileJob {
   std::string make(const std::string& library, const std::string& canvas = "") {
     std::string text = "[library]\nfile = '" + library + "'\n";
     if (!canvas.empty()) text += "[canvas]\nfile = '" + canvas + "'\n";
+    if (below(4) == 0) return with_extreme(text);
     for (std::uint32_t i = 1 + below(2); i > 0; --i) text = with_assignment(text);
     return below(4) == 0 ? damaged(text) : text;
   }
@@ -54,6 +55,16 @@ class HostileJob {
     return text.str();
   }
 
+  static std::string with_line(const std::string& text, const io::JobKey& key, const std::string& line) {
+    return key.section.empty() ? line + text : text + "[" + key.section + "]\n" + line;
+  }
+
+  /// So that legal jobs stay among the others, however many keys there are.
+  std::string with_extreme(const std::string& text) {
+    const io::JobKey& key = any_key();
+    return with_line(text, key, key.name + " = " + extreme_of(key) + "\n");
+  }
+
   std::string with_assignment(const std::string& text) {
     switch (below(8)) {
       case 0: return text + "[" + any(strange_names()) + "]\n" + any(strange_names()) + " = 1\n";
@@ -65,8 +76,7 @@ class HostileJob {
     const io::JobKey& key = any_key();
     std::string name = below(12) == 0 ? any(strange_names()) : key.name;
     if (name.ends_with("_px") && below(6) == 0) name.replace(name.size() - 3, 3, "_mm");
-    const std::string line = name + " = " + value_for(key) + "\n";
-    return key.section.empty() ? line + text : text + "[" + key.section + "]\n" + line;
+    return with_line(text, key, name + " = " + value_for(key) + "\n");
   }
 
   /// By a file's bytes: cut off, with other bytes in it, in another encoding.
