@@ -68,7 +68,7 @@ struct StopSettings {
   double seconds = 0;  // 0 = no limit
 };
 
-/// Ruin and recreate, after nothing fits any more; ends with whichever limit comes first. Both 0: none.
+/// Improving, after nothing fits any more; ends with whichever limit comes first. Both 0: none.
 struct ImproveSettings {
   int trials = 0;      // 0 = no limit
   double seconds = 0;  // 0 = no limit

@@ -91,8 +91,9 @@ class Collage {
   /// after, not from how they came about. Returns where pieces came or went.
   Window replace_placements(std::vector<Placement> placements);
 
-  /// Whether all of them but the given ones, which are the first, keep the distances from their like.
-  bool keep_apart(const std::vector<Placement>& placements) const;
+  /// Those of them that keep the distances from their like among those before them, and the given ones, which are the
+  /// first.
+  std::vector<Placement> without_too_near(const std::vector<Placement>& placements) const;
 
   /// What the pose of a piece that stands may be: by the stance that it stands in; where wishes know of none, its own.
   PoseRange poses_of(const Placement& placement) const;

@@ -16,7 +16,7 @@
 #include "core/tuning.h"
 #include "master/collage.h"
 #include "master/filling.h"
-#include "master/ruin_and_recreate.h"
+#include "master/improving.h"
 
 namespace tessera::master {
 namespace {
@@ -207,15 +207,14 @@ class Run {
     filling().count_into(trial_work_);
     const double earlier_s = statistics_.improve_s;
     const Stopwatch watch;
-    const bool parted = !canvas_.regions.empty();
-    const Canvas part = parted ? region_of(canvas_, collage().limits().region) : Canvas{};
-    const Canvas& region = parted ? part : canvas_;  // large: not copied for nothing
-    const auto earlier_trials = std::uint32_t(trials_in_regions_below(collage().limits().region));
-    RuinAndRecreate ruin_and_recreate(region, collage(), filling(), settings_, shapes_);
+    const std::uint32_t region = collage().limits().region;
+    const double area_px2 = canvas_.regions.empty() ? canvas_.area_px2 : canvas_.regions[region].area_px2;
+    const auto earlier_trials = std::uint32_t(trials_in_regions_below(region));
+    Improving improving(collage(), filling(), settings_, area_px2, shapes_);
     while (may_improve() && !reached_limit() && !interrupted()) {
       Trial trial = Trial::interrupted;
       try {
-        trial = ruin_and_recreate.try_once(
+        trial = improving.try_once(
             std::uint32_t(statistics_.trials), [this] { return observer_.stop_requested() != nullptr; },
             earlier_trials);
       } catch (const Interrupted&) {

@@ -11,7 +11,7 @@ struct Progress {
   double coverage = 0;            // fraction of the canvas, from the pieces' areas
   double seconds = 0;             // since the loop started
   std::size_t open_samples = 0;   // target samples left on the free region's boundary
-  std::uint64_t trials = 0;       // of ruin and recreate
+  std::uint64_t trials = 0;       // of improving
   std::uint64_t most_trials = 0;  // 0: no limit
   int attempt = 1;                // above 1: some shapes found no place, and it began again with smaller sizes
 };

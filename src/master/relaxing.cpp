@@ -1,22 +1,38 @@
 #include "master/relaxing.h"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "core/collage/clearing.h"
 #include "core/relax/schedules.h"
+#include "core/tuning.h"
 
 namespace tessera::master {
+namespace {
 
-Relaxing::Relaxing(const Canvas& region, const FreeField& free, const PieceSettings& pieces, ShapeSource& shapes,
-                   PosesOf poses_of)
-    : region_(region),
-      free_(free),
+/// Where sizes differ more, dwarfs fill the gaps as well as pieces that grow into them (docs/measurements.md).
+constexpr float kMostSizeRatio = 5;
+
+}  // namespace
+
+bool pays_to_relax(const CollageSettings& s) {
+  return s.improve.relax && s.pieces.max_scale_px <= kMostSizeRatio * s.pieces.min_scale_px && !s.pieces.size_map &&
+         !s.colour;
+}
+
+std::uint32_t trials_per_relaxation(double area_px2, const PieceSettings& pieces) {
+  const double pieces_at_most = area_px2 / (double(pieces.min_scale_px) * pieces.max_scale_px);
+  return std::uint32_t(std::clamp(pieces_at_most, double(kTrialsPerRelaxation), 1e6));
+}
+
+Relaxing::Relaxing(const FreeField& free, const PieceSettings& pieces, ShapeSource& shapes, PosesOf poses_of)
+    : free_(free),
       pieces_(pieces),
       shapes_(shapes),
       poses_of_(std::move(poses_of)),
-      relaxation_(region, contact_distances(pieces)) {}
+      relaxation_(free, contact_distances(pieces)) {}
 
 std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placements, std::size_t given,
                                          const std::function<void()>& look) {
@@ -33,7 +49,7 @@ std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placement
   std::vector<std::size_t> moving(placements.size() - given);
   std::iota(moving.begin(), moving.end(), given);
   for (const RelaxationSchedule& schedule : kRelaxCollage) relaxation_.relax(pieces, moving, schedule, look);
-  const std::vector<std::size_t> lost = make_clear(pieces, moving, region_, free_, pieces_, look);
+  const std::vector<std::size_t> lost = make_clear(pieces, moving, free_, pieces_, look);
   std::vector<Placement> result = placements;
   for (const std::size_t i : moving) result[i].canvas_from_shape = pieces[i].canvas_from_shape;
   for (auto i = lost.rbegin(); i != lost.rend(); ++i) result.erase(result.begin() + std::ptrdiff_t(*i));

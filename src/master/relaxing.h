@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "core/collage/placement.h"
-#include "core/field/canvas.h"
 #include "core/field/free_field.h"
 #include "core/matching/pose_range.h"
 #include "core/relax/relaxation.h"
@@ -16,14 +16,20 @@
 
 namespace tessera::master {
 
+/// Where the job wants it and sizes are much alike; colours and sizes that go by the place would not hold where a piece
+/// moved to.
+bool pays_to_relax(const CollageSettings& settings);
+
+/// About as many as there are pieces on so large a canvas, as it takes as much longer.
+std::uint32_t trials_per_relaxation(double area_px2, const PieceSettings& pieces);
+
 class Relaxing {
  public:
   using PosesOf = std::function<PoseRange(const Placement&)>;
 
-  /// `region`: that of the canvas which is filled, `free` its field. `poses_of`: what the pose of a piece may be. All
-  /// but the settings outlive it.
-  Relaxing(const Canvas& region, const FreeField& free, const PieceSettings& pieces, ShapeSource& shapes,
-           PosesOf poses_of);
+  /// On the canvas of `free`, whatever lies in it. `poses_of`: what the pose of a piece may be. All but the settings
+  /// outlive it.
+  Relaxing(const FreeField& free, const PieceSettings& pieces, ShapeSource& shapes, PosesOf poses_of);
 
   /// `placements` after all but the first `given` have moved, without those that found no place. What `look` throws
   /// leaves nothing changed.
@@ -31,7 +37,6 @@ class Relaxing {
                                  const std::function<void()>& look);
 
  private:
-  const Canvas& region_;
   const FreeField& free_;
   PieceSettings pieces_;
   ShapeSource& shapes_;

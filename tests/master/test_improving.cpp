@@ -1,4 +1,4 @@
-// Ruin and recreate as a part of the whole loop.
+// Improving as a part of the whole loop.
 #include <gtest/gtest.h>
 
 #include <map>

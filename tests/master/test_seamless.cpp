@@ -6,7 +6,7 @@
 #include "core/collage/placed_outlines.h"
 #include "core/tuning.h"
 #include "master/filling.h"
-#include "master/ruin_and_recreate.h"
+#include "master/improving.h"
 #include "offering_matcher.h"
 #include "stopped_collage.h"
 #include "support/polygon_distance.h"
@@ -198,10 +198,10 @@ TEST(Seamless, PiecesOnBothSidesOfASeamAreTakenOutTogether) {
   std::vector<Placement> row;
   for (int i = 0; i < 20; ++i) row.push_back(test::piece(3, 14, {float(20 * i + 2), 30}));
   scene.collage.replace_placements(row);
-  RuinAndRecreate ruin(canvas, scene.collage, scene.filling, settings(), scene.shapes);
+  Improving improving(scene.collage, scene.filling, settings(), canvas.area_px2, scene.shapes);
   bool across = false;
   for (std::uint32_t trial = 0; trial < 60; ++trial) {
-    ruin.try_once(trial, [&] {
+    improving.try_once(trial, [&] {
       const std::vector<Placement>& left = scene.collage.placements();
       across |= std::find(left.begin(), left.end(), row.front()) == left.end() &&
                 std::find(left.begin(), left.end(), row.back()) == left.end();

@@ -15,7 +15,7 @@ struct RunStatistics {
   std::uint64_t dockings_evaluated = 0;  // those that reached the field
   std::uint64_t refined = 0;
   std::uint64_t target_samples = 0;  // matched, repeats included
-  std::uint64_t trials = 0;          // of ruin and recreate
+  std::uint64_t trials = 0;          // of improving
   std::uint64_t trials_kept = 0;
   double prune_s = 0;
   double dock_s = 0;   // docking, refining, and measuring candidates whose surroundings changed

@@ -29,11 +29,12 @@ ContactDistances rule_alone(const PieceSettings& settings) {
 
 class Clearing {
  public:
-  Clearing(std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active, const Canvas& canvas,
-           const FreeField& free, const PieceSettings& settings)
+  Clearing(std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active, const FreeField& free,
+           const PieceSettings& settings)
       : pieces_(pieces),
-        period_(canvas.period),
-        making_way_(canvas, rule_alone(settings)),
+        period_(free.grid().period()),
+        reach_px_(rule_alone(settings).reach_px()),
+        making_way_(free, rule_alone(settings)),
         outlines_(free, settings),
         laid_(pieces.size()),
         may_move_(pieces.size(), false) {
@@ -115,14 +116,14 @@ class Clearing {
     unsure_ = std::move(unsure);
   }
 
-  /// Those, and all that touch them and may move; ascending.
+  /// Those, and all that feel them and may move; ascending.
   std::vector<std::size_t> with_neighbours(const std::vector<std::size_t>& some) const {
     std::vector<Box> boxes;
     for (const LaidPiece& piece : laid_) boxes.push_back(piece.box);
     const PieceNeighbours near(boxes, period_);
     std::vector<std::size_t> all = some;
     for (const std::size_t i : some) {
-      for (const Neighbour& n : near.of(std::uint32_t(i), 0)) {
+      for (const Neighbour& n : near.of(std::uint32_t(i), reach_px_)) {
         if (may_move_[n.piece]) all.push_back(n.piece);
       }
     }
@@ -133,6 +134,7 @@ class Clearing {
 
   std::vector<RelaxedPiece>& pieces_;
   Period period_;
+  float reach_px_;
   Relaxation making_way_;
   PlacedOutlines outlines_;
   std::vector<LaidPiece> laid_;
@@ -143,9 +145,9 @@ class Clearing {
 }  // namespace
 
 std::vector<std::size_t> make_clear(std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active,
-                                    const Canvas& canvas, const FreeField& free, const PieceSettings& settings,
+                                    const FreeField& free, const PieceSettings& settings,
                                     const std::function<void()>& look) {
-  return Clearing(pieces, active, canvas, free, settings).run(look);
+  return Clearing(pieces, active, free, settings).run(look);
 }
 
 }  // namespace tessera

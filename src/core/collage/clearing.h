@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "core/collage/placed_outlines.h"
-#include "core/field/canvas.h"
+#include "core/field/free_field.h"
 #include "core/relax/relaxation.h"
 #include "core/settings.h"
 
 namespace tessera {
 
 /// Moves and shrinks those of `pieces` that `active` (indices) names and that are not fixed until none of them
-/// conflicts (PlacedOutlines) with any other of `pieces` or with the edge of `canvas`, the one region that is filled;
-/// `free` is that canvas' field, whatever lies in it. Scales and rotations stay within RelaxedPiece::poses. Returns the
-/// indices, ascending, of active pieces that found no place: without them no active piece has a conflict. `look` is
-/// called now and then; where it throws, `pieces` are of no use any more.
+/// conflicts (PlacedOutlines) with any other of `pieces` or with the edge of the canvas of `free`, whatever lies in it.
+/// Scales and rotations stay within RelaxedPiece::poses. Returns the indices, ascending, of active pieces that found no
+/// place: without them no active piece has a conflict. `look` is called now and then; where it throws, `pieces` are of
+/// no use any more.
 std::vector<std::size_t> make_clear(std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active,
-                                    const Canvas& canvas, const FreeField& free, const PieceSettings& settings,
+                                    const FreeField& free, const PieceSettings& settings,
                                     const std::function<void()>& look);
 
 }  // namespace tessera

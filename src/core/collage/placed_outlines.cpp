@@ -26,11 +26,6 @@ constexpr float kSuspectPlaced_px = 0.75f;
 /// Of a piece that was taken out: near to nothing.
 constexpr Box kNowhere{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
-bool near(const Box& a, const Box& b, float reach) {
-  return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach &&
-         b.low.y <= a.high.y + reach;
-}
-
 bool within(const Box& box, Vec2 p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
@@ -202,7 +197,7 @@ bool PlacedOutlines::holds_a_zone(const PolygonIndex& piece) const {
 
 bool PlacedOutlines::any_near(const Box& piece) const {
   return std::any_of(placed_.begin(), placed_.end(),
-                     [&](const Placed& placed) { return near(piece, placed.box, std::max(needed_px_, 0.f)); });
+                     [&](const Placed& placed) { return within_reach(piece, placed.box, std::max(needed_px_, 0.f)); });
 }
 
 /// By its box: a piece that is longer than the period stands nowhere, even where it could pass its own image.
@@ -217,7 +212,7 @@ void PlacedOutlines::add_neighbours(const Shape& shape, const Similarity& canvas
   const PieceDistance distance(shape, canvas_from_shape, 0);
   const FieldView free = free_.view();
   for (const Placed& placed : placed_) {
-    if (!near(piece.box(), placed.box, std::max(needed_px_, 0.f))) continue;
+    if (!within_reach(piece.box(), placed.box, std::max(needed_px_, 0.f))) continue;
     const PolygonIndex& other = *placed.outline;
     const auto in_others = [&](Vec2 p) { return field_value(free, p) < kSuspect_px; };
     const auto in_piece = [&](Vec2 p) { return distance.at(p) < kSuspect_px; };
@@ -263,7 +258,7 @@ std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index, const FieldDis
     std::optional<PolygonIndex> image;
     if (!own_place) image.emplace(moved(piece.outline(), offset));
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      if ((own_place && i == index) || !near(box, placed_[i].box, std::max(needed_px_, 0.f))) continue;
+      if ((own_place && i == index) || !within_reach(box, placed_[i].box, std::max(needed_px_, 0.f))) continue;
       const auto in_piece = [&](Vec2 p) { return distance_px(index, p - offset) < kSuspectPlaced_px; };
       const auto in_other = [&](Vec2 p) { return distance_px(i, p) < kSuspectPlaced_px; };
       add_ways(own_place ? piece : *image, in_piece, *placed_[i].outline, in_other, ways);

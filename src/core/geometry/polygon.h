@@ -38,6 +38,12 @@ struct Box {
   float height() const { return high.y - low.y; }
 };
 
+/// Whether the boxes, or their edges, are no farther from each other than `reach` in x and in y.
+inline bool within_reach(const Box& a, const Box& b, float reach) {
+  return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach &&
+         b.low.y <= a.high.y + reach;
+}
+
 AreaMoment area_moment(const std::vector<Vec2>& polygon);
 double signed_area(const std::vector<Vec2>& polygon);
 Box bounding_box(const std::vector<Vec2>& polygon);  // of at least one point

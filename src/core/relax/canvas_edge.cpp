@@ -11,12 +11,12 @@ constexpr float kBeforeTheLastNode_px = 0.01f;
 }  // namespace
 
 FieldSample CanvasEdge::at(Vec2 canvas_px) const {
-  const FieldView field(canvas_.distance);
-  const Vec2 p = canvas_.period.wrapped(canvas_px);
+  const FieldView field = free_.view();
+  const Vec2 p = period().wrapped(canvas_px);
   const Vec2 last{float(field.width - 1) - kBeforeTheLastNode_px, float(field.height - 1) - kBeforeTheLastNode_px};
   const Vec2 nearest{std::clamp(p.x, field.origin.x, field.origin.x + last.x),
                      std::clamp(p.y, field.origin.y, field.origin.y + last.y)};
-  FieldSample sample = field_sample(field, nearest);
+  FieldSample sample = free_.canvas_sample(nearest);
   if (nearest == p) return sample;
   const Vec2 beyond = p - nearest;
   const float way = norm(beyond);

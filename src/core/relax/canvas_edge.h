@@ -1,23 +1,22 @@
-// The edge of the canvas, or of one of its regions, as pieces feel it: also far outside, where the canvas' field ends.
+// The edge of the canvas as pieces feel it: also far outside, where the canvas' field ends.
 #pragma once
 
-#include "core/field/canvas.h"
-#include "core/field/field_lookup.h"
+#include "core/field/free_field.h"
 
 namespace tessera {
 
 class CanvasEdge {
  public:
-  /// The canvas outlives it.
-  explicit CanvasEdge(const Canvas& canvas) : canvas_(canvas) {}
+  /// Of the canvas of this field, whatever lies in it. It outlives the edge.
+  explicit CanvasEdge(const FreeField& free) : free_(free) {}
 
-  const Period& period() const { return canvas_.period; }
+  const Period& period() const { return free_.grid().period(); }
 
-  /// Canvas::distance with its gradient. Beyond the field's nodes: the value at the nearest one, less the way there.
+  /// FreeField::canvas_sample(). Beyond the field's nodes: the value at the nearest one, less the way there.
   FieldSample at(Vec2 canvas_px) const;
 
  private:
-  const Canvas& canvas_;
+  const FreeField& free_;
 };
 
 }  // namespace tessera

@@ -38,11 +38,6 @@ struct Contact {
   float length_px;    // of the boundary that the sample stands for
 };
 
-inline bool nearer_than(float reach, const Box& a, const Box& b) {
-  return a.low.x < b.high.x + reach && b.low.x < a.high.x + reach && a.low.y < b.high.y + reach &&
-         b.low.y < a.high.y + reach;
-}
-
 /// Walks along the samples, `distance(p)` giving what is to be met there, and calls f(contact) for those that are
 /// nearer than `reach_px`. Elsewhere it skips as many as a distance that changes by no more than the way allows;
 /// `slack_px` is by how much look-up between nodes may be wrong.
@@ -69,7 +64,7 @@ void walk_contacts(const LaidPiece& piece, float reach_px, float slack_px, Dista
 template <class F>
 void each_contact(const LaidPiece& piece, const LaidPiece& other, Vec2 offset, float reach_px, F f) {
   const Box box{other.box.low + offset, other.box.high + offset};
-  if (!nearer_than(std::max(reach_px, 0.f), piece.box, box)) return;
+  if (!within_reach(piece.box, box, std::max(reach_px, 0.f))) return;
   const float node_px = other.scale_px / other.shape->nodes_per_unit;
   const auto distance = [&](Vec2 p) {
     // Far from the box there is no need to look.

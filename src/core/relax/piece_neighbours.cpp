@@ -65,13 +65,13 @@ std::vector<Neighbour> PieceNeighbours::of(std::uint32_t piece, float reach_px) 
     // The piece beside the others' own places, instead of their images beside the piece.
     const Vec2 reach{reach_px, reach_px};
     const Box box{boxes_[piece].low - offset - reach, boxes_[piece].high - offset + reach};
-    if (!nearer_than(0, box, all_)) continue;
+    if (!within_reach(box, all_, 0)) continue;
     near.clear();
     const Cells cells = cells_of(box);
     for (int y = cells.y0; y <= cells.y1; ++y) {
       const std::uint32_t* row = first_.data() + std::size_t(y) * columns_;
       for (std::uint32_t i = row[cells.x0]; i < row[cells.x1 + 1]; ++i) {
-        if (nearer_than(0, box, boxes_[pieces_[i]])) near.push_back(pieces_[i]);
+        if (within_reach(box, boxes_[pieces_[i]], 0)) near.push_back(pieces_[i]);
       }
     }
     std::sort(near.begin(), near.end());

@@ -20,7 +20,7 @@ class PieceNeighbours {
   /// Of pieces with these boxes, canvas px.
   PieceNeighbours(const std::vector<Box>& boxes, const Period& period);
 
-  /// Those whose boxes are nearer than `reach_px` to that of `piece`, without itself; in a fixed order.
+  /// Those whose boxes are within `reach_px` of that of `piece`, without itself; in a fixed order.
   std::vector<Neighbour> of(std::uint32_t piece, float reach_px) const;
 
  private:

@@ -20,12 +20,16 @@ constexpr float kOneWay = 0.5f;
 constexpr float kStepDamping = 0.01f;
 /// A sweep in which no piece moves farther ends the relaxation.
 constexpr float kAtRest_px = 0.01f;
-/// Neighbours are looked for within this reach, and again when pieces may have moved by half of it. Longer: more boxes
-/// to look at; shorter: more often.
-constexpr float kNeighbourReach_px = 16;
-/// A step of 1 px moves the points of a piece by no more: its shift, turn and growth together, to 1.5 scales from the
-/// centre.
-constexpr float kMostMovement = 4;
+/// Neighbours are looked for so much farther away than contact reaches, and again when two pieces may have come nearer
+/// by as much. Longer: more boxes to look at; shorter: more often.
+constexpr float kNeighbourSlack_px = 16;
+
+/// A step of 1 px moves the points of a piece by no more: its shift, and turn and growth at its farthest point.
+float most_movement(const std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active) {
+  float radius = 0;
+  for (const std::size_t i : active) radius = std::max(radius, pieces[i].shape->radius);
+  return 1 + 2 * radius;
+}
 
 std::vector<LaidPiece> laid(const std::vector<RelaxedPiece>& pieces) {
   std::vector<LaidPiece> all(pieces.size());
@@ -109,16 +113,19 @@ void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_
   std::erase_if(active, [&](std::size_t i) { return pieces[i].fixed; });
   std::vector<LaidPiece> all = laid(pieces);
   std::vector<std::vector<Neighbour>> neighbours(pieces.size());
-  float may_have_moved_px = kNeighbourReach_px;
+  const float movement = most_movement(pieces, active);
+  float may_have_moved_px = kNeighbourSlack_px;
   for (int sweep = 0; sweep < schedule.sweeps; ++sweep) {
     look();
     const float progress = schedule.sweeps > 1 ? float(sweep) / float(schedule.sweeps - 1) : 1.f;
     const float stiffness = stiffness_at(schedule, progress);
     const float most_step_px = step_at(schedule, progress);
     // Two pieces come nearer to each other by twice that.
-    if (2 * (may_have_moved_px + kMostMovement * most_step_px) > kNeighbourReach_px) {
+    if (2 * (may_have_moved_px + movement * most_step_px) > kNeighbourSlack_px) {
       const PieceNeighbours near = neighbours_among(all, edge_.period());
-      for (const std::size_t i : active) neighbours[i] = near.of(std::uint32_t(i), kNeighbourReach_px);
+      for (const std::size_t i : active) {
+        neighbours[i] = near.of(std::uint32_t(i), distances_.reach_px() + kNeighbourSlack_px);
+      }
       may_have_moved_px = 0;
     }
     shuffle(active, sweep);
@@ -130,7 +137,7 @@ void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_
       step.add_damping(kStepDamping * stiffness * all[i].shape->perimeter * all[i].scale_px);
       largest_px = std::max(largest_px, take(step, pieces[i].poses, most_step_px, all[i]));
     }
-    may_have_moved_px += kMostMovement * largest_px;
+    may_have_moved_px += movement * largest_px;
     if (largest_px < kAtRest_px) break;
   }
   for (const std::size_t i : active) {
@@ -138,37 +145,34 @@ void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_
   }
 }
 
-RelaxationBalance Relaxation::balance(const std::vector<RelaxedPiece>& pieces, float stiffness) const {
+double Relaxation::energy_px2(const std::vector<RelaxedPiece>& pieces, float stiffness) const {
   const std::vector<LaidPiece> all = laid(pieces);
   const PieceNeighbours near = neighbours_among(all, edge_.period());
-  RelaxationBalance balance;
+  double area_px2 = 0;
   double between = 0;  // sums of length times depth²
   double outside = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    balance.area_px2 += double(all[i].scale_px) * double(all[i].scale_px);
-    for (const Neighbour& n : near.of(std::uint32_t(i), std::max(distances_.soft_px, 0.f))) {
-      each_contact(all[i], all[n.piece], n.offset, distances_.soft_px, [&](const Contact& c) {
-        const double depth_px = distances_.soft_px - c.distance_px;
-        between += c.length_px * depth_px * depth_px;
-        balance.overlap_px2 += kOneWay * c.length_px * depth_px;
-      });
-    }
-    each_contact(all[i], edge_, distances_.soft_px, [&](const Contact& c) {
+  const auto add_to = [this](double& sum) {
+    return [this, &sum](const Contact& c) {
       const double depth_px = distances_.soft_px - c.distance_px;
-      outside += c.length_px * depth_px * depth_px;
-      balance.outside_px2 += c.length_px * depth_px;
-    });
+      sum += c.length_px * depth_px * depth_px;
+    };
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    area_px2 += double(all[i].scale_px) * double(all[i].scale_px);
+    for (const Neighbour& n : near.of(std::uint32_t(i), distances_.reach_px())) {
+      each_contact(all[i], all[n.piece], n.offset, distances_.soft_px, add_to(between));
+    }
+    each_contact(all[i], edge_, distances_.soft_px, add_to(outside));
   }
-  balance.energy_px2 = 0.5 * stiffness * (kOneWay * between + kEdgeStiffness * outside) - balance.area_px2;
-  return balance;
+  return 0.5 * stiffness * (kOneWay * between + kEdgeStiffness * outside) - area_px2;
 }
 
 std::array<double, 4> Relaxation::energy_gradient(const std::vector<RelaxedPiece>& pieces, std::size_t piece,
                                                   float stiffness) const {
   const std::vector<LaidPiece> all = laid(pieces);
   const PieceNeighbours near = neighbours_among(all, edge_.period());
-  RelaxationStep step = step_of(all[piece], all, near.of(std::uint32_t(piece), std::max(distances_.soft_px, 0.f)),
-                                edge_, distances_, {stiffness, 0});
+  RelaxationStep step =
+      step_of(all[piece], all, near.of(std::uint32_t(piece), distances_.reach_px()), edge_, distances_, {stiffness, 0});
   step.add_growth();
   const auto& g = step.gradient();
   return {g[0], g[1], g[2], g[3]};

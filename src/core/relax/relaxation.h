@@ -8,12 +8,13 @@
 // The same pieces give the same bits on every machine: + - * / and square roots in a fixed order.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "core/field/canvas.h"
 #include "core/matching/pose_range.h"
 #include "core/relax/canvas_edge.h"
 #include "core/relax/contact_shape.h"
@@ -31,6 +32,9 @@ struct RelaxedPiece {
 struct ContactDistances {
   float soft_px = 0;
   float hard_px = 0;  // what is nearer than this is pushed away with the hard stiffness, too
+
+  /// Pieces whose boxes are no nearer than this do not feel each other.
+  float reach_px() const { return std::max(soft_px, 0.f); }
 };
 
 /// From the first sweep to the last: contacts become stiffer and steps shorter, so that pieces pass each other's tips
@@ -45,18 +49,10 @@ struct RelaxationSchedule {
   bool growing = true;  // false: the pieces' area is worth nothing, they only make way
 };
 
-/// What a relaxation strikes a balance between, px².
-struct RelaxationBalance {
-  double energy_px2 = 0;
-  double area_px2 = 0;     // of all pieces, overlaps counted as often as they are covered
-  double overlap_px2 = 0;  // of pieces with each other, about: from the depths of their boundaries
-  double outside_px2 = 0;  // of pieces beyond the canvas' edge, likewise
-};
-
 class Relaxation {
  public:
-  /// `canvas`, or the one region of it that is filled, outlives the relaxation.
-  Relaxation(const Canvas& canvas, const ContactDistances& distances) : edge_(canvas), distances_(distances) {}
+  /// On the canvas of this field, whatever lies in it. It outlives the relaxation.
+  Relaxation(const FreeField& free, const ContactDistances& distances) : edge_(free), distances_(distances) {}
 
   /// Moves those of `pieces` that `active` (indices, in any order) names and that are not fixed; afterwards their
   /// centres lie in the one period of a seamless canvas. `look` is called between sweeps; where it throws, the pieces
@@ -65,7 +61,7 @@ class Relaxation {
              const std::function<void()>& look) const;
 
   /// Of all pieces, depths counted from soft_px on, without what is hard.
-  RelaxationBalance balance(const std::vector<RelaxedPiece>& pieces, float stiffness) const;
+  double energy_px2(const std::vector<RelaxedPiece>& pieces, float stiffness) const;
 
   /// By how much the energy changes with each of the piece's movements (order of PieceMovement), px² a px.
   std::array<double, 4> energy_gradient(const std::vector<RelaxedPiece>& pieces, std::size_t piece,

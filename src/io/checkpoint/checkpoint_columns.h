@@ -37,7 +37,7 @@ void each_column(Columns& c, Visit visit) {
   visit("/job", c.job, 1, "", "the effective job, TOML");
   visit("/digests", c.digests, 1, "",
         "of the library's content, the canvas, the free region with its samples, colour.image");
-  visit("/improving", c.improving, 1, "", "1: ruin and recreate has begun");
+  visit("/improving", c.improving, 1, "", "1: improving has begun");
   visit(
       "/stage", c.stage, 1, "",
       "region that is being filled, pieces that were given to it, attempt at its sizes, digest of the pieces that the "

@@ -1,4 +1,4 @@
-#include "master/ruin_and_recreate.h"
+#include "master/improving.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -24,21 +24,6 @@ std::int64_t area_256ths_px2(const std::vector<Placement>& placements) {
   return sum;
 }
 
-/// Where sizes differ more, dwarfs fill the gaps as well as pieces that grow into them (docs/measurements.md).
-constexpr float kMostSizeRatio = 5;
-
-/// Colours and sizes that go by the place would not hold where a piece moved to.
-bool pays_to_relax(const CollageSettings& s) {
-  return s.improve.relax && s.pieces.max_scale_px <= kMostSizeRatio * s.pieces.min_scale_px && !s.pieces.size_map &&
-         !s.colour;
-}
-
-/// About as many as there are pieces, as it takes as much longer.
-std::uint32_t trials_per_relaxation(double area_px2, const PieceSettings& pieces) {
-  const double pieces_at_most = area_px2 / (double(pieces.min_scale_px) * pieces.max_scale_px);
-  return std::uint32_t(std::clamp(pieces_at_most, double(kTrialsPerRelaxation), 1e6));
-}
-
 /// A point in a gap; every free px is as likely. False where there is hardly any.
 bool find_gap(const FreeField& free, std::uint64_t random, Vec2& gap) {
   const CanvasField& field = free.field();
@@ -56,21 +41,21 @@ bool find_gap(const FreeField& free, std::uint64_t random, Vec2& gap) {
 
 }  // namespace
 
-RuinAndRecreate::RuinAndRecreate(const Canvas& region, Collage& collage, Filling& filling,
-                                 const CollageSettings& settings, ShapeSource& shapes)
+Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& settings, double area_px2,
+                     ShapeSource& shapes)
     : collage_(collage),
       filling_(filling),
-      relaxing_(region, collage.free(), settings.pieces, shapes,
+      relaxing_(collage.free(), settings.pieces, shapes,
                 [&collage](const Placement& p) { return collage.poses_of(p); }),
       relax_(pays_to_relax(settings)),
-      trials_per_relaxation_(trials_per_relaxation(region.area_px2, settings.pieces)),
+      trials_per_relaxation_(trials_per_relaxation(area_px2, settings.pieces)),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
                                              : kRuinedScale * settings.pieces.min_scale_px),
       most_pieces_(settings.stop.pieces > 0 ? std::size_t(settings.stop.pieces) : SIZE_MAX) {}
 
 /// The pieces that are small enough and nearest to a gap by a disc of their area, nearest first.
-std::vector<std::size_t> RuinAndRecreate::pieces_near(Vec2 gap_px) const {
+std::vector<std::size_t> Improving::pieces_near(Vec2 gap_px) const {
   constexpr float kDiscRadius = 0.5642f;  // of area 1
   std::vector<std::pair<float, std::size_t>> nearest;
   const std::vector<Placement>& placements = collage_.placements();
@@ -87,7 +72,7 @@ std::vector<std::size_t> RuinAndRecreate::pieces_near(Vec2 gap_px) const {
   return result;
 }
 
-std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
+std::vector<Placement> Improving::ruined(std::uint64_t random) {
   std::vector<Placement> left = collage_.placements();
   Vec2 gap_px;
   if (!find_gap(collage_.free(), random, gap_px)) return left;
@@ -107,18 +92,18 @@ std::vector<Placement> RuinAndRecreate::ruined(std::uint64_t random) {
   return left;
 }
 
-void RuinAndRecreate::fill(const Look& look) {
+void Improving::fill(const Look& look) {
   do look();
   while (filling_.place_one());
 }
 
 /// What is free, and what is covered twice.
-std::int64_t RuinAndRecreate::loss_256ths_px2() const {
+std::int64_t Improving::loss_256ths_px2() const {
   const std::int64_t free = collage_.free().free_256ths_px2();
   return relax_ ? 2 * free + area_256ths_px2(collage_.placements()) : free;
 }
 
-void RuinAndRecreate::recreate(std::uint32_t trial, const Look& look) {
+void Improving::recreate(std::uint32_t trial, const Look& look) {
   std::vector<Placement> rest = ruined(mix_bits(seed_ ^ mix_bits(kRuin ^ (std::uint64_t(trial) << 32))));
   if (rest.size() == collage_.placements().size()) return;
   filling_.start(collage_.replace_placements(std::move(rest)));
@@ -126,15 +111,14 @@ void RuinAndRecreate::recreate(std::uint32_t trial, const Look& look) {
   fill(look);
 }
 
-void RuinAndRecreate::relax_all(std::uint32_t trial, const Look& look) {
-  std::vector<Placement> relaxed = relaxing_.relaxed(collage_.placements(), collage_.given(), look);
-  if (!collage_.keep_apart(relaxed)) return;
-  filling_.start(collage_.replace_placements(std::move(relaxed)));
+void Improving::relax_all(std::uint32_t trial, const Look& look) {
+  const std::vector<Placement> relaxed = relaxing_.relaxed(collage_.placements(), collage_.given(), look);
+  filling_.start(collage_.replace_placements(collage_.without_too_near(relaxed)));
   collage_.set_first_pass(kPassesPerTrial * trial);
   fill(look);
 }
 
-Trial RuinAndRecreate::try_once(std::uint32_t trial, const std::function<bool()>& stopped, std::uint32_t earlier) {
+Trial Improving::try_once(std::uint32_t trial, const std::function<bool()>& stopped, std::uint32_t earlier) {
   const std::vector<Placement> before = collage_.placements();
   const std::int64_t loss_before = loss_256ths_px2();
   const std::size_t missing_before = collage_.missing().size();

@@ -1,6 +1,6 @@
-// Beyond greedy, which the paper names as its limit (section 6): take a few small pieces beside a gap out, fill the
-// hole again, and keep the result where more of the canvas is covered. Now and then all pieces move, turn and grow
-// together instead.
+// Beyond greedy, which the paper names as its limit (section 6). A trial of ruin and recreate takes a few small pieces
+// beside a gap out and fills the hole again; now and then all pieces move, turn and grow together instead. The result
+// is kept where more of the canvas is covered.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,10 @@ namespace tessera::master {
 
 enum class Trial { kept, put_back, interrupted };
 
-class RuinAndRecreate {
+class Improving {
  public:
-  /// `region` of the canvas is what the collage fills. All but the settings outlive it.
-  RuinAndRecreate(const Canvas& region, Collage& collage, Filling& filling, const CollageSettings& settings,
-                  ShapeSource& shapes);
+  /// `area_px2`: of what the collage fills. All but the settings outlive it.
+  Improving(Collage& collage, Filling& filling, const CollageSettings& settings, double area_px2, ShapeSource& shapes);
 
   /// Trial number `trial`, of which `earlier` were before the region was begun: its outcome follows from these numbers
   /// and the placements alone. `stopped` is asked before every piece and while pieces move; an interrupted trial, also

@@ -1,7 +1,7 @@
 // When a trial is kept and when it is put back, with a matcher that offers what the test tells it to.
 #include <gtest/gtest.h>
 
-#include "master/ruin_and_recreate.h"
+#include "master/improving.h"
 #include "offered_filling.h"
 
 namespace tessera::master {
@@ -11,7 +11,7 @@ using test::piece;
 
 /// A collage of two small pieces in opposite corners of the canvas, where target samples lie beside the hole that they
 /// leave; every trial takes out one of them or both.
-class RuinAndRecreateTest : public test::OfferedFilling {
+class TrialsTest : public test::OfferedFilling {
  protected:
   /// Pieces are placed where the matcher says.
   static CollageSettings unsettled() {
@@ -21,29 +21,29 @@ class RuinAndRecreateTest : public test::OfferedFilling {
     return s;
   }
 
-  explicit RuinAndRecreateTest(const CollageSettings& s = unsettled())
+  explicit TrialsTest(const CollageSettings& s = unsettled())
       : OfferedFilling(s),
-        ruin_(canvas_, collage_, filling_, s, shapes_) {
+        improving_(collage_, filling_, s, canvas_.area_px2, shapes_) {
     collage_.replace_placements(before_);
   }
 
   Trial try_with(const test::Offers& offers, bool stopped = false) {
     matcher_.offers = offers;
-    return ruin_.try_once(trial_++, [stopped] { return stopped; });
+    return improving_.try_once(trial_++, [stopped] { return stopped; });
   }
 
   const std::vector<Placement> before_ = {piece(0, 30, {18, 18}), piece(3, 24, {187, 127})};
-  RuinAndRecreate ruin_;
+  Improving improving_;
   std::uint32_t trial_ = 0;
 };
 
-TEST_F(RuinAndRecreateTest, WhatCoversMoreIsKept) {
+TEST_F(TrialsTest, WhatCoversMoreIsKept) {
   EXPECT_EQ(try_with({piece(1, 60, {100, 70})}), Trial::kept);
   EXPECT_NE(collage_.placements(), before_);
   EXPECT_EQ(collage_.placements().back().canvas_from_shape.scale(), 60);
 }
 
-TEST_F(RuinAndRecreateTest, WhatCoversLessIsPutBack) {
+TEST_F(TrialsTest, WhatCoversLessIsPutBack) {
   const std::int64_t free_before = collage_.free().free_256ths_px2();
   EXPECT_EQ(try_with({piece(1, 20, {100, 120})}), Trial::put_back);
   EXPECT_EQ(collage_.placements(), before_);
@@ -51,7 +51,7 @@ TEST_F(RuinAndRecreateTest, WhatCoversLessIsPutBack) {
 }
 
 /// The same pieces in another order would change the bytes of the result for nothing.
-TEST_F(RuinAndRecreateTest, WhatCoversAsMuchIsPutBack) {
+TEST_F(TrialsTest, WhatCoversAsMuchIsPutBack) {
   bool both = false;  // taken out, and placed again in the other order
   for (int trial = 0; trial < 12; ++trial) {
     EXPECT_EQ(try_with({before_[1], before_[0]}), Trial::put_back);
@@ -61,19 +61,19 @@ TEST_F(RuinAndRecreateTest, WhatCoversAsMuchIsPutBack) {
   EXPECT_TRUE(both);
 }
 
-TEST_F(RuinAndRecreateTest, AnInterruptedTrialIsPutBack) {
+TEST_F(TrialsTest, AnInterruptedTrialIsPutBack) {
   EXPECT_EQ(try_with({piece(1, 60, {100, 70})}, true), Trial::interrupted);
   EXPECT_EQ(collage_.placements(), before_);
 }
 
-class RelaxingTest : public RuinAndRecreateTest {
+class RelaxingTest : public TrialsTest {
  protected:
   static CollageSettings relaxing() {
     CollageSettings s = unsettled();
     s.improve.relax = true;
     return s;
   }
-  RelaxingTest() : RuinAndRecreateTest(relaxing()) {}
+  RelaxingTest() : TrialsTest(relaxing()) {}
 };
 
 /// The first trial; nothing hinders these two from growing to the largest size.
@@ -93,9 +93,36 @@ TEST_F(RelaxingTest, ThenPiecesStandAgain) {
   EXPECT_GT(collage_.placements().back().canvas_from_shape.scale(), 70);
 }
 
+TEST(PaysToRelax, WhereSizesAreMuchAlikeAndDoNotGoByThePlace) {
+  CollageSettings s;
+  s.pieces.min_scale_px = 20;
+  s.pieces.max_scale_px = 100;
+  EXPECT_TRUE(pays_to_relax(s));
+  CollageSettings other = s;
+  other.pieces.max_scale_px = 101;
+  EXPECT_FALSE(pays_to_relax(other));
+  other = s;
+  other.improve.relax = false;
+  EXPECT_FALSE(pays_to_relax(other));
+  other = s;
+  other.pieces.size_map = std::make_shared<SizeMap>();
+  EXPECT_FALSE(pays_to_relax(other));
+  other = s;
+  other.colour.target = std::make_shared<ColourTarget>(Grid<Texel>(2, 2), 1.f);
+  EXPECT_FALSE(pays_to_relax(other));
+}
+
+TEST(PaysToRelax, OnceInAsManyTrialsAsThereArePiecesButNotOftenerThanIn64) {
+  PieceSettings pieces;
+  pieces.min_scale_px = 10;
+  pieces.max_scale_px = 40;
+  EXPECT_EQ(trials_per_relaxation(400. * 3000, pieces), 3000u);
+  EXPECT_EQ(trials_per_relaxation(400. * 10, pieces), 64u);
+}
+
 /// Of a region that is begun later.
 TEST_F(RelaxingTest, TheFirstTrialIsThatOfTheRegion) {
-  EXPECT_EQ(ruin_.try_once(
+  EXPECT_EQ(improving_.try_once(
                 7, [] { return false; }, 7),
             Trial::kept);
   for (const Placement& p : collage_.placements()) EXPECT_GT(p.canvas_from_shape.scale(), 80);
@@ -107,21 +134,42 @@ TEST_F(RelaxingTest, AnInterruptedRelaxationIsPutBack) {
   for (int questions = 1;; questions += 3) {
     matcher_.offers = {piece(1, 25, {100, 70}), piece(2, 21, {30, 120})};
     int asked = 0;
-    if (ruin_.try_once(0, [&] { return ++asked > questions; }) != Trial::interrupted) break;
+    if (improving_.try_once(0, [&] { return ++asked > questions; }) != Trial::interrupted) break;
     ++interrupted;
     ASSERT_EQ(collage_.placements(), before_) << "after " << questions << " questions";
   }
   EXPECT_GT(interrupted, 20);
 }
 
-class WithTwoPiecesAtMost : public RuinAndRecreateTest {
+class ApartTest : public test::OfferedFilling {
+ protected:
+  static CollageSettings apart() {
+    CollageSettings s = settings();
+    s.pieces.apart_px = 60;
+    return s;
+  }
+  ApartTest() : OfferedFilling(apart()) {}
+};
+
+/// Pieces that moved may have come too near to their like; given ones stand all the same.
+TEST_F(ApartTest, OfPiecesTooNearToTheirLikeTheFirstStays) {
+  const std::vector<Placement> given = {piece(0, 20, {30, 30}), piece(0, 20, {60, 30})};
+  const Placement other = piece(1, 20, {90, 30});
+  const Placement near = piece(0, 20, {90, 60});
+  const Placement far = piece(0, 20, {170, 100});
+  collage_.begin(given, given.size(), 0, 1);
+  EXPECT_EQ(collage_.without_too_near({given[0], given[1], other, near, far}),
+            (std::vector<Placement>{given[0], given[1], other, far}));
+}
+
+class WithTwoPiecesAtMost : public TrialsTest {
  protected:
   static CollageSettings two_pieces() {
     CollageSettings s = unsettled();
     s.stop.pieces = 2;
     return s;
   }
-  WithTwoPiecesAtMost() : RuinAndRecreateTest(two_pieces()) {}
+  WithTwoPiecesAtMost() : TrialsTest(two_pieces()) {}
 };
 
 TEST_F(WithTwoPiecesAtMost, MorePiecesArePutBackAndAsManyAreKept) {
