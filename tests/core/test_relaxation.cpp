@@ -385,6 +385,23 @@ TEST(Clearing, APieceWithoutRoomBetweenFixedOnesIsReported) {
   EXPECT_EQ(pieces[0].canvas_from_shape, pose(40, 0, {80, 100}));
 }
 
+/// Steps of shrinking are coarse, and of several that made way for each other the last did so for nothing.
+TEST(Clearing, APieceIsAsLargeAsTheOutlinesAllow) {
+  const PieceSettings settings;
+  const FreeField square = rectangle(100);
+  const float largest_px = (50 + settings.overlap_px) / kDiscRadius;
+  std::vector<RelaxedPiece> pieces{piece(kDisc, pose(1.02f * largest_px, 0, {50, 50}), {10, 500, {}})};
+  EXPECT_EQ(make_clear(pieces, {0}, square, settings, do_not_look), std::vector<std::size_t>{});
+  EXPECT_GT(pieces[0].canvas_from_shape.scale(), 0.998f * largest_px);
+}
+
+/// Growing is not its task: nobody would hold a piece back that lies alone.
+TEST(Clearing, APieceBecomesNoLargerThanItWas) {
+  std::vector<RelaxedPiece> pieces{piece(kDisc, pose(30, 0, {50, 50}), {10, 500, {}})};
+  make_clear(pieces, {0}, rectangle(100), {}, do_not_look);
+  EXPECT_LT(pieces[0].canvas_from_shape.scale(), 30 * 1.004f);
+}
+
 TEST(BoundarySamples, LengthsAddUpAndStepsAreBounded) {
   for (const Shape& shape : shapes()) {
     const BoundarySamples samples = sample_boundary(shape.outline, 0.05f, 0.006f);

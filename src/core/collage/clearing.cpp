@@ -27,6 +27,12 @@ ContactDistances rule_alone(const PieceSettings& settings) {
   return {hard_px, hard_px};
 }
 
+/// Afterwards, of what a piece was before all this: all that the outlines allow would be mostly overlap.
+constexpr float kMostRegrowth = 1.003f;
+constexpr float kFirstRegrowth = 0.008f;  // of its size, in a step; half of it where that does not go
+constexpr int kRegrowthSteps = 6;
+constexpr int kPushesPerStep = 3;
+
 class Clearing {
  public:
   Clearing(std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active, const FreeField& free,
@@ -43,6 +49,7 @@ class Clearing {
       laid_[i].lay(*pieces[i].shape, pieces[i].canvas_from_shape);
       outlines_.add({ShapeId{}, pieces[i].canvas_from_shape}, pieces[i].shape->outline);
       if (may_move_[i]) unsure_.push_back(i);
+      relaxed_scale_px_.push_back(laid_[i].scale_px);
     }
   }
 
@@ -52,21 +59,58 @@ class Clearing {
       if (pass % kPassesToMakingWay == 0) make_way(look);
       const bool shrinking = pass % kPassesToMakingWay > 0;
       std::erase_if(unsure_, [&](std::size_t i) { return !gives_way(i, shrinking); });
-      if (unsure_.empty()) return {};
+      if (unsure_.empty()) break;
     }
-    return give_up();
+    const std::vector<std::size_t> lost = give_up();
+    grow_again(lost, look);
+    return lost;
   }
 
  private:
+  /// Up to the size that pieces had: they made way for others that did so, too.
+  void grow_again(const std::vector<std::size_t>& lost, const std::function<void()>& look) {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (!may_move_[i] || std::binary_search(lost.begin(), lost.end(), i)) continue;
+      look();
+      float growth = kFirstRegrowth;
+      for (int step = 0; step < kRegrowthSteps; ++step) {
+        if (!grows(i, 1 + growth)) growth *= 0.5f;
+      }
+    }
+  }
+
+  /// Moving out of the way of others where need be; as it was where it cannot.
+  bool grows(std::size_t i, float factor) {
+    const Similarity before = pieces_[i].canvas_from_shape;
+    Similarity pose = before;
+    pose.a *= factor;
+    pose.b *= factor;
+    pieces_[i].poses.pull_in(pose);
+    if (pose.scale() <= before.scale() || pose.scale() > kMostRegrowth * relaxed_scale_px_[i]) return false;
+    for (int push = 0; push < kPushesPerStep; ++push) {
+      place(i, pose);
+      const std::vector<Vec2> ways = conflicts_of(i);
+      if (ways.empty()) return true;
+      pose = moved(pieces_[i].canvas_from_shape, pushed(ways));
+    }
+    place(i, before);
+    return false;
+  }
+
+  /// Their sum, or as much of it as a piece is moved at once.
+  static Vec2 pushed(const std::vector<Vec2>& ways) {
+    Vec2 out;
+    for (const Vec2 way : ways) out = out + way;
+    const float length_px = norm(out);
+    return length_px > kMostPush_px ? out * (kMostPush_px / length_px) : out;
+  }
+
   /// False where it has no conflict.
   bool gives_way(std::size_t i, bool shrinking) {
     const std::vector<Vec2> ways = conflicts_of(i);
     if (ways.empty()) return false;
     Similarity pose = pieces_[i].canvas_from_shape;
-    Vec2 out;
-    for (const Vec2 way : ways) out = out + way;
-    const float length_px = norm(out);
-    pose = moved(pose, length_px > kMostPush_px ? out * (kMostPush_px / length_px) : out);
+    pose = moved(pose, pushed(ways));
     if (shrinking) {
       pose.a *= kShrink;
       pose.b *= kShrink;
@@ -138,6 +182,7 @@ class Clearing {
   Relaxation making_way_;
   PlacedOutlines outlines_;
   std::vector<LaidPiece> laid_;
+  std::vector<float> relaxed_scale_px_;
   std::vector<bool> may_move_;
   std::vector<std::size_t> unsure_;  // ascending: who may have a conflict
 };

@@ -23,6 +23,9 @@ constexpr float kSuspect_px = 0.5f;
 /// The same of a shape's own field: the free field, which was looked up twice, may see a little more.
 constexpr float kSuspectPlaced_px = 0.75f;
 
+/// Pieces that still move end at the very limit: so much clear of it, rounding hides no conflict from one of the two.
+constexpr float kFromBothSides_px = 0.001f;
+
 /// Of a piece that was taken out: near to nothing.
 constexpr Box kNowhere{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
@@ -150,16 +153,16 @@ void PlacedOutlines::replace(const std::vector<Placement>& placements, ShapeSour
   }
 }
 
-bool PlacedOutlines::too_near(const PolygonIndex& piece, const PolygonIndex& other, Vec2& way) const {
-  const Approach nearest = nearest_boundaries(piece, other, needed_px_);
-  if (nearest.distance < needed_px_ && nearest.distance > 0) {
-    way = along(nearest.here - nearest.there, needed_px_ - nearest.distance);
+bool PlacedOutlines::too_near(const PolygonIndex& piece, const PolygonIndex& other, float needed_px, Vec2& way) {
+  const Approach nearest = nearest_boundaries(piece, other, needed_px);
+  if (nearest.distance < needed_px && nearest.distance > 0) {
+    way = along(nearest.here - nearest.there, needed_px - nearest.distance);
     return true;
   }
   // Apart or not, one may lie in the other.
   const bool crossed = nearest.distance <= 0 || other.contains(piece.outline().curves.front().front()) ||
                        piece.contains(other.outline().curves.front().front());
-  if (crossed) way = way_out(piece, other, needed_px_);
+  if (crossed) way = way_out(piece, other, needed_px);
   return crossed;
 }
 
@@ -216,19 +219,19 @@ void PlacedOutlines::add_neighbours(const Shape& shape, const Similarity& canvas
     const PolygonIndex& other = *placed.outline;
     const auto in_others = [&](Vec2 p) { return field_value(free, p) < kSuspect_px; };
     const auto in_piece = [&](Vec2 p) { return distance.at(p) < kSuspect_px; };
-    add_ways(piece, in_piece, other, in_others, ways);
+    add_ways(piece, in_piece, other, in_others, needed_px_, ways);
   }
 }
 
 template <class InPiece, class InOther>
 void PlacedOutlines::add_ways(const PolygonIndex& piece, InPiece in_piece, const PolygonIndex& other, InOther in_other,
-                              std::vector<Vec2>& ways) const {
+                              float needed_px, std::vector<Vec2>& ways) const {
   Vec2 way;
-  if (needed_px_ > 0) {
-    if (too_near(piece, other, way)) ways.push_back(way);
+  if (needed_px > 0) {
+    if (too_near(piece, other, needed_px, way)) ways.push_back(way);
     return;
   }
-  const float limit = -needed_px_;
+  const float limit = -needed_px;
   if (deepest_vertex(piece, other, limit, in_other, way)) ways.push_back(way);
   if (deepest_vertex(other, piece, limit, in_piece, way)) ways.push_back(way * -1.f);
 }
@@ -250,6 +253,7 @@ std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity
 
 std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index, const FieldDistance& distance_px) const {
   const PolygonIndex& piece = *placed_[index].outline;
+  const float needed_px = needed_px_ + kFromBothSides_px;
   std::vector<Vec2> ways;
   for (const Vec2 offset : free_.grid().period().offsets()) {
     const bool own_place = offset == Vec2{};
@@ -258,10 +262,10 @@ std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index, const FieldDis
     std::optional<PolygonIndex> image;
     if (!own_place) image.emplace(moved(piece.outline(), offset));
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      if ((own_place && i == index) || !within_reach(box, placed_[i].box, std::max(needed_px_, 0.f))) continue;
+      if ((own_place && i == index) || !within_reach(box, placed_[i].box, std::max(needed_px, 0.f))) continue;
       const auto in_piece = [&](Vec2 p) { return distance_px(index, p - offset) < kSuspectPlaced_px; };
       const auto in_other = [&](Vec2 p) { return distance_px(i, p) < kSuspectPlaced_px; };
-      add_ways(own_place ? piece : *image, in_piece, *placed_[i].outline, in_other, ways);
+      add_ways(own_place ? piece : *image, in_piece, *placed_[i].outline, in_other, needed_px, ways);
     }
   }
   if (reaches_itself(piece.box())) ways.push_back({});

@@ -39,7 +39,8 @@ class PlacedOutlines {
   void take_out(std::size_t index);
   /// The distance of a placed piece by its shape's field, positive outside, canvas px.
   using FieldDistance = std::function<float(std::size_t index, Vec2 canvas_px)>;
-  /// conflicts() of a placed piece with all others, whatever the free field holds.
+  /// conflicts() of a placed piece with all others, whatever the free field holds; where there are none, the others
+  /// have none with it either.
   std::vector<Vec2> conflicts_of(std::size_t index, const FieldDistance& distance_px) const;
 
  private:
@@ -53,10 +54,10 @@ class PlacedOutlines {
   /// `in_piece` and `in_other`: see deepest_vertex().
   template <class InPiece, class InOther>
   void add_ways(const PolygonIndex& piece, InPiece in_piece, const PolygonIndex& other, InOther in_other,
-                std::vector<Vec2>& ways) const;
+                float needed_px, std::vector<Vec2>& ways) const;
   bool any_near(const Box& piece) const;
   bool reaches_itself(const Box& piece) const;
-  bool too_near(const PolygonIndex& piece, const PolygonIndex& other, Vec2& way) const;
+  static bool too_near(const PolygonIndex& piece, const PolygonIndex& other, float needed_px, Vec2& way);
   bool too_near_the_edge(const PolygonIndex& piece, Vec2& way) const;
   bool holds_a_zone(const PolygonIndex& piece) const;
 
