@@ -6,7 +6,6 @@
 #include "bench/library_matcher.h"
 #include "bench/paper_matcher.h"
 #include "bench/random_filling.h"
-#include "core/base/error.h"
 #include "core/collage/quality.h"
 #include "core/field/free_field.h"
 #include "core/tuning.h"
@@ -117,21 +116,10 @@ void add_engine(io::TextTable& table, Json& engines, const Outcome& outcome, con
                      {"total_s", rounded(outcome.total_s)}});
 }
 
-void check(const AlternativesOptions& options) {
-  const auto [low, high] = options.scale_px;
-  if (!(low >= 2 && low < high && high <= 5000)) {
-    throw InputError("--scale-px: found " + io::fixed(low, 3) + "," + io::fixed(high, 3) +
-                     "; allowed: MIN,MAX with 2 <= MIN < MAX <= 5000 px");
-  }
-  if (options.size_px < 16 || options.size_px > 10000) {
-    throw InputError("--size: found " + std::to_string(options.size_px) + "; allowed: 16 to 10000 px");
-  }
-}
-
-std::string explanation(std::size_t shapes, int size_px, const AlternativesOptions& options) {
+std::string explanation(std::size_t shapes, int size_px, const SquareJob& job) {
   return std::to_string(shapes) + " shapes, " + std::to_string(size_px) + " x " + std::to_string(size_px) +
-         " px, pieces of " + short_number(options.scale_px[0]) + " to " + short_number(options.scale_px[1]) +
-         " px, seed " + std::to_string(options.seed) +
+         " px, pieces of " + short_number(job.scale_px[0]) + " to " + short_number(job.scale_px[1]) + " px, seed " +
+         std::to_string(job.seed) +
          ";\nthe first shape lies in the middle from the start, for straight sides have no PADs.\nPAD only, tangent "
          "only: without the other kind of docking, everything else the same.\n"
          "The paper's rule: K = 1 %, beta = 0.4, delta = 4 px, ends of the first level aligned, objective Z of\n"
@@ -144,14 +132,14 @@ std::string explanation(std::size_t shapes, int size_px, const AlternativesOptio
 
 }  // namespace
 
-Report bench_alternatives(const Setting& setting, const AlternativesOptions& options) {
-  check(options);
-  const io::LibraryFile library(options.library);
-  const int size_px = setting.quick ? std::min(options.size_px, 160) : options.size_px;
+Report bench_alternatives(const Setting& setting, const SquareJob& job) {
+  check(job);
+  const io::LibraryFile library(job.library);
+  const int size_px = setting.quick ? std::min(job.size_px, 160) : job.size_px;
   CollageSettings settings;
-  settings.seed = options.seed;
-  settings.pieces.min_scale_px = options.scale_px[0];
-  settings.pieces.max_scale_px = options.scale_px[1];
+  settings.seed = job.seed;
+  settings.pieces.min_scale_px = job.scale_px[0];
+  settings.pieces.max_scale_px = job.scale_px[1];
   master::LibraryShapes shapes(library);
   const Canvas canvas = seeded_canvas(size_px, settings.pieces, shapes);
 
@@ -163,15 +151,15 @@ Report bench_alternatives(const Setting& setting, const AlternativesOptions& opt
   io::TextTable table({"", "coverage %", "overlap %", "shared boundary %", "pieces", "time s"});
   Report report;
   report.json = report_head("alternatives", setting);
-  report.json.update({{"library", options.library},
+  report.json.update({{"library", job.library},
                       {"shapes", library.size()},
                       {"canvas_px", size_px},
-                      {"scale_px", options.scale_px},
-                      {"seed", options.seed},
+                      {"scale_px", job.scale_px},
+                      {"seed", job.seed},
                       {"engines", Json::array()}});
   for (const Outcome& outcome : outcomes)
     add_engine(table, report.json["engines"], outcome, comparison.quality(outcome));
-  report.text = table.text() + "\n" + explanation(library.size(), size_px, options);
+  report.text = table.text() + "\n" + explanation(library.size(), size_px, job);
   return report;
 }
 

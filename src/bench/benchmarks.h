@@ -31,14 +31,21 @@ struct Table2Options {
 /// Jobs of the sizes of the paper's Table 2.
 Report bench_table2(const Setting& setting, const Table2Options& options);
 
-struct AlternativesOptions {
+/// On a square canvas.
+struct SquareJob {
   std::string library;
   std::array<float, 2> scale_px = {20, 160};
-  int size_px = 1000;  // of the square canvas
+  int size_px = 1000;
   std::uint64_t seed = 1;
 };
+void check(const SquareJob& job);
+
 /// This engine beside what could be done instead, on one job.
-Report bench_alternatives(const Setting& setting, const AlternativesOptions& options);
+Report bench_alternatives(const Setting& setting, const SquareJob& job);
+
+/// What longer improving brings, with and without pieces that move together: after 1, 2, 4 s and so on up to `seconds`.
+/// Also writes a plot.
+Report bench_quality(const Setting& setting, const SquareJob& job, int seconds);
 
 struct LibraryOptions {
   std::string library;

@@ -38,9 +38,8 @@ class PanelDrawing {
     x_axis();
     y_axis();
     int colour = 0;
-    // Speed-ups leave the upper left corner free, efficiencies the lower one.
     double legend_y =
-        panel_.log_y ? kTop + kLegendLine : kTop + height() - kLegendLine * (double(panel_.curves.size()) - 0.5);
+        begins_low() ? kTop + kLegendLine : kTop + height() - kLegendLine * (double(panel_.curves.size()) - 0.5);
     for (const Curve& curve : panel_.curves) {
       const char* stroke = curve.ideal ? kGrey : kColours[std::size_t(colour++) % kColours.size()];
       draw_curve(curve, stroke);
@@ -51,6 +50,9 @@ class PanelDrawing {
   }
 
  private:
+  /// Speed-ups leave the upper left corner free, efficiencies and what falls the lower one.
+  bool begins_low() const { return y_at(panel_.curves.front().points.front().second) > kTop + height() / 2; }
+
   static double width() { return kPanelWidth - kLeft - kRight; }
   static double height() { return kHeight - kTop - kBottom; }
 

@@ -16,6 +16,7 @@ constexpr const char* kExamples =
     "  tessera bench headline --out headline.json\n"
     "  tessera bench table2 --library out/animals.h5 --rows 13a,13b,13c\n"
     "  tessera bench alternatives --library out/animals.h5 --scale-px 20,160 --size 1000 --seed 7\n"
+    "  tessera bench quality --library out/animals.h5 --scale-px 60,120 --seconds 32\n"
     "  tessera bench library --library out/animals.h5 --sizes 100,1000,10000\n"
     "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
     "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
@@ -62,18 +63,33 @@ void add_table2(CLI::App& bench, Command& selected) {
       ->delimiter(',');
 }
 
-void add_alternatives(CLI::App& bench, Command& selected) {
-  const auto options = std::make_shared<bench::AlternativesOptions>();
-  CLI::App* sub =
-      add_benchmark(bench, selected, "alternatives", "This engine beside what could be done instead, on one job",
-                    [options](const bench::Setting& s) { return bench::bench_alternatives(s, *options); });
-  add_library_option(*sub, options->library);
-  sub->add_option("--scale-px", options->scale_px, "Sizes of the smallest and the largest piece, px")
+void add_square_job_options(CLI::App& sub, bench::SquareJob& job) {
+  add_library_option(sub, job.library);
+  sub.add_option("--scale-px", job.scale_px, "Sizes of the smallest and the largest piece, px")
       ->type_name("MIN,MAX")
       ->delimiter(',')
       ->capture_default_str();
-  sub->add_option("--size", options->size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
-  sub->add_option("--seed", options->seed, "Start of the random numbers")->type_name("N")->capture_default_str();
+  sub.add_option("--size", job.size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
+  sub.add_option("--seed", job.seed, "Start of the random numbers")->type_name("N")->capture_default_str();
+}
+
+void add_alternatives(CLI::App& bench, Command& selected) {
+  const auto job = std::make_shared<bench::SquareJob>();
+  CLI::App* sub =
+      add_benchmark(bench, selected, "alternatives", "This engine beside what could be done instead, on one job",
+                    [job](const bench::Setting& s) { return bench::bench_alternatives(s, *job); });
+  add_square_job_options(*sub, *job);
+}
+
+void add_quality(CLI::App& bench, Command& selected) {
+  const auto job = std::make_shared<bench::SquareJob>();
+  const auto seconds = std::make_shared<int>(32);
+  CLI::App* sub = add_benchmark(bench, selected, "quality", "What longer improving brings, on one job",
+                                [=](const bench::Setting& s) { return bench::bench_quality(s, *job, *seconds); });
+  add_square_job_options(*sub, *job);
+  sub->add_option("--seconds", *seconds, "For each of two runs; seen after 1, 2, 4 s and so on")
+      ->type_name("S")
+      ->capture_default_str();
 }
 
 void add_library(CLI::App& bench, Command& selected) {
@@ -122,6 +138,7 @@ void add_bench_command(CLI::App& app, Command& selected) {
   add_benchmark(*bench, selected, "headline", "Two shapes with 25,000,000 docking positions", bench::bench_headline);
   add_table2(*bench, selected);
   add_alternatives(*bench, selected);
+  add_quality(*bench, selected);
   add_library(*bench, selected);
   add_scaling(*bench, selected);
 }

@@ -98,6 +98,26 @@ TEST(Benchmarks, AlternativesChecksItsArguments) {
   EXPECT_THROW(bench_alternatives(kQuick, {.library = library(), .size_px = 3}), InputError);
 }
 
+TEST(Benchmarks, Quality) {
+  const Report report = bench_quality(kQuick, {.library = library(), .scale_px = {20, 80}}, 32);
+  expect_head(report, "quality");
+  const Json& rows = report.json.at("rows");
+  ASSERT_EQ(rows.size(), 4u) << "after 1 and 2 s, twice";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    expect_keys(rows[i], {"seconds", "trials", "coverage_percent", "overlap_percent", "pieces", "distinct_shapes"});
+    EXPECT_EQ(rows[i].at("relax").get<bool>(), i < 2);
+    EXPECT_GE(rows[i].at("seconds").get<double>(), i % 2 + 1.);
+  }
+  EXPECT_GT(rows[1].at("trials").get<int>(), rows[0].at("trials").get<int>());
+  // What is covered twice counts, too.
+  EXPECT_GE(rows[1].at("coverage_percent").get<double>(), rows[0].at("coverage_percent").get<double>() - 0.1);
+}
+
+TEST(Benchmarks, QualityChecksItsArguments) {
+  EXPECT_THROW(bench_quality(kQuick, {.library = library(), .scale_px = {80, 20}}, 32), InputError);
+  EXPECT_THROW(bench_quality(kQuick, {.library = library()}, 0), InputError);
+}
+
 TEST(Benchmarks, Library) {
   const Report report = bench_library(kQuick, {.library = library()});
   expect_head(report, "library");

@@ -27,8 +27,8 @@ ContactDistances rule_alone(const PieceSettings& settings) {
   return {hard_px, hard_px};
 }
 
-/// Afterwards, of what a piece was before all this: all that the outlines allow would be mostly overlap.
-constexpr float kMostRegrowth = 1.003f;
+/// Afterwards so much larger than before all this: all that the outlines allow would be mostly overlap.
+constexpr float kMostRegrowth_px = 0.1f;
 constexpr float kFirstRegrowth = 0.008f;  // of its size, in a step; half of it where that does not go
 constexpr int kRegrowthSteps = 6;
 constexpr int kPushesPerStep = 3;
@@ -86,7 +86,7 @@ class Clearing {
     pose.a *= factor;
     pose.b *= factor;
     pieces_[i].poses.pull_in(pose);
-    if (pose.scale() <= before.scale() || pose.scale() > kMostRegrowth * relaxed_scale_px_[i]) return false;
+    if (pose.scale() <= before.scale() || pose.scale() > relaxed_scale_px_[i] + kMostRegrowth_px) return false;
     for (int push = 0; push < kPushesPerStep; ++push) {
       place(i, pose);
       const std::vector<Vec2> ways = conflicts_of(i);

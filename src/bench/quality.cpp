@@ -1,0 +1,100 @@
+#include "core/collage/quality.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "bench/benchmarks.h"
+#include "bench/devices.h"
+#include "bench/library_matcher.h"
+#include "bench/line_plot.h"
+#include "bench/snapshots.h"
+#include "core/base/error.h"
+#include "io/library/library_file.h"
+#include "io/number_text.h"
+#include "io/text_table.h"
+#include "master/collage_loop.h"
+#include "master/library_shapes.h"
+
+namespace tessera::bench {
+namespace {
+
+/// 1, 2, 4 up to `most`.
+std::vector<double> marks_up_to(int most) {
+  std::vector<double> marks;
+  for (int mark = 1; mark <= most; mark *= 2) marks.push_back(mark);
+  return marks;
+}
+
+std::vector<Snapshot> snapshots_of(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
+                                   ShapeSource& shapes, const std::vector<double>& marks_s) {
+  Snapshots snapshots(marks_s);
+  master::SilentObserver silent;
+  master::make_collage(canvas, settings, matcher, shapes, silent, {nullptr, &snapshots});
+  return snapshots.taken();
+}
+
+struct Way {
+  const char* name;
+  bool relax;
+};
+constexpr Way kWays[] = {{"all pieces moving together now and then", true}, {"ruin and recreate alone", false}};
+
+}  // namespace
+
+Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) {
+  check(job);
+  if (seconds < 1 || seconds > 3600) {
+    throw InputError("--seconds: found " + std::to_string(seconds) + "; allowed: 1 to 3600 s");
+  }
+  const io::LibraryFile library(job.library);
+  const int size_px = setting.quick ? std::min(job.size_px, 160) : job.size_px;
+  const std::vector<double> marks_s = marks_up_to(setting.quick ? 2 : seconds);
+  CollageSettings settings;
+  settings.seed = job.seed;
+  settings.pieces.min_scale_px = job.scale_px[0];
+  settings.pieces.max_scale_px = job.scale_px[1];
+  settings.improve.seconds = marks_s.back();
+  settings.stop.seconds = marks_s.back();
+  master::LibraryShapes shapes(library);
+  const Canvas canvas = make_rectangle_canvas(size_px, size_px);
+
+  io::TextTable table({"improving by", "s", "trials", "coverage %", "overlap %", "pieces", "shapes"});
+  Report report;
+  report.json = report_head("quality", setting);
+  report.json.update({{"library", job.library},
+                      {"shapes", library.size()},
+                      {"canvas_px", size_px},
+                      {"scale_px", job.scale_px},
+                      {"seed", job.seed},
+                      {"rows", Json::array()}});
+  Panel open{"What is not covered", "seconds", "% of the canvas", true, 64, {}};
+  for (const Way& way : kWays) {
+    settings.improve.relax = way.relax;
+    const auto matcher = library_matcher(library, library.size(), settings, setting.devices);
+    Curve curve{way.name, {}, false};
+    for (const Snapshot& s : snapshots_of(canvas, settings, *matcher, shapes, marks_s)) {
+      const Quality q =
+          measure_quality(canvas, s.placements, [&](ShapeId id) -> const Shape& { return shapes.shape(id); });
+      table.add({way.name, io::fixed(s.seconds, 1), std::to_string(s.trials), io::fixed(100 * q.coverage, 2),
+                 io::fixed(100 * q.overlap, 3), std::to_string(q.pieces), std::to_string(q.distinct_shapes)});
+      report.json["rows"].push_back({{"relax", way.relax},
+                                     {"seconds", rounded(s.seconds)},
+                                     {"trials", s.trials},
+                                     {"coverage_percent", rounded(100 * q.coverage)},
+                                     {"overlap_percent", rounded(100 * q.overlap)},
+                                     {"pieces", q.pieces},
+                                     {"distinct_shapes", q.distinct_shapes}});
+      curve.points.emplace_back(std::max(1., s.seconds), 100 * (1 - q.coverage));
+    }
+    open.curves.push_back(curve);
+  }
+  if (!setting.out.empty()) write_plot({open}, std::filesystem::path(setting.out).replace_extension().string());
+  report.text = table.text() + "\n" + std::to_string(library.size()) + " shapes, " + std::to_string(size_px) + " x " +
+                std::to_string(size_px) + " px, pieces of " + short_number(job.scale_px[0]) + " to " +
+                short_number(job.scale_px[1]) + " px, seed " + std::to_string(job.seed) +
+                "; start-up is not counted.\nPieces move together where the largest is at most five times the "
+                "smallest; elsewhere both are the same.\n";
+  return report;
+}
+
+}  // namespace tessera::bench
