@@ -36,7 +36,7 @@ square() { # FROM_X TO_X
 echo "{\"features\":[$(square 10 30),$(square 33 53)]}" >theirs.geojson
 run 0 card theirs.geojson --size 100,80
 for line in 'coverage  *10.00 %$' 'pieces  *2, of shapes without a name$' 'balance of sizes  *none, all sizes are alike$' \
-  'between pieces  *3.000 px ' 'alone  *100.0 % ' 'nearest copy  *not known$'; do
+  'between pieces  *3.000 px ' 'alone  *100.0 % ' 'nearest copy  *not known, '; do
   grep -q "^  $line" output || fail "lacks: $line: $(cat output)"
 done
 run 0 card theirs.geojson --size 100,80 --sizes 10,40

@@ -134,20 +134,25 @@ std::string pieces_text(const Quality& q) {
          (unknown ? ", of shapes without a name" : " of " + grouped(q.distinct_shapes) + " distinct shapes");
 }
 
+constexpr const char* kNoPieces = "there are no pieces";
+
+std::string no_balance_text(const Quality& q) { return q.pieces > 0 ? "none, all sizes are alike" : kNoPieces; }
+
 std::string balance_text(const Quality& q) {
-  if (!q.balance) return "none, all sizes are alike";
+  if (!q.balance) return no_balance_text(q);
   return fixed(q.balance->evenness, 2) + "  (1 = even; over " + fixed(q.size_range_px.min_px, 1) + " to " +
          fixed(q.size_range_px.max_px, 1) + " px)";
 }
 
 std::string dwarfs_text(const Quality& q) {
-  if (!q.balance) return "none, all sizes are alike";
+  if (!q.balance) return no_balance_text(q);
   return percent_text(q.balance->dwarfs, 1) + "  (of the pieces' area; below " +
          fixed(dwarfs_below_px(q.size_range_px), 1) + " px)";
 }
 
 std::string copies_text(const Quality& q) {
-  if (!q.copies_px) return q.distinct_shapes > 0 ? "most shapes stand once" : "not known";
+  if (q.pieces == 0) return kNoPieces;
+  if (!q.copies_px) return q.distinct_shapes > 0 ? "none of half of the pieces" : "not known, shapes have no names";
   return fixed(*q.copies_px, 1) + " px off  (median; " + percent_text(*q.copies_apart, 1) + " of the diagonal)";
 }
 
