@@ -35,7 +35,8 @@ square() { # FROM_X TO_X
 }
 echo "{\"features\":[$(square 10 30),$(square 33 53)]}" >theirs.geojson
 run 0 card theirs.geojson --size 100,80
-for line in 'coverage  *10.00 %$' 'pieces  *2, of shapes without a name$' 'balance of sizes  *none, all sizes are alike$' \
+for line in 'coverage  *10.00 %$' 'pieces  *2, of shapes without a name$' \
+  'balance of sizes  *none, all sizes are alike$' \
   'between pieces  *3.000 px ' 'alone  *100.0 % ' 'nearest copy  *not known, '; do
   grep -q "^  $line" output || fail "lacks: $line: $(cat output)"
 done
@@ -63,7 +64,7 @@ expect_refusal 'pipe: not a readable file: found a pipe' pipe --size 100,80
 expect_refusal 'pipe: not a readable file: found a pipe' theirs.geojson --canvas pipe
 expect_refusal 'result: not a readable file: found a folder' result --size 100,80
 expect_refusal 'tessera: nan.geojson: feature 0: no JSON' nan.geojson --size 100,80
-expect_refusal 'theirs.geojson: feature 1: geometry.coordinates: found [33.000, 10.000], far from the canvas of 20 x 20' \
+expect_refusal 'feature 1: geometry.coordinates: found [33.000, 10.000], far from the canvas of 20 x 20' \
   theirs.geojson --size 20,20
 expect_refusal 'job.toml, allowed: nothing, as the job says it' theirs.geojson --canvas result/job.toml --size 100,80
 expect_refusal 'job file none.toml: not found' theirs.geojson --canvas none.toml

@@ -54,7 +54,8 @@ class Coordinates {
            "px from " + fixed(kLeastCoordinate, 0) + " to " + fixed(kMostCoordinate, 0));
     }
     empty_ = false;
-    (axis_ == 0 ? position_.x : axis_ == 1 ? position_.y : unused_) = float(found);
+    if (axis_ == 0) position_.x = float(found);
+    if (axis_ == 1) position_.y = float(found);
     ++axis_;
   }
 
@@ -95,7 +96,6 @@ class Coordinates {
   bool empty_ = false;      // the list that is read
   std::size_t points_ = 0;
   Vec2 position_;
-  float unused_ = 0;
   Ring ring_;
   std::vector<Ring> rings_;
   std::vector<std::vector<Ring>> polygons_;
