@@ -25,7 +25,10 @@ for key in coverage_fraction overlap_fraction outside_fraction pieces distinct_s
     exit !(differs <= (key ~ /px$/ ? 0.1 : 0.003)) }' ||
     fail "$key: $(value output "$key") instead of $(value result/card.json "$key")"
 done
-grep -q 'last_tenth_percent": [0-9n]' result/card.json || fail "no word of the last tenth of the time"
+grep -q 'last_tenth_percent": null' result/card.json || fail "a curve of few rounds"
+run 0 collage job.toml --out improved --quiet --set stop.pieces=0 --set improve.trials=60
+grep -q 'last_tenth_percent": -\?[0-9]' improved/card.json || fail "no word of the last tenth of the time"
+grep -q '^    its last tenth  *[+-][0-9.]* % of the canvas$' improved/card.txt || fail "nor in the text"
 echo "ok its own card"
 
 # Anybody's, on a rectangle, in the silhouettes of an SVG and of a PNG, with and without names.
