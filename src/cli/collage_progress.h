@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "cli/coverage_history.h"
 #include "cli/progress_bar.h"
 #include "cli/time_estimate.h"
 #include "cli/time_limit.h"
@@ -19,9 +20,12 @@ class CollageProgress : public master::Observer {
   void progressed(const master::Progress& progress) override;
   const char* stop_requested() override;
 
+  const CoverageHistory& history() const { return history_; }
+
  private:
   TimeEstimate estimate_;
   TimeLimit limit_;
+  CoverageHistory history_;
   std::optional<ProgressBar> bar_;
 };
 

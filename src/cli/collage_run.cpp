@@ -87,7 +87,10 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
   master::LibraryShapes shapes(input.library);
   CollageProgress progress(input.job.settings, arguments.quiet, limit);
   const CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
-  return master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints});
+  master::CollageResult result =
+      master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints});
+  result.statistics.last_tenth = progress.history().gained_in_last_tenth(result.statistics.total_s);
+  return result;
 }
 
 std::string standing_warning_of(const CollageInput& input) {

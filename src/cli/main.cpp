@@ -65,6 +65,7 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
       "  tessera mosaic my_photo.jpg my.h5                a picture made of it: the job and the collage\n"
       "  tessera draw out/my_job --width 12000            its pictures again, larger\n"
       "  tessera campaign my_job.toml --seeds 1-8         eight of them, ranked by quality\n"
+      "  tessera card theirs.geojson --size 1000,800      anybody's collage, by the same measures\n"
       "Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input, 75 interrupted with work left.");
   Command selected;
   add_library_command(app, selected);
@@ -74,6 +75,7 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   add_campaign_command(app, selected);
   add_plan_command(app, selected);
   add_rank_command(app, selected);
+  add_card_command(app, selected);
   add_devices_command(app, selected);
   add_bench_command(app, selected);
   try {

@@ -31,14 +31,17 @@ std::vector<io::ResultCard> cards_of(const std::vector<std::string>& arguments) 
 
 std::string table_text(const std::vector<io::RankedResult>& results) {
   io::TextTable table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces",
-                       "shapes", "gap px", "time s"});
+                       "shapes", "gap px", "balance", "dwarfs %", "copy px", "alone %", "time s"});
   for (const io::RankedResult& result : results) {
     const Quality& q = result.card.quality;
     const auto percent = [](double fraction, int decimals) { return io::fixed(100 * fraction, decimals); };
     table.add({result.card.folder + (io::is_unfinished(result.card) ? " (unfinished)" : ""),
                std::to_string(result.rank), io::fixed(result.score, 2), percent(q.coverage, 2), percent(q.overlap, 3),
                percent(q.outside, 3), percent(q.shared_boundary, 1), std::to_string(q.pieces),
-               std::to_string(q.distinct_shapes), io::fixed(q.largest_gap_px, 1), io::fixed(result.card.total_s, 1)});
+               std::to_string(q.distinct_shapes), io::fixed(q.largest_gap_px, 1),
+               q.balance ? io::fixed(q.balance->evenness, 2) : "-", q.balance ? percent(q.balance->dwarfs, 1) : "-",
+               q.copies_px ? io::fixed(*q.copies_px, 0) : "-", result.card.older ? "-" : percent(q.alone, 1),
+               io::fixed(result.card.total_s, 1)});
   }
   return table.text();
 }
@@ -48,6 +51,7 @@ std::string table_text(const std::vector<io::RankedResult>& results) {
 int run_ranking(const RankingArguments& arguments) {
   const io::RankingWeights weights = io::ranking_weights(arguments.weights);
   const std::vector<io::RankedResult> results = io::ranked(cards_of(arguments.folders), weights);
+  for (const std::string& line : io::lacking_measures(results, weights)) print_warning(line);
   const std::string out = output_folder(arguments);
   io::prepare_output_directory(out);
   io::write_ranking(out, results, weights);

@@ -19,6 +19,12 @@ Quality sample_quality() {
   q.distinct_shapes = 118;
   q.scale_px_quantiles = {20, 24.5, 48.25, 110, 160};
   q.largest_gap_px = 9.75;
+  q.size_range_px = {20, 160};
+  q.balance = SizeBalance{0.8351234, 0.0567};
+  q.copies_px = 341.2345;
+  q.copies_apart = 0.2413;
+  q.between_px = 0.75;
+  q.alone = 0.0125;
   return q;
 }
 
@@ -34,6 +40,7 @@ RunStatistics sample_run() {
   r.objective_s = 4;
   r.merge_s = 3;
   r.total_s = 12.5;
+  r.last_tenth = 0.0123;
   r.stopped_by = "full";
   return r;
 }
@@ -49,6 +56,36 @@ TEST(Card, JsonHasEveryMeasureWithItsUnit) {
   EXPECT_EQ(quality["shared_boundary_fraction"], 0.683);
   EXPECT_EQ(quality["scale_px"]["median"], 48.25);
   EXPECT_EQ(quality["largest_gap_radius_px"], 9.75);
+  EXPECT_EQ(quality["size_range_px"]["max"], 160);
+  EXPECT_EQ(quality["size_balance"], 0.835123);
+  EXPECT_EQ(quality["dwarfs_fraction"], 0.0567);
+  EXPECT_EQ(quality["nearest_copy_px"], 341.235);
+  EXPECT_EQ(quality["nearest_copy_fraction"], 0.2413);
+  EXPECT_EQ(quality["between_pieces_px"], 0.75);
+  EXPECT_EQ(quality["alone_fraction"], 0.0125);
+}
+
+TEST(Card, WhatIsNotKnownIsNull) {
+  Quality quality;
+  quality.pieces = 1;
+  const auto card = nlohmann::json::parse(card_json(quality, {}, {}));
+  for (const char* key :
+       {"size_balance", "dwarfs_fraction", "nearest_copy_px", "nearest_copy_fraction", "between_pieces_px"}) {
+    EXPECT_TRUE(card["quality"].at(key).is_null()) << key;
+  }
+  EXPECT_TRUE(card["run"].at("last_tenth_percent").is_null());
+  EXPECT_EQ(card_text(quality, {}, {}).find("last tenth"), std::string::npos);
+}
+
+TEST(Card, OfAnybodysPiecesIsTheQualityAlone) {
+  Quality quality = sample_quality();
+  EXPECT_EQ(nlohmann::json::parse(score_json(quality)).size(), 1u);
+  EXPECT_EQ(nlohmann::json::parse(score_json(quality))["quality"]["distinct_shapes"], 118);
+  EXPECT_EQ(score_text(quality).find("Run"), std::string::npos);
+  quality.distinct_shapes = 0;
+  quality.copies_px = quality.copies_apart = std::nullopt;
+  EXPECT_TRUE(nlohmann::json::parse(score_json(quality))["quality"]["distinct_shapes"].is_null());
+  EXPECT_NE(score_text(quality).find("1,234, of shapes without a name"), std::string::npos);
 }
 
 TEST(Card, JsonTellsWhatMadeTheResult) {
@@ -83,6 +120,7 @@ TEST(Card, JsonHasTheColumnsOfTable2) {
   EXPECT_EQ(run["docking_choices"], 12345678);
   EXPECT_NEAR(run["pruned_percent"].get<double>(), 90, 1e-3);
   EXPECT_EQ(run["total_s"], 12.5);
+  EXPECT_EQ(run["last_tenth_percent"], 1.23);
   EXPECT_EQ(run["prune_share_percent"], 10);
   EXPECT_EQ(run["dock_share_percent"], 20);
   EXPECT_EQ(run["objective_share_percent"], 40);
@@ -92,8 +130,11 @@ TEST(Card, JsonHasTheColumnsOfTable2) {
 
 TEST(Card, TextIsATableThatFitsATerminal) {
   const std::string text = card_text(sample_quality(), sample_run(), {});
-  for (const char* part : {"91.23 %", "0.412 %", "0.010 %", "1,234 of 118", "120  (shapes in the library)", "68.3 %",
-                           "12,345,678", "90.00 %", "12.5 s", "10.0 % / 20.0 %", "40.0 % / 30.0 %", "full"}) {
+  for (const char* part :
+       {"91.23 %", "0.412 %", "0.010 %", "1,234 of 118", "120  (shapes in the library)", "68.3 %", "12,345,678",
+        "90.00 %", "12.5 s", "10.0 % / 20.0 %", "40.0 % / 30.0 %", "full", "0.84  (1 = even; over 20.0 to 160.0 px)",
+        "5.7 %  (of the pieces' area; below 28.3 px)", "341.2 px off  (median; 24.1 % of the ",
+        "0.750 px  (the nearest two", "1.2 %  (of the pieces; no other", "+1.23 % of the canvas"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
   std::istringstream lines(text);

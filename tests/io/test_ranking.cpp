@@ -63,11 +63,53 @@ TEST(Ranking, weights_change_the_order) {
 TEST(Ranking, a_wrong_weight_is_named_with_what_is_allowed) {
   EXPECT_EQ(
       message_of([] { ranking_weights({"cover=2"}); }),
-      "--weight cover=2: allowed: NAME=NUMBER with a name of coverage, overlap, outside, shared_boundary, variety");
+      "--weight cover=2: allowed: NAME=NUMBER with a name of coverage, overlap, outside, shared_boundary, variety, "
+      "balance, dwarfs, copies_apart, alone");
   EXPECT_EQ(message_of([] { ranking_weights({"overlap=much"}); }),
             "--weight overlap=much: found \"much\", allowed: a number from -1000 to 1000");
   EXPECT_NE(message_of([] { ranking_weights({"overlap"}); }), "");
   EXPECT_NE(message_of([] { ranking_weights({"overlap=nan"}); }), "");
+}
+
+ResultCard seen_card(const std::string& folder, double balance, double dwarfs, double copies_apart, double alone) {
+  ResultCard result = card(folder, 0.9);
+  result.quality.balance = SizeBalance{balance, dwarfs};
+  result.quality.copies_apart = copies_apart;
+  result.quality.alone = alone;
+  return result;
+}
+
+TEST(Ranking, what_an_eye_sees_counts_where_it_is_asked_for) {
+  const ResultCard even = seen_card("even", 0.9, 0.2, 0.1, 0.1), far = seen_card("far", 0.5, 0.1, 0.4, 0.2);
+  const auto order = [&](const std::string& weight) {
+    return order_of(ranked({far, even}, ranking_weights({"coverage=0", weight})));
+  };
+  const std::vector<std::string> even_first = {"even", "far"}, far_first = {"far", "even"};
+  EXPECT_EQ(order("overlap=0"), even_first) << "alike, by name";
+  EXPECT_EQ(order("balance=1"), even_first);
+  EXPECT_EQ(order("balance=-1"), far_first);
+  EXPECT_EQ(order("dwarfs=-1"), far_first);
+  EXPECT_EQ(order("copies_apart=1"), far_first);
+  EXPECT_EQ(order("alone=1"), far_first);
+}
+
+TEST(Ranking, nothing_is_as_far_off_as_a_copy_that_is_not_there) {
+  const auto results =
+      ranked({seen_card("copies", 0.9, 0, 0.9, 0), card("none", 0.9)}, ranking_weights({"copies_apart=1"}));
+  EXPECT_EQ(order_of(results), (std::vector<std::string>{"none", "copies"}));
+}
+
+TEST(Ranking, older_cards_count_nothing_of_what_they_lack_and_it_is_said) {
+  ResultCard older = card("older", 0.9);
+  older.older = true;
+  const RankingWeights weights = ranking_weights({"alone=0.1", "copies_apart=1"});
+  const auto results = ranked({older, seen_card("new", 0.9, 0.5, 0.1, 0)}, weights);
+  EXPECT_EQ(order_of(results), (std::vector<std::string>{"new", "older"}));
+  EXPECT_EQ(lacking_measures(results, weights),
+            std::vector<std::string>{"older/card.json: from before there was copies_apart, alone: counts as 0"});
+  EXPECT_TRUE(lacking_measures(results, ranking_weights({})).empty());
+  EXPECT_TRUE(nlohmann::json::parse(ranking_json(results, weights))["ranking"][1]["alone_fraction"].is_null());
+  EXPECT_NE(ranking_csv(results).find(",0.000,,,,,,,0.000,full\n"), std::string::npos) << ranking_csv(results);
 }
 
 RC_GTEST_PROP(Ranking, scores_never_rise, ()) {
@@ -95,6 +137,9 @@ class ResultFolders : public testing::Test {
     quality.pieces = 10;
     quality.distinct_shapes = 5;
     quality.largest_gap_px = 3.5;
+    quality.balance = SizeBalance{0.75, 0.125};
+    quality.copies_px = 50;
+    quality.alone = 0.25;
     RunStatistics run;
     run.total_s = 12.5;
     run.stopped_by = "full";
@@ -125,8 +170,25 @@ TEST_F(ResultFolders, a_card_is_read_as_it_was_written) {
   EXPECT_EQ(card.quality.pieces, 10u);
   EXPECT_EQ(card.quality.distinct_shapes, 5u);
   EXPECT_EQ(card.quality.largest_gap_px, 3.5);
+  EXPECT_FALSE(card.older);
+  EXPECT_EQ(card.quality.balance.value().evenness, 0.75);
+  EXPECT_EQ(card.quality.balance.value().dwarfs, 0.125);
+  EXPECT_EQ(card.quality.copies_px, 50);
+  EXPECT_FALSE(card.quality.copies_apart);
+  EXPECT_FALSE(card.quality.between_px);
+  EXPECT_EQ(card.quality.alone, 0.25);
   EXPECT_EQ(card.total_s, 12.5);
   EXPECT_EQ(card.stopped_by, "full");
+}
+
+TEST_F(ResultFolders, older_cards_are_read) {
+  scratch_.write("card.json", R"({"quality": {"coverage_fraction": 0.9, "overlap_fraction": 0, "outside_fraction": 0,
+      "pieces": 3, "distinct_shapes": 2, "shared_boundary_fraction": 0.5, "largest_gap_radius_px": 4},
+      "run": {"total_s": 1, "stopped_by": "full"}})");
+  const ResultCard card = read_card(scratch_.path(""));
+  EXPECT_TRUE(card.older);
+  EXPECT_EQ(card.quality.pieces, 3u);
+  EXPECT_FALSE(card.quality.balance);
 }
 
 TEST_F(ResultFolders, what_is_wrong_with_a_card_is_said) {

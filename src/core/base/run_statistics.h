@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace tessera {
@@ -22,9 +23,10 @@ struct RunStatistics {
   double ahead_s = 0;  // of prune_s and dock_s, processor time: checking candidates meanwhile
   double objective_s = 0;
   double merge_s = 0;
-  double improve_s = 0;          // of total_s; nothing else here counts what trials do
-  double total_s = 0;            // of the loop, without the set-up of canvas and collage
-  double setup_processor_s = 0;  // of this process, before the loop
+  double improve_s = 0;              // of total_s; nothing else here counts what trials do
+  double total_s = 0;                // of the loop, without the set-up of canvas and collage
+  std::optional<double> last_tenth;  // covered in the last tenth of total_s, of the canvas; nothing: not known
+  double setup_processor_s = 0;      // of this process, before the loop
   /// "full", "used_up" (no shape may be placed once more), "pieces", "coverage" or "seconds"; of an unfinished run
   /// "signal", "time_limit" or "lost_rank".
   std::string stopped_by;

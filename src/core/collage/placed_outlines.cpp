@@ -45,17 +45,6 @@ void each_segment(const Outline& outline, F f) {
   }
 }
 
-/// The nearest points of two boundaries that are nearer than `reach`.
-Approach nearest_boundaries(const PolygonIndex& piece, const PolygonIndex& other, float reach) {
-  Approach best{reach, {}, {}};
-  each_segment(piece.outline(), [&](const Segment& s) {
-    if (best.distance <= 0) return;
-    const Approach a = other.approach(s, best.distance);
-    if (a.distance < best.distance) best = a;
-  });
-  return best;
-}
-
 /// The way out for the deepest vertex of `inner` that lies deeper than `limit` in `outer`; `suspect` leaves out those
 /// that certainly do not.
 template <class Suspect>
@@ -154,7 +143,7 @@ void PlacedOutlines::replace(const std::vector<Placement>& placements, ShapeSour
 }
 
 bool PlacedOutlines::too_near(const PolygonIndex& piece, const PolygonIndex& other, float needed_px, Vec2& way) {
-  const Approach nearest = nearest_boundaries(piece, other, needed_px);
+  const Approach nearest = approach_of(piece, other, needed_px);
   if (nearest.distance < needed_px && nearest.distance > 0) {
     way = along(nearest.here - nearest.there, needed_px - nearest.distance);
     return true;

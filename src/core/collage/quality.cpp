@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "core/collage/nearest_copies.h"
+#include "core/collage/piece_gaps.h"
 #include "core/collage/shared_boundary.h"
 #include "core/field/field_lookup.h"
 #include "core/geometry/distance_transform.h"
@@ -14,7 +16,6 @@
 namespace tessera {
 namespace {
 
-constexpr float kSharedWithin_px = 2;
 constexpr std::size_t kMaxCells = std::size_t(1) << 26;     // 64 MiB of counters
 constexpr std::size_t kMaxGapNodes = std::size_t(1) << 23;  // two float grids of 32 MiB
 constexpr int kMaxGapSides = 32768;                         // width + height that the distance transform takes
@@ -32,20 +33,16 @@ int cells_per_px(const Canvas& canvas) {
   return px * 16 <= kMaxCells ? 4 : px * 4 <= kMaxCells ? 2 : 1;
 }
 
-Outline in_canvas_frame(const Outline& outline, const Similarity& canvas_from_shape) {
-  Outline placed = outline;
-  for (std::vector<Vec2>& curve : placed.curves) {
-    for (Vec2& p : curve) p = canvas_from_shape.apply(p);
-  }
-  return placed;
-}
-
 /// The canvas, with a rim that is no region, and all pieces; where it is seamless, one period.
-Window counted_cells(const Canvas& canvas, const std::vector<Outline>& pieces_px, const Similarity& cells_from_canvas) {
+Window counted_cells(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, const Similarity& cells_from_canvas) {
   const int n = int(cells_from_canvas.a);
   const Window own{0, 0, canvas.width_px * n, canvas.height_px * n};
   Window all = own.grown(1);
-  for (const Outline& piece : pieces_px) all = all.united(bounding_window(piece, cells_from_canvas));
+  for (const JudgedPiece& piece : pieces) {
+    for (const std::vector<Vec2>& curve : piece.outline_px.curves) {
+      all = all.united(bounding_window({{curve}}, cells_from_canvas));
+    }
+  }
   const Window& columns = canvas.period.x_px > 0 ? own : all;
   const Window& rows = canvas.period.y_px > 0 ? own : all;
   return {columns.x0, rows.y0, columns.x1, rows.y1};
@@ -69,16 +66,16 @@ void mark_region(const Canvas& canvas, CellCounts& counts) {
   }
 }
 
-CellCounts count_cells(const Canvas& canvas, const std::vector<Outline>& pieces_px) {
+CellCounts count_cells(const Canvas& canvas, const std::vector<JudgedPiece>& pieces) {
   CellCounts counts;
   counts.per_px = cells_per_px(canvas);
   const Similarity cells_from_canvas{float(counts.per_px), 0, 0, 0};
-  counts.cells = counted_cells(canvas, pieces_px, cells_from_canvas);
+  counts.cells = counted_cells(canvas, pieces, cells_from_canvas);
   counts.pieces = Grid<std::uint8_t>(counts.cells.width(), counts.cells.height(), 0);
   counts.region = Grid<std::uint8_t>(counts.cells.width(), counts.cells.height(), 0);
-  for (const Outline& piece : pieces_px) {
+  for (const JudgedPiece& piece : pieces) {
     for (const Vec2 offset : canvas.period.offsets()) {
-      count_piece(piece, moved(cells_from_canvas, offset * float(counts.per_px)), counts);
+      count_piece(piece.outline_px, moved(cells_from_canvas, offset * float(counts.per_px)), counts);
     }
   }
   mark_region(canvas, counts);
@@ -151,38 +148,59 @@ double quantile(const std::vector<double>& sorted, double q) {
   return sorted[below] + (sorted[above] - sorted[below]) * (at - double(below));
 }
 
-std::array<double, 5> scale_quantiles(const std::vector<Placement>& placements) {
-  if (placements.empty()) return {};
+std::array<double, 5> scale_quantiles(const std::vector<JudgedPiece>& pieces) {
+  if (pieces.empty()) return {};
   std::vector<double> scales;
-  for (const Placement& p : placements) scales.push_back(p.canvas_from_shape.scale());
+  for (const JudgedPiece& piece : pieces) scales.push_back(piece.scale_px);
   std::sort(scales.begin(), scales.end());
   return {scales.front(), quantile(scales, 0.1), quantile(scales, 0.5), quantile(scales, 0.9), scales.back()};
 }
 
-/// A shape and its mirror image have one name.
-std::size_t count_distinct_shapes(const std::vector<Placement>& placements,
-                                  const std::function<const Shape&(ShapeId)>& shape) {
+std::size_t count_distinct_shapes(const std::vector<JudgedPiece>& pieces) {
   std::set<std::string> names;
-  for (const Placement& p : placements) names.insert(shape(p.shape).name);
+  for (const JudgedPiece& piece : pieces) {
+    if (!piece.shape.empty()) names.insert(piece.shape);
+  }
   return names.size();
+}
+
+void measure_sizes(const std::vector<JudgedPiece>& pieces, const std::optional<SizeRange>& sizes, Quality& quality) {
+  quality.scale_px_quantiles = scale_quantiles(pieces);
+  quality.size_range_px = sizes ? *sizes : size_range_of(pieces);
+  quality.balance = size_balance(pieces, quality.size_range_px);
+}
+
+void measure_copies(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, Quality& quality) {
+  quality.distinct_shapes = count_distinct_shapes(pieces);
+  quality.copies_px = median_copy_distance_px(pieces, canvas.period);
+  if (quality.copies_px) quality.copies_apart = *quality.copies_px / std::hypot(canvas.width_px, canvas.height_px);
+}
+
+void measure_contact(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, Quality& quality) {
+  quality.shared_boundary = shared_boundary_fraction(canvas, pieces, kSharedWithin_px);
+  const PieceGaps gaps = piece_gaps(pieces, canvas.period, kSharedWithin_px);
+  quality.between_px = gaps.smallest_px;
+  quality.alone = gaps.alone;
 }
 
 }  // namespace
 
-Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& placements,
-                        const std::function<const Shape&(ShapeId)>& shape) {
-  std::vector<Outline> pieces_px;
-  for (const Placement& p : placements)
-    pieces_px.push_back(in_canvas_frame(shape(p.shape).outline, p.canvas_from_shape));
-  const CellCounts counts = count_cells(canvas, pieces_px);
+Quality measure_quality(const Canvas& canvas, const std::vector<JudgedPiece>& pieces,
+                        const std::optional<SizeRange>& sizes) {
   Quality quality;
+  quality.pieces = pieces.size();
+  const CellCounts counts = count_cells(canvas, pieces);
   measure_areas(counts, canvas.area_px2, quality);
-  quality.shared_boundary = shared_boundary_fraction(canvas, pieces_px, kSharedWithin_px);
-  quality.pieces = placements.size();
-  quality.distinct_shapes = count_distinct_shapes(placements, shape);
-  quality.scale_px_quantiles = scale_quantiles(placements);
   quality.largest_gap_px = largest_gap_px(counts, canvas.period);
+  measure_sizes(pieces, sizes, quality);
+  measure_copies(canvas, pieces, quality);
+  measure_contact(canvas, pieces, quality);
   return quality;
+}
+
+Quality measure_quality(const Canvas& canvas, const std::vector<Placement>& placements,
+                        const std::function<const Shape&(ShapeId)>& shape, const std::optional<SizeRange>& sizes) {
+  return measure_quality(canvas, judged_pieces(placements, shape), sizes);
 }
 
 }  // namespace tessera

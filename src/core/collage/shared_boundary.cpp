@@ -45,10 +45,10 @@ void cross_seams(const Canvas& canvas, float reach_px, std::vector<BoundarySampl
   }
 }
 
-std::vector<BoundarySample> sample_boundaries(const std::vector<Outline>& pieces_px) {
+std::vector<BoundarySample> sample_boundaries(const std::vector<JudgedPiece>& pieces) {
   std::vector<BoundarySample> samples;
-  for (std::uint32_t piece = 0; piece < pieces_px.size(); ++piece) {
-    for (const std::vector<Vec2>& curve : pieces_px[piece].curves) append_curve(curve, piece, samples);
+  for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
+    for (const std::vector<Vec2>& curve : pieces[piece].outline_px.curves) append_curve(curve, piece, samples);
   }
   return samples;
 }
@@ -56,9 +56,15 @@ std::vector<BoundarySample> sample_boundaries(const std::vector<Outline>& pieces
 /// Samples sorted into square buckets as wide as the reach, so that a query looks at nine of them.
 class SampleGrid {
  public:
-  SampleGrid(const Canvas& canvas, const std::vector<BoundarySample>& samples, float reach_px)
-      : reach_px_(reach_px),
-        first_(int(float(canvas.width_px) / reach_px) + 1, int(float(canvas.height_px) / reach_px) + 1) {
+  /// Of one sample at least.
+  SampleGrid(const std::vector<BoundarySample>& samples, float reach_px) : reach_px_(reach_px) {
+    low_px_ = samples.front().position_px;
+    Vec2 high_px = low_px_;
+    for (const BoundarySample& s : samples) {
+      low_px_ = {std::min(low_px_.x, s.position_px.x), std::min(low_px_.y, s.position_px.y)};
+      high_px = {std::max(high_px.x, s.position_px.x), std::max(high_px.y, s.position_px.y)};
+    }
+    first_ = {int((high_px.x - low_px_.x) / reach_px) + 1, int((high_px.y - low_px_.y) / reach_px) + 1};
     std::vector<std::uint32_t> size(first_.data().size() + 1, 0);
     for (const BoundarySample& s : samples) ++size[bucket_of(s.position_px)];
     std::uint32_t begin = 0;
@@ -83,9 +89,8 @@ class SampleGrid {
   }
 
  private:
-  // What lies outside the canvas falls into the buckets at its edge.
-  int column_of(Vec2 p) const { return std::clamp(int(p.x / reach_px_), 0, first_.width() - 1); }
-  int row_of(Vec2 p) const { return std::clamp(int(p.y / reach_px_), 0, first_.height() - 1); }
+  int column_of(Vec2 p) const { return std::min(int((p.x - low_px_.x) / reach_px_), first_.width() - 1); }
+  int row_of(Vec2 p) const { return std::min(int((p.y - low_px_.y) / reach_px_), first_.height() - 1); }
   std::size_t bucket_of(Vec2 p) const { return std::size_t(row_of(p)) * first_.width() + column_of(p); }
 
   bool bucket_has_another_near(std::size_t bucket, const BoundarySample& s) const {
@@ -98,18 +103,19 @@ class SampleGrid {
   }
 
   float reach_px_;
+  Vec2 low_px_;                // of the first bucket
   Grid<std::uint32_t> first_;  // of a bucket's samples in sorted_
   std::vector<BoundarySample> sorted_;
 };
 
 }  // namespace
 
-double shared_boundary_fraction(const Canvas& canvas, const std::vector<Outline>& pieces_px, float reach_px) {
-  std::vector<BoundarySample> samples = sample_boundaries(pieces_px);
+double shared_boundary_fraction(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, float reach_px) {
+  std::vector<BoundarySample> samples = sample_boundaries(pieces);
   if (samples.empty()) return 0;
   const std::size_t count = samples.size();
   cross_seams(canvas, reach_px, samples);
-  const SampleGrid grid(canvas, samples, reach_px);
+  const SampleGrid grid(samples, reach_px);
   const FieldView edge(canvas.distance);
   const auto shared = [&](const BoundarySample& s) {
     return !s.image && (std::abs(field_value(edge, s.position_px)) <= reach_px || grid.another_piece_near(s));

@@ -3,13 +3,13 @@
 
 #include <vector>
 
+#include "core/collage/judged_piece.h"
 #include "core/field/canvas.h"
-#include "core/shape/shape.h"
 
 namespace tessera {
 
 /// Share (0..1) of the pieces' boundary length, holes included, within `reach_px` of the boundary of another piece or
-/// of the canvas' edge. `pieces_px` are outlines in the canvas frame. It is 0 without pieces.
-double shared_boundary_fraction(const Canvas& canvas, const std::vector<Outline>& pieces_px, float reach_px);
+/// of the canvas' edge. It is 0 without pieces.
+double shared_boundary_fraction(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, float reach_px);
 
 }  // namespace tessera

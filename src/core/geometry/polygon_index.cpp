@@ -159,4 +159,15 @@ bool PolygonIndex::nearer_than(float reach, Vec2 p) const {
   return found;
 }
 
+Approach approach_of(const PolygonIndex& here, const PolygonIndex& there, float reach) {
+  Approach best{reach, {}, {}};
+  for (const std::vector<Vec2>& curve : here.outline().curves) {
+    for (std::size_t i = 0, j = curve.size() - 1; i < curve.size() && best.distance > 0; j = i++) {
+      const Approach a = there.approach(Segment{curve[j], curve[i]}, best.distance);
+      if (a.distance < best.distance) best = a;
+    }
+  }
+  return best;
+}
+
 }  // namespace tessera

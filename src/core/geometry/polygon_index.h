@@ -65,4 +65,8 @@ class PolygonIndex {
   std::vector<std::uint32_t> first_;  // of each cell in segments_, and the end
 };
 
+/// The nearest points of two boundaries; where these are farther apart than `reach`, the distance is `reach` and the
+/// points say nothing.
+Approach approach_of(const PolygonIndex& here, const PolygonIndex& there, float reach);
+
 }  // namespace tessera

@@ -35,6 +35,23 @@ double number(const json& card, const std::string& path, const char* section, co
   return value.get<double>();
 }
 
+/// Null says nothing.
+std::optional<double> number_or_null(const json& card, const std::string& path, const char* section, const char* key) {
+  if (value_at(card, path, section, key).is_null()) return {};
+  return number(card, path, section, key);
+}
+
+/// What older cards do not have.
+void read_picture_measures(const json& card, const std::string& path, Quality& quality) {
+  const auto measure = [&](const char* key) { return number_or_null(card, path, "quality", key); };
+  const auto evenness = measure("size_balance"), dwarfs = measure("dwarfs_fraction");
+  if (evenness && dwarfs) quality.balance = SizeBalance{*evenness, *dwarfs};
+  quality.copies_px = measure("nearest_copy_px");
+  quality.copies_apart = measure("nearest_copy_fraction");
+  quality.between_px = measure("between_pieces_px");
+  quality.alone = number(card, path, "quality", "alone_fraction");
+}
+
 std::string text(const json& card, const std::string& path, const char* section, const char* key) {
   const json& value = value_at(card, path, section, key);
   if (!value.is_string()) {
@@ -62,6 +79,8 @@ ResultCard read_card(const std::string& folder) {
   result.quality.pieces = std::size_t(measure("pieces"));
   result.quality.distinct_shapes = std::size_t(measure("distinct_shapes"));
   result.quality.largest_gap_px = measure("largest_gap_radius_px");
+  result.older = !card.at("quality").contains("size_balance");
+  if (!result.older) read_picture_measures(card, path, result.quality);
   result.total_s = number(card, path, "run", "total_s");
   result.stopped_by = text(card, path, "run", "stopped_by");
   return result;

@@ -9,7 +9,8 @@ namespace tessera::io {
 
 struct ResultCard {
   std::string folder;  // of the result
-  Quality quality;     // but for the quantiles of the scales
+  Quality quality;     // but for the quantiles of the scales, and the range of sizes
+  bool older = false;  // made before cards told of balance, dwarfs, copies, and the gaps between pieces
   double total_s = 0;
   std::string stopped_by;
 };

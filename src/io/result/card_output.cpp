@@ -23,9 +23,13 @@ StageShares stage_shares(const RunStatistics& run) {
   return {run.prune_s / sum_s, run.dock_s / sum_s, run.objective_s / sum_s, run.merge_s / sum_s};
 }
 
+Json px(double v) { return rounded(v, 3); }
+Json fraction(double v) { return rounded(v, 6); }
+Json px_or_null(const std::optional<double>& v) { return v ? px(*v) : Json(); }
+Json fraction_or_null(const std::optional<double>& v) { return v ? fraction(*v) : Json(); }
+
 Json quality_json(const Quality& q) {
-  const auto px = [](double v) { return rounded(v, 3); };
-  const auto fraction = [](double v) { return rounded(v, 6); };
+  const auto of_balance = [&](double SizeBalance::*part) { return q.balance ? fraction((*q.balance).*part) : Json(); };
   return {{"coverage_fraction", fraction(q.coverage)},
           {"overlap_fraction", fraction(q.overlap)},
           {"outside_fraction", fraction(q.outside)},
@@ -38,7 +42,14 @@ Json quality_json(const Quality& q) {
             {"median", px(q.scale_px_quantiles[2])},
             {"p90", px(q.scale_px_quantiles[3])},
             {"max", px(q.scale_px_quantiles[4])}}},
-          {"largest_gap_radius_px", px(q.largest_gap_px)}};
+          {"largest_gap_radius_px", px(q.largest_gap_px)},
+          {"size_range_px", {{"min", px(q.size_range_px.min_px)}, {"max", px(q.size_range_px.max_px)}}},
+          {"size_balance", of_balance(&SizeBalance::evenness)},
+          {"dwarfs_fraction", of_balance(&SizeBalance::dwarfs)},
+          {"nearest_copy_px", px_or_null(q.copies_px)},
+          {"nearest_copy_fraction", fraction_or_null(q.copies_apart)},
+          {"between_pieces_px", px_or_null(q.between_px)},
+          {"alone_fraction", fraction(q.alone)}};
 }
 
 Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
@@ -54,6 +65,7 @@ Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
           {"dockings_refined", run.refined},
           {"pruned_percent", percent(run.pruned_fraction())},
           {"total_s", seconds(run.total_s)},
+          {"last_tenth_percent", run.last_tenth ? Json(percent(*run.last_tenth)) : Json()},
           {"improve_s", seconds(run.improve_s)},
           {"trials", run.trials},
           {"trials_limit", improve.trials},
@@ -116,13 +128,53 @@ std::string shared_boundary_text(const Quality& q, const PieceSettings& pieces) 
   return text + (pieces.padding_px > 0 ? "; padding keeps " + fixed(pieces.padding_px, 1) + " px)" : ")");
 }
 
+std::string pieces_text(const Quality& q) {
+  const bool unknown = q.pieces > 0 && q.distinct_shapes == 0;
+  return grouped(q.pieces) +
+         (unknown ? ", of shapes without a name" : " of " + grouped(q.distinct_shapes) + " distinct shapes");
+}
+
+constexpr const char* kNoPieces = "there are no pieces";
+
+std::string no_balance_text(const Quality& q) { return q.pieces > 0 ? "none, all sizes are alike" : kNoPieces; }
+
+std::string balance_text(const Quality& q) {
+  if (!q.balance) return no_balance_text(q);
+  return fixed(q.balance->evenness, 2) + "  (1 = even; over " + fixed(q.size_range_px.min_px, 1) + " to " +
+         fixed(q.size_range_px.max_px, 1) + " px)";
+}
+
+std::string dwarfs_text(const Quality& q) {
+  if (!q.balance) return no_balance_text(q);
+  return percent_text(q.balance->dwarfs, 1) + "  (of the pieces' area; below " +
+         fixed(dwarfs_below_px(q.size_range_px), 1) + " px)";
+}
+
+std::string copies_text(const Quality& q) {
+  if (q.pieces == 0) return kNoPieces;
+  if (!q.copies_px) return q.distinct_shapes > 0 ? "none of half of the pieces" : "not known, shapes have no names";
+  return fixed(*q.copies_px, 1) + " px off  (median; " + percent_text(*q.copies_apart, 1) + " of the diagonal)";
+}
+
+std::string between_text(const Quality& q) {
+  return q.between_px ? fixed(*q.between_px, 3) + " px  (the nearest two; 0: they touch)" : "there are no two";
+}
+
 std::string quality_text(const Quality& q, const PieceSettings& pieces) {
   return std::string("Quality\n") + line("coverage", percent_text(q.coverage)) +
          line("overlap", percent_text(q.overlap, 3)) + line("outside", percent_text(q.outside, 3)) +
-         line("pieces", grouped(q.pieces) + " of " + grouped(q.distinct_shapes) + " distinct shapes") +
-         line("shared boundary", shared_boundary_text(q, pieces)) + line("scale", scales_text(q)) +
-         line("", "(min / 10 % / median / 90 % / max)") +
-         line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)");
+         line("pieces", pieces_text(q)) + line("shared boundary", shared_boundary_text(q, pieces)) +
+         line("scale", scales_text(q)) + line("", "(min / 10 % / median / 90 % / max)") +
+         line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)") + line("balance of sizes", balance_text(q)) +
+         line("dwarfs", dwarfs_text(q)) + line("nearest copy", copies_text(q)) +
+         line("between pieces", between_text(q)) +
+         line("alone", percent_text(q.alone, 1) + "  (of the pieces; no other within 2 px)");
+}
+
+std::string last_tenth_text(const RunStatistics& run) {
+  if (!run.last_tenth) return "";
+  return line("  its last tenth",
+              (*run.last_tenth < 0 ? "" : "+") + fixed(100 * *run.last_tenth, 2) + " % of the canvas");
 }
 
 std::string improvement_text(const RunStatistics& run) {
@@ -145,7 +197,7 @@ std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
          line("candidates", grouped(run.shapes) + "  (shapes in the library)") +
          line("PADs per shape", fixed(run.pads_per_shape, 1)) + line("iterations", grouped(run.rounds)) +
          line("docking choices", grouped(run.docking_choices)) + line("pruned", percent_text(run.pruned_fraction())) +
-         line("total time", fixed(run.total_s, 1) + " s") + improvement_text(run) +
+         line("total time", fixed(run.total_s, 1) + " s") + last_tenth_text(run) + improvement_text(run) +
          line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
          line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1)) +
          line("stopped by", end_text(run, improve));
@@ -161,6 +213,14 @@ std::string card_json(const Quality& quality, const RunStatistics& run, const Co
   constexpr bool kAsciiOnly = false;
   return card.dump(2, ' ', kAsciiOnly, Json::error_handler_t::replace) + "\n";  // paths are any bytes
 }
+
+std::string score_json(const Quality& quality) {
+  Json score = quality_json(quality);
+  if (quality.pieces > 0 && quality.distinct_shapes == 0) score["distinct_shapes"] = nullptr;
+  return Json{{"quality", score}}.dump(2) + "\n";
+}
+
+std::string score_text(const Quality& quality) { return quality_text(quality, {}); }
 
 std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings) {
   return quality_text(quality, settings.pieces) + run_text(run, settings.improve);

@@ -19,4 +19,8 @@ std::string card_json(const Quality& quality, const RunStatistics& run, const Co
 /// The same for people: a table of two columns, lines of less than 80 characters.
 std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings);
 
+/// Of what nobody says how it was made: section quality alone. distinct_shapes is null where shapes have no names.
+std::string score_json(const Quality& quality);
+std::string score_text(const Quality& quality);
+
 }  // namespace tessera::io

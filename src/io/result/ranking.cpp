@@ -20,6 +20,10 @@ namespace fs = std::filesystem;
 
 double variety(const Quality& q) { return q.pieces > 0 ? double(q.distinct_shapes) / double(q.pieces) : 0; }
 
+double balance(const Quality& q) { return q.balance ? q.balance->evenness : 0; }
+double dwarfs(const Quality& q) { return q.balance ? q.balance->dwarfs : 0; }
+double copies_apart(const Quality& q) { return q.copies_apart.value_or(1); }
+
 std::string allowed_names() {
   std::string names;
   for (const RankingTerm& term : ranking_terms()) names += (names.empty() ? "" : ", ") + std::string(term.name);
@@ -49,20 +53,44 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
+/// The measures that older cards lack: name, value and decimals, in the order of the columns.
+struct PictureMeasure {
+  const char* name;
+  std::optional<double> value;
+  int decimals;
+};
+
+std::vector<PictureMeasure> picture_measures(const ResultCard& card) {
+  const Quality& q = card.quality;
+  const auto of_balance = [&](double SizeBalance::*part) {
+    return q.balance ? std::optional((*q.balance).*part) : std::nullopt;
+  };
+  return {{"size_balance", of_balance(&SizeBalance::evenness), 6},
+          {"dwarfs_fraction", of_balance(&SizeBalance::dwarfs), 6},
+          {"nearest_copy_px", q.copies_px, 3},
+          {"nearest_copy_fraction", q.copies_apart, 6},
+          {"between_pieces_px", q.between_px, 3},
+          {"alone_fraction", card.older ? std::nullopt : std::optional(q.alone), 6}};
+}
+
 nlohmann::ordered_json result_json(const RankedResult& result) {
   const Quality& q = result.card.quality;
-  return {{"rank", result.rank},
-          {"folder", result.card.folder},
-          {"score", std::round(1000 * result.score) / 1000},
-          {"coverage_fraction", q.coverage},
-          {"overlap_fraction", q.overlap},
-          {"outside_fraction", q.outside},
-          {"shared_boundary_fraction", q.shared_boundary},
-          {"pieces", q.pieces},
-          {"distinct_shapes", q.distinct_shapes},
-          {"largest_gap_radius_px", q.largest_gap_px},
-          {"total_s", result.card.total_s},
-          {"stopped_by", result.card.stopped_by}};
+  nlohmann::ordered_json json = {{"rank", result.rank},
+                                 {"folder", result.card.folder},
+                                 {"score", std::round(1000 * result.score) / 1000},
+                                 {"coverage_fraction", q.coverage},
+                                 {"overlap_fraction", q.overlap},
+                                 {"outside_fraction", q.outside},
+                                 {"shared_boundary_fraction", q.shared_boundary},
+                                 {"pieces", q.pieces},
+                                 {"distinct_shapes", q.distinct_shapes},
+                                 {"largest_gap_radius_px", q.largest_gap_px}};
+  for (const PictureMeasure& measure : picture_measures(result.card)) {
+    json[measure.name] = measure.value ? nlohmann::ordered_json(*measure.value) : nlohmann::ordered_json();
+  }
+  json["total_s"] = result.card.total_s;
+  json["stopped_by"] = result.card.stopped_by;
+  return json;
 }
 
 /// What is in a folder, by name.
@@ -98,6 +126,7 @@ void take(const std::string& folder, FoundResults& found) {
 // Coverage leads. A hundredth of overlap is seen where it lies, hence costs twice what a hundredth of holes does; so
 // does paint outside the canvas. From seed to seed of one job coverage moves by 0.3 points, shared boundary by 3 and
 // variety by 5 or so (docs/measurements.md): with a tenth and a twentieth they speak between collages that cover alike.
+// How sizes and copies should lie is a matter of taste: they count where somebody asks for it.
 const std::array<RankingTerm, kRankingTerms>& ranking_terms() {
   static constexpr std::array<RankingTerm, kRankingTerms> terms = {{
       {"coverage", 1, [](const Quality& q) { return q.coverage; }},
@@ -105,6 +134,10 @@ const std::array<RankingTerm, kRankingTerms>& ranking_terms() {
       {"outside", -2, [](const Quality& q) { return q.outside; }},
       {"shared_boundary", 0.1, [](const Quality& q) { return q.shared_boundary; }},
       {"variety", 0.05, variety},
+      {"balance", 0, balance, false},
+      {"dwarfs", 0, dwarfs, false},
+      {"copies_apart", 0, copies_apart, false},
+      {"alone", 0, [](const Quality& q) { return q.alone; }, false},
   }};
   return terms;
 }
@@ -128,7 +161,10 @@ std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWei
   std::vector<RankedResult> results;
   for (ResultCard& card : cards) {
     double score = 0;
-    for (std::size_t i = 0; i < kRankingTerms; ++i) score += 100 * weights[i] * ranking_terms()[i].value(card.quality);
+    for (std::size_t i = 0; i < kRankingTerms; ++i) {
+      const RankingTerm& term = ranking_terms()[i];
+      if (term.on_older_cards || !card.older) score += 100 * weights[i] * term.value(card.quality);
+    }
     results.push_back({std::move(card), score, 0});
   }
   std::sort(results.begin(), results.end(), [](const RankedResult& a, const RankedResult& b) {
@@ -139,6 +175,21 @@ std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWei
     results[i].rank = tied ? results[i - 1].rank : i + 1;
   }
   return results;
+}
+
+std::vector<std::string> lacking_measures(const std::vector<RankedResult>& results, const RankingWeights& weights) {
+  std::string names;
+  for (std::size_t i = 0; i < kRankingTerms; ++i) {
+    const RankingTerm& term = ranking_terms()[i];
+    if (weights[i] != 0 && !term.on_older_cards) names += (names.empty() ? "" : ", ") + std::string(term.name);
+  }
+  std::vector<std::string> lines;
+  for (const RankedResult& result : results) {
+    if (names.empty() || !result.card.older) continue;
+    lines.push_back(path_in_result(result.card.folder, "card.json") + ": from before there was " + names +
+                    ": counts as 0");
+  }
+  return lines;
 }
 
 std::string score_formula(const RankingWeights& weights) {
@@ -157,14 +208,20 @@ std::string score_formula(const RankingWeights& weights) {
 std::string ranking_csv(const std::vector<RankedResult>& results) {
   std::string text =
       "rank,folder,score,coverage_fraction,overlap_fraction,outside_fraction,shared_boundary_fraction,pieces,"
-      "distinct_shapes,largest_gap_radius_px,total_s,stopped_by\n";
+      "distinct_shapes,largest_gap_radius_px";
+  for (const PictureMeasure& measure : picture_measures({})) text += std::string(",") + measure.name;
+  text += ",total_s,stopped_by\n";
   for (const RankedResult& result : results) {
     const ResultCard& card = result.card;
     const Quality& q = card.quality;
     text += std::to_string(result.rank) + "," + csv_field(card.folder) + "," + fixed(result.score, 3) + "," +
             fixed(q.coverage, 6) + "," + fixed(q.overlap, 6) + "," + fixed(q.outside, 6) + "," +
             fixed(q.shared_boundary, 6) + "," + std::to_string(q.pieces) + "," + std::to_string(q.distinct_shapes) +
-            "," + fixed(q.largest_gap_px, 3) + "," + fixed(card.total_s, 3) + "," + csv_field(card.stopped_by) + "\n";
+            "," + fixed(q.largest_gap_px, 3);
+    for (const PictureMeasure& measure : picture_measures(card)) {
+      text += "," + (measure.value ? fixed(*measure.value, measure.decimals) : std::string());
+    }
+    text += "," + fixed(card.total_s, 3) + "," + csv_field(card.stopped_by) + "\n";
   }
   return text;
 }

@@ -14,11 +14,13 @@ struct RankingTerm {
   const char* name;
   double default_weight;
   double (*value)(const Quality&);
+  bool on_older_cards = true;  // else it is 0 of these
 };
 
-inline constexpr std::size_t kRankingTerms = 5;
+inline constexpr std::size_t kRankingTerms = 9;
 
-/// coverage, overlap, outside, shared_boundary, variety (different shapes by pieces).
+/// coverage, overlap, outside, shared_boundary, variety (different shapes by pieces), balance (of sizes) and dwarfs,
+/// both 0 where all sizes are alike, copies_apart (by the canvas' diagonal; 1 where most shapes stand once), alone.
 const std::array<RankingTerm, kRankingTerms>& ranking_terms();
 
 /// The weights stand in the order of ranking_terms().
@@ -36,6 +38,9 @@ struct RankedResult {
 /// Best first; equal ones share a rank and stand in the order of their folders' names. The score is the sum over the
 /// terms of weight · value in percent.
 std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWeights& weights);
+
+/// Of cards that lack a measure which counts, a line for each: "a/card.json: from before there was balance; ...".
+std::vector<std::string> lacking_measures(const std::vector<RankedResult>& results, const RankingWeights& weights);
 
 /// "score = coverage - 2 overlap ...": the weights that are not 0, in words.
 std::string score_formula(const RankingWeights& weights);

@@ -1,0 +1,92 @@
+#include "cli/card_run.h"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/collage/quality.h"
+#include "io/job/canvas_file.h"
+#include "io/job/canvas_page.h"
+#include "io/job/job_keys.h"
+#include "io/number_text.h"
+#include "io/result/card_output.h"
+#include "io/result/polygon_pieces.h"
+
+namespace tessera::cli {
+namespace {
+
+/// What pieces are held against.
+struct Frame {
+  Canvas canvas;
+  std::optional<SizeRange> sizes;
+};
+
+std::string size_text(double width_px, double height_px) {
+  return io::fixed(width_px, 0) + " x " + io::fixed(height_px, 0) + " px";
+}
+
+/// As canvas.size_px allows. `key` begins the message.
+void check_size(const std::string& key, double width_px, double height_px) {
+  const io::JobKey& size = *io::find_job_key("canvas", "size_px");
+  const auto allowed = [&](double side_px) { return side_px >= size.min && side_px <= size.max; };
+  if (allowed(width_px) && allowed(height_px) && width_px * height_px <= io::kMaxCanvas_px2) return;
+  throw InputError(key + ": found " + size_text(width_px, height_px) + ", allowed: " + io::fixed(size.min, 0) + " to " +
+                   io::fixed(size.max, 0) + " each, " + io::fixed(io::kMaxCanvas_px2 / 1e6, 0) + " million px in all");
+}
+
+/// As large as --size says, or as it was drawn.
+Canvas canvas_in_file(const CardArguments& arguments) {
+  io::CanvasSpec spec{.file = arguments.canvas};
+  if (arguments.size_px.empty()) {
+    const std::vector<std::uint8_t> bytes = io::read_canvas_file(arguments.canvas, "--canvas");
+    io::Drawers drawers(io::canvas_drawer_settings(spec));
+    const cv::Size2d drawn = drawers.natural_size(bytes, arguments.canvas);
+    check_size("--canvas " + arguments.canvas, std::round(drawn.width), std::round(drawn.height));
+    spec.width_px = int(std::lround(drawn.width));
+    spec.height_px = int(std::lround(drawn.height));
+  } else {
+    spec.width_px = arguments.size_px[0];
+    spec.height_px = arguments.size_px[1];
+  }
+  return io::load_canvas(spec);
+}
+
+Frame frame_of_job(const CardArguments& arguments) {
+  if (!arguments.size_px.empty()) {
+    throw InputError("--size: found beside the job " + arguments.canvas + ", allowed: nothing, as the job says it");
+  }
+  const io::Job job = io::load_job(arguments.canvas, {});
+  const PieceSettings& pieces = job.settings.pieces;
+  Frame frame{io::canvas_of(job), {}};
+  if (!pieces.fit_all) frame.sizes = SizeRange{pieces.min_scale_px, pieces.max_scale_px};
+  return frame;
+}
+
+Frame frame_of(const CardArguments& arguments) {
+  if (!arguments.size_px.empty()) check_size("--size", arguments.size_px[0], arguments.size_px[1]);
+  if (arguments.canvas.ends_with(".toml")) return frame_of_job(arguments);
+  if (!arguments.canvas.empty()) return {canvas_in_file(arguments), {}};
+  if (!arguments.size_px.empty()) return {make_rectangle_canvas(arguments.size_px[0], arguments.size_px[1]), {}};
+  throw InputError("--canvas: found nothing, allowed: an SVG, an image or a job.toml; or --size W,H, a rectangle");
+}
+
+SizeRange checked_sizes(const std::vector<double>& sizes_px) {
+  const io::JobKey& scale = *io::find_job_key("pieces", "scale_px");
+  if (sizes_px[0] > 0 && sizes_px[0] <= sizes_px[1] && sizes_px[1] <= scale.max) return {sizes_px[0], sizes_px[1]};
+  throw InputError("--sizes: found " + std::to_string(sizes_px[0]) + "," + std::to_string(sizes_px[1]) +
+                   ", allowed: MIN,MAX above 0 up to " + io::fixed(scale.max, 0) + " px");
+}
+
+}  // namespace
+
+int run_card(const CardArguments& arguments) {
+  Frame frame = frame_of(arguments);
+  if (!arguments.sizes_px.empty()) frame.sizes = checked_sizes(arguments.sizes_px);
+  const std::vector<JudgedPiece> pieces = io::read_polygon_pieces(arguments.pieces, frame.canvas);
+  const Quality quality = measure_quality(frame.canvas, pieces, frame.sizes);
+  std::printf("%s", (arguments.json ? io::score_json(quality) : io::score_text(quality)).c_str());
+  return 0;
+}
+
+}  // namespace tessera::cli

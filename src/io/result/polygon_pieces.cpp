@@ -1,0 +1,119 @@
+#include "io/result/polygon_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/geometry/winding.h"
+#include "io/number_text.h"
+#include "io/regular_file.h"
+#include "io/result/polygon_features.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t(512) << 20;  // of the file: some 50,000 pieces of ours
+constexpr double kSmallestPiece_px2 = 1e-4;                 // as small as a piece may be given
+constexpr double kMostTwisted = 0.01;      // of a piece's area: outlines of thin limbs may have tiny loops
+constexpr double kMostBoundary_px = 30e6;  // of all pieces: it is sampled every half px
+constexpr float kMostBeyond = 0.5;         // of the canvas' width or height
+
+std::string position_text(Vec2 p) { return "[" + fixed(p.x, 3) + ", " + fixed(p.y, 3) + "]"; }
+
+/// Without the position that closes it, and in the direction that an outer boundary or a hole has.
+std::vector<Vec2> curve_of(Ring ring, bool is_hole) {
+  if (ring.size() < 4) {
+    throw InputError("geometry.coordinates: found a ring of " + std::to_string(ring.size()) +
+                     (ring.size() == 1 ? " position" : " positions") +
+                     ", allowed: 4 or more, the last one the first again");
+  }
+  if (ring.front() != ring.back()) {
+    throw InputError("geometry.coordinates: found a ring that is open, from " + position_text(ring.front()) + " to " +
+                     position_text(ring.back()) + ", allowed: the last position is the first again");
+  }
+  ring.pop_back();
+  if ((signed_area(ring) < 0) != is_hole) std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+Outline outline_of(std::vector<std::vector<Ring>> polygons) {
+  Outline outline;
+  for (std::vector<Ring>& polygon : polygons) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) outline.curves.push_back(curve_of(std::move(polygon[i]), i > 0));
+  }
+  return outline;
+}
+
+AreaMoment moment_of(const Outline& outline) {
+  AreaMoment sum;
+  for (const std::vector<Vec2>& curve : outline.curves) sum += area_moment(curve);
+  if (sum.area < kSmallestPiece_px2) {
+    throw InputError("geometry.coordinates: found rings that enclose " + fixed(std::max(sum.area, 0.), 6) +
+                     " square px, allowed: " + fixed(kSmallestPiece_px2, 4) + " or more");
+  }
+  return sum;
+}
+
+void check_untwisted(const Outline& outline, double area_px2) {
+  const double twisted_px2 = twisted_area(outline);
+  if (twisted_px2 <= kMostTwisted * area_px2) return;
+  throw InputError("geometry.coordinates: found rings that cross themselves or each other, round " +
+                   fixed(twisted_px2, 1) + " square px, allowed: simple ones, holes within their outer ring");
+}
+
+double length_px(const Outline& outline) {
+  double sum = 0;
+  for (const std::vector<Vec2>& curve : outline.curves) {
+    for (std::size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) sum += norm(curve[i] - curve[j]);
+  }
+  return sum;
+}
+
+bool is_far_beyond(float v_px, int side_px) {
+  return v_px < -kMostBeyond * float(side_px) || v_px > (1 + kMostBeyond) * float(side_px);
+}
+
+void check_on_canvas(const Outline& outline, const Canvas& canvas) {
+  for (const std::vector<Vec2>& curve : outline.curves) {
+    for (const Vec2 p : curve) {
+      if (!is_far_beyond(p.x, canvas.width_px) && !is_far_beyond(p.y, canvas.height_px)) continue;
+      throw InputError("geometry.coordinates: found " + position_text(p) + ", far from the canvas of " +
+                       std::to_string(canvas.width_px) + " x " + std::to_string(canvas.height_px) +
+                       " px, allowed: up to half of its width or height beyond it");
+    }
+  }
+}
+
+JudgedPiece piece_of(PolygonFeature feature, const Canvas& canvas) {
+  JudgedPiece piece;
+  piece.outline_px = outline_of(std::move(feature.polygons));
+  check_on_canvas(piece.outline_px, canvas);
+  const AreaMoment moment = moment_of(piece.outline_px);
+  check_untwisted(piece.outline_px, moment.area);
+  piece.shape = std::move(feature.shape);
+  piece.centre_px = {float(moment.x / moment.area), float(moment.y / moment.area)};
+  piece.scale_px = std::sqrt(moment.area);
+  return piece;
+}
+
+}  // namespace
+
+std::vector<JudgedPiece> read_polygon_pieces(const std::string& path, const Canvas& canvas) {
+  const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostBytes);
+  std::vector<JudgedPiece> pieces;
+  double boundary_px = 0;
+  try {
+    read_polygon_features(bytes, [&](PolygonFeature feature) {
+      pieces.push_back(piece_of(std::move(feature), canvas));
+      boundary_px += length_px(pieces.back().outline_px);
+      if (boundary_px <= kMostBoundary_px) return;
+      throw InputError("geometry.coordinates: found more than " + fixed(kMostBoundary_px / 1e6, 0) +
+                       " million px of boundary up to here, allowed: so much in all");
+    });
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+  return pieces;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# card_test.sh TESSERA NEW_FOLDER: tessera card says of a result what its own card says, and of anybody's polygons what
+# is true of them.
+set -uo pipefail
+tessera=$1
+folder=$2
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+
+enter_folder
+write_job '120, 90' '14, 60' 120
+
+# value FILE KEY: of one line of indented JSON, without the comma.
+value() { sed -n "s/^ *\"$2\": \([^,]*\),\?$/\1/p" "$1" | head -1; }
+
+# Its own card, within the three decimals of the polygons.
+run 0 collage job.toml --out result --quiet --set stop.pieces=12
+run 0 card result/pieces.geojson --canvas result/job.toml --json
+expect_silence "a word about a good result"
+for key in coverage_fraction overlap_fraction outside_fraction pieces distinct_shapes shared_boundary_fraction \
+  largest_gap_radius_px size_balance dwarfs_fraction nearest_copy_px between_pieces_px alone_fraction; do
+  awk -v own="$(value result/card.json "$key")" -v found="$(value output "$key")" -v key="$key" 'BEGIN {
+    if (own == "" || (own == "null") != (found == "null")) exit 1
+    differs = own - found; if (differs < 0) differs = -differs
+    exit !(differs <= (key ~ /px$/ ? 0.1 : 0.003)) }' ||
+    fail "$key: $(value output "$key") instead of $(value result/card.json "$key")"
+done
+grep -q 'last_tenth_percent": null' result/card.json || fail "a curve of few rounds"
+run 0 collage job.toml --out improved --quiet --set stop.pieces=0 --set improve.trials=60
+grep -q 'last_tenth_percent": -\?[0-9]' improved/card.json || fail "no word of the last tenth of the time"
+grep -q '^    its last tenth  *[+-][0-9.]* % of the canvas$' improved/card.txt || fail "nor in the text"
+echo "ok its own card"
+
+# Anybody's, on a rectangle, in the silhouettes of an SVG and of a PNG, with and without names.
+square() { # FROM_X TO_X
+  local ring="[[$1,10],[$2,10],[$2,30],[$1,30],[$1,10]]"
+  echo "{\"properties\":{},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[$ring]}}"
+}
+echo "{\"features\":[$(square 10 30),$(square 33 53)]}" >theirs.geojson
+run 0 card theirs.geojson --size 100,80
+for line in 'coverage  *10.00 %$' 'pieces  *2, of shapes without a name$' \
+  'balance of sizes  *none, all sizes are alike$' \
+  'between pieces  *3.000 px ' 'alone  *100.0 % ' 'nearest copy  *not known, '; do
+  grep -q "^  $line" output || fail "lacks: $line: $(cat output)"
+done
+run 0 card theirs.geojson --size 100,80 --sizes 10,40
+grep -q '^  balance of sizes  *0.00  (1 = even; over 10.0 to 40.0 px)' output || fail "another balance"
+echo '<svg xmlns="http://www.w3.org/2000/svg" width="100" height="80"><rect width="50" height="80"/></svg>' >half.svg
+run 0 card theirs.geojson --canvas half.svg
+grep -q '^  coverage  *18.50 %$' output || fail "half of the canvas: $(cat output)"
+run 0 card theirs.geojson --canvas half.svg --size 200,160
+grep -q '^  coverage  *5.00 %$' output || fail "a quarter of that: $(cat output)"
+run 0 draw result --background none --png --to mask
+run 0 card result/pieces.geojson --canvas mask/collage.png
+grep -q '^  coverage  *\(9[5-9]\..*\|100.00\) %$' output || fail "not all of its own silhouette: $(cat output)"
+echo "ok anybody's card"
+
+# One line each, and exit code 2.
+expect_refusal() { # WORD ARGUMENT...
+  run 2 card "${@:2}"
+  expect_word "$1"
+  [[ $(wc -l <errors) == 1 && ! -s output ]] || fail "not one line: ${*:2}"
+}
+mkfifo pipe
+echo '{"features":[{"geometry":{"type":"Polygon","coordinates":[[[NaN,1]]]}}]}' >nan.geojson
+expect_refusal 'pipe: not a readable file: found a pipe' pipe --size 100,80
+expect_refusal 'pipe: not a readable file: found a pipe' theirs.geojson --canvas pipe
+expect_refusal 'result: not a readable file: found a folder' result --size 100,80
+expect_refusal 'tessera: nan.geojson: feature 0: no JSON' nan.geojson --size 100,80
+expect_refusal 'feature 1: geometry.coordinates: found [33.000, 10.000], far from the canvas of 20 x 20' \
+  theirs.geojson --size 20,20
+expect_refusal 'job.toml, allowed: nothing, as the job says it' theirs.geojson --canvas result/job.toml --size 100,80
+expect_refusal 'job file none.toml: not found' theirs.geojson --canvas none.toml
+expect_refusal 'theirs.geojson' theirs.geojson --canvas theirs.geojson
+echo "ok refusals"

@@ -1,0 +1,45 @@
+// What the last tenth of a run brought.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "cli/coverage_history.h"
+
+namespace tessera::cli {
+namespace {
+
+TEST(CoverageHistory, says_what_the_last_tenth_brought) {
+  CoverageHistory history;
+  for (int s = 1; s <= 100; ++s) history.add(s, s <= 90 ? 0.01 * s : 0.9 + 0.002 * (s - 90));
+  EXPECT_NEAR(history.gained_in_last_tenth(100).value(), 0.02, 1e-12);
+  EXPECT_NEAR(history.gained_in_last_tenth(110).value(), 0.002, 1e-12) << "from the last moment up to 99 s";
+}
+
+TEST(CoverageHistory, pieces_that_were_taken_out_count) {
+  CoverageHistory history;
+  for (int s = 1; s <= 10; ++s) history.add(s, s < 10 ? 0.5 : 0.4);
+  EXPECT_NEAR(history.gained_in_last_tenth(10).value(), -0.1, 1e-12);
+}
+
+TEST(CoverageHistory, does_not_say_what_it_does_not_know) {
+  CoverageHistory history;
+  EXPECT_FALSE(history.gained_in_last_tenth(1));
+  for (int i = 0; i < 100; ++i) history.add(1000 + i, 0.9);  // a resumed run
+  EXPECT_FALSE(history.gained_in_last_tenth(1100));
+  EXPECT_TRUE(history.gained_in_last_tenth(1200));
+  CoverageHistory two;
+  two.add(1, 0.1);
+  two.add(9.5, 0.2);
+  EXPECT_FALSE(two.gained_in_last_tenth(10)) << "a collage of two pieces is no curve";
+}
+
+RC_GTEST_PROP(CoverageHistory, of_any_length_is_right_to_a_thousandth_of_its_time, ()) {
+  const int moments = *rc::gen::inRange(1000, 60000);
+  CoverageHistory history;
+  for (int i = 1; i <= moments; ++i) history.add(i, double(i) / moments);
+  RC_ASSERT(std::abs(history.gained_in_last_tenth(moments).value() - 0.1) < 1e-3);
+}
+
+}  // namespace
+}  // namespace tessera::cli
