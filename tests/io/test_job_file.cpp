@@ -121,10 +121,9 @@ TEST_F(JobFile, reports_the_first_line_first) {
 }
 
 TEST_F(JobFile, tells_sections_from_keys) {
-  EXPECT_EQ(
-      mistake("pieces = 3"),
-      "job.toml:1: pieces is a section with the keys scale_px, sizes, size_map, rotation_deg, mirrored, uses, fit, balance, "
-      "padding_px, apart_px, overlap_px, found 3");
+  EXPECT_EQ(mistake("pieces = 3"),
+            "job.toml:1: pieces is a section with the keys scale_px, sizes, size_map, rotation_deg, mirrored, uses, "
+            "fit, balance, padding_px, apart_px, overlap_px, found 3");
   EXPECT_NE(mistake("[[pieces]]\nuses = 1").find("pieces is a section"), std::string::npos);
   EXPECT_NE(mistake("[seed]\nuses = 1").find("seed: found"), std::string::npos);
   EXPECT_NE(mistake("[nonsense]").find("unknown section [nonsense]"), std::string::npos);
