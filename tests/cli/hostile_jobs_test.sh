@@ -51,7 +51,7 @@ echo "ok refused sizes"
 # Legal, if hardly sensible.
 for value in 'canvas.size_px=[16, 16]' 'canvas.size_px=[2000, 16]' 'pieces.padding_px=500' 'pieces.scale_px=[2, 5000]' \
   'pieces.scale_px=[4999, 5000]' 'pieces.rotation_deg=[-360, 360]' 'pieces.rotation_deg=[360, 360]' \
-  pieces.uses=1000000 match.levels=2 match.levels=6 match.delta_tau=0.02 match.delta_tau=1 match.top_percent=100 \
+  pieces.uses=1000000 pieces.balance=0 pieces.balance=1 match.levels=2 match.levels=6 match.delta_tau=0.02 match.delta_tau=1 match.top_percent=100 \
   match.top_percent=0.001 match.most_pairs=0 match.beta=0 match.beta=4 match.tangent_dockings=0 \
   match.tangent_dockings=100000 match.delta_px=50 objective.overlap_weight=0 objective.gap_weight=100 \
   objective.length_exponent=0 objective.length_exponent=4 objective.scale_exponent=4 objective.repetition_exponent=4 \

@@ -1,6 +1,7 @@
 #include "core/collage/objective.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "core/collage/exact_terms.h"
 #include "core/tuning.h"
@@ -28,7 +29,9 @@ TEST(Objective, PrefersLongContactAndLittleWaste) {
     EXPECT_GT(best, objective(shorter, kPiece, settings));
     EXPECT_GT(best, objective(overlapping, kPiece, settings));
     EXPECT_GT(best, objective(gaping, kPiece, settings));
-    EXPECT_GT(best, objective(good, {25, 100, 100}, settings)) << "a dwarf of the same terms";
+    DockingTerms of_dwarf = good;
+    of_dwarf.matched_px = 75;
+    EXPECT_GT(best, objective(of_dwarf, {25, 100, 100}, settings)) << "a dwarf of the same share and waste";
   }
 }
 
@@ -42,9 +45,71 @@ TEST(Objective, OfThePaperPunishesOneLargeGapMoreThanManySmall) {
 
 TEST(Objective, ScaleAwareHasItsFormula) {
   ObjectiveSettings settings;
+  settings.balance = 0;
   const DockingTerms terms{128, 50, 150, 0, 0};
   const float expected = std::pow(128.f / 200, 0.5f) / (1 + 5 * (3 * 50.f + 150.f) / 2500) * std::pow(0.5f, 0.7f);
   EXPECT_NEAR(objective(terms, kPiece, settings), expected, 1e-6f);
+}
+
+/// At either end of the scale a poor fit of a large piece and a good one of a piece half as large change places.
+TEST(Objective, BalanceWeighsContactAgainstSize) {
+  const DockingTerms large{80, 0, 0, 0, 0};
+  const DockingTerms middle{90, 0, 0, 0, 0};
+  const PieceSize large_piece{100, 400, 100};
+  const PieceSize middle_piece{50, 200, 100};
+  ObjectiveSettings settings;
+  settings.balance = 0;
+  EXPECT_GT(objective(large, large_piece, settings), objective(middle, middle_piece, settings));
+  settings.balance = 1;
+  EXPECT_LT(objective(large, large_piece, settings), objective(middle, middle_piece, settings));
+}
+
+/// Along all of its boundary a dwarf fits into its gap: that must not make it worth more than a large piece.
+TEST(Objective, BalanceCostsDwarfsMore) {
+  const DockingTerms whole{200, 0, 0, 0, 0};
+  ObjectiveSettings settings;
+  float before = 1;
+  for (const float balance : {0.f, 0.25f, 0.5f, 0.75f, 1.f}) {
+    settings.balance = balance;
+    const float dwarf = objective(whole, {12.5f, 200, 100}, settings);
+    EXPECT_LT(dwarf, before) << balance;
+    before = dwarf;
+  }
+}
+
+/// What it is worth grows with contact and with size, whatever the balance, and is never more than 1.
+RC_GTEST_PROP(ObjectiveProperty, balanced_or_not_contact_and_size_are_welcome, ()) {
+  ObjectiveSettings settings;
+  settings.balance = 0.01f * float(*rc::gen::inRange(0, 101));
+  const float scale_px = float(*rc::gen::inRange(20, 160));
+  const float matched = 0.01f * float(*rc::gen::inRange(3, 100));
+  const auto value = [&](float scale, float share) {
+    const DockingTerms terms{share * 4 * scale, 0, 0, 0, 0};
+    return objective(terms, {scale, 4 * scale, 160}, settings);
+  };
+  RC_ASSERT(value(scale_px, matched) < value(scale_px + 1, matched));
+  RC_ASSERT(value(scale_px, matched) < value(scale_px, matched + 0.01f));
+  RC_ASSERT(value(160, 1) <= 1.f);
+}
+
+RC_GTEST_PROP(ObjectiveProperty, balance_is_two_exponents, ()) {
+  ObjectiveSettings settings;
+  settings.balance = 0.01f * float(*rc::gen::inRange(0, 101));
+  const ObjectiveSettings s = balanced(settings);
+  RC_ASSERT(s.length_exponent == settings.length_exponent + kBalanceOfLength * settings.balance);
+  RC_ASSERT(s.scale_exponent == settings.scale_exponent + kBalanceOfScale * settings.balance);
+  const DockingTerms terms{float(*rc::gen::inRange(1, 200)), float(*rc::gen::inRange(0, 99)), 20, 100, 400};
+  RC_ASSERT(objective(terms, kPiece, settings) == objective(terms, kPiece, s));
+}
+
+TEST(Objective, OfThePaperKnowsNoBalance) {
+  ObjectiveSettings settings;
+  settings.kind = Objective::paper;
+  const DockingTerms terms{128, 50, 150, 0, 0};
+  settings.balance = 0;
+  const float before = objective(terms, kPiece, settings);
+  settings.balance = 1;
+  EXPECT_EQ(objective(terms, kPiece, settings), before);
 }
 
 /// The paper's Z has squares of single areas: they change with the areas.

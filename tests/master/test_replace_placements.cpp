@@ -40,6 +40,7 @@ TEST_F(ReplacePlacements, ForgetsWhatItsSamplesWereMatchedWith) {
 TEST_F(ReplacePlacements, GoesOnAsACollageThatBeginsWithThem) {
   test::RoundsByHand fresh(canvas_, settings(), library());
   const std::vector<Placement> placements = rounds_.state().placements;
+  fresh.collage().replace_placements(placements);  // what comes next follows from the placements before, too
   for (test::RoundsByHand* rounds : {&rounds_, &fresh}) {
     rounds->collage().replace_placements(placements);
     rounds->collage().mark_stale(canvas_.distance.value.bounds());

@@ -340,6 +340,7 @@ CollageSettings with_company(const ApartWish& apart) {
 TEST(Wishes, ShapesThatAreNamedTogetherKeepApart) {
   CollageSettings s = with_company({7, 80});
   s.pieces.apart_px = 20;
+  s.objective.balance = 0;  // large pieces: those of one shape come near to each other
   s.wishes.classes.emplace_back().apart = {8, 0};
   s.wishes.class_of_shape[6] = 2;
   const Canvas canvas = make_rectangle_canvas(300, 220);

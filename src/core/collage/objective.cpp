@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/tuning.h"
+
 namespace tessera {
 
 const std::array<ObjectiveKind, 2>& objective_kinds() {
@@ -12,9 +14,18 @@ const std::array<ObjectiveKind, 2>& objective_kinds() {
   return kinds;
 }
 
+ObjectiveSettings balanced(ObjectiveSettings settings) {
+  const float balance = settings.kind == Objective::scale_aware ? settings.balance : 0;
+  settings.length_exponent += kBalanceOfLength * balance;
+  settings.scale_exponent += kBalanceOfScale * balance;
+  settings.balance = 0;
+  return settings;
+}
+
 float objective(const DockingTerms& terms, const PieceSize& piece, const ObjectiveSettings& settings) {
-  const float fit = objective_kinds()[std::size_t(settings.kind)].function(terms, piece, settings);
-  return fit * std::pow(piece.scale_px / piece.max_scale_px, settings.scale_exponent);
+  const ObjectiveSettings s = balanced(settings);
+  const float fit = objective_kinds()[std::size_t(s.kind)].function(terms, piece, s);
+  return fit * std::pow(piece.scale_px / piece.max_scale_px, s.scale_exponent);
 }
 
 }  // namespace tessera

@@ -120,6 +120,10 @@ void add_piece_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_word({"pieces", "fit", word, "", 0, 0, {"free", "all"},
                             "`all`: every shape at least once; the program multiplies all sizes by one factor to that end"},
                            FIELD(settings.pieces.fit_all)));
+  keys.push_back(with_number({"pieces", "balance", number, "", 0, 1, {},
+                              "of sizes: 0 = contrast, a few large pieces and dwarfs between them, to 1 = even, as much "
+                              "area of each size"},
+                             FIELD(settings.objective.balance)));
   keys.push_back(with_number({"pieces", "padding_px", number, "px", 0, 500, {},
                               "distance kept between pieces, and between pieces and the canvas' edge"},
                              FIELD(settings.pieces.padding_px)));
@@ -181,7 +185,7 @@ void add_objective_keys(std::vector<JobKey>& keys) {
                               "of the matched share of the piece's boundary"},
                              FIELD(settings.objective.length_exponent)));
   keys.push_back(with_number({"objective", "scale_exponent", number, "", 0, 4, {},
-                              "of the piece's size by the largest allowed: 0.5 evens sizes out, 0.8 gives contrast"},
+                              "of the piece's size by the largest allowed: more gives larger pieces and more contrast"},
                              FIELD(settings.objective.scale_exponent)));
   keys.push_back(with_number({"objective", "repetition_exponent", number, "", 0, 4, {},
                               "the score times (1 + uses of the shape)^-exponent"},
