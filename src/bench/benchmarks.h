@@ -43,7 +43,7 @@ void check(const SquareJob& job);
 /// This engine beside what could be done instead, on one job.
 Report bench_alternatives(const Setting& setting, const SquareJob& job);
 
-/// What longer improving brings, with and without pieces that move together: after 1, 2, 4 s and so on up to `seconds`.
+/// What longer improving brings, with and without pieces that move together: after 1, 2, 4 s and so on, and `seconds`.
 /// Also writes a plot.
 Report bench_quality(const Setting& setting, const SquareJob& job, int seconds);
 

@@ -18,10 +18,11 @@
 namespace tessera::bench {
 namespace {
 
-/// 1, 2, 4 up to `most`.
-std::vector<double> marks_up_to(int most) {
+/// 1, 2, 4 and so on below `last`, and that.
+std::vector<double> marks_up_to(int last) {
   std::vector<double> marks;
-  for (int mark = 1; mark <= most; mark *= 2) marks.push_back(mark);
+  for (int mark = 1; mark < last; mark *= 2) marks.push_back(mark);
+  marks.push_back(last);
   return marks;
 }
 
@@ -38,6 +39,20 @@ struct Way {
   bool relax;
 };
 constexpr Way kWays[] = {{"all pieces moving together now and then", true}, {"ruin and recreate alone", false}};
+
+void add_row(const Way& way, const Snapshot& s, const Quality& q, io::TextTable& table, Json& rows) {
+  table.add({way.name, io::fixed(s.seconds, 1), std::to_string(s.trials), io::fixed(100 * q.coverage, 2),
+             io::fixed(100 * q.overlap, 3), q.balance ? io::fixed(q.balance->evenness, 2) : "-",
+             std::to_string(q.pieces), std::to_string(q.distinct_shapes)});
+  rows.push_back({{"relax", way.relax},
+                  {"seconds", rounded(s.seconds)},
+                  {"trials", s.trials},
+                  {"coverage_percent", rounded(100 * q.coverage)},
+                  {"overlap_percent", rounded(100 * q.overlap)},
+                  {"size_balance", q.balance ? Json(rounded(q.balance->evenness)) : Json()},
+                  {"pieces", q.pieces},
+                  {"distinct_shapes", q.distinct_shapes}});
+}
 
 }  // namespace
 
@@ -58,7 +73,7 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
   master::LibraryShapes shapes(library);
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
 
-  io::TextTable table({"improving by", "s", "trials", "coverage %", "overlap %", "pieces", "shapes"});
+  io::TextTable table({"improving by", "s", "trials", "coverage %", "overlap %", "balance", "pieces", "shapes"});
   Report report;
   report.json = report_head("quality", setting);
   report.json.update({{"library", job.library},
@@ -68,27 +83,25 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
                       {"seed", job.seed},
                       {"rows", Json::array()}});
   Panel open{"What is not covered", "seconds", "% of the canvas", true, 64, {}};
+  Panel balance{"Balance of sizes", "seconds", "1 = even", false, 1, {}};
   for (const Way& way : kWays) {
     settings.improve.relax = way.relax;
     const auto matcher = library_matcher(library, library.size(), settings, setting.devices);
-    Curve curve{way.name, {}, false};
+    Curve open_curve{way.name, {}, false};
+    Curve balance_curve{way.name, {}, false};
     for (const Snapshot& s : snapshots_of(canvas, settings, *matcher, shapes, marks_s)) {
-      const Quality q =
-          measure_quality(canvas, s.placements, [&](ShapeId id) -> const Shape& { return shapes.shape(id); });
-      table.add({way.name, io::fixed(s.seconds, 1), std::to_string(s.trials), io::fixed(100 * q.coverage, 2),
-                 io::fixed(100 * q.overlap, 3), std::to_string(q.pieces), std::to_string(q.distinct_shapes)});
-      report.json["rows"].push_back({{"relax", way.relax},
-                                     {"seconds", rounded(s.seconds)},
-                                     {"trials", s.trials},
-                                     {"coverage_percent", rounded(100 * q.coverage)},
-                                     {"overlap_percent", rounded(100 * q.overlap)},
-                                     {"pieces", q.pieces},
-                                     {"distinct_shapes", q.distinct_shapes}});
-      curve.points.emplace_back(std::max(1., s.seconds), 100 * (1 - q.coverage));
+      const Quality q = measure_quality(
+          canvas, s.placements, [&](ShapeId id) -> const Shape& { return shapes.shape(id); },
+          SizeRange{job.scale_px[0], job.scale_px[1]});
+      add_row(way, s, q, table, report.json["rows"]);
+      open_curve.points.emplace_back(std::max(1., s.seconds), 100 * (1 - q.coverage));
+      balance_curve.points.emplace_back(std::max(1., s.seconds), q.balance ? q.balance->evenness : 0);
     }
-    open.curves.push_back(curve);
+    open.curves.push_back(open_curve);
+    balance.curves.push_back(balance_curve);
   }
-  if (!setting.out.empty()) write_plot({open}, std::filesystem::path(setting.out).replace_extension().string());
+  if (!setting.out.empty())
+    write_plot({open, balance}, std::filesystem::path(setting.out).replace_extension().string());
   report.text = table.text() + "\n" + std::to_string(library.size()) + " shapes, " + std::to_string(size_px) + " x " +
                 std::to_string(size_px) + " px, pieces of " + short_number(job.scale_px[0]) + " to " +
                 short_number(job.scale_px[1]) + " px, seed " + std::to_string(job.seed) +

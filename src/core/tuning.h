@@ -117,10 +117,12 @@ inline constexpr float kContact_px = 1.f;         // runs are counted from a poi
 inline constexpr float kOverlapDepth_px = 0.25f;  // less, where nodes are counted, is rounding of the fields
 inline constexpr float kReachSlack_px = 1.2f;  // what a disc of the reachable radius covers beyond it, counted in nodes
 inline constexpr float kDefectCost = 5;        // scale_aware: a piece that spoils a fifth of its area counts half
-// What pieces.balance = 1 adds to objective.length_exponent and scale_exponent. The first alone costs a dwarf nothing: it
-// fits into its gap along all of its boundary (docs/measurements.md, "Balance of sizes").
+// What pieces.balance = 1 adds to objective.length_exponent and scale_exponent. The first alone costs a dwarf nothing:
+// it fits into its gap along all of its boundary (docs/measurements.md, "Balance of sizes").
 inline constexpr float kBalanceOfLength = 2;
 inline constexpr float kBalanceOfScale = 0.5f;
+inline constexpr float kBalanceOfRepetition = 0.5f;  // of objective.repetition_exponent: so variety stays
+inline constexpr double kDwarfLoss = 0.8;            // of a dwarf's area, in improving: they please nobody
 inline constexpr float kLeastDefect = 0.0025f;  // paper: keeps Z finite for a perfect fit, px² per px² of the piece
 
 // Colour, where a picture is to be shown. Differences are CIEDE2000.

@@ -6,6 +6,7 @@
 
 #include "core/base/interrupted.h"
 #include "core/base/portable_math.h"
+#include "core/collage/objective.h"
 #include "core/tuning.h"
 
 namespace tessera::master {
@@ -13,6 +14,13 @@ namespace {
 
 constexpr std::uint64_t kRuin = 0x7275696e;  // keeps these random numbers apart from those of the dockings
 constexpr std::uint32_t kPassesPerTrial = 4;
+
+/// Of the lowest sixth of sizes, by their logarithm, as dwarfs_below_px (size_balance.h) has it; here without one.
+bool is_dwarf(float scale_px, const PieceSettings& pieces) {
+  const double by_smallest = double(scale_px) / double(pieces.min_scale_px);
+  const double squared = by_smallest * by_smallest;
+  return squared * squared * squared * double(pieces.min_scale_px) < double(pieces.max_scale_px);
+}
 
 /// In whole numbers: the same in any order of the pieces.
 std::int64_t area_256ths_px2(const std::vector<Placement>& placements) {
@@ -49,6 +57,8 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
                 [&collage](const Placement& p) { return collage.poses_of(p); }),
       relax_(pays_to_relax(settings)),
       trials_per_relaxation_(trials_per_relaxation(area_px2, settings.pieces)),
+      pieces_(settings.pieces),
+      dwarf_loss_(kDwarfLoss * double(balance_of(settings.objective))),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
                                              : kRuinedScale * settings.pieces.min_scale_px),
@@ -97,10 +107,20 @@ void Improving::fill(const Look& look) {
   while (filling_.place_one());
 }
 
-/// What is free, and what is covered twice.
+/// What is free, what is covered twice, and some of what dwarfs cover.
 std::int64_t Improving::loss_256ths_px2() const {
   const std::int64_t free = collage_.free().free_256ths_px2();
-  return relax_ ? 2 * free + area_256ths_px2(collage_.placements()) : free;
+  const std::int64_t loss = relax_ ? 2 * free + area_256ths_px2(collage_.placements()) : free;
+  return loss + dwarfs_256ths_px2();
+}
+
+std::int64_t Improving::dwarfs_256ths_px2() const {
+  std::int64_t sum = 0;
+  for (const Placement& p : collage_.placements()) {
+    const double scale_px = p.canvas_from_shape.scale();
+    if (is_dwarf(float(scale_px), pieces_)) sum += std::int64_t(256 * dwarf_loss_ * scale_px * scale_px);
+  }
+  return sum;
 }
 
 void Improving::recreate(std::uint32_t trial, const Look& look) {

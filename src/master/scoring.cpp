@@ -24,7 +24,7 @@ Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, st
                  const Period& period, std::vector<ShapeId> drawings)
     : pieces_(settings.pieces),
       wishes_(settings.wishes),
-      objective_(settings.objective),
+      objective_(balanced(settings.objective)),
       colour_(settings.colour),
       neighbours_(settings.colour, period),
       period_(period),

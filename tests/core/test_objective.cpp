@@ -92,12 +92,13 @@ RC_GTEST_PROP(ObjectiveProperty, balanced_or_not_contact_and_size_are_welcome, (
   RC_ASSERT(value(160, 1) <= 1.f);
 }
 
-RC_GTEST_PROP(ObjectiveProperty, balance_is_two_exponents, ()) {
+RC_GTEST_PROP(ObjectiveProperty, balance_is_three_exponents, ()) {
   ObjectiveSettings settings;
   settings.balance = 0.01f * float(*rc::gen::inRange(0, 101));
   const ObjectiveSettings s = balanced(settings);
   RC_ASSERT(s.length_exponent == settings.length_exponent + kBalanceOfLength * settings.balance);
   RC_ASSERT(s.scale_exponent == settings.scale_exponent + kBalanceOfScale * settings.balance);
+  RC_ASSERT(s.repetition_exponent == settings.repetition_exponent * (1 + kBalanceOfRepetition * settings.balance));
   const DockingTerms terms{float(*rc::gen::inRange(1, 200)), float(*rc::gen::inRange(0, 99)), 20, 100, 400};
   RC_ASSERT(objective(terms, kPiece, settings) == objective(terms, kPiece, s));
 }

@@ -352,7 +352,7 @@ TEST(Clearing, LeavesNoConflictWhateverTheRule) {
   EXPECT_TRUE(rc::check([&] {
     PieceSettings settings;
     settings.padding_px = *rc::gen::element(0.f, 2.f);
-    settings.overlap_px = *rc::gen::element(0.f, 1.4f);
+    settings.overlap_px = *rc::gen::element(0.f, 0.0005f, 1.4f);
     settings.max_scale_px = 60;
     const Canvas& where = **rc::gen::element(&canvas, &tube);
     std::vector<RelaxedPiece> pieces = any_pieces(kCanvas_px);
@@ -396,10 +396,10 @@ TEST(Clearing, APieceIsAsLargeAsTheOutlinesAllow) {
 }
 
 /// Growing is not its task: nobody would hold a piece back that lies alone.
-TEST(Clearing, APieceBecomesNoLargerThanItWas) {
+TEST(Clearing, APieceBecomesHardlyLargerThanItWas) {
   std::vector<RelaxedPiece> pieces{piece(kDisc, pose(30, 0, {50, 50}), {10, 500, {}})};
   make_clear(pieces, {0}, rectangle(100), {}, do_not_look);
-  EXPECT_LT(pieces[0].canvas_from_shape.scale(), 30 * 1.004f);
+  EXPECT_LT(pieces[0].canvas_from_shape.scale(), 30.101f);
 }
 
 TEST(BoundarySamples, LengthsAddUpAndStepsAreBounded) {

@@ -1,4 +1,4 @@
-// A collage whose placements are replaced knows no more of what was matched before than a new one.
+// A collage whose placements are replaced goes on by its placements before and after, whatever it matched before.
 #include <gtest/gtest.h>
 
 #include "rounds_by_hand.h"
@@ -37,10 +37,10 @@ TEST_F(ReplacePlacements, ForgetsWhatItsSamplesWereMatchedWith) {
 }
 
 /// Changes add up from now on, and not from what was matched before.
-TEST_F(ReplacePlacements, GoesOnAsACollageThatBeginsWithThem) {
+TEST_F(ReplacePlacements, GoesOnAsAnyWithTheSamePlacementsBeforeAndAfter) {
   test::RoundsByHand fresh(canvas_, settings(), library());
   const std::vector<Placement> placements = rounds_.state().placements;
-  fresh.collage().replace_placements(placements);  // what comes next follows from the placements before, too
+  fresh.collage().replace_placements(placements);
   for (test::RoundsByHand* rounds : {&rounds_, &fresh}) {
     rounds->collage().replace_placements(placements);
     rounds->collage().mark_stale(canvas_.distance.value.bounds());

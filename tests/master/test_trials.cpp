@@ -66,6 +66,32 @@ TEST_F(TrialsTest, AnInterruptedTrialIsPutBack) {
   EXPECT_EQ(collage_.placements(), before_);
 }
 
+/// Two dwarfs in the place of a piece: more of the canvas is covered.
+class DwarfsTest : public TrialsTest {
+ protected:
+  static CollageSettings with_balance(float balance) {
+    CollageSettings s = unsettled();
+    s.objective.balance = balance;
+    return s;
+  }
+  explicit DwarfsTest(float balance = 1) : TrialsTest(with_balance(balance)) {}
+
+  bool any_kept() {
+    for (int trial = 0; trial < 12; ++trial) {
+      if (try_with({piece(0, 24, {18, 18}), piece(0, 24, {46, 18})}) == Trial::kept) return true;
+    }
+    return false;
+  }
+};
+
+class DwarfsInContrastTest : public DwarfsTest {
+ protected:
+  DwarfsInContrastTest() : DwarfsTest(0) {}
+};
+
+TEST_F(DwarfsTest, AreNoGainWhereSizesAreToBeEven) { EXPECT_FALSE(any_kept()); }
+TEST_F(DwarfsInContrastTest, AreAGainElsewhere) { EXPECT_TRUE(any_kept()); }
+
 class RelaxingTest : public TrialsTest {
  protected:
   static CollageSettings relaxing() {

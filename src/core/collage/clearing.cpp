@@ -67,7 +67,7 @@ class Clearing {
   }
 
  private:
-  /// Up to the size that pieces had: they made way for others that did so, too.
+  /// Pieces made way for others that did so, too.
   void grow_again(const std::vector<std::size_t>& lost, const std::function<void()>& look) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (!may_move_[i] || std::binary_search(lost.begin(), lost.end(), i)) continue;

@@ -14,10 +14,15 @@ const std::array<ObjectiveKind, 2>& objective_kinds() {
   return kinds;
 }
 
+float balance_of(const ObjectiveSettings& settings) {
+  return settings.kind == Objective::scale_aware ? settings.balance : 0;
+}
+
 ObjectiveSettings balanced(ObjectiveSettings settings) {
-  const float balance = settings.kind == Objective::scale_aware ? settings.balance : 0;
+  const float balance = balance_of(settings);
   settings.length_exponent += kBalanceOfLength * balance;
   settings.scale_exponent += kBalanceOfScale * balance;
+  settings.repetition_exponent *= 1 + kBalanceOfRepetition * balance;
   settings.balance = 0;
   return settings;
 }

@@ -36,8 +36,11 @@ struct ObjectiveKind {
 /// The kinds stand in the order of enum class Objective.
 const std::array<ObjectiveKind, 2>& objective_kinds();
 
-/// The settings without `balance`, which is in the exponents instead: the more even sizes are to be, the more counts how
-/// much of a piece's boundary touches. The paper's Z stays as it is.
+/// The paper's Z knows none: 0.
+float balance_of(const ObjectiveSettings& settings);
+
+/// The settings without `balance`, which is in the exponents instead: the more even sizes are to be, the more counts
+/// how much of a piece's boundary touches.
 ObjectiveSettings balanced(ObjectiveSettings settings);
 
 /// The function of the kind that the settings name, balanced, times (s / s_max)^scale_exponent.

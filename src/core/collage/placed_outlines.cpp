@@ -26,6 +26,11 @@ constexpr float kSuspectPlaced_px = 0.75f;
 /// Pieces that still move end at the very limit: so much clear of it, rounding hides no conflict from one of the two.
 constexpr float kFromBothSides_px = 0.001f;
 
+/// What is a depth stays one.
+float seen_from_both_sides(float needed_px) {
+  return needed_px > 0 ? needed_px + kFromBothSides_px : std::min(needed_px + kFromBothSides_px, 0.f);
+}
+
 /// Of a piece that was taken out: near to nothing.
 constexpr Box kNowhere{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
@@ -187,9 +192,9 @@ bool PlacedOutlines::holds_a_zone(const PolygonIndex& piece) const {
   return false;
 }
 
-bool PlacedOutlines::any_near(const Box& piece) const {
+bool PlacedOutlines::any_near(const Box& piece, float reach_px) const {
   return std::any_of(placed_.begin(), placed_.end(),
-                     [&](const Placed& placed) { return within_reach(piece, placed.box, std::max(needed_px_, 0.f)); });
+                     [&](const Placed& placed) { return within_reach(piece, placed.box, reach_px); });
 }
 
 /// By its box: a piece that is longer than the period stands nowhere, even where it could pass its own image.
@@ -227,10 +232,11 @@ void PlacedOutlines::add_ways(const PolygonIndex& piece, InPiece in_piece, const
 
 std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity& canvas_from_shape) const {
   const PolygonIndex piece(placed_outline(shape.outline, canvas_from_shape));
+  const float reach_px = std::max(needed_px_, 0.f);
   std::vector<Vec2> ways;
   add_neighbours(shape, canvas_from_shape, piece, ways);
   for (const Vec2 offset : free_.grid().period().offsets()) {
-    if (offset == Vec2{} || !any_near({piece.box().low + offset, piece.box().high + offset})) continue;
+    if (offset == Vec2{} || !any_near({piece.box().low + offset, piece.box().high + offset}, reach_px)) continue;
     const Similarity image = moved(canvas_from_shape, offset);
     add_neighbours(shape, image, PolygonIndex(placed_outline(shape.outline, image)), ways);
   }
@@ -242,16 +248,17 @@ std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity
 
 std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index, const FieldDistance& distance_px) const {
   const PolygonIndex& piece = *placed_[index].outline;
-  const float needed_px = needed_px_ + kFromBothSides_px;
+  const float needed_px = seen_from_both_sides(needed_px_);
+  const float reach_px = std::max(needed_px, 0.f);
   std::vector<Vec2> ways;
   for (const Vec2 offset : free_.grid().period().offsets()) {
     const bool own_place = offset == Vec2{};
     const Box box{piece.box().low + offset, piece.box().high + offset};
-    if (!own_place && !any_near(box)) continue;
+    if (!own_place && !any_near(box, reach_px)) continue;
     std::optional<PolygonIndex> image;
     if (!own_place) image.emplace(moved(piece.outline(), offset));
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      if ((own_place && i == index) || !within_reach(box, placed_[i].box, std::max(needed_px, 0.f))) continue;
+      if ((own_place && i == index) || !within_reach(box, placed_[i].box, reach_px)) continue;
       const auto in_piece = [&](Vec2 p) { return distance_px(index, p - offset) < kSuspectPlaced_px; };
       const auto in_other = [&](Vec2 p) { return distance_px(i, p) < kSuspectPlaced_px; };
       add_ways(own_place ? piece : *image, in_piece, *placed_[i].outline, in_other, needed_px, ways);

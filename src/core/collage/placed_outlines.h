@@ -55,7 +55,7 @@ class PlacedOutlines {
   template <class InPiece, class InOther>
   void add_ways(const PolygonIndex& piece, InPiece in_piece, const PolygonIndex& other, InOther in_other,
                 float needed_px, std::vector<Vec2>& ways) const;
-  bool any_near(const Box& piece) const;
+  bool any_near(const Box& piece, float reach_px) const;
   bool reaches_itself(const Box& piece) const;
   static bool too_near(const PolygonIndex& piece, const PolygonIndex& other, float needed_px, Vec2& way);
   bool too_near_the_edge(const PolygonIndex& piece, Vec2& way) const;
