@@ -14,12 +14,15 @@ namespace {
 
 constexpr std::uint64_t kRuin = 0x7275696e;  // keeps these random numbers apart from those of the dockings
 constexpr std::uint32_t kPassesPerTrial = 4;
+constexpr double kLeastDwarfs = 5;  // times so much is still less than the largest size
 
-/// Of the lowest sixth of sizes, by their logarithm, as dwarfs_below_px (size_balance.h) has it; here without one.
-bool is_dwarf(float scale_px, const PieceSettings& pieces) {
-  const double by_smallest = double(scale_px) / double(pieces.min_scale_px);
+/// Of the lowest sixth of sizes, by their logarithm, as dwarfs_below_px (size_balance.h) has it; here without one. Where
+/// sizes are much alike nobody takes the smallest for dwarfs.
+bool is_dwarf(double scale_px, const PieceSettings& pieces) {
+  const double by_smallest = scale_px / double(pieces.min_scale_px);
   const double squared = by_smallest * by_smallest;
-  return squared * squared * squared * double(pieces.min_scale_px) < double(pieces.max_scale_px);
+  return squared * squared * squared * double(pieces.min_scale_px) < double(pieces.max_scale_px) &&
+         scale_px * kLeastDwarfs < double(pieces.max_scale_px);
 }
 
 /// In whole numbers: the same in any order of the pieces.
@@ -118,7 +121,7 @@ std::int64_t Improving::dwarfs_256ths_px2() const {
   std::int64_t sum = 0;
   for (const Placement& p : collage_.placements()) {
     const double scale_px = p.canvas_from_shape.scale();
-    if (is_dwarf(float(scale_px), pieces_)) sum += std::int64_t(256 * dwarf_loss_ * scale_px * scale_px);
+    if (is_dwarf(scale_px, pieces_)) sum += std::int64_t(256 * dwarf_loss_ * scale_px * scale_px);
   }
   return sum;
 }

@@ -69,12 +69,13 @@ TEST_F(TrialsTest, AnInterruptedTrialIsPutBack) {
 /// Two dwarfs in the place of a piece: more of the canvas is covered.
 class DwarfsTest : public TrialsTest {
  protected:
-  static CollageSettings with_balance(float balance) {
+  static CollageSettings with(float balance, float largest_px) {
     CollageSettings s = unsettled();
     s.objective.balance = balance;
+    s.pieces.max_scale_px = largest_px;
     return s;
   }
-  explicit DwarfsTest(float balance = 1) : TrialsTest(with_balance(balance)) {}
+  explicit DwarfsTest(float balance = 1, float largest_px = 130) : TrialsTest(with(balance, largest_px)) {}
 
   bool any_kept() {
     for (int trial = 0; trial < 12; ++trial) {
@@ -89,6 +90,12 @@ class DwarfsInContrastTest : public DwarfsTest {
   DwarfsInContrastTest() : DwarfsTest(0) {}
 };
 
+class AmongPiecesAlikeTest : public DwarfsTest {
+ protected:
+  AmongPiecesAlikeTest() : DwarfsTest(1, 110) {}
+};
+
+TEST_F(AmongPiecesAlikeTest, TheSmallestAreNoDwarfs) { EXPECT_TRUE(any_kept()); }
 TEST_F(DwarfsTest, AreNoGainWhereSizesAreToBeEven) { EXPECT_FALSE(any_kept()); }
 TEST_F(DwarfsInContrastTest, AreAGainElsewhere) { EXPECT_TRUE(any_kept()); }
 
