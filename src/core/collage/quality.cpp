@@ -34,7 +34,8 @@ int cells_per_px(const Canvas& canvas) {
 }
 
 /// The canvas, with a rim that is no region, and all pieces; where it is seamless, one period.
-Window counted_cells(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, const Similarity& cells_from_canvas) {
+Window counted_cells(const Canvas& canvas, const std::vector<JudgedPiece>& pieces,
+                     const Similarity& cells_from_canvas) {
   const int n = int(cells_from_canvas.a);
   const Window own{0, 0, canvas.width_px * n, canvas.height_px * n};
   Window all = own.grown(1);
