@@ -77,7 +77,7 @@ expect_refusal 'pipe: not a readable file: found a pipe' pipe --size 100,80
 expect_refusal 'pipe: not a readable file: found a pipe' theirs.geojson --canvas pipe
 expect_refusal 'result: not a readable file: found a folder' result --size 100,80
 expect_refusal 'tessera: nan.geojson: feature 0: no JSON' nan.geojson --size 100,80
-expect_refusal 'feature 1: geometry.coordinates: found [33.000, 10.000], far from the canvas of 20 x 20' \
+expect_refusal 'feature 1: geometry.coordinates: found a piece from [33.000, 10.000] to [53.000, 30.000], far from' \
   theirs.geojson --size 20,20
 expect_refusal 'job.toml, allowed: nothing, as the job says it' theirs.geojson --canvas result/job.toml --size 100,80
 expect_refusal 'job file none.toml: not found' theirs.geojson --canvas none.toml

@@ -304,7 +304,7 @@ TEST(Quality, SaysWhatAnEyeSees) {
 
 TEST(Quality, PartsOfAPieceOutsideOfTheCanvasAreOutside) {
   JudgedPiece two = square(20, {50, 50});
-  two.outline_px.curves.push_back(square(20, {150, 50}).outline_px.curves[0]);
+  two.outline_px.curves.push_back(square(20, {130, 50}).outline_px.curves[0]);
   EXPECT_NEAR(measure_quality(make_rectangle_canvas(100, 100), {two}).outside, 0.04, 1e-6);
 }
 
