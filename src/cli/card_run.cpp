@@ -1,5 +1,7 @@
 #include "cli/card_run.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -15,6 +17,8 @@
 
 namespace tessera::cli {
 namespace {
+
+constexpr double kSmallest_px = 0.01;  // a piece that may be read (io/result/polygon_pieces.h) is as large
 
 /// What pieces are held against.
 struct Frame {
@@ -52,6 +56,14 @@ Canvas canvas_in_file(const CardArguments& arguments) {
   return io::load_canvas(spec);
 }
 
+/// Whether `pieces.scale_px` of the job says how large each piece may be.
+bool has_one_range(const io::Job& job) {
+  if (job.settings.pieces.fit_all || job.drawn_sizes) return false;
+  const auto table = job.tables.find("shapes");
+  return table == job.tables.end() || std::none_of(table->second.begin(), table->second.end(),
+                                                   [](const io::JobRow& row) { return row.contains("scale_px"); });
+}
+
 Frame frame_of_job(const CardArguments& arguments) {
   if (!arguments.size_px.empty()) {
     throw InputError("--size: found beside the job " + arguments.canvas + ", allowed: nothing, as the job says it");
@@ -59,7 +71,7 @@ Frame frame_of_job(const CardArguments& arguments) {
   const io::Job job = io::load_job(arguments.canvas, {});
   const PieceSettings& pieces = job.settings.pieces;
   Frame frame{io::canvas_of(job), {}};
-  if (!pieces.fit_all) frame.sizes = SizeRange{pieces.min_scale_px, pieces.max_scale_px};
+  if (has_one_range(job)) frame.sizes = SizeRange{pieces.min_scale_px, pieces.max_scale_px};
   return frame;
 }
 
@@ -71,11 +83,19 @@ Frame frame_of(const CardArguments& arguments) {
   throw InputError("--canvas: found nothing, allowed: an SVG, an image or a job.toml; or --size W,H, a rectangle");
 }
 
+/// As few digits as give the same number back: "20", "1e-310".
+std::string short_text(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
 SizeRange checked_sizes(const std::vector<double>& sizes_px) {
   const io::JobKey& scale = *io::find_job_key("pieces", "scale_px");
-  if (sizes_px[0] > 0 && sizes_px[0] <= sizes_px[1] && sizes_px[1] <= scale.max) return {sizes_px[0], sizes_px[1]};
-  throw InputError("--sizes: found " + std::to_string(sizes_px[0]) + "," + std::to_string(sizes_px[1]) +
-                   ", allowed: MIN,MAX above 0 up to " + io::fixed(scale.max, 0) + " px");
+  if (sizes_px[0] >= kSmallest_px && sizes_px[0] <= sizes_px[1] && sizes_px[1] <= scale.max) {
+    return {sizes_px[0], sizes_px[1]};
+  }
+  throw InputError("--sizes: found " + short_text(sizes_px[0]) + "," + short_text(sizes_px[1]) +
+                   ", allowed: MIN,MAX from " + io::fixed(kSmallest_px, 2) + " to " + io::fixed(scale.max, 0) + " px");
 }
 
 }  // namespace

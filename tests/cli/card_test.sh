@@ -25,6 +25,16 @@ for key in coverage_fraction overlap_fraction outside_fraction pieces distinct_s
     exit !(differs <= (key ~ /px$/ ? 0.1 : 0.003)) }' ||
     fail "$key: $(value output "$key") instead of $(value result/card.json "$key")"
 done
+# The job's range is that of all pieces, unless they have sizes of their own.
+sed '/^scale_px/a sizes = "drawn"' job.toml >drawn.toml
+{ cat job.toml && printf '[[shapes]]\nnames = ["*"]\nscale_px = [30, 50]\n'; } >tables.toml
+run 0 card result/pieces.geojson --canvas job.toml
+grep -q 'over 14.0 to 60.0 px' output || fail "another range than the job's: $(cat output)"
+for job in drawn.toml tables.toml; do
+  run 0 card result/pieces.geojson --canvas $job
+  grep -q 'balance of sizes .*over [0-9.]* to [0-9.]* px' output || fail "no range with $job: $(cat output)"
+  ! grep -q 'over 14.0 to 60.0 px' output || fail "the range of pieces.scale_px with $job"
+done
 grep -q 'last_tenth_percent": null' result/card.json || fail "a curve of few rounds"
 run 0 collage job.toml --out improved --quiet --set stop.pieces=0 --set improve.trials=60
 grep -q 'last_tenth_percent": -\?[0-9]' improved/card.json || fail "no word of the last tenth of the time"
@@ -67,7 +77,7 @@ expect_refusal 'pipe: not a readable file: found a pipe' pipe --size 100,80
 expect_refusal 'pipe: not a readable file: found a pipe' theirs.geojson --canvas pipe
 expect_refusal 'result: not a readable file: found a folder' result --size 100,80
 expect_refusal 'tessera: nan.geojson: feature 0: no JSON' nan.geojson --size 100,80
-expect_refusal 'feature 1: geometry.coordinates: found [33.000, 10.000], far from the canvas of 20 x 20' \
+expect_refusal 'feature 1: geometry.coordinates: found a piece from [33.000, 10.000] to [53.000, 30.000], far from' \
   theirs.geojson --size 20,20
 expect_refusal 'job.toml, allowed: nothing, as the job says it' theirs.geojson --canvas result/job.toml --size 100,80
 expect_refusal 'job file none.toml: not found' theirs.geojson --canvas none.toml

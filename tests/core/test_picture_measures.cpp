@@ -18,7 +18,7 @@ namespace tessera {
 namespace {
 
 JudgedPiece laid(const Outline& unit_outline, float scale_px, Vec2 centre_px, const std::string& shape,
-               float rotation_rad = 0) {
+                 float rotation_rad = 0) {
   const Similarity t{scale_px * std::cos(rotation_rad), scale_px * std::sin(rotation_rad), centre_px.x, centre_px.y};
   return {placed_outline(unit_outline, t), shape, centre_px, scale_px};
 }
@@ -78,6 +78,8 @@ TEST(SizeBalance, IsNotInventedWhereThereIsOneSize) {
   EXPECT_FALSE(size_balance(of_sizes({30, 30.2f}), {30, 30.2}));
   EXPECT_TRUE(size_balance(of_sizes({30, 30.5f}), {30, 30.5}));
   EXPECT_FALSE(size_balance({}, {20, 160}));
+  EXPECT_FALSE(size_balance(of_sizes({30, 40}), {1e-310, 100})) << "too far apart to divide";
+  EXPECT_FALSE(size_balance(of_sizes({30, 40}), {20, NAN}));
   EXPECT_FALSE(size_balance({}, size_range_of({})));
 }
 
@@ -101,7 +103,7 @@ RC_GTEST_PROP(SizeBalance, LiesFromNothingToOneAndKnowsNoUnit, ()) {
 TEST(NearestCopies, AreTheMedianOverThePieces) {
   // a: 10, 10, 90 apart from the nearest; b stands alone.
   const std::vector<JudgedPiece> pieces = {square(5, {0, 0}, "a"), square(5, {10, 0}, "a"), square(5, {100, 0}, "a"),
-                                         square(5, {50, 0}, "b")};
+                                           square(5, {50, 0}, "b")};
   EXPECT_EQ(median_copy_distance_px(pieces, {}), (10 + 90) / 2.);
 }
 
@@ -109,7 +111,7 @@ TEST(NearestCopies, AreNoneWhereMostShapesStandOnce) {
   EXPECT_FALSE(median_copy_distance_px({}, {}));
   EXPECT_FALSE(median_copy_distance_px({square(5, {0, 0}, "a"), square(5, {9, 0}, "b")}, {}));
   const std::vector<JudgedPiece> half = {square(5, {0, 0}, "a"), square(5, {9, 0}, "a"), square(5, {0, 9}, "b"),
-                                       square(5, {9, 9}, "c")};
+                                         square(5, {9, 9}, "c")};
   EXPECT_FALSE(median_copy_distance_px(half, {}));
 }
 
@@ -160,8 +162,8 @@ RC_GTEST_PROP(NearestCopies, AgreeWithBruteForce, ()) {
 TEST(PieceGaps, AreDistancesBetweenPolygons) {
   // Corner to side: the turned square's corner is half a diagonal from its centre.
   const float corner_px = 20 / std::sqrt(2.f);
-  const std::vector<JudgedPiece> pieces = {square(20, {50, 50}), square(20, {50 + 10 + corner_px + 3, 50}, "", 0.785398f),
-                                         square(20, {50, 200})};
+  const std::vector<JudgedPiece> pieces = {
+      square(20, {50, 50}), square(20, {50 + 10 + corner_px + 3, 50}, "", 0.785398f), square(20, {50, 200})};
   const PieceGaps gaps = piece_gaps(pieces, {}, 2);
   EXPECT_NEAR(gaps.smallest_px.value(), 3, 1e-3);
   EXPECT_EQ(gaps.alone, 1);
@@ -186,6 +188,15 @@ TEST(PieceGaps, NeedTwoPieces) {
   EXPECT_EQ(piece_gaps({square(40, {50, 50})}, {}, 2).alone, 1);
 }
 
+TEST(PieceGaps, DoNotDependOnWhichImageWasLaid) {
+  // One period apart from the last of GoOnAcrossASeam's, and more.
+  for (const float periods : {-2.f, -1.f, 1.f, 2.f}) {
+    const std::vector<JudgedPiece> pieces = {square(20, {10, 50}), square(20, {85 + 100 * periods, 50})};
+    EXPECT_NEAR(piece_gaps(pieces, {100, 0}, 2).smallest_px.value(), 5, 1e-3) << periods;
+    EXPECT_EQ(piece_gaps(pieces, {100, 0}, 6).alone, 0) << periods;
+  }
+}
+
 TEST(PieceGaps, GoOnAcrossASeam) {
   const std::vector<JudgedPiece> pieces = {square(20, {10, 50}), square(20, {85, 50})};
   EXPECT_NEAR(piece_gaps(pieces, {}, 2).smallest_px.value(), 55, 1e-3);
@@ -193,7 +204,7 @@ TEST(PieceGaps, GoOnAcrossASeam) {
   EXPECT_NEAR(piece_gaps({square(20, {50, 50})}, {30, 100}, 2).smallest_px.value(), 10, 1e-3) << "its own image";
 }
 
-/// Blobs, some of which overlap; some have a part that lies apart.
+/// Blobs, some of which overlap; some have a part that lies apart. Their centres lie from -0.5 to 1.5 times 260 px.
 std::vector<JudgedPiece> random_blobs() {
   std::vector<JudgedPiece> pieces;
   for (int i = *rc::gen::inRange(2, 8); i > 0; --i) {
@@ -203,7 +214,7 @@ std::vector<JudgedPiece> random_blobs() {
       blob.curves.push_back(blob.curves[0]);
       for (Vec2& p : blob.curves[1]) p = p + Vec2{4, 0};
     }
-    const Vec2 at{float(*rc::gen::inRange(0, 2000)) / 10, float(*rc::gen::inRange(0, 2000)) / 10};
+    const Vec2 at{float(*rc::gen::inRange(-1300, 3900)) / 10, float(*rc::gen::inRange(-1300, 3900)) / 10};
     pieces.push_back(laid(blob, float(*rc::gen::inRange(3, 20)), at, "blob"));
   }
   return pieces;
@@ -235,8 +246,10 @@ RC_GTEST_PROP(PieceGaps, AgreeWithBruteForce, ()) {
   std::vector<bool> alone(pieces.size(), true);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t j = 0; j < pieces.size(); ++j) {
-      for (const Vec2 offset : period.offsets()) {
-        if (i == j && offset == Vec2{}) continue;
+      const Vec2 nearest = period.nearest(pieces[j].centre_px, pieces[i].centre_px) - pieces[j].centre_px;
+      for (const Vec2 image : period.offsets()) {
+        if (i == j && image == Vec2{}) continue;
+        const Vec2 offset = nearest + image;
         const double px = gap_by_brute_force(pieces[i].outline_px, moved(pieces[j].outline_px, offset));
         smallest = std::min(smallest, px);
         if (px < reach_px) alone[i] = false;
@@ -275,7 +288,7 @@ TEST(PieceGaps, OfTwentyThousandPiecesTakeSeconds) {
 TEST(Quality, SaysWhatAnEyeSees) {
   const Canvas canvas = make_rectangle_canvas(300, 400);
   const std::vector<JudgedPiece> pieces = {square(40, {60, 100}, "a"), square(40, {101, 100}, "a"),
-                                         square(80, {200, 300}, "a")};
+                                           square(80, {200, 300}, "a")};
   const Quality own = measure_quality(canvas, pieces);
   EXPECT_EQ(own.size_range_px.min_px, 40);
   EXPECT_EQ(own.size_range_px.max_px, 80);
@@ -291,7 +304,7 @@ TEST(Quality, SaysWhatAnEyeSees) {
 
 TEST(Quality, PartsOfAPieceOutsideOfTheCanvasAreOutside) {
   JudgedPiece two = square(20, {50, 50});
-  two.outline_px.curves.push_back(square(20, {150, 50}).outline_px.curves[0]);
+  two.outline_px.curves.push_back(square(20, {130, 50}).outline_px.curves[0]);
   EXPECT_NEAR(measure_quality(make_rectangle_canvas(100, 100), {two}).outside, 0.04, 1e-6);
 }
 

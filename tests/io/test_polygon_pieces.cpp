@@ -39,6 +39,18 @@ std::string repeated(const std::string& text, std::size_t times) {
   return all;
 }
 
+/// The positions of a comb from `at` on, so many teeth `apart_px`, from `low_px` to `high_px` below it. Two more close it.
+std::string teeth(int count, double apart_px, double low_px, double high_px, Vec2 at = {}) {
+  const auto position = [&](double x, double y) {
+    return "[" + std::to_string(at.x + x) + "," + std::to_string(at.y + y) + "]";
+  };
+  std::string all = position(0, 0);
+  for (int i = 0; i < count; ++i) {
+    all += "," + position(i * apart_px, high_px) + "," + position((i + 0.5) * apart_px, low_px);
+  }
+  return all;
+}
+
 const std::string kSquare = "[[10,10],[30,10],[30,30],[10,30],[10,10]]";  // 20 px
 const std::string kHole = "[[15,15],[25,15],[25,25],[15,25],[15,15]]";
 
@@ -139,6 +151,8 @@ TEST_F(PolygonPieces, MistakesNameTheFeatureTheKeyAndWhatIsAllowed) {
   expect_mistake(feature("[1,2]", "Point"), "geometry.type: found \"Point\", allowed: \"Polygon\" or \"MultiPolygon\"");
   expect_mistake(R"({"geometry":{"type":"Polygon"}})", "geometry.coordinates: found nothing, allowed: a list of rings");
   expect_mistake(feature("[" + kSquare + "]", "Polygon", R"({"shape":7})"), "shape: found 7, allowed: a text");
+  expect_mistake(feature("[" + kSquare + "]", "Polygon", R"({"shape":["cat"]})"), "shape: found a list, allowed");
+  expect_mistake(feature("[" + kSquare + "]", "Polygon", R"({"shape":{"name":"cat"}})"), "shape: found an object");
   expect_wrong_coordinates("7", "7, allowed: a list of rings");
   expect_wrong_coordinates("[]", "an empty list");
   expect_wrong_coordinates("[[]]", "an empty list");
@@ -175,13 +189,40 @@ TEST_F(PolygonPieces, RingsAreSimple) {
 TEST_F(PolygonPieces, NumbersAreWithinReason) {
   expect_wrong_coordinates("[[[1e308,2]]]", "1e+308, allowed: px from -20000 to 40000");
   expect_wrong_coordinates("[[[1,-20001]]]", "-20001, allowed: px from");
-  expect_wrong_coordinates("[[[0,0],[301,0],[301,10],[0,0]]]",
-                           "[301.000, 0.000], far from the canvas of 200 x 100 px, allowed: up to half of its width");
-  EXPECT_EQ(pieces_in(collection(feature("[[[0,0],[299,0],[299,10],[0,0]]]"))).size(), 1u);
+  expect_wrong_coordinates("[[[301,0],[310,0],[310,10],[301,0]]]",
+                           "a piece from [301.000, 0.000] to [310.000, 10.000], far from the canvas of 200 x 100 px, "
+                           "allowed: up to half of its width");
+  expect_wrong_coordinates("[[[0,-90],[9,-90],[9,-51],[0,-90]]]", "a piece from [0.000, -90.000]");
+  EXPECT_EQ(pieces_in(collection(feature("[[[0,0],[301,0],[301,10],[0,0]]]"))).size(), 1u) << "a part is near";
   for (const char* number : {"NaN", "Infinity", "1e999", "-", "0x10"}) {
     EXPECT_EQ(mistake(collection(feature(std::string("[[[") + number + ",2]]]"))).substr(0, 19), "feature 0: no JSON:")
         << number;
   }
+}
+
+TEST_F(PolygonPieces, OfASeamlessCanvasAreTakenFromAnyPeriod) {
+  Canvas seamless = canvas();
+  seamless.period = {200, 100};
+  // 340 px long and 10 high; its centre lies in the one period, one before it, and three behind.
+  for (const int x : {-160, -360, 440}) {
+    const std::string from = std::to_string(x), to = std::to_string(x + 340);
+    const std::string ring = "[[" + from + ",20],[" + to + ",20],[" + to + ",30],[" + from + ",30],[" + from + ",20]]";
+    const std::string path = folder_.write("pieces.geojson", collection(feature("[" + ring + "]")));
+    const std::vector<JudgedPiece> pieces = read_polygon_pieces(path, seamless);
+    ASSERT_EQ(pieces.size(), 1u) << x;
+    EXPECT_NEAR(norm(pieces[0].centre_px - Vec2{10, 25}), 0, 1e-3) << x;
+    EXPECT_EQ(bounding_box(pieces[0].outline_px.curves[0]).low, (Vec2{-160, 20})) << x;
+    EXPECT_NEAR(measure_quality(seamless, pieces).coverage, 0.1, 1e-6) << x;
+  }
+}
+
+TEST_F(PolygonPieces, AFarPartTakesNoMemory) {
+  const std::string bytes = collection(feature("[[[10,10],[39990,39980],[39990,39990],[10,10]]]") + "," +
+                                       feature("[[[10,10],[-19990,-19980],[-19990,-19990],[10,10]]]"));
+  const test::ChildReport report =
+      test::in_child([&] { return std::to_string(measure_quality(canvas(), pieces_in(bytes)).pieces); });
+  test::expect_survived(report, "two needles");
+  EXPECT_EQ(report.said, "2");
 }
 
 TEST_F(PolygonPieces, WhatIsNoCollectionIsAMistake) {
@@ -210,18 +251,42 @@ TEST_F(PolygonPieces, WhatIsNoFileIsAMistake) {
 TEST_F(PolygonPieces, FilesThatWouldEatTheMachineAreRefused) {
   const std::string open_features = R"({"features":[)";
   const std::string open_ring = open_features + R"({"geometry":{"type":"Polygon","coordinates":[[)";
-  std::string teeth = "[0,0]";  // a comb of 0.01 px teeth, 99 px high
-  for (int i = 0; i < 9'000; ++i)
-    teeth += ",[" + std::to_string(i / 100.) + ",99],[" + std::to_string(i / 100.) + "5,1]";
-  const std::string comb = feature("[[" + teeth + ",[99,0],[0,0]]]");
-  for (const std::string& bytes :
-       {repeated("[", 1'000'000), repeated("{\"a\":", 1'000'000), open_features + repeated("[", 1'000'000),
-        open_ring + repeated("[", 1'000'000), open_ring + repeated("[1,2],", 3'000'000),
-        open_ring + repeated("1,", 3'000'000), open_features + repeated("{\"geometry\":{},", 500'000),
-        collection(repeated(comb + ",", 40) + comb)}) {
+  // Its teeth are 0.01 px wide and 98 high, in the box of one piece.
+  const std::string comb = feature("[[" + teeth(9'000, 0.01, 1, 99) + ",[99,0],[0,0]]]");
+  const std::string dense = feature("[[" + teeth(2'000, 0.001, 1.95, 2) + ",[2,0],[0,0]]]");
+  const std::string long_comb = feature("[[" + teeth(90, 1, 1, 99) + ",[99,0],[0,0]]]");
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {repeated("[", 1'000'000), "the file: found a list"},
+      {repeated("{\"a\":", 1'000'000), "more than 32 levels deep"},
+      {open_features + repeated("[", 1'000'000), "the feature: found a list"},
+      {open_ring + repeated("[", 1'000'000), "more than 32 levels deep"},
+      {open_ring + repeated("[1,2],", 3'000'000), "more than 20000 positions"},
+      {open_ring + repeated("1,", 3'000'000), "no JSON"},
+      {open_features + repeated("{\"geometry\":{},", 500'000), "no JSON"},
+      {collection(comb), "px of boundary in a box of 99.0 x 99.0 px, allowed: up to 100 times its width and height"},
+      {collection(dense), "4002 positions in a box of 2.0 x 2.0 px, allowed: 1000, and 100 for each px"},
+      {collection(repeated(long_comb + ",", 500) + long_comb), "more than 8 million px of boundary up to here"}};
+  for (const auto& [bytes, word] : files) {
     const test::ChildReport report = test::in_child([&] { return mistake(bytes); });
     test::expect_survived(report, bytes.substr(0, 60));
-    EXPECT_NE(report.said, "") << bytes.substr(0, 60);
+    EXPECT_NE(report.said.find(word), std::string::npos) << bytes.substr(0, 60) << ": " << report.said;
+  }
+}
+
+TEST_F(PolygonPieces, DenseFilesWithinTheLimitsAreMeasuredInSeconds) {
+  const std::string long_comb = feature("[[" + teeth(90, 1, 1, 99) + ",[99,0],[0,0]]]");
+  std::string small_combs;  // each 1.9 px from four others
+  for (int i = 0; i < 1'250; ++i) {
+    const double x = i % 50 * 3.9, y = i / 50 * 3.9;
+    const std::string end = ",[" + std::to_string(x + 2) + "," + std::to_string(y) + "],";
+    const std::string ring = teeth(690, 0.0029, 1.75, 2, {float(x), float(y)});
+    small_combs += (i ? "," : "") + feature("[[" + ring + end + ring.substr(0, ring.find("]") + 1) + "]]");
+  }
+  for (const std::string& features : {repeated(long_comb + ",", 100) + long_comb, small_combs}) {
+    const test::ChildReport report = test::in_child(
+        [&] { return std::to_string(measure_quality(canvas(), pieces_in(collection(features))).pieces); });
+    test::expect_survived(report, features.substr(0, 60));
+    EXPECT_NE(report.said, "") << features.substr(0, 60);
   }
 }
 

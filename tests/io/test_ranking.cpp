@@ -99,6 +99,15 @@ TEST(Ranking, nothing_is_as_far_off_as_a_copy_that_is_not_there) {
   EXPECT_EQ(order_of(results), (std::vector<std::string>{"none", "copies"}));
 }
 
+TEST(Ranking, a_collage_without_pieces_does_not_lead) {
+  ResultCard bare = card("bare", 0);
+  bare.quality = {};
+  for (const char* weight : {"copies_apart=1", "dwarfs=-1"}) {
+    const auto results = ranked({bare, seen_card("laid", 0.9, 0.5, 0.1, 0)}, ranking_weights({"coverage=0", weight}));
+    EXPECT_EQ(order_of(results), (std::vector<std::string>{"laid", "bare"})) << weight;
+  }
+}
+
 TEST(Ranking, older_cards_count_nothing_of_what_they_lack_and_it_is_said) {
   ResultCard older = card("older", 0.9);
   older.older = true;

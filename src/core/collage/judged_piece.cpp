@@ -5,7 +5,7 @@
 namespace tessera {
 
 std::vector<JudgedPiece> judged_pieces(const std::vector<Placement>& placements,
-                                   const std::function<const Shape&(ShapeId)>& shape) {
+                                       const std::function<const Shape&(ShapeId)>& shape) {
   std::vector<JudgedPiece> pieces;
   for (const Placement& p : placements) {
     const Shape& placed = shape(p.shape);

@@ -19,6 +19,6 @@ struct JudgedPiece {
 
 /// Of a collage. `shape(i)` gives library shape i with its outline.
 std::vector<JudgedPiece> judged_pieces(const std::vector<Placement>& placements,
-                                   const std::function<const Shape&(ShapeId)>& shape);
+                                       const std::function<const Shape&(ShapeId)>& shape);
 
 }  // namespace tessera

@@ -12,11 +12,10 @@ namespace {
 /// A piece, or an image of it. Its index is made when something comes near, and kept while it may meet others.
 struct Standing {
   std::uint32_t piece;
-  Vec2 offset_px;  // (0, 0): the piece itself
+  Vec2 offset_px;  // from where the piece was laid
+  bool is_image;   // else the piece itself, its centre in the first period
   Box box_px;
   std::unique_ptr<const PolygonIndex> index = {};
-
-  bool is_image() const { return offset_px != Vec2{}; }
 };
 
 Box box_of(const Outline& outline) {
@@ -27,11 +26,6 @@ Box box_of(const Outline& outline) {
     box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y)};
   }
   return box;
-}
-
-bool boxes_within(const Box& a, const Box& b, float reach_px) {
-  return a.low.x <= b.high.x + reach_px && b.low.x <= a.high.x + reach_px && a.low.y <= b.high.y + reach_px &&
-         b.low.y <= a.high.y + reach_px;
 }
 
 /// Of two whose boundaries do not cross.
@@ -55,8 +49,11 @@ class GapSweep {
         accompanied_(pieces.size(), false) {
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       const Box box = box_of(pieces[i].outline_px);
-      for (const Vec2 offset : period.offsets())
-        standing_.push_back({i, offset, {box.low + offset, box.high + offset}});
+      const Vec2 home = period.wrapped(pieces[i].centre_px) - pieces[i].centre_px;
+      for (const Vec2 image : period.offsets()) {
+        const Vec2 offset = home + image;
+        standing_.push_back({i, offset, image != Vec2{}, {box.low + offset, box.high + offset}});
+      }
     }
     std::sort(standing_.begin(), standing_.end(),
               [](const Standing& a, const Standing& b) { return a.box_px.low.x < b.box_px.low.x; });
@@ -104,10 +101,10 @@ class GapSweep {
   }
 
   void meet(Standing& a, Standing& b) {
-    if (a.is_image() && b.is_image()) return;
+    if (a.is_image && b.is_image) return;
     const bool both_accompanied = accompanied_[a.piece] && accompanied_[b.piece];
     const float look_px = both_accompanied ? smallest_px_ : std::max(smallest_px_, reach_px_);
-    if (look_px <= 0 || !boxes_within(a.box_px, b.box_px, look_px)) return;
+    if (look_px <= 0 || !within_reach(a.box_px, b.box_px, look_px)) return;
     const float px = distance_px(index_of(a), index_of(b), look_px);
     smallest_px_ = std::min(smallest_px_, px);
     if (px < reach_px_) accompanied_[a.piece] = accompanied_[b.piece] = true;

@@ -33,8 +33,10 @@ int cells_per_px(const Canvas& canvas) {
   return px * 16 <= kMaxCells ? 4 : px * 4 <= kMaxCells ? 2 : 1;
 }
 
-/// The canvas, with a rim that is no region, and all pieces; where it is seamless, one period.
-Window counted_cells(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, const Similarity& cells_from_canvas) {
+/// The canvas, with a rim that is no region, and all pieces, as far as half of its width and height beyond it: one piece
+/// far away takes no memory. Where it is seamless, one period.
+Window counted_cells(const Canvas& canvas, const std::vector<JudgedPiece>& pieces,
+                     const Similarity& cells_from_canvas) {
   const int n = int(cells_from_canvas.a);
   const Window own{0, 0, canvas.width_px * n, canvas.height_px * n};
   Window all = own.grown(1);
@@ -43,6 +45,7 @@ Window counted_cells(const Canvas& canvas, const std::vector<JudgedPiece>& piece
       all = all.united(bounding_window({{curve}}, cells_from_canvas));
     }
   }
+  all = all.intersected({-own.x1 / 2, -own.y1 / 2, own.x1 + own.x1 / 2, own.y1 + own.y1 / 2}).united(own.grown(1));
   const Window& columns = canvas.period.x_px > 0 ? own : all;
   const Window& rows = canvas.period.y_px > 0 ? own : all;
   return {columns.x0, rows.y0, columns.x1, rows.y1};

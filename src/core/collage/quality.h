@@ -22,7 +22,7 @@ inline constexpr float kSharedWithin_px = 2;
 struct Quality {
   double coverage = 0;         // covered area / canvas area
   double overlap = 0;          // sum over the canvas of (covering pieces - 1), / canvas area
-  double outside = 0;          // covered area outside the canvas / canvas area
+  double outside = 0;          // covered area outside the canvas, half of its sides beyond it at most, / canvas area
   double shared_boundary = 0;  // share of the pieces' boundary within 2 px of another's boundary or the canvas' edge
   std::size_t pieces = 0;
   std::size_t distinct_shapes = 0;             // 0 with pieces: nobody says which they show

@@ -9,6 +9,7 @@
 namespace tessera {
 namespace {
 
+constexpr float kMostBuckets = 1 << 24;
 constexpr float kSpacing_px = 0.5f;  // of boundary samples; misjudges a distance of 2 px by 0.016 px at most
 
 struct BoundarySample {
@@ -16,6 +17,8 @@ struct BoundarySample {
   std::uint32_t piece;
   bool image = false;  // of one on the other side of a seam: near to others, but no part of the boundary by itself
 };
+
+bool of_earlier_piece(const BoundarySample& a, const BoundarySample& b) { return a.piece < b.piece; }
 
 void append_curve(const std::vector<Vec2>& curve_px, std::uint32_t piece, std::vector<BoundarySample>& samples) {
   float until_next = 0;  // length left before the next sample
@@ -29,7 +32,7 @@ void append_curve(const std::vector<Vec2>& curve_px, std::uint32_t piece, std::v
   }
 }
 
-/// Brings the samples into the first period, and adds the images that lie within reach of it.
+/// Brings the samples into the first period, and adds the images that lie within reach of it; in the order of the pieces.
 void cross_seams(const Canvas& canvas, float reach_px, std::vector<BoundarySample>& samples) {
   const float far_x = float(canvas.width_px) + reach_px;
   const float far_y = float(canvas.height_px) + reach_px;
@@ -43,6 +46,7 @@ void cross_seams(const Canvas& canvas, float reach_px, std::vector<BoundarySampl
         samples.push_back({p, samples[i].piece, true});
     }
   }
+  if (samples.size() > count) std::stable_sort(samples.begin(), samples.end(), of_earlier_piece);
 }
 
 std::vector<BoundarySample> sample_boundaries(const std::vector<JudgedPiece>& pieces) {
@@ -53,10 +57,16 @@ std::vector<BoundarySample> sample_boundaries(const std::vector<JudgedPiece>& pi
   return samples;
 }
 
-/// Samples sorted into square buckets as wide as the reach, so that a query looks at nine of them.
+/// As wide as the reach, or more where that would make too many of them.
+float bucket_width_px(Vec2 extent_px, float reach_px) {
+  return std::max(reach_px, std::sqrt(extent_px.x / kMostBuckets * extent_px.y));
+}
+
+/// Samples sorted into square buckets no narrower than the reach, so that a query looks at nine of them. In each they
+/// stand in the order of the pieces, so that a query passes over its own one, however much of it there is.
 class SampleGrid {
  public:
-  /// Of one sample at least.
+  /// Of one sample at least, in the order of the pieces.
   SampleGrid(const std::vector<BoundarySample>& samples, float reach_px) : reach_px_(reach_px) {
     low_px_ = samples.front().position_px;
     Vec2 high_px = low_px_;
@@ -64,7 +74,9 @@ class SampleGrid {
       low_px_ = {std::min(low_px_.x, s.position_px.x), std::min(low_px_.y, s.position_px.y)};
       high_px = {std::max(high_px.x, s.position_px.x), std::max(high_px.y, s.position_px.y)};
     }
-    first_ = {int((high_px.x - low_px_.x) / reach_px) + 1, int((high_px.y - low_px_.y) / reach_px) + 1};
+    const Vec2 extent_px = high_px - low_px_;
+    bucket_px_ = bucket_width_px(extent_px, reach_px);
+    first_ = {int(extent_px.x / bucket_px_) + 1, int(extent_px.y / bucket_px_) + 1};
     std::vector<std::uint32_t> size(first_.data().size() + 1, 0);
     for (const BoundarySample& s : samples) ++size[bucket_of(s.position_px)];
     std::uint32_t begin = 0;
@@ -80,6 +92,8 @@ class SampleGrid {
   bool another_piece_near(const BoundarySample& s) const {
     const int cx = column_of(s.position_px);
     const int cy = row_of(s.position_px);
+    // Mostly its own bucket says so.
+    if (bucket_has_another_near(std::size_t(cy) * first_.width() + cx, s)) return true;
     for (int y = std::max(0, cy - 1); y <= std::min(first_.height() - 1, cy + 1); ++y) {
       for (int x = std::max(0, cx - 1); x <= std::min(first_.width() - 1, cx + 1); ++x) {
         if (bucket_has_another_near(std::size_t(y) * first_.width() + x, s)) return true;
@@ -89,20 +103,23 @@ class SampleGrid {
   }
 
  private:
-  int column_of(Vec2 p) const { return std::min(int((p.x - low_px_.x) / reach_px_), first_.width() - 1); }
-  int row_of(Vec2 p) const { return std::min(int((p.y - low_px_.y) / reach_px_), first_.height() - 1); }
+  int column_of(Vec2 p) const { return std::min(int((p.x - low_px_.x) / bucket_px_), first_.width() - 1); }
+  int row_of(Vec2 p) const { return std::min(int((p.y - low_px_.y) / bucket_px_), first_.height() - 1); }
   std::size_t bucket_of(Vec2 p) const { return std::size_t(row_of(p)) * first_.width() + column_of(p); }
 
   bool bucket_has_another_near(std::size_t bucket, const BoundarySample& s) const {
-    const std::size_t end = bucket + 1 < first_.data().size() ? first_.data()[bucket + 1] : sorted_.size();
-    for (std::size_t i = first_.data()[bucket]; i < end; ++i) {
-      const Vec2 d = sorted_[i].position_px - s.position_px;
-      if (sorted_[i].piece != s.piece && dot(d, d) <= reach_px_ * reach_px_) return true;
-    }
-    return false;
+    const auto begin = sorted_.begin() + first_.data()[bucket];
+    const auto end = bucket + 1 < first_.data().size() ? sorted_.begin() + first_.data()[bucket + 1] : sorted_.end();
+    const auto near = [&](const BoundarySample& other) {
+      const Vec2 d = other.position_px - s.position_px;
+      return dot(d, d) <= reach_px_ * reach_px_;
+    };
+    const auto [own, behind] = std::equal_range(begin, end, s, of_earlier_piece);
+    return std::any_of(begin, own, near) || std::any_of(behind, end, near);
   }
 
   float reach_px_;
+  float bucket_px_ = 0;
   Vec2 low_px_;                // of the first bucket
   Grid<std::uint32_t> first_;  // of a bucket's samples in sorted_
   std::vector<BoundarySample> sorted_;

@@ -25,6 +25,7 @@ double dwarfs_below_px(const SizeRange& range) { return range.min_px * std::pow(
 std::optional<SizeBalance> size_balance(const std::vector<JudgedPiece>& pieces, const SizeRange& range) {
   if (pieces.empty() || range.min_px <= 0 || range.max_px < kNarrowestRange * range.min_px) return {};
   const double width = std::log(range.max_px / range.min_px);
+  if (!std::isfinite(width)) return {};
   std::array<double, kParts> area_px2{};
   double all_px2 = 0;
   double dwarfs_px2 = 0;

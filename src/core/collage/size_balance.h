@@ -28,8 +28,8 @@ struct SizeBalance {
   double dwarfs = 0;  // of the pieces' area, that of dwarfs
 };
 
-/// Sizes beyond the range count at its ends. Nothing where there are no pieces, or where the range is less than 1 %
-/// wide: then all sizes are one.
+/// Sizes beyond the range count at its ends. Nothing where there are no pieces, where the range is less than 1 % wide:
+/// then all sizes are one, and where its ends are no numbers, or too far apart to divide them.
 std::optional<SizeBalance> size_balance(const std::vector<JudgedPiece>& pieces, const SizeRange& range);
 
 }  // namespace tessera

@@ -129,6 +129,7 @@ class FeatureReader : public json::json_sax_t {
   bool start_object(std::size_t) override {
     if (coordinates_.open()) fail(kCoordinates, "an object", "numbers and lists");
     const Place within = place();
+    if (within == Place::properties) check_is_no_shape("an object");
     push(within == Place::nowhere                           ? Place::collection
          : within == Place::features                        ? Place::feature
          : within == Place::feature && key_ == "properties" ? Place::properties
@@ -149,6 +150,7 @@ class FeatureReader : public json::json_sax_t {
     const Place within = place();
     if (within == Place::nowhere) fail("the file", "a list", "a FeatureCollection");
     if (within == Place::features) fail("the feature", "a list", "an object");
+    if (within == Place::properties) check_is_no_shape("a list");
     const bool coordinates = within == Place::geometry && key_ == "coordinates";
     if (coordinates) coordinates_ = {};
     if (coordinates || coordinates_.open()) coordinates_.begin_list();
@@ -202,9 +204,14 @@ class FeatureReader : public json::json_sax_t {
     if (key_ == "type" && v != "FeatureCollection") fail("type", found_text(v), "\"FeatureCollection\"");
   }
 
+  /// Of a member of properties that is no text.
+  void check_is_no_shape(const std::string& found) const {
+    if (key_ == "shape") fail("shape", found, "a text, the name of what the piece shows");
+  }
+
   void take_property(const json& v) {
     if (key_ != "shape" || v.is_null()) return;
-    if (!v.is_string()) fail("shape", found_text(v), "a text, the name of what the piece shows");
+    if (!v.is_string()) check_is_no_shape(found_text(v));
     feature_.shape = v.get<std::string>();
   }
 

@@ -14,9 +14,14 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t(512) << 20;  // of the file: some 50,000 pieces of ours
 constexpr double kSmallestPiece_px2 = 1e-4;                 // as small as a piece may be given
-constexpr double kMostTwisted = 0.01;      // of a piece's area: outlines of thin limbs may have tiny loops
-constexpr double kMostBoundary_px = 30e6;  // of all pieces: it is sampled every half px
-constexpr float kMostBeyond = 0.5;         // of the canvas' width or height
+constexpr double kMostTwisted = 0.01;     // of a piece's area: outlines of thin limbs may have tiny loops
+constexpr double kMostBoundary_px = 8e6;  // of all pieces: it is sampled every half px
+constexpr double kMostFolded = 100;       // boundary by width + height of its box: else it fills the box as a comb
+constexpr double kFewPositions = 1000;    // that a piece may have however small it is ..
+constexpr double kPositionsPerPx = 100;   // .. and more for each px of its box' width + height
+constexpr float kMostBeyond = 0.5;        // of the canvas' width or height
+
+std::string box_text(const Box& box) { return fixed(box.width(), 1) + " x " + fixed(box.height(), 1) + " px"; }
 
 std::string position_text(Vec2 p) { return "[" + fixed(p.x, 3) + ", " + fixed(p.y, 3) + "]"; }
 
@@ -61,6 +66,16 @@ void check_untwisted(const Outline& outline, double area_px2) {
                    fixed(twisted_px2, 1) + " square px, allowed: simple ones, holes within their outer ring");
 }
 
+Box box_of(const Outline& outline) {
+  Box box = bounding_box(outline.curves.front());
+  for (const std::vector<Vec2>& curve : outline.curves) {
+    const Box other = bounding_box(curve);
+    box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y)};
+    box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y)};
+  }
+  return box;
+}
+
 double length_px(const Outline& outline) {
   double sum = 0;
   for (const std::vector<Vec2>& curve : outline.curves) {
@@ -69,30 +84,58 @@ double length_px(const Outline& outline) {
   return sum;
 }
 
-bool is_far_beyond(float v_px, int side_px) {
-  return v_px < -kMostBeyond * float(side_px) || v_px > (1 + kMostBeyond) * float(side_px);
+/// What takes time out of all proportion to what is seen: boundary that lies in layers, positions without a distance.
+void check_unfolded(const Outline& outline) {
+  const Box box = box_of(outline);
+  const double sides_px = double(box.width()) + box.height();
+  const double boundary_px = length_px(outline);
+  if (boundary_px > kMostFolded * sides_px) {
+    throw InputError("geometry.coordinates: found " + fixed(boundary_px, 0) + " px of boundary in a box of " +
+                     box_text(box) + ", allowed: up to " + fixed(kMostFolded, 0) + " times its width and height");
+  }
+  std::size_t positions = 0;
+  for (const std::vector<Vec2>& curve : outline.curves) positions += curve.size();
+  if (double(positions) > kFewPositions + kPositionsPerPx * sides_px) {
+    throw InputError("geometry.coordinates: found " + std::to_string(positions) + " positions in a box of " +
+                     box_text(box) + ", allowed: " + fixed(kFewPositions, 0) + ", and " + fixed(kPositionsPerPx, 0) +
+                     " for each px of its width and height");
+  }
 }
 
-void check_on_canvas(const Outline& outline, const Canvas& canvas) {
-  for (const std::vector<Vec2>& curve : outline.curves) {
-    for (const Vec2 p : curve) {
-      if (!is_far_beyond(p.x, canvas.width_px) && !is_far_beyond(p.y, canvas.height_px)) continue;
-      throw InputError("geometry.coordinates: found " + position_text(p) + ", far from the canvas of " +
-                       std::to_string(canvas.width_px) + " x " + std::to_string(canvas.height_px) +
-                       " px, allowed: up to half of its width or height beyond it");
-    }
+bool is_far_beyond(float low_px, float high_px, int side_px) {
+  return high_px < -kMostBeyond * float(side_px) || low_px > (1 + kMostBeyond) * float(side_px);
+}
+
+void check_near_canvas(const Outline& outline, const Canvas& canvas) {
+  const Box box = box_of(outline);
+  if (!is_far_beyond(box.low.x, box.high.x, canvas.width_px) &&
+      !is_far_beyond(box.low.y, box.high.y, canvas.height_px)) {
+    return;
+  }
+  throw InputError("geometry.coordinates: found a piece from " + position_text(box.low) + " to " +
+                   position_text(box.high) + ", far from the canvas of " + std::to_string(canvas.width_px) + " x " +
+                   std::to_string(canvas.height_px) + " px, allowed: up to half of its width or height beyond it");
+}
+
+void move(JudgedPiece& piece, Vec2 by) {
+  if (by == Vec2{}) return;
+  piece.centre_px = piece.centre_px + by;
+  for (std::vector<Vec2>& curve : piece.outline_px.curves) {
+    for (Vec2& p : curve) p = p + by;
   }
 }
 
 JudgedPiece piece_of(PolygonFeature feature, const Canvas& canvas) {
   JudgedPiece piece;
   piece.outline_px = outline_of(std::move(feature.polygons));
-  check_on_canvas(piece.outline_px, canvas);
   const AreaMoment moment = moment_of(piece.outline_px);
+  check_unfolded(piece.outline_px);
   check_untwisted(piece.outline_px, moment.area);
   piece.shape = std::move(feature.shape);
   piece.centre_px = {float(moment.x / moment.area), float(moment.y / moment.area)};
   piece.scale_px = std::sqrt(moment.area);
+  move(piece, canvas.period.wrapped(piece.centre_px) - piece.centre_px);
+  check_near_canvas(piece.outline_px, canvas);
   return piece;
 }
 

@@ -21,8 +21,10 @@ namespace fs = std::filesystem;
 double variety(const Quality& q) { return q.pieces > 0 ? double(q.distinct_shapes) / double(q.pieces) : 0; }
 
 double balance(const Quality& q) { return q.balance ? q.balance->evenness : 0; }
-double dwarfs(const Quality& q) { return q.balance ? q.balance->dwarfs : 0; }
-double copies_apart(const Quality& q) { return q.copies_apart.value_or(1); }
+
+/// A collage without pieces is not to lead for its lack of them: it counts as all dwarfs, as copies that touch.
+double dwarfs(const Quality& q) { return q.balance ? q.balance->dwarfs : q.pieces > 0 ? 0 : 1; }
+double copies_apart(const Quality& q) { return q.pieces > 0 ? q.copies_apart.value_or(1) : 0; }
 
 std::string allowed_names() {
   std::string names;
