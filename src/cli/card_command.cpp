@@ -31,7 +31,8 @@ void add_card_command(CLI::App& app, Command& selected) {
       ->delimiter(',')
       ->expected(2);
   card->add_option("--sizes", arguments->sizes_px,
-                   "Sizes that pieces might have had, for the balance; default: the job's, or the smallest and largest")
+                   "Sizes that pieces might have had, for the balance; default: the job's where they hold for all pieces, "
+                   "else the smallest and the largest")
       ->type_name("MIN,MAX")
       ->delimiter(',')
       ->expected(2);

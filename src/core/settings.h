@@ -58,7 +58,7 @@ struct ObjectiveSettings {
   float gap_weight = 1;
   float length_exponent = 0.5f;
   float scale_exponent = 0.7f;
-  float balance = 0.5f;              // of sizes, 0 (contrast) to 1 (even); scale_aware alone
+  float balance = 0;                 // of sizes, 0 (contrast) to 1 (even); scale_aware alone
   float repetition_exponent = 0.3f;  // score times (1 + uses)^-exponent
   float near_twin_factor = 0.7f;     // score times this for each near copy
 };
