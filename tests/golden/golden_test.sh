@@ -43,7 +43,7 @@ if [[ $renew == yes ]]; then
 fi
 expected=$here/digests.txt
 if [[ -n $mpirun ]]; then
-  grep -E '^(colours|fit_all|outward|paper_improved|seamless) ' "$expected" >expected.txt
+  for job in "${jobs[@]}"; do grep "^$job " "$expected"; done >expected.txt
   expected=expected.txt
 fi
 if ! diff "$expected" found.txt; then
