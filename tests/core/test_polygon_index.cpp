@@ -1,4 +1,4 @@
-// Distances between polygons against brute force, and bounds of distances against the truth.
+// Distances between polygons against brute force, bounds of distances against the truth, and boxes.
 #include "core/geometry/polygon_index.h"
 
 #include <gtest/gtest.h>
@@ -30,6 +30,22 @@ Outline placed(Outline outline) {
     for (Vec2& p : curve) p = pose.apply(p);
   }
   return outline;
+}
+
+/// Of a piece in several parts the first is no more than one of them.
+TEST(BoundingBox, OfAnOutlineHoldsAllCurves) {
+  const Outline parts{{{{0, 0}, {2, 0}, {2, 1}}, {{5, -3}, {6, -3}, {6, -2}}, {{-1, 4}, {1, 4}, {1, 7}}}};
+  const Box box = bounding_box(parts);
+  EXPECT_EQ(box.low, (Vec2{-1, -3}));
+  EXPECT_EQ(box.high, (Vec2{6, 7}));
+}
+
+TEST(BoundingBox, UnitedHoldsBothWhicheverComesFirst) {
+  const Box left{{0, 2}, {3, 4}}, right{{1, -1}, {8, 3}};
+  for (const Box& box : {united(left, right), united(right, left)}) {
+    EXPECT_EQ(box.low, (Vec2{0, -1}));
+    EXPECT_EQ(box.high, (Vec2{8, 4}));
+  }
 }
 
 TEST(PolygonIndex, ApproachesAsNearAsBruteForce) {

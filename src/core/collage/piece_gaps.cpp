@@ -18,16 +18,6 @@ struct Standing {
   std::unique_ptr<const PolygonIndex> index = {};
 };
 
-Box box_of(const Outline& outline) {
-  Box box = bounding_box(outline.curves.front());
-  for (const std::vector<Vec2>& curve : outline.curves) {
-    const Box other = bounding_box(curve);
-    box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y)};
-    box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y)};
-  }
-  return box;
-}
-
 /// Of two whose boundaries do not cross.
 bool has_a_curve_in(const PolygonIndex& inner, const PolygonIndex& outer) {
   const auto& curves = inner.outline().curves;
@@ -48,7 +38,7 @@ class GapSweep {
         reach_px_(reach_px),
         accompanied_(pieces.size(), false) {
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-      const Box box = box_of(pieces[i].outline_px);
+      const Box box = bounding_box(pieces[i].outline_px);
       const Vec2 home = period.wrapped(pieces[i].centre_px) - pieces[i].centre_px;
       for (const Vec2 image : period.offsets()) {
         const Vec2 offset = home + image;

@@ -23,6 +23,17 @@ Box bounding_box(const std::vector<Vec2>& polygon) {
   return box;
 }
 
+Box bounding_box(const Outline& outline) {
+  Box box = bounding_box(outline.curves.front());
+  for (const std::vector<Vec2>& curve : outline.curves) box = united(box, bounding_box(curve));
+  return box;
+}
+
+Box united(const Box& a, const Box& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
 bool contains(const std::vector<Vec2>& polygon, Vec2 p) {
   bool inside = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {

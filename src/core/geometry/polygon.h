@@ -47,6 +47,8 @@ inline bool within_reach(const Box& a, const Box& b, float reach) {
 AreaMoment area_moment(const std::vector<Vec2>& polygon);
 double signed_area(const std::vector<Vec2>& polygon);
 Box bounding_box(const std::vector<Vec2>& polygon);  // of at least one point
+Box bounding_box(const Outline& outline);            // of at least one curve
+Box united(const Box& a, const Box& b);              // the smallest that holds both
 
 /// Even-odd rule; points on the boundary may count either way.
 bool contains(const std::vector<Vec2>& polygon, Vec2 p);

@@ -53,14 +53,7 @@ Approach approach_of(const Segment& here, const Segment& there) {
   return best;
 }
 
-PolygonIndex::PolygonIndex(Outline outline)
-    : outline_(std::move(outline)),
-      box_(bounding_box(outline_.curves.front())) {
-  for (const std::vector<Vec2>& curve : outline_.curves) {
-    const Box box = bounding_box(curve);
-    box_.low = {std::min(box_.low.x, box.low.x), std::min(box_.low.y, box.low.y)};
-    box_.high = {std::max(box_.high.x, box.high.x), std::max(box_.high.y, box.high.y)};
-  }
+PolygonIndex::PolygonIndex(Outline outline) : outline_(std::move(outline)), box_(bounding_box(outline_)) {
   cells_per_unit_ = float(kCellsAcross) / std::max({box_.width(), box_.height(), 1e-6f});
   columns_ = int(box_.width() * cells_per_unit_) + 1;
   rows_ = int(box_.height() * cells_per_unit_) + 1;

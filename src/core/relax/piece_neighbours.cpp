@@ -10,10 +10,7 @@ namespace {
 
 Box box_of_all(const std::vector<Box>& boxes) {
   Box all = boxes.empty() ? Box{} : boxes.front();
-  for (const Box& box : boxes) {
-    all.low = {std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)};
-    all.high = {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)};
-  }
+  for (const Box& box : boxes) all = united(all, box);
   return all;
 }
 

@@ -66,16 +66,6 @@ void check_untwisted(const Outline& outline, double area_px2) {
                    fixed(twisted_px2, 1) + " square px, allowed: simple ones, holes within their outer ring");
 }
 
-Box box_of(const Outline& outline) {
-  Box box = bounding_box(outline.curves.front());
-  for (const std::vector<Vec2>& curve : outline.curves) {
-    const Box other = bounding_box(curve);
-    box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y)};
-    box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y)};
-  }
-  return box;
-}
-
 double length_px(const Outline& outline) {
   double sum = 0;
   for (const std::vector<Vec2>& curve : outline.curves) {
@@ -86,7 +76,7 @@ double length_px(const Outline& outline) {
 
 /// What takes time out of all proportion to what is seen: boundary that lies in layers, positions without a distance.
 void check_unfolded(const Outline& outline) {
-  const Box box = box_of(outline);
+  const Box box = bounding_box(outline);
   const double sides_px = double(box.width()) + box.height();
   const double boundary_px = length_px(outline);
   if (boundary_px > kMostFolded * sides_px) {
@@ -107,7 +97,7 @@ bool is_far_beyond(float low_px, float high_px, int side_px) {
 }
 
 void check_near_canvas(const Outline& outline, const Canvas& canvas) {
-  const Box box = box_of(outline);
+  const Box box = bounding_box(outline);
   if (!is_far_beyond(box.low.x, box.high.x, canvas.width_px) &&
       !is_far_beyond(box.low.y, box.high.y, canvas.height_px)) {
     return;
