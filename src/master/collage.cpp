@@ -269,19 +269,6 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
   return window;
 }
 
-std::vector<Placement> Collage::without_too_near(const std::vector<Placement>& placements) const {
-  if (!apart_.matters()) return placements;
-  KeptApart apart(settings_, shapes_, free_.grid().period());
-  std::vector<Placement> kept;
-  for (std::size_t i = 0; i < placements.size(); ++i) {
-    const auto& [shape, pose, score, matched_px] = placements[i];
-    if (i >= given_ && apart.concerns(shape) && !apart.may_stand(shape, pose, shapes_.model(shape).radius)) continue;
-    apart.add(placements[i]);
-    kept.push_back(placements[i]);
-  }
-  return kept;
-}
-
 PoseRange Collage::poses_of(const Placement& p) const {
   for (const Stance& stance : region_stances_.of(region_stances_.list(p.shape))) {
     const PoseRange poses = sized_at(context_, stance, p.canvas_from_shape.translation()).poses;

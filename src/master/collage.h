@@ -91,10 +91,6 @@ class Collage {
   /// after, not from how they came about. Returns where pieces came or went.
   Window replace_placements(std::vector<Placement> placements);
 
-  /// Those of them that keep the distances from their like among those before them, and the given ones, which are the
-  /// first.
-  std::vector<Placement> without_too_near(const std::vector<Placement>& placements) const;
-
   /// What the pose of a piece that stands may be: by the stance that it stands in; where wishes know of none, its own.
   PoseRange poses_of(const Placement& placement) const;
 

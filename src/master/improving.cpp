@@ -56,8 +56,7 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
                      ShapeSource& shapes)
     : collage_(collage),
       filling_(filling),
-      relaxing_(collage.free(), settings.pieces, shapes,
-                [&collage](const Placement& p) { return collage.poses_of(p); }),
+      relaxing_(collage.free(), settings, shapes, [&collage](const Placement& p) { return collage.poses_of(p); }),
       relax_(pays_to_relax(settings)),
       trials_per_relaxation_(trials_per_relaxation(area_px2, settings.pieces)),
       pieces_(settings.pieces),
@@ -135,8 +134,7 @@ void Improving::recreate(std::uint32_t trial, const Look& look) {
 }
 
 void Improving::relax_all(std::uint32_t trial, const Look& look) {
-  const std::vector<Placement> relaxed = relaxing_.relaxed(collage_.placements(), collage_.given(), look);
-  filling_.start(collage_.replace_placements(collage_.without_too_near(relaxed)));
+  filling_.start(collage_.replace_placements(relaxing_.relaxed(collage_.placements(), collage_.given(), look)));
   collage_.set_first_pass(kPassesPerTrial * trial);
   fill(look);
 }

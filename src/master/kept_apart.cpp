@@ -98,4 +98,18 @@ std::vector<ShapeId> KeptApart::shut_out(std::uint32_t shapes, const AnyPoint& a
   return shut_out;
 }
 
+std::vector<Placement> without_too_near(const std::vector<Placement>& placements, std::size_t given,
+                                        const CollageSettings& settings, ShapeSource& shapes, const Period& period) {
+  KeptApart apart(settings, shapes, period);
+  if (!apart.matters()) return placements;
+  std::vector<Placement> kept;
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    const auto& [shape, pose, score, matched_px] = placements[i];
+    if (i >= given && apart.concerns(shape) && !apart.may_stand(shape, pose, shapes.model(shape).radius)) continue;
+    apart.add(placements[i]);
+    kept.push_back(placements[i]);
+  }
+  return kept;
+}
+
 }  // namespace tessera::master

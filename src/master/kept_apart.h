@@ -2,6 +2,7 @@
 // together.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -70,5 +71,10 @@ class KeptApart {
   Period period_;
   std::map<std::pair<bool, std::uint32_t>, std::vector<Boundary>> placed_;  // by company
 };
+
+/// Those of the placements that keep the distances from their like among those before them, and the first `given`,
+/// which stand in any case. `period` is that of the canvas.
+std::vector<Placement> without_too_near(const std::vector<Placement>& placements, std::size_t given,
+                                        const CollageSettings& settings, ShapeSource& shapes, const Period& period);
 
 }  // namespace tessera::master

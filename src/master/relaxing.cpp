@@ -8,6 +8,7 @@
 #include "core/collage/clearing.h"
 #include "core/relax/schedules.h"
 #include "core/tuning.h"
+#include "master/kept_apart.h"
 
 namespace tessera::master {
 namespace {
@@ -27,12 +28,12 @@ std::uint32_t trials_per_relaxation(double area_px2, const PieceSettings& pieces
   return std::uint32_t(std::clamp(pieces_at_most, double(kTrialsPerRelaxation), 1e6));
 }
 
-Relaxing::Relaxing(const FreeField& free, const PieceSettings& pieces, ShapeSource& shapes, PosesOf poses_of)
+Relaxing::Relaxing(const FreeField& free, const CollageSettings& settings, ShapeSource& shapes, PosesOf poses_of)
     : free_(free),
-      pieces_(pieces),
+      settings_(settings),
       shapes_(shapes),
       poses_of_(std::move(poses_of)),
-      relaxation_(free, contact_distances(pieces)) {}
+      relaxation_(free, contact_distances(settings.pieces)) {}
 
 std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placements, std::size_t given,
                                          const std::function<void()>& look) {
@@ -49,11 +50,11 @@ std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placement
   std::vector<std::size_t> moving(placements.size() - given);
   std::iota(moving.begin(), moving.end(), given);
   for (const RelaxationSchedule& schedule : kRelaxCollage) relaxation_.relax(pieces, moving, schedule, look);
-  const std::vector<std::size_t> lost = make_clear(pieces, moving, free_, pieces_, look);
+  const std::vector<std::size_t> lost = make_clear(pieces, moving, free_, settings_.pieces, look);
   std::vector<Placement> result = placements;
   for (const std::size_t i : moving) result[i].canvas_from_shape = pieces[i].canvas_from_shape;
   for (auto i = lost.rbegin(); i != lost.rend(); ++i) result.erase(result.begin() + std::ptrdiff_t(*i));
-  return result;
+  return without_too_near(result, given, settings_, shapes_, free_.grid().period());
 }
 
 }  // namespace tessera::master

@@ -29,16 +29,16 @@ class Relaxing {
 
   /// On the canvas of `free`, whatever lies in it. `poses_of`: what the pose of a piece may be. All but the settings
   /// outlive it.
-  Relaxing(const FreeField& free, const PieceSettings& pieces, ShapeSource& shapes, PosesOf poses_of);
+  Relaxing(const FreeField& free, const CollageSettings& settings, ShapeSource& shapes, PosesOf poses_of);
 
-  /// `placements` after all but the first `given` have moved, without those that found no place. What `look` throws
-  /// leaves nothing changed.
+  /// `placements` after all but the first `given` have moved, without those that found no place or came too near to
+  /// their like. What `look` throws leaves nothing changed.
   std::vector<Placement> relaxed(const std::vector<Placement>& placements, std::size_t given,
                                  const std::function<void()>& look);
 
  private:
   const FreeField& free_;
-  PieceSettings pieces_;
+  CollageSettings settings_;
   ShapeSource& shapes_;
   PosesOf poses_of_;
   Relaxation relaxation_;

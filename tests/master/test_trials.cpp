@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "master/improving.h"
+#include "master/kept_apart.h"
 #include "offered_filling.h"
 
 namespace tessera::master {
@@ -174,6 +175,7 @@ TEST_F(RelaxingTest, AnInterruptedRelaxationIsPutBack) {
   EXPECT_GT(interrupted, 20);
 }
 
+/// Pieces that moved or grew may have come too near to their like.
 class ApartTest : public test::OfferedFilling {
  protected:
   static CollageSettings apart() {
@@ -181,18 +183,28 @@ class ApartTest : public test::OfferedFilling {
     s.pieces.apart_px = 60;
     return s;
   }
-  ApartTest() : OfferedFilling(apart()) {}
 };
 
-/// Pieces that moved may have come too near to their like; given ones stand all the same.
+/// Given ones stand all the same.
 TEST_F(ApartTest, OfPiecesTooNearToTheirLikeTheFirstStays) {
   const std::vector<Placement> given = {piece(0, 20, {30, 30}), piece(0, 20, {60, 30})};
   const Placement other = piece(1, 20, {90, 30});
   const Placement near = piece(0, 20, {90, 60});
   const Placement far = piece(0, 20, {170, 100});
-  collage_.begin(given, given.size(), 0, 1);
-  EXPECT_EQ(collage_.without_too_near({given[0], given[1], other, near, far}),
+  EXPECT_EQ(without_too_near({given[0], given[1], other, near, far}, given.size(), apart(), shapes_, Period{}),
             (std::vector<Placement>{given[0], given[1], other, far}));
+}
+
+/// Nothing else hinders them from growing.
+TEST_F(ApartTest, OfPiecesThatGrewTooNearToTheirLikeTheFirstStays) {
+  Relaxing relaxing(collage_.free(), apart(), shapes_, [](const Placement&) { return PoseRange{20, 90, {}}; });
+  const auto relaxed_beside = [&](std::uint32_t shape) {
+    return relaxing.relaxed({piece(0, 40, {45, 70}), piece(shape, 40, {155, 70})}, 0, [] {});
+  };
+  EXPECT_EQ(relaxed_beside(1).size(), 2u);
+  const std::vector<Placement> alike = relaxed_beside(0);
+  ASSERT_EQ(alike.size(), 1u);
+  EXPECT_LT(alike[0].canvas_from_shape.translation().x, 100);
 }
 
 class WithTwoPiecesAtMost : public TrialsTest {
