@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/collage/clearing.h"
+#include "core/matching/stances.h"
 #include "core/relax/schedules.h"
 #include "core/tuning.h"
 #include "master/kept_apart.h"
@@ -16,11 +17,18 @@ namespace {
 /// Where sizes differ more, dwarfs fill the gaps as well as pieces that grow into them (docs/measurements.md).
 constexpr float kMostSizeRatio = 5;
 
+/// Pieces of fixed sizes would cover no more, and what moves opens gaps.
+bool any_may_grow(const CollageSettings& s) {
+  const StanceTable table(s, std::uint32_t(s.wishes.class_of_shape.size()));
+  return std::any_of(table.stances().begin(), table.stances().end(),
+                     [](const Stance& stance) { return stance.poses.min_scale_px < stance.poses.max_scale_px; });
+}
+
 }  // namespace
 
 bool pays_to_relax(const CollageSettings& s) {
   return s.improve.relax && s.pieces.max_scale_px <= kMostSizeRatio * s.pieces.min_scale_px && !s.pieces.size_map &&
-         !s.colour;
+         !s.colour && any_may_grow(s);
 }
 
 std::uint32_t trials_per_relaxation(double area_px2, const PieceSettings& pieces) {

@@ -16,8 +16,8 @@
 
 namespace tessera::master {
 
-/// Where the job wants it and sizes are much alike; colours and sizes that go by the place would not hold where a piece
-/// moved to.
+/// Where the job wants it, sizes are much alike and some piece may grow; colours and sizes that go by the place would
+/// not hold where a piece moved to.
 bool pays_to_relax(const CollageSettings& settings);
 
 /// About as many as there are pieces on so large a canvas, as it takes as much longer.

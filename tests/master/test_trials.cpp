@@ -146,6 +146,24 @@ TEST(PaysToRelax, WhereSizesAreMuchAlikeAndDoNotGoByThePlace) {
   EXPECT_FALSE(pays_to_relax(other));
 }
 
+TEST(PaysToRelax, WhereAnyPieceMayGrow) {
+  CollageSettings s;
+  s.pieces.min_scale_px = s.pieces.max_scale_px = 50;
+  EXPECT_FALSE(pays_to_relax(s));
+  // Each shape as it was drawn: sizes differ, and none may change.
+  s.pieces.min_scale_px = 40;
+  s.pieces.max_scale_px = 60;
+  s.wishes.classes.resize(2);
+  s.wishes.classes[0].poses.scale_px = {{40, 40}};
+  s.wishes.classes[1].poses.scale_px = {{60, 60}};
+  s.wishes.class_of_shape = {0, 1, 0};
+  EXPECT_FALSE(pays_to_relax(s));
+  s.wishes.classes[1].poses.scale_px = {{50, 60}};
+  EXPECT_TRUE(pays_to_relax(s));
+  s.wishes.classes[1].weight = 0;
+  EXPECT_FALSE(pays_to_relax(s)) << "it may not stand";
+}
+
 TEST(PaysToRelax, OnceInAsManyTrialsAsThereArePiecesButNotOftenerThanIn64) {
   PieceSettings pieces;
   pieces.min_scale_px = 10;
