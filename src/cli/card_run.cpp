@@ -1,6 +1,5 @@
 #include "cli/card_run.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include "io/job/canvas_file.h"
 #include "io/job/canvas_page.h"
 #include "io/job/job_keys.h"
+#include "io/job/wished_sizes.h"
 #include "io/number_text.h"
 #include "io/result/card_output.h"
 #include "io/result/polygon_pieces.h"
@@ -56,23 +56,12 @@ Canvas canvas_in_file(const CardArguments& arguments) {
   return io::load_canvas(spec);
 }
 
-/// Whether `pieces.scale_px` of the job says how large each piece may be.
-bool has_one_range(const io::Job& job) {
-  if (job.settings.pieces.fit_all || job.drawn_sizes) return false;
-  const auto table = job.tables.find("shapes");
-  return table == job.tables.end() || std::none_of(table->second.begin(), table->second.end(),
-                                                   [](const io::JobRow& row) { return row.contains("scale_px"); });
-}
-
 Frame frame_of_job(const CardArguments& arguments) {
   if (!arguments.size_px.empty()) {
     throw InputError("--size: found beside the job " + arguments.canvas + ", allowed: nothing, as the job says it");
   }
   const io::Job job = io::load_job(arguments.canvas, {});
-  const PieceSettings& pieces = job.settings.pieces;
-  Frame frame{io::canvas_of(job), {}};
-  if (has_one_range(job)) frame.sizes = SizeRange{pieces.min_scale_px, pieces.max_scale_px};
-  return frame;
+  return {io::canvas_of(job), io::wished_sizes(job)};
 }
 
 Frame frame_of(const CardArguments& arguments) {

@@ -6,6 +6,7 @@
 
 #include "core/collage/standing_check.h"
 #include "io/job/job_keys.h"
+#include "io/job/job_tables.h"
 #include "io/job/job_value.h"
 
 namespace tessera::cli {
@@ -91,8 +92,7 @@ std::string used_up_warning(const io::Job& job, const Canvas& canvas, const mast
 std::string standing_warning(const io::Job& job, const Canvas& canvas,
                              const std::function<const Shape&(ShapeId)>& shape) {
   const std::vector<GivenPiece>& pieces = job.settings.wishes.given;
-  const auto rows = job.tables.find("given");
-  const std::size_t first_of_start = rows == job.tables.end() ? 0 : rows->second.size();
+  const std::size_t first_of_start = io::rows_of(job, "given").size();
   const auto name = [&](std::size_t piece) { return shape(pieces[piece].shape).name; };
   const StandingCheck found = check_standing(canvas, pieces, shape);
   const char* in_a_zone = "in a zone that pieces keep out of";

@@ -35,6 +35,12 @@ for job in drawn.toml tables.toml; do
   grep -q 'balance of sizes .*over [0-9.]* to [0-9.]* px' output || fail "no range with $job: $(cat output)"
   ! grep -q 'over 14.0 to 60.0 px' output || fail "the range of pieces.scale_px with $job"
 done
+# Its own card's range is the same as that of tessera card.
+run 0 collage tables.toml --out tables --quiet --set stop.pieces=12
+range() { sed -n 's/^  balance of sizes .*\(over [0-9.]* to [0-9.]* px\)).*/\1/p' "$1"; }
+run 0 card tables/pieces.geojson --canvas tables/job.toml
+[[ -n $(range output) && $(range output) == "$(range tables/card.txt)" ]] ||
+  fail "another range than its own card's: $(range output) instead of $(range tables/card.txt)"
 grep -q 'last_tenth_percent": null' result/card.json || fail "a curve of few rounds"
 run 0 collage job.toml --out improved --quiet --set stop.pieces=0 --set improve.trials=60
 grep -q 'last_tenth_percent": -\?[0-9]' improved/card.json || fail "no word of the last tenth of the time"

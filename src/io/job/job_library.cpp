@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/artwork/colour_conversion.h"
+#include "io/job/job_tables.h"
 #include "io/job/palette.h"
 #include "io/job/start_pieces.h"
 #include "io/job/wish_resolution.h"
@@ -25,9 +26,7 @@ namespace {
 /// The last table that says something of a shape counts.
 std::vector<MirroringRule> mirroring_of(const Job& job) {
   std::vector<MirroringRule> rules = {{{"*"}, job.mirrored}};
-  const auto rows = job.tables.find("shapes");
-  if (rows == job.tables.end()) return rules;
-  for (const JobRow& row : rows->second) {
+  for (const JobRow& row : rows_of(job, "shapes")) {
     const auto cell = row.find("mirrored");
     if (cell == row.end()) continue;
     const std::vector<std::string>& words = mirroring_words();

@@ -14,6 +14,7 @@
 #include "core/base/split_text.h"
 #include "io/job/job_entry.h"
 #include "io/job/job_keys.h"
+#include "io/job/job_tables.h"
 #include "io/job/millimetres.h"
 #include "io/job/palette.h"
 #include "io/job/wishes_file.h"
@@ -213,9 +214,7 @@ void set_size_on_paper(bool px_are_given, Job& job) {
 
 /// What the canvas and the pictures need of [[regions]].
 void set_regions(Job& job) {
-  const auto rows = job.tables.find("regions");
-  if (rows == job.tables.end()) return;
-  for (const JobRow& region : rows->second) {
+  for (const JobRow& region : rows_of(job, "regions")) {
     job.canvas.region_colours.push_back(region.at("colour").text);
     const auto background = region.find("background");
     job.canvas.region_backgrounds.push_back(background == region.end() ? "" : background->second.text);
@@ -278,9 +277,7 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
   entries.apply_mm(job);
   add_rows(table, path, job);
   set_regions(job);
-  if (job.tables.contains("keep_out")) {
-    for (const JobRow& row : job.tables["keep_out"]) job.canvas.keep_out_rectangles.push_back(keep_out_rectangle(row));
-  }
+  for (const JobRow& row : rows_of(job, "keep_out")) job.canvas.keep_out_rectangles.push_back(keep_out_rectangle(row));
   if (!job.wishes.empty()) {
     add_wishes_of_file(job);
     check_size(to_toml(job), job.path + ": with the rows of library.wishes");

@@ -106,11 +106,15 @@ const JobKey* find_column(const JobTable& table, const std::string& name) {
   return at == table.columns.end() ? nullptr : &*at;
 }
 
+const std::vector<JobRow>& rows_of(const Job& job, const std::string& table) {
+  static const std::vector<JobRow> none;
+  const auto rows = job.tables.find(table);
+  return rows == job.tables.end() ? none : rows->second;
+}
+
 std::string table_to_toml(const JobTable& table, const Job& job) {
-  const auto rows = job.tables.find(table.name);
-  if (rows == job.tables.end()) return {};
   std::string text;
-  for (const JobRow& row : rows->second) {
+  for (const JobRow& row : rows_of(job, table.name)) {
     text += "\n[[" + table.name + "]]\n";
     for (const JobKey& column : table.columns) {
       const auto cell = row.find(column.name);

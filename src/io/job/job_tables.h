@@ -22,6 +22,9 @@ const std::vector<JobTable>& job_tables();
 const JobTable* find_job_table(const std::string& name);
 const JobKey* find_column(const JobTable& table, const std::string& name);
 
+/// The job's rows of the table of that name; none where there are none.
+const std::vector<JobRow>& rows_of(const Job& job, const std::string& table);
+
 /// The job's rows of the table as TOML, readable by load_job; empty where there are none.
 std::string table_to_toml(const JobTable& table, const Job& job);
 

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/job/job_keys.h"
+#include "io/job/job_tables.h"
 #include "io/job/wish_parts.h"
 #include "io/library/name_globs.h"
 #include "io/library/name_index.h"
@@ -19,12 +20,6 @@ namespace tessera::io {
 namespace {
 
 constexpr double kDegreesPerRad = 180 / std::numbers::pi;
-
-const std::vector<JobRow>& rows_of(const Job& job, const std::string& table) {
-  static const std::vector<JobRow> none;
-  const auto rows = job.tables.find(table);
-  return rows == job.tables.end() ? none : rows->second;
-}
 
 /// Null where the row says nothing of it.
 const JobValue* cell(const JobRow& row, const std::string& column) {

@@ -8,6 +8,7 @@
 #include "core/collage/quality.h"
 #include "io/atomic_file.h"
 #include "io/job/job_library.h"
+#include "io/job/wished_sizes.h"
 #include "io/result/card_output.h"
 #include "io/result/geojson_output.h"
 #include "io/result/result_manifest.h"
@@ -19,16 +20,10 @@ namespace fs = std::filesystem;
 
 std::string in_directory(const std::string& dir, const char* name) { return (fs::path(dir) / name).string(); }
 
-/// That the job asks for; with pieces.fit = "all" it only says how sizes relate to each other.
-std::optional<SizeRange> wished_sizes(const PieceSettings& pieces) {
-  if (pieces.fit_all) return {};
-  return SizeRange{pieces.min_scale_px, pieces.max_scale_px};
-}
-
 Quality measured_quality(const CollageReport& report) {
   return measure_quality(
       *report.canvas, report.placements, [&](ShapeId id) -> const Shape& { return report.shape(id); },
-      wished_sizes(report.job->settings.pieces));
+      wished_sizes(*report.job));
 }
 
 void remove_file(const std::string& path) {
