@@ -1,80 +1,23 @@
-// Pieces that move, turn and scale together, and how they become ones that may stand.
+// Pieces that move, turn and scale together.
 #include "core/relax/relaxation.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
-#include <cmath>
-#include <numeric>
+#include <algorithm>
+#include <array>
+#include <stdexcept>
 
-#include "core/collage/clearing.h"
 #include "core/relax/relaxation_step.h"
-#include "core/relax/schedules.h"
-#include "support/polygon_distance.h"
-#include "support/synthetic_shapes.h"
+#include "relaxed_pieces.h"
 
 namespace tessera {
 namespace {
 
-const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> all{
-      test::make_test_shape("disc", test::disc_outline()), test::make_test_shape("bean", test::bean_outline()),
-      test::make_test_shape("star", test::star_outline(5)), test::make_test_shape("ring", test::ring_outline(0.6f)),
-      test::make_test_shape("blob", test::blob_outline(3))};
-  return all;
-}
+using namespace relaxed_pieces;
 
-const std::vector<ContactShape>& contact_shapes() {
-  static const std::vector<ContactShape> all = [] {
-    std::vector<ContactShape> made;
-    for (const Shape& shape : shapes()) made.push_back(make_contact_shape(shape));
-    return made;
-  }();
-  return all;
-}
-
-constexpr std::size_t kDisc = 0;
-const float kDiscRadius = 1 / std::sqrt(std::numbers::pi_v<float>);  // of the disc of unit area
-
-const auto do_not_look = [] {};
-
-Similarity pose(float scale_px, float angle_rad, Vec2 centre) {
-  return {scale_px * std::cos(angle_rad), scale_px * std::sin(angle_rad), centre.x, centre.y};
-}
-
-RelaxedPiece piece(std::size_t shape, const Similarity& where, const PoseRange& poses = {10, 60, {}}) {
-  return {&contact_shapes()[shape], where, poses};
-}
-
-std::vector<std::size_t> all_of(const std::vector<RelaxedPiece>& pieces) {
-  std::vector<std::size_t> all(pieces.size());
-  std::iota(all.begin(), all.end(), std::size_t(0));
-  return all;
-}
-
-float any_number(int low, int high) { return 0.01f * float(*rc::gen::inRange(100 * low, 100 * high)); }
-
-/// One in each of 14 of the 16 cells of a canvas of this width: they overlap each other and the edge.
-std::vector<RelaxedPiece> any_pieces(float canvas_px) {
-  std::vector<RelaxedPiece> pieces;
-  for (int k = 0; k < 14; ++k) {
-    const float scale = any_number(20, 45);
-    const float angle = any_number(0, 6);
-    const Vec2 cell{float(k % 4) + any_number(0, 1), float(k / 4) + any_number(0, 1)};
-    pieces.push_back(
-        piece(*rc::gen::inRange<std::size_t>(0, shapes().size()), pose(scale, angle, cell * (canvas_px / 4))));
-  }
-  return pieces;
-}
-
-constexpr int kCanvas_px = 150;
-
-FreeField rectangle(int size_px = kCanvas_px) { return {make_rectangle_canvas(size_px, size_px), PieceSettings{}}; }
 FreeField seamless(int size_px, bool in_x, bool in_y) {
   return {make_seamless_canvas(size_px, size_px, in_x, in_y), PieceSettings{}};
 }
-
-constexpr RelaxationSchedule kShort{25, 0.5f, 5, 3, 0.3f};
 
 /// Where a pose is after a movement along one of the four, by this many px; written with sines, unlike the code.
 Similarity after(const Similarity& s, int direction, double by_px) {
@@ -322,99 +265,6 @@ TEST(Relaxation, WhereLookThrowsPiecesAreAsTheyWere) {
   };
   EXPECT_THROW(Relaxation(canvas, {0, -1}).relax(pieces, {0, 1}, kShort, throw_later), std::runtime_error);
   EXPECT_EQ(pieces[0].canvas_from_shape, pose(40, 0, {70, 70}));
-}
-
-/// By the rule that the master asks before it places a piece, with all others in the free field.
-std::size_t conflicts_among(const std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& dropped,
-                            const Canvas& canvas, const PieceSettings& settings) {
-  const auto is_dropped = [&](std::size_t i) { return std::count(dropped.begin(), dropped.end(), i) > 0; };
-  const auto shape_of = [&](std::size_t i) -> const Shape& {
-    return shapes()[std::size_t(pieces[i].shape - contact_shapes().data())];
-  };
-  std::size_t conflicts = 0;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (is_dropped(i)) continue;
-    FreeField free(canvas, settings);
-    PlacedOutlines others(free, settings);
-    for (std::size_t j = 0; j < pieces.size(); ++j) {
-      if (j == i || is_dropped(j)) continue;
-      others.add({ShapeId{}, pieces[j].canvas_from_shape}, shape_of(j).outline);
-      free.stamp(shape_of(j), pieces[j].canvas_from_shape);
-    }
-    conflicts += others.conflicts(shape_of(i), pieces[i].canvas_from_shape).size();
-  }
-  return conflicts;
-}
-
-TEST(Clearing, LeavesNoConflictWhateverTheRule) {
-  const Canvas canvas = make_rectangle_canvas(kCanvas_px, kCanvas_px);
-  const Canvas tube = make_seamless_canvas(kCanvas_px, kCanvas_px, true, false);
-  EXPECT_TRUE(rc::check([&] {
-    PieceSettings settings;
-    settings.padding_px = *rc::gen::element(0.f, 2.f);
-    settings.overlap_px = *rc::gen::element(0.f, 0.0005f, 1.4f);
-    settings.max_scale_px = 60;
-    const Canvas& where = **rc::gen::element(&canvas, &tube);
-    std::vector<RelaxedPiece> pieces = any_pieces(kCanvas_px);
-    pieces.resize(8);
-    const FreeField free(where, settings);
-    Relaxation(free, contact_distances(settings)).relax(pieces, all_of(pieces), kShort, do_not_look);
-    const std::vector<std::size_t> dropped = make_clear(pieces, all_of(pieces), free, settings, do_not_look);
-    RC_TAG(dropped.size());
-    RC_ASSERT(dropped.size() < pieces.size() / 2);
-    RC_ASSERT(conflicts_among(pieces, dropped, where, settings) == 0u);
-    for (const RelaxedPiece& p : pieces) RC_ASSERT(p.poses.contains(p.canvas_from_shape));
-  }));
-}
-
-TEST(Clearing, APieceWithoutRoomBetweenFixedOnesIsReported) {
-  const PieceSettings settings;
-  std::vector<RelaxedPiece> pieces;
-  for (const float x : {80.f, 100.f, 120.f}) pieces.push_back(piece(kDisc, pose(40, 0, {x, 100}), {40, 40, {}}));
-  for (const std::size_t i : {0u, 2u}) pieces[i].fixed = true;
-  const Canvas slit = [] {
-    Grid<float> coverage(400, 400, 0.f);
-    for (int y = 150; y < 250; ++y) {
-      for (int x = 80; x < 320; ++x) coverage(x, y) = 1;
-    }
-    return make_mask_canvas(coverage);
-  }();
-  const FreeField free(slit, settings);
-  const std::vector<std::size_t> dropped = make_clear(pieces, {0, 1, 2}, free, settings, do_not_look);
-  EXPECT_EQ(dropped, std::vector<std::size_t>{1});
-  EXPECT_EQ(pieces[0].canvas_from_shape, pose(40, 0, {80, 100}));
-}
-
-/// Steps of shrinking are coarse, and of several that made way for each other the last did so for nothing.
-TEST(Clearing, APieceIsAsLargeAsTheOutlinesAllow) {
-  const PieceSettings settings;
-  const FreeField square = rectangle(100);
-  const float largest_px = (50 + settings.overlap_px) / kDiscRadius;
-  std::vector<RelaxedPiece> pieces{piece(kDisc, pose(1.02f * largest_px, 0, {50, 50}), {10, 500, {}})};
-  EXPECT_EQ(make_clear(pieces, {0}, square, settings, do_not_look), std::vector<std::size_t>{});
-  EXPECT_GT(pieces[0].canvas_from_shape.scale(), 0.998f * largest_px);
-}
-
-/// Growing is not its task: nobody would hold a piece back that lies alone.
-TEST(Clearing, APieceBecomesHardlyLargerThanItWas) {
-  std::vector<RelaxedPiece> pieces{piece(kDisc, pose(30, 0, {50, 50}), {10, 500, {}})};
-  make_clear(pieces, {0}, rectangle(100), {}, do_not_look);
-  EXPECT_LT(pieces[0].canvas_from_shape.scale(), 30.101f);
-}
-
-TEST(BoundarySamples, LengthsAddUpAndStepsAreBounded) {
-  for (const Shape& shape : shapes()) {
-    const BoundarySamples samples = sample_boundary(shape.outline, 0.05f, 0.006f);
-    float length = 0;
-    for (const BoundarySample& s : samples.samples) {
-      length += s.length;
-      EXPECT_LT(test::boundary_distance({{{s.position}}}, shape.outline), 1e-5) << shape.name;
-    }
-    EXPECT_NEAR(length, shape.perimeter, 1e-3 * shape.perimeter) << shape.name;
-    EXPECT_LE(samples.longest_step, 0.05f) << shape.name;
-    ASSERT_EQ(samples.curve_ends.size(), shape.outline.curves.size());
-    EXPECT_EQ(samples.curve_ends.back(), samples.samples.size());
-  }
 }
 
 }  // namespace

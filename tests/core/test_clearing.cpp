@@ -1,0 +1,95 @@
+// How relaxed pieces become ones that may stand.
+#include "core/collage/clearing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/relax/schedules.h"
+#include "relaxed_pieces.h"
+
+namespace tessera {
+namespace {
+
+using namespace relaxed_pieces;
+
+/// By the rule that the master asks before it places a piece, with all others in the free field.
+std::size_t conflicts_among(const std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& dropped,
+                            const Canvas& canvas, const PieceSettings& settings) {
+  const auto is_dropped = [&](std::size_t i) { return std::count(dropped.begin(), dropped.end(), i) > 0; };
+  const auto shape_of = [&](std::size_t i) -> const Shape& {
+    return shapes()[std::size_t(pieces[i].shape - contact_shapes().data())];
+  };
+  std::size_t conflicts = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (is_dropped(i)) continue;
+    FreeField free(canvas, settings);
+    PlacedOutlines others(free, settings);
+    for (std::size_t j = 0; j < pieces.size(); ++j) {
+      if (j == i || is_dropped(j)) continue;
+      others.add({ShapeId{}, pieces[j].canvas_from_shape}, shape_of(j).outline);
+      free.stamp(shape_of(j), pieces[j].canvas_from_shape);
+    }
+    conflicts += others.conflicts(shape_of(i), pieces[i].canvas_from_shape).size();
+  }
+  return conflicts;
+}
+
+TEST(Clearing, LeavesNoConflictWhateverTheRule) {
+  const Canvas canvas = make_rectangle_canvas(kCanvas_px, kCanvas_px);
+  const Canvas tube = make_seamless_canvas(kCanvas_px, kCanvas_px, true, false);
+  EXPECT_TRUE(rc::check([&] {
+    PieceSettings settings;
+    settings.padding_px = *rc::gen::element(0.f, 2.f);
+    settings.overlap_px = *rc::gen::element(0.f, 0.0005f, 1.4f);
+    settings.max_scale_px = 60;
+    const Canvas& where = **rc::gen::element(&canvas, &tube);
+    std::vector<RelaxedPiece> pieces = any_pieces(kCanvas_px);
+    pieces.resize(8);
+    const FreeField free(where, settings);
+    Relaxation(free, contact_distances(settings)).relax(pieces, all_of(pieces), kShort, do_not_look);
+    const std::vector<std::size_t> dropped = make_clear(pieces, all_of(pieces), free, settings, do_not_look);
+    RC_TAG(dropped.size());
+    RC_ASSERT(dropped.size() < pieces.size() / 2);
+    RC_ASSERT(conflicts_among(pieces, dropped, where, settings) == 0u);
+    for (const RelaxedPiece& p : pieces) RC_ASSERT(p.poses.contains(p.canvas_from_shape));
+  }));
+}
+
+TEST(Clearing, APieceWithoutRoomBetweenFixedOnesIsReported) {
+  const PieceSettings settings;
+  std::vector<RelaxedPiece> pieces;
+  for (const float x : {80.f, 100.f, 120.f}) pieces.push_back(piece(kDisc, pose(40, 0, {x, 100}), {40, 40, {}}));
+  for (const std::size_t i : {0u, 2u}) pieces[i].fixed = true;
+  const Canvas slit = [] {
+    Grid<float> coverage(400, 400, 0.f);
+    for (int y = 150; y < 250; ++y) {
+      for (int x = 80; x < 320; ++x) coverage(x, y) = 1;
+    }
+    return make_mask_canvas(coverage);
+  }();
+  const FreeField free(slit, settings);
+  const std::vector<std::size_t> dropped = make_clear(pieces, {0, 1, 2}, free, settings, do_not_look);
+  EXPECT_EQ(dropped, std::vector<std::size_t>{1});
+  EXPECT_EQ(pieces[0].canvas_from_shape, pose(40, 0, {80, 100}));
+}
+
+/// Steps of shrinking are coarse, and of several that made way for each other the last did so for nothing.
+TEST(Clearing, APieceIsAsLargeAsTheOutlinesAllow) {
+  const PieceSettings settings;
+  const FreeField square = rectangle(100);
+  const float largest_px = (50 + settings.overlap_px) / kDiscRadius;
+  std::vector<RelaxedPiece> pieces{piece(kDisc, pose(1.02f * largest_px, 0, {50, 50}), {10, 500, {}})};
+  EXPECT_EQ(make_clear(pieces, {0}, square, settings, do_not_look), std::vector<std::size_t>{});
+  EXPECT_GT(pieces[0].canvas_from_shape.scale(), 0.998f * largest_px);
+}
+
+/// Growing is not its task: nobody would hold a piece back that lies alone.
+TEST(Clearing, APieceBecomesHardlyLargerThanItWas) {
+  std::vector<RelaxedPiece> pieces{piece(kDisc, pose(30, 0, {50, 50}), {10, 500, {}})};
+  make_clear(pieces, {0}, rectangle(100), {}, do_not_look);
+  EXPECT_LT(pieces[0].canvas_from_shape.scale(), 30.101f);
+}
+
+}  // namespace
+}  // namespace tessera
