@@ -5,6 +5,7 @@
 
 #include "core/matching/matching_context.h"
 #include "core/tuning.h"
+#include "master/replacing.h"
 #include "worker/opencl_matcher.h"
 #include "worker/shard.h"
 
@@ -34,6 +35,8 @@ constexpr double kMasterOfAPiece_s = 2.5e-3;
 // improve_s by trials: 19 ms (185 shapes) and 30 ms (1,138).
 constexpr double kSamplesOfATrial = 60;
 constexpr double kMasterOfATrial_s = 7e-3;
+// 2,000 of them, 60 to 120 px: 18 s on one core.
+constexpr double kReplacement_s = 9e-3;
 // From the start to the first round and from the last to the files: kernels (0.1 s, or 1 to 8 when they are compiled
 // for the first time), card, pictures (1 s for one of 2000 px); and a worker's part of the library.
 constexpr double kOverhead_s = 2;
@@ -107,6 +110,13 @@ void add_memory(const PlanInput& input, const MatchingContext& context, PlanEsti
 /// With limits in seconds the times add up to no more than these.
 double limited(double seconds, double limit_s) { return limit_s > 0 ? std::min(seconds, limit_s) : seconds; }
 
+/// Of so many trials: each rank with its cores, but no more of them than there are windows.
+double replacing_s(const PlanInput& input, const PlanEstimate& plan, double trials) {
+  const double window_px = double(master::least_window_px(input.settings.pieces));
+  const double windows = std::max(1., input.canvas_px2 / (window_px * window_px));
+  return trials * double(master::kReplacementsPerTrial) * kReplacement_s / std::min(double(plan.workers), windows);
+}
+
 void add_times(const PlanInput& input, PlanEstimate& plan) {
   const CollageSettings& s = input.settings;
   const double shapes = double(input.shapes);
@@ -118,9 +128,12 @@ void add_times(const PlanInput& input, PlanEstimate& plan) {
   const double trials = s.improve.trials > 0    ? double(s.improve.trials)
                         : s.improve.seconds > 0 ? s.improve.seconds / (trial_s / plan.workers + kMasterOfATrial_s)
                                                 : 0;
-  plan.matching_s = filling_s + trials * trial_s;
-  plan.master_s = plan.pieces * kMasterOfAPiece_s + trials * kMasterOfATrial_s;
-  const double improving_s = limited(trials * (trial_s / plan.workers + kMasterOfATrial_s), s.improve.seconds);
+  const double replaced = master::pays_to_replace(s) ? master::kPartReplaced * trials : 0;
+  const double others = trials - replaced;
+  plan.matching_s = filling_s + others * trial_s;
+  plan.master_s = plan.pieces * kMasterOfAPiece_s + others * kMasterOfATrial_s;
+  const double improving_s = limited(
+      others * (trial_s / plan.workers + kMasterOfATrial_s) + replacing_s(input, plan, replaced), s.improve.seconds);
   const double loop_s = filling_s / plan.workers + plan.pieces * kMasterOfAPiece_s;
   plan.total_s = kOverhead_s + double(plan.shapes_per_worker) * kLoadingAShape_s + plan.pieces * kWritingAPiece_s +
                  limited(loop_s + improving_s, s.stop.seconds);

@@ -104,6 +104,8 @@ class Collage {
   /// inside.
   float distance_px(const Placement& placement, Vec2 point_px);
 
+  /// In which shapes may come in now.
+  const StanceTable& stances() const { return context_.stances; }
   const FreeField& free() const { return free_; }
   const std::vector<Placement>& placements() const { return placements_; }
   double covered_px2() const { return covered_px2_; }

@@ -80,6 +80,14 @@ void Collage::check_pieces(const CheckpointState& state) const {
   for (std::size_t i = 0; i < state.placements.size(); ++i) {
     check(state.placements[i].shape, state.placements[i].canvas_from_shape, i < any_size);
   }
+  for (std::size_t i = 0; i < state.moving.size(); ++i) {
+    check(state.moving[i].shape, state.moving[i].canvas_from_shape, i < any_size);
+  }
+  const bool given_move =
+      !state.moving.empty() &&
+      !std::equal(state.placements.begin(), state.placements.begin() + std::ptrdiff_t(given_), state.moving.begin(),
+                  state.moving.begin() + std::ptrdiff_t(std::min(given_, state.moving.size())));
+  if (given_move || (!state.moving.empty() && !state.improving)) fail(state, "pieces move that may not");
   for (const PooledSample& sample : state.pool) {
     for (const Candidate& c : sample.candidates) {
       check(c.shape, c.canvas_from_shape, false);

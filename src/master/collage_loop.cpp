@@ -13,13 +13,19 @@
 #include "core/base/processor_time.h"
 #include "core/base/stopwatch.h"
 #include "core/matching/size_schedule.h"
+#include "core/replacing/own_replacer.h"
 #include "core/tuning.h"
 #include "master/collage.h"
 #include "master/filling.h"
 #include "master/improving.h"
+#include "master/replacing.h"
 
 namespace tessera::master {
 namespace {
+
+/// The first trial lets all pieces move.
+constexpr std::uint32_t kTrialsBeforeReplacing = 1;
+constexpr std::uint64_t kReplacementsPerPiece = 60;  // where the job limits time alone
 
 Canvas region_of(const Canvas& canvas, std::uint32_t region) {
   return {.width_px = canvas.width_px,
@@ -44,18 +50,28 @@ struct Part {
   Filling filling;
 };
 
+/// Seconds of improving, what came before an interruption included.
+struct ImproveClock {
+  double earlier_s = 0;
+  Stopwatch watch;
+
+  double seconds() const { return earlier_s + watch.seconds(); }
+};
+
 /// One run: the state of the loop around the collage itself.
 class Run {
  public:
   Run(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes, Observer& observer,
-      const Checkpoints& checkpoints)
+      const Checkpoints& checkpoints, Replacer* replacer)
       : canvas_(canvas),
         settings_(settings),
         matcher_(matcher),
         shapes_(shapes),
         observer_(observer),
         keeper_(checkpoints.keeper),
-        context_(make_matching_context(settings, matcher.shapes().end)) {
+        context_(make_matching_context(settings, matcher.shapes().end)),
+        own_replacer_(shapes, 1, [this] { look(); }),
+        replacer_(replacer ? *replacer : own_replacer_) {
     if (checkpoints.from) {
       restore(*checkpoints.from);
     } else {
@@ -99,15 +115,19 @@ class Run {
     return std::size_t(std::count_if(given.begin(), given.end(), [](const GivenPiece& piece) { return piece.locked; }));
   }
 
+  void look() const {
+    if (const char* reason = observer_.stop_requested()) throw StoppedBetween{{reason}};
+  }
+
   /// The first `given` of the standing pieces stand to the end.
   void begin(std::uint32_t region, std::vector<Placement> standing, std::size_t given) {
     const Canvas part = region_of(canvas_, region);
-    part_ = std::make_unique<Part>(part, settings_, context_, matcher_, shapes_, statistics_, [this] {
-      if (const char* reason = observer_.stop_requested()) throw StoppedBetween{{reason}};
-    });
+    part_ = std::make_unique<Part>(part, settings_, context_, matcher_, shapes_, statistics_, [this] { look(); });
     if (settings_.start.grow_outward) collage().grow_by(OutwardGrowth(part, settings_.pieces, standing, shapes_));
     collage().begin(std::move(standing), given, region, size_of_attempt(attempt_));
     improving_ = false;
+    moving_.clear();
+    replaced_ = 0;
   }
 
   /// What stands is given to the next region. False where there is none, or the run is over.
@@ -153,6 +173,8 @@ class Run {
     statistics_ = from.statistics;
     earlier_ = from.statistics;
     improving_ = from.improving;
+    moving_ = from.moving;
+    replaced_ = from.replaced;
     if (!filling().restore_empty_passes(from.empty_passes)) {
       throw InputError(from.name + ": not a checkpoint of this job: " + std::to_string(from.empty_passes) +
                        " passes without a piece; --restart removes it and starts again");
@@ -186,6 +208,8 @@ class Run {
     state.statistics.stopped_by.clear();
     state.attempt = std::uint32_t(attempt_);
     state.begun_with = begun_with();
+    state.moving = moving_;
+    state.replaced = replaced_;
     collage().save(state);
     return state;
   }
@@ -205,28 +229,71 @@ class Run {
   void improve() {
     statistics_.stopped_by = collage().may_go_on() ? "full" : "used_up";
     filling().count_into(trial_work_);
-    const double earlier_s = statistics_.improve_s;
-    const Stopwatch watch;
+    improve_clock_ = {statistics_.improve_s, {}};
     const std::uint32_t region = collage().limits().region;
     const double area_px2 = canvas_.regions.empty() ? canvas_.area_px2 : canvas_.regions[region].area_px2;
     const auto earlier_trials = std::uint32_t(trials_in_regions_below(region));
     Improving improving(collage(), filling(), settings_, area_px2, shapes_);
     while (may_improve() && !reached_limit() && !interrupted()) {
-      Trial trial = Trial::interrupted;
+      if (moving_.empty() && statistics_.trials == earlier_trials + kTrialsBeforeReplacing) begin_replacing();
       try {
-        trial = improving.try_once(
-            std::uint32_t(statistics_.trials), [this] { return observer_.stop_requested() != nullptr; },
-            earlier_trials);
+        if (moving_.empty()) {
+          try_once(improving, earlier_trials);
+        } else {
+          replace(improving);
+        }
       } catch (const Interrupted&) {
-        statistics_.improve_s = earlier_s + watch.seconds();
+        statistics_.improve_s = improve_clock_.seconds();
         throw;
       }
-      statistics_.improve_s = earlier_s + watch.seconds();
-      if (trial == Trial::interrupted) continue;
-      statistics_.trials_kept += trial == Trial::kept;
-      ++statistics_.trials;
-      after_step();
     }
+  }
+
+  void try_once(Improving& improving, std::uint32_t earlier_trials) {
+    const Trial trial = improving.try_once(
+        std::uint32_t(statistics_.trials), [this] { return observer_.stop_requested(); }, earlier_trials);
+    statistics_.improve_s = improve_clock_.seconds();
+    if (trial == Trial::interrupted) return;
+    statistics_.trials_kept += trial == Trial::kept;
+    ++statistics_.trials;
+    after_step();
+  }
+
+  /// Of the region's trials so many are replacements.
+  std::uint64_t replacements() const {
+    if (settings_.improve.trials == 0) return kReplacementsPerPiece * collage().placements().size();
+    const std::uint32_t region = collage().limits().region;
+    const std::uint64_t trials = trials_in_regions_below(region + 1) - trials_in_regions_below(region);
+    return std::uint64_t(kReplacementsPerTrial * kPartReplaced * double(trials));
+  }
+
+  void begin_replacing() {
+    replaced_ = 0;
+    if (pays_to_replace(settings_) && replacements() >= collage().placements().size()) moving_ = collage().placements();
+  }
+
+  /// One more batch; after the last one the pieces come to rest, and are kept or put back.
+  void replace(Improving& improving) {
+    ReplacementProgress progress{replaced_, std::max(replaced_, replacements())};
+    if (progress.done < progress.all) {
+      const auto poses_of = [this](const Placement& p) { return collage().poses_of(p); };
+      Replacing replacing(collage().free(), collage().stances(), settings_, shapes_, poses_of, replacer_);
+      moving_ = replacing.batch(moving_, collage().given(), progress);
+      statistics_.trials += std::max<std::uint64_t>(1, (progress.done - replaced_) / kReplacementsPerTrial);
+      replaced_ = progress.done;
+    }
+    statistics_.improve_s = improve_clock_.seconds();
+    if (replaced_ >= progress.all || !may_improve() || reached_limit()) settle(improving);
+    if (!unfinished_) after_step();
+  }
+
+  void settle(Improving& improving) {
+    const Trial trial =
+        improving.settle(moving_, std::uint32_t(statistics_.trials), [this] { return observer_.stop_requested(); });
+    statistics_.improve_s = improve_clock_.seconds();
+    if (trial == Trial::interrupted) return;
+    statistics_.trials_kept += trial == Trial::kept;
+    moving_.clear();
   }
 
   bool may_improve() const {
@@ -321,6 +388,11 @@ class Run {
   Stopwatch watch_;
   RunStatistics earlier_;  // before an interruption
   bool improving_ = false;
+  ImproveClock improve_clock_;
+  OwnReplacer own_replacer_;
+  Replacer& replacer_;
+  std::vector<Placement> moving_;  // while pieces are replaced: where they are; they may not stand so
+  std::uint64_t replaced_ = 0;     // trials of the phase
   bool unfinished_ = false;
   bool gave_up_question_ = false;
 };
@@ -328,8 +400,8 @@ class Run {
 }  // namespace
 
 CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
-                           Observer& observer, const Checkpoints& checkpoints) {
-  return Run(canvas, settings, matcher, shapes, observer, checkpoints).finish();
+                           Observer& observer, const Checkpoints& checkpoints, Replacer* replacer) {
+  return Run(canvas, settings, matcher, shapes, observer, checkpoints, replacer).finish();
 }
 
 }  // namespace tessera::master

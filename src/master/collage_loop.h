@@ -6,6 +6,7 @@
 #include "core/collage/placement.h"
 #include "core/field/canvas.h"
 #include "core/matching/matcher.h"
+#include "core/replacing/replacer.h"
 #include "core/settings.h"
 #include "core/shape/shape_source.h"
 #include "master/checkpoint_keeper.h"
@@ -30,8 +31,8 @@ struct Checkpoints {
 /// `matcher` covers the whole library. Where it throws Interrupted, the loop ends within a round as if the observer had
 /// asked it to stop, and the state that is kept is that before the question. A loop that was interrupted and goes on
 /// `from` its checkpoint, with the same canvas, settings and library, places what it would have placed without the
-/// interruption. Throws InputError where `from` belongs to another canvas or library.
+/// interruption. `replacer`, of the same library: who runs replacement trials; null: this thread. Throws InputError where `from` belongs to another canvas or library.
 CollageResult make_collage(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher, ShapeSource& shapes,
-                           Observer& observer, const Checkpoints& checkpoints = {});
+                           Observer& observer, const Checkpoints& checkpoints = {}, Replacer* replacer = nullptr);
 
 }  // namespace tessera::master

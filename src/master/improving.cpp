@@ -7,6 +7,7 @@
 #include "core/base/interrupted.h"
 #include "core/base/portable_math.h"
 #include "core/collage/objective.h"
+#include "core/relax/schedules.h"
 #include "core/tuning.h"
 
 namespace tessera::master {
@@ -133,13 +134,30 @@ void Improving::recreate(std::uint32_t trial, const Look& look) {
   fill(look);
 }
 
-void Improving::relax_all(std::uint32_t trial, const Look& look) {
-  filling_.start(collage_.replace_placements(relaxing_.relaxed(collage_.placements(), collage_.given(), look)));
+void Improving::relax_all(const std::vector<Placement>& from, std::span<const RelaxationSchedule> schedules,
+                          std::uint32_t trial, const Look& look) {
+  filling_.start(collage_.replace_placements(relaxing_.relaxed(from, collage_.given(), schedules, look)));
   collage_.set_first_pass(kPassesPerTrial * trial);
   fill(look);
 }
 
 Trial Improving::try_once(std::uint32_t trial, const std::function<bool()>& stopped, std::uint32_t earlier) {
+  return try_with(
+      [&](const Look& look) {
+        if (relax_ && (trial - earlier) % trials_per_relaxation_ == 0) {
+          relax_all(collage_.placements(), kRelaxCollage, trial, look);
+        } else {
+          recreate(trial, look);
+        }
+      },
+      stopped);
+}
+
+Trial Improving::settle(std::vector<Placement> placements, std::uint32_t trial, const std::function<bool()>& stopped) {
+  return try_with([&](const Look& look) { relax_all(placements, kSettleCollage, trial, look); }, stopped);
+}
+
+Trial Improving::try_with(const std::function<void(const Look&)>& change, const std::function<bool()>& stopped) {
   const std::vector<Placement> before = collage_.placements();
   const std::int64_t loss_before = loss_256ths_px2();
   const std::size_t missing_before = collage_.missing().size();
@@ -147,11 +165,7 @@ Trial Improving::try_once(std::uint32_t trial, const std::function<bool()>& stop
     if (stopped()) throw Stopped{};
   };
   try {
-    if (relax_ && (trial - earlier) % trials_per_relaxation_ == 0) {
-      relax_all(trial, look);
-    } else {
-      recreate(trial, look);
-    }
+    change(look);
     look();
   } catch (const Stopped&) {
     collage_.replace_placements(before);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "master/collage.h"
 #include "master/filling.h"
@@ -22,6 +23,8 @@ class Improving {
   /// Trial number `trial`, of which `earlier` were before the region was begun: its outcome follows from these numbers
   /// and the placements alone. `stopped` is asked before every piece and while pieces move; an interrupted trial, also
   /// where the matcher throws Interrupted, leaves the placements as they were.
+  /// The pieces are relaxed from there.
+  Trial settle(std::vector<Placement> placements, std::uint32_t trial, const std::function<bool()>& stopped);
   Trial try_once(std::uint32_t trial, const std::function<bool()>& stopped, std::uint32_t earlier = 0);
 
  private:
@@ -32,7 +35,9 @@ class Improving {
   /// The placements without a few beside a gap; all of them where there is no gap, or no small piece.
   std::vector<Placement> ruined(std::uint64_t random);
   void recreate(std::uint32_t trial, const Look& look);
-  void relax_all(std::uint32_t trial, const Look& look);
+  void relax_all(const std::vector<Placement>& from, std::span<const RelaxationSchedule> schedules, std::uint32_t trial,
+                 const Look& look);
+  Trial try_with(const std::function<void(const Look&)>& change, const std::function<bool()>& stopped);
   void fill(const Look& look);
   std::int64_t loss_256ths_px2() const;
   std::int64_t dwarfs_256ths_px2() const;

@@ -18,11 +18,16 @@ bool nearer_than(float reach_px, const std::vector<Vec2>& a, const std::vector<V
 
 }  // namespace
 
+bool any_kept_apart(const CollageSettings& settings) {
+  const std::vector<ShapeWish>& classes = settings.wishes.classes;
+  return settings.pieces.apart_px > 0 || std::any_of(classes.begin(), classes.end(), [](const ShapeWish& wish) {
+           return wish.apart && wish.apart->distance_px > 0;
+         });
+}
+
 KeptApart::KeptApart(const CollageSettings& settings, ShapeSource& shapes, const Period& period)
     : job_distance_px_(settings.pieces.apart_px),
-      matters_(job_distance_px_ > 0 ||
-               std::any_of(settings.wishes.classes.begin(), settings.wishes.classes.end(),
-                           [](const ShapeWish& wish) { return wish.apart && wish.apart->distance_px > 0; })),
+      matters_(any_kept_apart(settings)),
       wishes_(settings.wishes),
       shapes_(shapes),
       period_(period) {}

@@ -16,6 +16,9 @@
 
 namespace tessera::master {
 
+/// Whether pieces of any shape keep a distance.
+bool any_kept_apart(const CollageSettings& settings);
+
 /// Distances are those between outlines, which is what is seen; along each outline points are compared, and half of
 /// their spacing is added, so that what stands is as far apart as was wished for, or farther by a 200th of its outline.
 class KeptApart {

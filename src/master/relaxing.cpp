@@ -44,6 +44,7 @@ Relaxing::Relaxing(const FreeField& free, const CollageSettings& settings, Shape
       relaxation_(free, contact_distances(settings.pieces)) {}
 
 std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placements, std::size_t given,
+                                         std::span<const RelaxationSchedule> schedules,
                                          const std::function<void()>& look) {
   std::map<ShapeId, ContactShape> contact_shapes;  // 80 KB each: of those that stand, and not kept
   std::vector<RelaxedPiece> pieces;
@@ -57,7 +58,7 @@ std::vector<Placement> Relaxing::relaxed(const std::vector<Placement>& placement
   }
   std::vector<std::size_t> moving(placements.size() - given);
   std::iota(moving.begin(), moving.end(), given);
-  for (const RelaxationSchedule& schedule : kRelaxCollage) relaxation_.relax(pieces, moving, schedule, look);
+  for (const RelaxationSchedule& schedule : schedules) relaxation_.relax(pieces, moving, schedule, look);
   const std::vector<std::size_t> lost = make_clear(pieces, moving, free_, settings_.pieces, look);
   std::vector<Placement> result = placements;
   for (const std::size_t i : moving) result[i].canvas_from_shape = pieces[i].canvas_from_shape;

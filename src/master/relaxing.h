@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/collage/placement.h"
@@ -34,7 +35,7 @@ class Relaxing {
   /// `placements` after all but the first `given` have moved, without those that found no place or came too near to
   /// their like. What `look` throws leaves nothing changed.
   std::vector<Placement> relaxed(const std::vector<Placement>& placements, std::size_t given,
-                                 const std::function<void()>& look);
+                                 std::span<const RelaxationSchedule> schedules, const std::function<void()>& look);
 
  private:
   const FreeField& free_;

@@ -20,6 +20,13 @@ std::vector<ShapeId> filled_up(std::vector<ShapeId> listed, std::uint32_t shapes
 
 }  // namespace
 
+bool any_uses_limited(const PieceSettings& pieces, const Wishes& wishes) {
+  return pieces.fit_all || pieces.uses > 0 || pieces.least_uses > 0 ||
+         std::any_of(wishes.classes.begin(), wishes.classes.end(), [](const ShapeWish& wish) {
+           return wish.uses.value_or(0) > 0 || wish.least_uses.value_or(0) > 0;
+         });
+}
+
 Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, std::vector<ShapeId> silhouettes,
                  const Period& period, std::vector<ShapeId> drawings)
     : pieces_(settings.pieces),
@@ -32,10 +39,7 @@ Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, st
       drawings_(filled_up(std::move(drawings), stances.library_shapes())),
       placed_(stances.library_shapes()) {
   for (const Stance& stance : stances.stances()) weight_.push_back(stance.weight);
-  limits_uses_ = pieces_.fit_all || pieces_.uses > 0 || pieces_.least_uses > 0;
-  for (const ShapeWish& wish : wishes_.classes) {
-    limits_uses_ = limits_uses_ || wish.uses.value_or(0) > 0 || wish.least_uses.value_or(0) > 0;
-  }
+  limits_uses_ = any_uses_limited(pieces_, wishes_);
 }
 
 void Scoring::count(const Placement& placement) {

@@ -14,6 +14,9 @@
 
 namespace tessera::master {
 
+/// Whether it matters at all how often a shape stands.
+bool any_uses_limited(const PieceSettings& pieces, const Wishes& wishes);
+
 class Scoring {
  public:
   /// `silhouettes`: for each shape of the library the first one with its silhouette; empty: each is its own. Shapes of

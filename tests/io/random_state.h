@@ -19,6 +19,10 @@ class RandomState {
     for (std::uint32_t i = below(20); i > 0; --i) {
       state.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});
     }
+    for (std::uint32_t i = below(20); i > 0; --i) {
+      state.moving.push_back({ShapeId{below(100)}, pose(), number(), number()});
+    }
+    state.replaced = below(1000);
     for (const SampleId id : ascending()) state.pool.push_back({id, below(2) == 1, candidates()});
     state.stale = ascending();
     for (const SampleId id : ascending()) state.passes.push_back({id, below(9)});

@@ -159,7 +159,9 @@ TEST(Restart, OfAFinishedFillingGoesOnImproving) {
   const std::size_t filling = Whole(settings()).steps;
   KeepLatest keeper;
   StopAfter stop(filling + 3);
-  EXPECT_EQ(run(improved(), {}, stop, {nullptr, &keeper}).statistics.stopped_by, "signal");
+  CollageSettings s = improved();
+  s.improve.relax = false;  // each step is one trial
+  EXPECT_EQ(run(s, {}, stop, {nullptr, &keeper}).statistics.stopped_by, "signal");
   EXPECT_TRUE(keeper.latest.improving);
   EXPECT_EQ(keeper.latest.statistics.trials, 3u);
   EXPECT_GT(keeper.latest.statistics.improve_s, 0);

@@ -1,6 +1,7 @@
 // When a trial is kept and when it is put back, with a matcher that offers what the test tells it to.
 #include <gtest/gtest.h>
 
+#include "core/relax/schedules.h"
 #include "master/improving.h"
 #include "master/kept_apart.h"
 #include "offered_filling.h"
@@ -217,7 +218,7 @@ TEST_F(ApartTest, OfPiecesTooNearToTheirLikeTheFirstStays) {
 TEST_F(ApartTest, OfPiecesThatGrewTooNearToTheirLikeTheFirstStays) {
   Relaxing relaxing(collage_.free(), apart(), shapes_, [](const Placement&) { return PoseRange{20, 90, {}}; });
   const auto relaxed_beside = [&](std::uint32_t shape) {
-    return relaxing.relaxed({piece(0, 40, {45, 70}), piece(shape, 40, {155, 70})}, 0, [] {});
+    return relaxing.relaxed({piece(0, 40, {45, 70}), piece(shape, 40, {155, 70})}, 0, kRelaxCollage, [] {});
   };
   EXPECT_EQ(relaxed_beside(1).size(), 2u);
   const std::vector<Placement> alike = relaxed_beside(0);

@@ -38,6 +38,8 @@ struct CheckpointState {
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
   int empty_passes = 0;               // how often all samples were matched again since the last piece, while filling
   std::vector<Placement> placements;  // in the order in which they were placed
+  std::vector<Placement> moving;      // while pieces are replaced: where they are, the given ones first; else empty
+  std::uint64_t replaced = 0;         // replacement trials so far
   std::vector<PooledSample> pool;     // ascending samples, as in the lists below
   std::vector<SampleId> stale;        // target samples to be matched
   std::vector<SamplePasses> passes;

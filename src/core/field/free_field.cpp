@@ -71,10 +71,14 @@ FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
   field_ = {empty_, canvas.distance.origin - Vec2{float(beyond_x), float(beyond_y)}};
 }
 
-FieldSample FreeField::canvas_sample(Vec2 canvas_px) const {
+FieldView FreeField::canvas_view() const {
   FieldView canvas = view();
   canvas.value = empty_.data().data();
-  FieldSample sample = field_sample(canvas, canvas_px);
+  return canvas;
+}
+
+FieldSample FreeField::canvas_sample(Vec2 canvas_px) const {
+  FieldSample sample = field_sample(canvas_view(), canvas_px);
   sample.value += padding_px_;
   return sample;
 }

@@ -31,7 +31,10 @@ class FreeField {
   const CanvasField& field() const { return field_; }
   const PeriodicGrid& grid() const { return grid_; }
   FieldView view() const { return FieldView(field_); }
-  /// Distance to the canvas' own edge, positive inside, with its gradient: without pieces and without padding.
+  /// Of the canvas without pieces: distance to its edge, positive inside, less the padding.
+  FieldView canvas_view() const;
+  float padding_px() const { return padding_px_; }
+  /// The same without the padding, with its gradient.
   FieldSample canvas_sample(Vec2 canvas_px) const;
   /// Whether the canvas has zones that are kept out of: one may be smaller than a piece.
   bool has_zones() const { return has_zones_; }

@@ -8,15 +8,25 @@ namespace tessera {
 class CanvasEdge {
  public:
   /// Of the canvas of this field, whatever lies in it. It outlives the edge.
-  explicit CanvasEdge(const FreeField& free) : free_(free) {}
+  explicit CanvasEdge(const FreeField& free)
+      : field_(free.canvas_view()),
+        period_(free.grid().period()),
+        add_px_(free.padding_px()) {}
+  /// Of a canvas that does not repeat itself: distance to its edge in px, positive inside, at nodes so far apart. It
+  /// outlives the edge.
+  CanvasEdge(const CanvasField& distance, float node_px) : field_(distance), node_px_(node_px) {}
 
-  const Period& period() const { return free_.grid().period(); }
+  const Period& period() const { return period_; }
 
-  /// FreeField::canvas_sample(). Beyond the field's nodes: the value at the nearest one, less the way there.
+  /// Distance to the edge, positive inside, with its gradient. Beyond the field's nodes: the value at the nearest one,
+  /// less the way there.
   FieldSample at(Vec2 canvas_px) const;
 
  private:
-  const FreeField& free_;
+  FieldView field_;
+  Period period_;
+  float add_px_ = 0;
+  float node_px_ = 1;
 };
 
 }  // namespace tessera

@@ -26,8 +26,8 @@ struct ContactShape {
   FieldSample distance(Vec2 p) const;
 };
 
-/// Of `shape` it needs outline, field, perimeter and radius.
-ContactShape make_contact_shape(const Shape& shape);
+/// Of `shape` it needs outline, field, perimeter and radius. Its samples lie `sparser` times as far apart as usual.
+ContactShape make_contact_shape(const Shape& shape, float sparser = 1);
 
 inline FieldSample ContactShape::distance(Vec2 p) const {
   const float extent = field.extent;

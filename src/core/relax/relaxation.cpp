@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/base/portable_math.h"
@@ -146,25 +147,36 @@ void Relaxation::relax(std::vector<RelaxedPiece>& pieces, std::vector<std::size_
 }
 
 double Relaxation::energy_px2(const std::vector<RelaxedPiece>& pieces, float stiffness) const {
+  std::vector<std::size_t> all(pieces.size());
+  std::iota(all.begin(), all.end(), 0);
+  return energy_px2(pieces, all, stiffness);
+}
+
+double Relaxation::energy_px2(const std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active,
+                              float stiffness, float hard_stiffness) const {
   const std::vector<LaidPiece> all = laid(pieces);
   const PieceNeighbours near = neighbours_among(all, edge_.period());
+  std::vector<bool> is_active(pieces.size(), false);
+  for (const std::size_t i : active) is_active[i] = true;
   double area_px2 = 0;
-  double between = 0;  // sums of length times depth²
+  double between = 0;  // sums of stiffness times length times depth²
   double outside = 0;
-  const auto add_to = [this](double& sum) {
-    return [this, &sum](const Contact& c) {
-      const double depth_px = distances_.soft_px - c.distance_px;
-      sum += c.length_px * depth_px * depth_px;
+  const auto add_to = [&](double& sum) {
+    return [&](const Contact& c) {
+      each_depth(c.distance_px, distances_, {stiffness, hard_stiffness},
+                 [&](double depth_px, float k) { sum += double(k) * c.length_px * depth_px * depth_px; });
     };
   };
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (const std::size_t i : active) {
     area_px2 += double(all[i].scale_px) * double(all[i].scale_px);
     for (const Neighbour& n : near.of(std::uint32_t(i), distances_.reach_px())) {
       each_contact(all[i], all[n.piece], n.offset, distances_.soft_px, add_to(between));
+      if (is_active[n.piece]) continue;  // its contacts with this one are its own
+      each_contact(all[n.piece], all[i], n.offset * -1.f, distances_.soft_px, add_to(between));
     }
     each_contact(all[i], edge_, distances_.soft_px, add_to(outside));
   }
-  return 0.5 * stiffness * (kOneWay * between + kEdgeStiffness * outside) - area_px2;
+  return 0.5 * (kOneWay * between + kEdgeStiffness * outside) - area_px2;
 }
 
 std::array<double, 4> Relaxation::energy_gradient(const std::vector<RelaxedPiece>& pieces, std::size_t piece,

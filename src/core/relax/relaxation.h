@@ -52,7 +52,8 @@ struct RelaxationSchedule {
 class Relaxation {
  public:
   /// On the canvas of this field, whatever lies in it. It outlives the relaxation.
-  Relaxation(const FreeField& free, const ContactDistances& distances) : edge_(free), distances_(distances) {}
+  Relaxation(const FreeField& free, const ContactDistances& distances) : Relaxation(CanvasEdge(free), distances) {}
+  Relaxation(const CanvasEdge& edge, const ContactDistances& distances) : edge_(edge), distances_(distances) {}
 
   /// Moves those of `pieces` that `active` (indices, in any order) names and that are not fixed; afterwards their
   /// centres lie in the one period of a seamless canvas. `look` is called between sweeps; where it throws, the pieces
@@ -62,6 +63,10 @@ class Relaxation {
 
   /// Of all pieces, depths counted from soft_px on, without what is hard.
   double energy_px2(const std::vector<RelaxedPiece>& pieces, float stiffness) const;
+
+  /// As far as it depends on the poses of `active` (indices).
+  double energy_px2(const std::vector<RelaxedPiece>& pieces, const std::vector<std::size_t>& active, float stiffness,
+                    float hard_stiffness = 0) const;
 
   /// By how much the energy changes with each of the piece's movements (order of PieceMovement), px² a px.
   std::array<double, 4> energy_gradient(const std::vector<RelaxedPiece>& pieces, std::size_t piece,

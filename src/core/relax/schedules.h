@@ -18,6 +18,8 @@ inline constexpr RelaxationSchedule kComeToRest{40, 5, 12, 1, 0.2f};
 /// Tips weigh little, so that they lie deep: only what is hard draws them out. Stiffer, pieces stop growing.
 inline constexpr RelaxationSchedule kKeepTheRule{60, 12, 12, 1, 0.1f, 200};
 inline constexpr std::array kRelaxCollage = {kGrowTogether, kGrowTogether, kComeToRest, kKeepTheRule};
+/// For pieces that came to lie well already.
+inline constexpr std::array kSettleCollage = {kComeToRest, kKeepTheRule};
 
 /// Where contact begins, and from where on it is hard: a little before PlacedOutlines sees a conflict, as fields do not
 /// see all of an outline.

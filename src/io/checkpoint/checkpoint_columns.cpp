@@ -68,11 +68,21 @@ void append_loop(CheckpointColumns& to, const CheckpointState& state) {
   to.empty_passes.push_back(std::uint8_t(state.empty_passes));
   for (const auto count : kCounts) to.counts.push_back(state.statistics.*count);
   for (const auto measure : kMeasures) to.measures.push_back(state.statistics.*measure);
+  to.replaced.push_back(state.replaced);
+}
+
+void append_pieces(CheckpointColumns& to, const CheckpointState& state) {
   for (const Placement& p : state.placements) {
     to.placed_shape.push_back(index_of(p.shape));
     append(to.placed_pose, p.canvas_from_shape);
     to.placed_score.push_back(p.score);
     to.placed_matched.push_back(p.matched_px);
+  }
+  for (const Placement& p : state.moving) {
+    to.moving_shape.push_back(index_of(p.shape));
+    append(to.moving_pose, p.canvas_from_shape);
+    to.moving_score.push_back(p.score);
+    to.moving_matched.push_back(p.matched_px);
   }
 }
 
@@ -122,6 +132,7 @@ void check_values(const CheckpointColumns& c) {
   require_finite(c.measures, "/statistics/measures");
   for (const auto* column : {&c.placed_pose, &c.placed_score, &c.placed_matched})
     require_finite(*column, "/placements");
+  for (const auto* column : {&c.moving_pose, &c.moving_score, &c.moving_matched}) require_finite(*column, "/moving");
   for (const auto* column : {&c.pose, &c.terms, &c.score, &c.shape_size}) require_finite(*column, "/candidates");
   require_finite(c.matched_pad, "/samples/matched_pad");
   require_flags(c.improving, "/improving");
@@ -135,11 +146,15 @@ void check_values(const CheckpointColumns& c) {
 /// Columns of one table have as many rows.
 void check_rows(const CheckpointColumns& c) {
   require(c.digests.size() == 4 && c.improving.size() == 1 && c.stage.size() == 5 && c.empty_passes.size() == 1 &&
-              c.counts.size() == std::size(kCounts) && c.measures.size() == std::size(kMeasures),
+              c.replaced.size() == 1 && c.counts.size() == std::size(kCounts) &&
+              c.measures.size() == std::size(kMeasures),
           "a list of fixed length has another one");
   const std::size_t placed = c.placed_shape.size();
   require(c.placed_pose.size() == 4 * placed && c.placed_score.size() == placed && c.placed_matched.size() == placed,
           "/placements: columns of different length");
+  const std::size_t moving = c.moving_shape.size();
+  require(c.moving_pose.size() == 4 * moving && c.moving_score.size() == moving && c.moving_matched.size() == moving,
+          "/moving: columns of different length");
   require(c.pool_truncated.size() == c.pool_edge.size() && c.pool_candidates.size() == c.pool_edge.size(),
           "/pool: columns of different length");
   const std::size_t rows = c.shape.size();
@@ -165,9 +180,17 @@ void read_loop(const CheckpointColumns& from, CheckpointState& state) {
   state.empty_passes = from.empty_passes[0];
   for (std::size_t i = 0; i < std::size(kCounts); ++i) state.statistics.*kCounts[i] = from.counts[i];
   for (std::size_t i = 0; i < std::size(kMeasures); ++i) state.statistics.*kMeasures[i] = from.measures[i];
+  state.replaced = from.replaced[0];
+}
+
+void read_pieces(const CheckpointColumns& from, CheckpointState& state) {
   for (std::size_t i = 0; i < from.placed_shape.size(); ++i) {
     state.placements.push_back(
         {ShapeId{from.placed_shape[i]}, pose_at(from.placed_pose, i), from.placed_score[i], from.placed_matched[i]});
+  }
+  for (std::size_t i = 0; i < from.moving_shape.size(); ++i) {
+    state.moving.push_back(
+        {ShapeId{from.moving_shape[i]}, pose_at(from.moving_pose, i), from.moving_score[i], from.moving_matched[i]});
   }
 }
 
@@ -204,6 +227,7 @@ CheckpointColumns to_columns(const Checkpoint& checkpoint) {
   to.digests = {checkpoint.library_digest, checkpoint.canvas_digest, checkpoint.state.rebuilt_digest,
                 checkpoint.overlay_digest};
   append_loop(to, checkpoint.state);
+  append_pieces(to, checkpoint.state);
   append_pool(to, checkpoint.state);
   append_samples(to, checkpoint.state);
   return to;
@@ -219,6 +243,7 @@ Checkpoint from_columns(const CheckpointColumns& columns) {
   checkpoint.overlay_digest = columns.digests[3];
   checkpoint.state.rebuilt_digest = columns.digests[2];
   read_loop(columns, checkpoint.state);
+  read_pieces(columns, checkpoint.state);
   read_pool(columns, checkpoint.state);
   read_samples(columns, checkpoint.state);
   return checkpoint;

@@ -18,6 +18,9 @@ struct CheckpointColumns {
   std::vector<double> measures;
   std::vector<std::uint32_t> placed_shape;
   std::vector<float> placed_pose, placed_score, placed_matched;
+  std::vector<std::uint32_t> moving_shape;
+  std::vector<float> moving_pose, moving_score, moving_matched;
+  std::vector<std::uint64_t> replaced;
   std::vector<std::uint32_t> pool_edge;
   std::vector<std::uint8_t> pool_truncated;
   std::vector<std::uint32_t> pool_candidates;
@@ -51,6 +54,11 @@ void each_column(Columns& c, Visit visit) {
   visit("/placements/canvas_from_shape", c.placed_pose, 4, "px", "a b tx ty: (a x - b y + tx, b x + a y + ty)");
   visit("/placements/score", c.placed_score, 1, "", "when it was placed");
   visit("/placements/matched", c.placed_matched, 1, "px", "boundary that touched when it was placed");
+  visit("/moving/shape", c.moving_shape, 1, "", "while pieces are replaced: those that move, as in /placements");
+  visit("/moving/canvas_from_shape", c.moving_pose, 4, "px", "as in /placements");
+  visit("/moving/score", c.moving_score, 1, "", "as in /placements");
+  visit("/moving/matched", c.moving_matched, 1, "px", "as in /placements");
+  visit("/replaced", c.replaced, 1, "", "replacement trials so far");
   visit("/pool/edge", c.pool_edge, 1, "", "target samples that have candidates, ascending");
   visit("/pool/truncated", c.pool_truncated, 1, "", "1: there were more candidates");
   visit("/pool/candidates", c.pool_candidates, 1, "", "how many of the rows of /candidates are this sample's");

@@ -206,8 +206,9 @@ void add_improve_keys(std::vector<JobKey>& keys) {
                               "end improving after this time, which makes the result depend on the machine; 0 = no limit"},
                              FIELD(settings.improve.seconds)));
   keys.push_back(with_flag({"improve", "relax", flag, "", 0, 0, {},
-                            "at the beginning and now and then all pieces move, turn and grow together, where sizes are "
-                            "not fixed, the largest is at most five times the smallest and neither `colour.image` nor "
+                            "at the beginning all pieces move, turn and grow together, then in five of six trials single "
+                            "ones are exchanged (eight a trial) while their neighbours make room, where sizes are not "
+                            "fixed, the largest is at most five times the smallest and neither `colour.image` nor "
                             "`pieces.size_map` is given"},
                            FIELD(settings.improve.relax)));
 }

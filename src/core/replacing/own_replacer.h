@@ -1,0 +1,41 @@
+// Replacement trials on this rank's cores.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "core/replacing/hole_shape.h"
+#include "core/replacing/replacer.h"
+#include "core/shape/shape_source.h"
+
+namespace tessera {
+
+class OwnReplacer : public Replacer {
+ public:
+  /// `shapes`, of the whole library, outlives it. `look` is called between trials, by the thread that asks, and may
+  /// throw.
+  OwnReplacer(ShapeSource& shapes, int threads, std::function<void()> look);
+
+  int breadth() const override { return threads_; }
+  void post_replace(const std::vector<ReplacementWindow>& windows) override { posted_ = windows; }
+  std::vector<ReplacementOutcome> take_replaced() override;
+
+ private:
+  struct Kept {
+    HoleShape shape;
+    std::uint64_t used = 0;  // the question that needed it last
+  };
+  const HoleShape& kept(ShapeId id);
+  void forget_some();
+
+  ShapeSource& shapes_;
+  int threads_;
+  std::function<void()> look_;
+  std::vector<ReplacementWindow> posted_;
+  std::map<ShapeId, Kept> kept_;
+  std::uint64_t questions_ = 0;
+};
+
+}  // namespace tessera

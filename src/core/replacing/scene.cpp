@@ -1,0 +1,79 @@
+#include "core/replacing/scene.h"
+
+#include "core/relax/contacts.h"
+
+namespace tessera {
+namespace {
+
+/// Of contacts in the end: so stiff, pieces lie as deep in each other as those of a relaxed collage do.
+constexpr float kStiffness = 8;
+constexpr float kSoftest = 0.2f * kStiffness;
+constexpr float kSoft = 0.35f * kStiffness;
+/// Of what is deeper than the job allows: else depths win here that are lost again where the collage is cleared.
+constexpr float kHardStiffness = 20;
+constexpr float kFirstStep = 0.035f;  // of the middle size
+constexpr float kSoftStep_px = 1.5f;
+constexpr float kLastStep_px = 0.3f;
+constexpr RelaxationSchedule kComeToRest{20, kSoft, kStiffness, kSoftStep_px, kLastStep_px, kHardStiffness};
+/// What is covered twice is not gained, and hidden.
+constexpr double kCoveredTwice = 2;
+
+std::vector<LaidPiece> laid(const Scene& scene) {
+  std::vector<LaidPiece> all(scene.pieces.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].lay(*scene.pieces[i].shape, scene.pieces[i].canvas_from_shape);
+  return all;
+}
+
+std::size_t points_within(const std::vector<Vec2>& points, const LaidPiece& piece, const LaidPiece& other) {
+  std::size_t count = 0;
+  for (const Vec2 p : points) {
+    const Vec2 at = piece.canvas_from_shape.apply(p);
+    count += within_reach(other.box, {at, at}, 0) && other.distance(at).value < 0;
+  }
+  return count;
+}
+
+/// Boundaries alone do not see a piece that lies wholly within another, or just on one of its own shape.
+double covered_twice_px2(const Scene& scene) {
+  const std::vector<LaidPiece> all = laid(scene);
+  double covered_px2 = 0;
+  for (const std::size_t i : scene.active) {
+    const std::vector<Vec2>& interior = scene.shapes[i]->interior;
+    std::size_t points = 0;
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      if (j != i && within_reach(all[i].box, all[j].box, 0)) points += points_within(interior, all[i], all[j]);
+    }
+    if (points == 0) continue;
+    const double area_px2 = double(all[i].scale_px) * double(all[i].scale_px);
+    covered_px2 += area_px2 * double(points) / double(interior.size());
+  }
+  return covered_px2;
+}
+
+}  // namespace
+
+void Scene::add(const HoleShape& shape, const Similarity& canvas_from_shape, const PoseRange& poses, bool moves) {
+  if (moves) active.push_back(pieces.size());
+  pieces.push_back({&shape.contact, canvas_from_shape, poses, !moves});
+  shapes.push_back(&shape);
+}
+
+SceneRelaxation::SceneRelaxation(const ReplacementWindow& window)
+    : edge_(window.edge.distance, window.edge.node_px),
+      relaxation_(edge_, window.distances),
+      first_step_px_(kFirstStep * middle_px(window)) {}
+
+void SceneRelaxation::soften(Scene& scene) const {
+  relaxation_.relax(scene.pieces, scene.active, {10, kSoftest, kSoft, first_step_px_, kSoftStep_px}, [] {});
+}
+
+void SceneRelaxation::come_to_rest(Scene& scene) const {
+  relaxation_.relax(scene.pieces, scene.active, kComeToRest, [] {});
+}
+
+double SceneRelaxation::energy_px2(const Scene& scene) const {
+  return relaxation_.energy_px2(scene.pieces, scene.active, kStiffness, kHardStiffness) +
+         kCoveredTwice * covered_twice_px2(scene);
+}
+
+}  // namespace tessera

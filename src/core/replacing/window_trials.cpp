@@ -1,0 +1,231 @@
+#include "core/replacing/window_trials.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/base/portable_math.h"
+#include "core/replacing/draws.h"
+#include "core/replacing/hole_candidates.h"
+#include "core/replacing/repetition.h"
+#include "core/replacing/scene.h"
+
+namespace tessera {
+namespace {
+
+constexpr std::size_t kMostPointsDrawn = 8;  // of which the most open one is the hole's centre
+constexpr float kLookedAt = 1.6f;            // of the most scale: pieces so near to the centre come into question
+constexpr float kRing = 0.4f;                // of the middle size: who is so near to what goes out makes room
+constexpr float kRoundCentre = 1;            // of the middle size: so is who is so near to the hole's centre
+constexpr float kGiveUp = 1.6f;    // of the product of least and most scale: too much energy after soft sweeps
+constexpr float kSoftness = 1.5f;  // px² that a px² in the way of others costs a candidate, times 0.6 to 1.4
+// How far from its centre a hole goes, px: what goes out and a little more; where nothing does, by the sizes.
+constexpr float kBeyondOut_px = 10;
+constexpr float kLeastReach_px = 30;
+constexpr float kMostReach = 2.2f;  // of the most scale
+constexpr float kBeyondReach_px = 15;
+
+/// How many pieces go out: mostly one.
+std::size_t drawn_count(Draws& draws) {
+  const float u = draws.unit();
+  return u < 0.05f ? 0 : u < 0.85f ? 1 : u < 0.96f ? 2 : 3;
+}
+
+/// Something in the hole, and room made for it.
+struct Attempt {
+  Scene scene;
+  std::vector<std::size_t> incoming;  // places in the window's, of the scene's last pieces
+  double repetition_px2 = 0;
+  double energy_px2 = 0;
+};
+
+struct Trial {
+  Vec2 centre_px;
+  float reach_px = 0;
+  std::vector<std::size_t> out;   // pieces that go
+  std::vector<std::size_t> ring;  // those that make room
+};
+
+class WindowTrials {
+ public:
+  WindowTrials(const ReplacementWindow& window, const HoleShapes& shapes)
+      : window_(window),
+        shapes_(shapes),
+        relaxation_(window),
+        pieces_(window, shapes, relaxation_.edge()),
+        repetition_(window),
+        draws_(window.random),
+        middle_px_(middle_px(window)) {}
+
+  ReplacementOutcome run(const std::function<void()>& look) {
+    ReplacementOutcome outcome;
+    for (std::uint32_t k = 0; k < window_.trials; ++k) {
+      look();
+      const float progress = float(k) / float(window_.trials);
+      temperature_px2_ =
+          window_.first_temperature_px2 + (window_.last_temperature_px2 - window_.first_temperature_px2) * progress;
+      outcome.kept += try_once();
+    }
+    outcome.pieces = pieces_.replaced();
+    return outcome;
+  }
+
+ private:
+  Vec2 drawn_centre() {
+    const std::size_t points = 1 + draws_.below(kMostPointsDrawn);
+    Vec2 centre;
+    float most = 0;
+    for (std::size_t k = 0; k < points; ++k) {
+      const float x = draws_.unit();
+      const float y = draws_.unit();
+      const Vec2 p = window_.box.low + Vec2{x * window_.box.width(), y * window_.box.height()};
+      const float open = pieces_.openness_px(p, middle_px_);
+      if (k > 0 && open <= most) continue;
+      centre = p;
+      most = open;
+    }
+    return centre;
+  }
+
+  /// The hole goes as far as what goes out; where nothing does, as far as a small piece may need.
+  float reach_px(Vec2 centre_px, const std::vector<std::size_t>& out) const {
+    if (out.empty()) return std::max(2.5f * window_.least_scale_px, std::min(60.f, 0.6f * window_.most_scale_px));
+    const float needed_px = std::max(pieces_.farthest_px(centre_px, out) + kBeyondOut_px, kLeastReach_px);
+    return std::min(needed_px, kMostReach * window_.most_scale_px);
+  }
+
+  bool draw(Trial& trial) {
+    trial.centre_px = drawn_centre();
+    const std::size_t wanted = drawn_count(draws_);
+    const auto near = pieces_.nearest(trial.centre_px, kLookedAt * window_.most_scale_px);
+    for (const auto& [distance_px, i] : near) {
+      if (trial.out.size() < wanted && pieces_.may_move(i)) trial.out.push_back(i);
+    }
+    if (trial.out.size() < wanted) return false;
+    for (const auto& [distance_px, i] : near) {
+      const bool goes = std::find(trial.out.begin(), trial.out.end(), i) != trial.out.end();
+      if (goes || !pieces_.may_move(i)) continue;
+      if (distance_px < kRoundCentre * middle_px_ || pieces_.any_near(i, trial.out, kRing * middle_px_)) {
+        trial.ring.push_back(i);
+      }
+    }
+    trial.reach_px = reach_px(trial.centre_px, trial.out);
+    return true;
+  }
+
+  bool try_once() {
+    Trial trial;
+    if (!draw(trial)) return false;
+    std::vector<std::size_t> before = trial.ring;
+    before.insert(before.end(), trial.out.begin(), trial.out.end());
+    double old_energy_px2 = relaxation_.energy_px2(pieces_.scene_of(before, {}));
+    for (const std::size_t i : trial.out) old_energy_px2 += taken_out_px2(i);
+    const Attempt best = best_attempt(trial, old_energy_px2);
+    if (!best.incoming.empty() && accepts(best.energy_px2 - old_energy_px2) && pieces_.stays_inside(best.scene)) {
+      take(best, trial);
+      return true;
+    }
+    for (const std::size_t i : trial.out) repetition_.add(pieces_[i].piece.drawing);
+    return false;
+  }
+
+  /// What the piece cost as a copy of others.
+  double taken_out_px2(std::size_t i) {
+    const ShapeId drawing = pieces_[i].piece.drawing;
+    const float scale_px = pieces_[i].laid.scale_px;
+    repetition_.remove(drawing);
+    return double(scale_px * scale_px * repetition_.cost(drawing));
+  }
+
+  Attempt best_attempt(const Trial& trial, double old_energy_px2) {
+    const Hole hole = pieces_.hole_of(trial.centre_px, trial.out, trial.reach_px + kBeyondReach_px);
+    const float softness = kSoftness * (0.6f + 0.8f * draws_.unit());
+    const Scene scene = pieces_.scene_of(trial.ring, trial.out);
+    Attempt best;
+    for (const HoleCandidate& candidate : best_candidates(hole, trial.reach_px, guests(), softness, draws_)) {
+      Attempt attempt{scene, {}, 0, 0};
+      add(candidate, attempt);
+      for (std::size_t k = 1; k < trial.out.size() && fill_rest(attempt, hole, trial.reach_px, softness);) ++k;
+      for (const std::size_t at : attempt.incoming) repetition_.remove(window_.incoming[at].drawing);
+      relaxation_.soften(attempt.scene);
+      attempt.energy_px2 = relaxation_.energy_px2(attempt.scene) + attempt.repetition_px2;
+      if (best.incoming.empty() || attempt.energy_px2 < best.energy_px2) best = std::move(attempt);
+    }
+    const double most_px2 = old_energy_px2 + double(kGiveUp * window_.least_scale_px * window_.most_scale_px);
+    if (best.incoming.empty() || best.energy_px2 > most_px2) return {};
+    relaxation_.come_to_rest(best.scene);
+    best.energy_px2 = relaxation_.energy_px2(best.scene) + best.repetition_px2;
+    return best;
+  }
+
+  /// In the order of the window's incoming shapes.
+  std::vector<HoleGuest> guests() const {
+    std::vector<HoleGuest> all;
+    for (const IncomingShape& in : window_.incoming) {
+      all.push_back({shapes_.at(in.shape), in.poses, in.weight, 1 - repetition_.cost(in.drawing)});
+    }
+    return all;
+  }
+
+  void add(const HoleCandidate& candidate, Attempt& attempt) {
+    const IncomingShape& in = window_.incoming[candidate.incoming];
+    const float scale_px = candidate.canvas_from_shape.scale();
+    attempt.incoming.push_back(candidate.incoming);
+    attempt.scene.add(*shapes_.at(in.shape), candidate.canvas_from_shape, in.poses, true);
+    attempt.repetition_px2 += double(scale_px * scale_px * repetition_.cost(in.drawing));
+    repetition_.add(in.drawing);
+  }
+
+  /// Puts one more piece beside those that came in. False where nothing fits.
+  bool fill_rest(Attempt& attempt, Hole hole, float reach_px, float softness) {
+    const std::size_t old = attempt.scene.pieces.size() - attempt.incoming.size();
+    for (std::size_t k = old; k < attempt.scene.pieces.size(); ++k) {
+      LaidPiece laid;
+      laid.lay(*attempt.scene.pieces[k].shape, attempt.scene.pieces[k].canvas_from_shape);
+      hole.add(laid);
+    }
+    const std::vector<HoleCandidate> more = best_candidates(hole, reach_px, guests(), softness, draws_);
+    if (more.empty()) return false;
+    add(more.front(), attempt);
+    return true;
+  }
+
+  bool accepts(double change_px2) {
+    const float u = draws_.unit();
+    if (change_px2 < 0) return true;
+    if (!(temperature_px2_ > 0)) return false;
+    constexpr float kLog2E = 1.4426950f;
+    const float halvings = kLog2E * float(change_px2) / temperature_px2_;
+    return halvings < 60 && u < portable_exp2(-halvings);
+  }
+
+  void take(const Attempt& attempt, const Trial& trial) {
+    for (std::size_t k = 0; k < trial.ring.size(); ++k) {
+      pieces_.move(trial.ring[k], attempt.scene.pieces[k].canvas_from_shape);
+    }
+    pieces_.take_out(trial.out);
+    const std::size_t old = attempt.scene.pieces.size() - attempt.incoming.size();
+    for (std::size_t k = 0; k < attempt.incoming.size(); ++k) {
+      const IncomingShape& in = window_.incoming[attempt.incoming[k]];
+      pieces_.add(in, attempt.scene.pieces[old + k].canvas_from_shape);
+      repetition_.add(in.drawing);
+    }
+  }
+
+  const ReplacementWindow& window_;
+  const HoleShapes& shapes_;
+  SceneRelaxation relaxation_;
+  WindowPieces pieces_;
+  Repetition repetition_;
+  Draws draws_;
+  float middle_px_;
+  float temperature_px2_ = 0;
+};
+
+}  // namespace
+
+ReplacementOutcome replaced(const ReplacementWindow& window, const HoleShapes& shapes,
+                            const std::function<void()>& look) {
+  return WindowTrials(window, shapes).run(look);
+}
+
+}  // namespace tessera

@@ -1,0 +1,241 @@
+#include "master/replacing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/relax/schedules.h"
+#include "core/replacing/draws.h"
+#include "core/replacing/window_cuts.h"
+#include "master/kept_apart.h"
+#include "master/relaxing.h"
+#include "master/scoring.h"
+
+namespace tessera::master {
+namespace {
+
+constexpr std::uint64_t kReplace = 0x7265706c;  // keeps these random numbers apart from others
+constexpr float kWindowSizes = 6;               // a window is so many middle sizes wide, or
+constexpr float kWindowLargest = 3;             // so many of the largest
+constexpr float kTrialsPerPiece = 2;            // of a batch
+constexpr float kBeside = 0.5f;                 // of the middle size: pieces so near to a window are seen from inside
+constexpr float kBeyond_px = 64;                // of the canvas' nodes: nothing lies farther outside
+constexpr float kEdgeNode_px = 2;
+constexpr float kFarFromEdge_px = 64;       // holes look no farther
+constexpr float kFirstTemperature = 0.03f;  // of the product of least and most scale
+/// Of repetition_exponent: at its default, 0.3, as many different shapes stand as without replacement.
+constexpr float kRepetition = 0.07f;
+constexpr std::size_t kMostIncoming = 400;  // shapes, of a larger library
+
+float middle_px(const PieceSettings& p) { return std::sqrt(p.min_scale_px * p.max_scale_px); }
+
+Box canvas_box(const FreeField& free) {
+  const Window& nodes = free.grid().one_period();
+  const Vec2 origin = free.field().origin;
+  Box box{origin + Vec2{float(nodes.x0), float(nodes.y0)}, origin + Vec2{float(nodes.x1), float(nodes.y1)}};
+  const Period& period = free.grid().period();
+  const Vec2 beyond{period.x_px > 0 ? 0 : kBeyond_px, period.y_px > 0 ? 0 : kBeyond_px};
+  return {box.low - beyond, box.high + beyond};
+}
+
+bool holds(const Box& outer, const Box& inner) {
+  return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y && inner.high.x <= outer.high.x &&
+         inner.high.y <= outer.high.y;
+}
+
+}  // namespace
+
+bool pays_to_replace(const CollageSettings& s) {
+  return pays_to_relax(s) && !any_uses_limited(s.pieces, s.wishes) && !any_kept_apart(s) && s.colour.neighbours == 0 &&
+         s.stop.pieces == 0 && !s.start.grow_outward;
+}
+
+float least_window_px(const PieceSettings& pieces) {
+  return std::max(kWindowSizes * middle_px(pieces), kWindowLargest * pieces.max_scale_px);
+}
+
+Replacing::Replacing(const FreeField& free, const StanceTable& stances, const CollageSettings& settings,
+                     ShapeSource& shapes, PosesOf poses_of, Replacer& replacer)
+    : free_(free),
+      stances_(stances),
+      settings_(settings),
+      shapes_(shapes),
+      poses_of_(std::move(poses_of)),
+      replacer_(replacer) {}
+
+std::vector<Replacing::Lying> Replacing::lying(const std::vector<Placement>& placements) const {
+  std::vector<Lying> all;
+  for (const Placement& p : placements) {
+    std::vector<Vec2> points;
+    for (const Vec2 point : shapes_.model(p.shape).boundary) points.push_back(p.canvas_from_shape.apply(point));
+    all.push_back({{p.shape, shapes_.drawing(p.shape), p.canvas_from_shape, poses_of_(p)}, bounding_box(points)});
+  }
+  return all;
+}
+
+EdgeField Replacing::edge_around(const Box& box) const {
+  const float beyond_px = settings_.pieces.max_scale_px;
+  const auto node = [](float at_px) { return int(std::floor(at_px / kEdgeNode_px)); };
+  const int x0 = node(box.low.x - beyond_px), x1 = node(box.high.x + beyond_px) + 2;
+  const int y0 = node(box.low.y - beyond_px), y1 = node(box.high.y + beyond_px) + 2;
+  EdgeField edge{{Grid<float>(x1 - x0, y1 - y0), {float(x0), float(y0)}}, kEdgeNode_px};
+  const CanvasEdge canvas(free_);
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      edge.distance.value(x - x0, y - y0) = canvas.at(Vec2{float(x), float(y)} * kEdgeNode_px).value;
+    }
+  }
+  const std::vector<float>& values = edge.distance.value.data();
+  if (*std::min_element(values.begin(), values.end()) < kFarFromEdge_px) return edge;
+  // Most windows of a large canvas: nothing in them feels the edge.
+  const float across_px = std::max(box.width(), box.height()) + 2 * beyond_px;
+  const Vec2 origin = (box.low - Vec2{beyond_px, beyond_px}) * (1 / across_px);
+  return {{Grid<float>(3, 3, kFarFromEdge_px), origin}, across_px};
+}
+
+/// All of a small library's; as many of a large one's as a rank can look at.
+std::vector<IncomingShape> Replacing::drawn_shapes(std::uint64_t random) const {
+  std::vector<IncomingShape> all;
+  Draws draws(random);
+  const std::size_t open = stances_.open_shapes();
+  const std::size_t count = std::min(open, kMostIncoming);
+  float most_weight = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const ShapeId shape = stances_.open_shape(std::uint32_t(open > kMostIncoming ? draws.below(open) : k));
+    for (const Stance& stance : stances_.of(stances_.list(shape))) {
+      all.push_back({shape, shapes_.drawing(shape), stance.poses, stance.weight});
+      most_weight = std::max(most_weight, stance.weight);
+    }
+  }
+  for (IncomingShape& in : all) in.weight /= most_weight;
+  return all;
+}
+
+/// Of the drawings of the window: how many pieces there are beside those that move in it.
+std::vector<DrawingUses> Replacing::uses_beside(const ReplacementWindow& window, const std::vector<Lying>& all) const {
+  std::map<ShapeId, std::uint32_t> uses;
+  for (const IncomingShape& in : window.incoming) uses[in.drawing] = 0;
+  for (const Lying& l : all) ++uses[l.piece.drawing];
+  for (const WindowPiece& piece : window.moving) --uses[piece.drawing];
+  std::vector<DrawingUses> listed;
+  for (const auto& [drawing, elsewhere] : uses) listed.push_back({drawing, elsewhere});
+  return listed;
+}
+
+ReplacementWindow Replacing::empty_window(const Box& box, std::uint64_t random) const {
+  ReplacementWindow window;
+  window.box = box;
+  window.edge = edge_around(box);
+  window.distances = contact_distances(settings_.pieces);
+  window.least_scale_px = settings_.pieces.min_scale_px;
+  window.most_scale_px = settings_.pieces.max_scale_px;
+  window.repetition_cost = kRepetition * settings_.objective.repetition_exponent;
+  window.incoming = drawn_shapes(random);
+  window.random = random;
+  return window;
+}
+
+/// All pieces that lie in the window as a whole may move, but for the given ones and those of other windows.
+Replacing::Cut Replacing::cut(const Box& box, const std::vector<Lying>& all, std::size_t given, std::uint64_t random,
+                              std::vector<bool>& taken) const {
+  Cut made{empty_window(box, random), {}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const Vec2 offset : free_.grid().period().offsets()) {
+      const Box lies{all[i].box.low + offset, all[i].box.high + offset};
+      if (!within_reach(box, lies, kBeside * middle_px(settings_.pieces))) continue;
+      WindowPiece piece = all[i].piece;
+      piece.canvas_from_shape = moved(piece.canvas_from_shape, offset);
+      if (i >= given && !taken[i] && holds(box, lies)) {
+        taken[i] = true;
+        made.moving.push_back(i);
+        made.window.moving.push_back(piece);
+      } else {
+        made.window.still.push_back(piece);
+      }
+    }
+  }
+  made.window.trials = std::uint32_t(std::ceil(kTrialsPerPiece * float(made.moving.size())));
+  return made;
+}
+
+std::vector<Replacing::Cut> Replacing::cut_all(const std::vector<Placement>& placements, std::size_t given,
+                                               std::uint64_t key) const {
+  Draws draws(key);
+  const float part_x = draws.unit();
+  const float part_y = draws.unit();
+  const std::vector<Lying> all = lying(placements);
+  std::vector<bool> taken(placements.size(), false);
+  std::vector<Cut> cuts;
+  for (const Box& box :
+       cut_into_windows(canvas_box(free_), free_.grid().period(), least_window_px(settings_.pieces), part_x, part_y)) {
+    Cut made = cut(box, all, given, mix_bits(key ^ cuts.size()), taken);
+    if (made.moving.empty()) continue;
+    made.window.uses = uses_beside(made.window, all);
+    cuts.push_back(std::move(made));
+  }
+  return cuts;
+}
+
+/// Sets how many trials there are, no more than are left, and how hot it is.
+void Replacing::plan(std::vector<Cut>& cuts, ReplacementProgress& progress) const {
+  const auto count = [&] {
+    std::uint64_t trials = 0;
+    for (const Cut& c : cuts) trials += c.window.trials;
+    return trials;
+  };
+  const std::uint64_t left = progress.all - progress.done;
+  const std::uint64_t wanted = count();
+  if (wanted > left) {
+    for (Cut& c : cuts) c.window.trials = std::uint32_t(std::uint64_t(c.window.trials) * left / wanted);
+  }
+  const auto temperature_px2 = [&](std::uint64_t done) {
+    const float hottest = kFirstTemperature * settings_.pieces.min_scale_px * settings_.pieces.max_scale_px;
+    return hottest * float(1 - double(done) / double(progress.all));
+  };
+  const std::uint64_t done = progress.done + count();
+  for (Cut& c : cuts) {
+    c.window.first_temperature_px2 = temperature_px2(progress.done);
+    c.window.last_temperature_px2 = temperature_px2(done);
+  }
+  // A batch that shared out nothing, or in which nothing may move, is the last one.
+  progress.done = done > progress.done ? done : progress.all;
+}
+
+std::vector<Placement> Replacing::batch(const std::vector<Placement>& placements, std::size_t given,
+                                        ReplacementProgress& progress) {
+  const std::uint64_t key = mix_bits(settings_.seed ^ mix_bits(kReplace ^ (progress.done << 24)));
+  std::vector<Cut> cuts = cut_all(placements, given, key);
+  ReplacementProgress after = progress;
+  plan(cuts, after);
+  std::vector<ReplacementWindow> windows;
+  for (const Cut& c : cuts) windows.push_back(c.window);
+  replacer_.post_replace(windows);
+  const std::vector<ReplacementOutcome> outcomes = replacer_.take_replaced();
+  progress = after;
+  return joined(placements, cuts, outcomes);
+}
+
+/// The pieces of no window, then those of each.
+std::vector<Placement> Replacing::joined(const std::vector<Placement>& placements, const std::vector<Cut>& cuts,
+                                         const std::vector<ReplacementOutcome>& outcomes) const {
+  std::vector<bool> taken(placements.size(), false);
+  for (const Cut& c : cuts) {
+    for (const std::size_t i : c.moving) taken[i] = true;
+  }
+  std::vector<Placement> result;
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    if (!taken[i]) result.push_back(placements[i]);
+  }
+  for (std::size_t w = 0; w < cuts.size(); ++w) {
+    for (const ReplacedPiece& piece : outcomes.at(w).pieces) {
+      Placement p{piece.shape, {}, 0, 0};
+      if (piece.from != ReplacedPiece::kNew) p = placements[cuts[w].moving.at(piece.from)];
+      p.canvas_from_shape = free_.grid().period().wrapped(piece.canvas_from_shape);
+      result.push_back(p);
+    }
+  }
+  return result;
+}
+
+}  // namespace tessera::master

@@ -1,0 +1,80 @@
+// Pieces are replaced while their neighbours make room (core/replacing), in many windows of the canvas at a time: all
+// ranks work on one batch, which begins where the last one ended.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/collage/placement.h"
+#include "core/field/free_field.h"
+#include "core/matching/stances.h"
+#include "core/replacing/replacer.h"
+#include "core/settings.h"
+#include "core/shape/shape_source.h"
+
+namespace tessera::master {
+
+/// Where pieces move together, and no exchange decides over others: by uses or distances that are kept, by colours of
+/// neighbours, by the number of pieces, or by growth outward.
+bool pays_to_replace(const CollageSettings& settings);
+
+/// Of all trials of improving this part are replacements, so many for one: they take about as long, on two cores.
+inline constexpr double kPartReplaced = 5.0 / 6;
+inline constexpr std::uint64_t kReplacementsPerTrial = 8;
+
+/// How wide and high a window of this job is at least.
+float least_window_px(const PieceSettings& pieces);
+
+/// Of how many a phase consists, as it cools down.
+struct ReplacementProgress {
+  std::uint64_t done = 0;  // trials
+  std::uint64_t all = 0;
+};
+
+class Replacing {
+ public:
+  using PosesOf = std::function<PoseRange(const Placement&)>;
+
+  /// On the canvas of `free`, whatever lies in it. `stances`: of what may come in. All but the settings outlive it.
+  Replacing(const FreeField& free, const StanceTable& stances, const CollageSettings& settings, ShapeSource& shapes,
+            PosesOf poses_of, Replacer& replacer);
+
+  /// `placements` after one more batch of trials, about two for each piece; all but the first `given` may be gone. Adds
+  /// to `progress.done`. What follows from the arguments and the settings is the same whoever works on it.
+  std::vector<Placement> batch(const std::vector<Placement>& placements, std::size_t given,
+                               ReplacementProgress& progress);
+
+ private:
+  /// A piece as it lies, and the box of its outline, nearly.
+  struct Lying {
+    WindowPiece piece;
+    Box box;
+  };
+  struct Cut {
+    ReplacementWindow window;
+    std::vector<std::size_t> moving;  // the placements that move in it
+  };
+
+  std::vector<Lying> lying(const std::vector<Placement>& placements) const;
+  std::vector<Cut> cut_all(const std::vector<Placement>& placements, std::size_t given, std::uint64_t key) const;
+  Cut cut(const Box& box, const std::vector<Lying>& all, std::size_t given, std::uint64_t random,
+          std::vector<bool>& taken) const;
+  ReplacementWindow empty_window(const Box& box, std::uint64_t random) const;
+  EdgeField edge_around(const Box& box) const;
+  std::vector<IncomingShape> drawn_shapes(std::uint64_t random) const;
+  std::vector<DrawingUses> uses_beside(const ReplacementWindow& window, const std::vector<Lying>& all) const;
+  void plan(std::vector<Cut>& cuts, ReplacementProgress& progress) const;
+  std::vector<Placement> joined(const std::vector<Placement>& placements, const std::vector<Cut>& cuts,
+                                const std::vector<ReplacementOutcome>& outcomes) const;
+
+  const FreeField& free_;
+  const StanceTable& stances_;
+  CollageSettings settings_;
+  ShapeSource& shapes_;
+  PosesOf poses_of_;
+  Replacer& replacer_;
+};
+
+}  // namespace tessera::master
