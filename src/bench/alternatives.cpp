@@ -9,10 +9,10 @@
 #include "core/collage/quality.h"
 #include "core/field/free_field.h"
 #include "core/tuning.h"
+#include "io/library/library_shapes.h"
 #include "io/library/shape_models.h"
 #include "io/number_text.h"
 #include "io/text_table.h"
-#include "master/library_shapes.h"
 
 namespace tessera::bench {
 namespace {
@@ -140,7 +140,7 @@ Report bench_alternatives(const Setting& setting, const SquareJob& job) {
   settings.seed = job.seed;
   settings.pieces.min_scale_px = job.scale_px[0];
   settings.pieces.max_scale_px = job.scale_px[1];
-  master::LibraryShapes shapes(library);
+  io::LibraryShapes shapes(library);
   const Canvas canvas = seeded_canvas(size_px, settings.pieces, shapes);
 
   Comparison comparison(library, shapes, canvas, settings, setting.devices);

@@ -10,10 +10,10 @@
 #include "bench/snapshots.h"
 #include "core/base/error.h"
 #include "io/library/library_file.h"
+#include "io/library/library_shapes.h"
 #include "io/number_text.h"
 #include "io/text_table.h"
 #include "master/collage_loop.h"
-#include "master/library_shapes.h"
 
 namespace tessera::bench {
 namespace {
@@ -70,7 +70,7 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
   settings.pieces.max_scale_px = job.scale_px[1];
   settings.improve.seconds = marks_s.back();
   settings.stop.seconds = marks_s.back();
-  master::LibraryShapes shapes(library);
+  io::LibraryShapes shapes(library);
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
 
   io::TextTable table({"improving by", "s", "trials", "coverage %", "overlap %", "balance", "pieces", "shapes"});

@@ -8,10 +8,10 @@
 #include "core/base/error.h"
 #include "core/field/canvas.h"
 #include "core/matching/matcher.h"
+#include "io/library/library_shapes.h"
 #include "io/number_text.h"
 #include "io/text_table.h"
 #include "master/collage_loop.h"
-#include "master/library_shapes.h"
 
 namespace tessera::bench {
 namespace {
@@ -42,7 +42,7 @@ SizedRun run_row(const Table2Row& row, const io::LibraryFile& library, const Can
     if (run.tries++ > 0) settings.pieces.max_scale_px *= kSmaller;
     settings.pieces.min_scale_px = std::max(kLeastScale_px, settings.pieces.max_scale_px / kScaleRatio);
     const auto matcher = library_matcher(library, run.candidates, settings, devices_use);
-    master::LibraryShapes shapes(library);
+    io::LibraryShapes shapes(library);
     master::SilentObserver silent;
     run.result = master::make_collage(canvas, settings, *matcher, shapes, silent);
   } while (run.result.statistics.stopped_by != "pieces" && run.tries < kMostTries);

@@ -3,8 +3,8 @@
 
 #include "bench/shape_variation.h"
 #include "core/matching/matcher.h"
+#include "core/shape/cached_shapes.h"
 #include "io/library/library_file.h"
-#include "master/cached_shapes.h"
 
 namespace tessera::bench {
 
@@ -12,7 +12,7 @@ namespace tessera::bench {
 ShapeVariation variation_number(std::uint32_t number);
 
 /// Shape i is variation i / n of shape i % n of the file's n. Made when asked for: only outlines are kept of the file.
-class VariedShapes : public master::CachedShapes {
+class VariedShapes : public CachedShapes {
  public:
   explicit VariedShapes(const io::LibraryFile& library);
 

@@ -27,11 +27,11 @@
 #include "core/base/version.h"
 #include "core/matching/sized_settings.h"
 #include "io/job/job_library.h"
+#include "io/library/library_shapes.h"
 #include "io/library/one_colour.h"
 #include "io/result/rank_table.h"
 #include "io/utc_time.h"
 #include "master/collage_loop.h"
-#include "master/library_shapes.h"
 
 namespace tessera::cli {
 namespace {
@@ -84,7 +84,7 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
                                Matcher& matcher, CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
-  master::LibraryShapes shapes(input.library);
+  io::LibraryShapes shapes(input.library);
   CollageProgress progress(input.job.settings, arguments.quiet, limit);
   const CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
   master::CollageResult result =

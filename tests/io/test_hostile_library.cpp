@@ -15,9 +15,9 @@
 #include "forged_library.h"
 #include "hdf5_metadata.h"
 #include "io/library/library_file.h"
+#include "io/library/library_shapes.h"
 #include "io/result/artwork_original.h"
 #include "library_surgery.h"
-#include "master/library_shapes.h"
 #include "scratch_folder.h"
 #include "support/hostile_file.h"
 #include "support/synthetic_library.h"
@@ -69,7 +69,7 @@ class HostileLibrary : public test::HostileFile {
     library.summary();
     library.content_digest();
     const std::vector<Shape> shapes = library.read(0, library.size(), kEverything);
-    master::LibraryShapes placed(library);
+    io::LibraryShapes placed(library);
     for (std::uint32_t i = 0; i < library.size(); ++i) {
       placed.shape(ShapeId{i});  // throws where its parts contradict each other
       artwork_original(shapes[i].artwork);

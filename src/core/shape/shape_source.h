@@ -1,4 +1,4 @@
-// Where the master gets the shapes that it places: one at a time, as they are needed.
+// Where ranks get the shapes that they place, or try: one at a time, as they are needed.
 #pragma once
 
 #include "core/shape/shape.h"

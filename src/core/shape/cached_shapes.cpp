@@ -1,6 +1,6 @@
-#include "master/cached_shapes.h"
+#include "core/shape/cached_shapes.h"
 
-namespace tessera::master {
+namespace tessera {
 namespace {
 
 constexpr std::size_t kWholeShapesKept = 1024;  // about 80 MB
@@ -30,4 +30,4 @@ const ShapeModel& CachedShapes::model(ShapeId id) {
   return known->second;
 }
 
-}  // namespace tessera::master
+}  // namespace tessera

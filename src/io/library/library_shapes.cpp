@@ -1,12 +1,12 @@
-#include "master/library_shapes.h"
+#include "io/library/library_shapes.h"
 
 #include "core/base/error.h"
 #include "core/shape/shape_contradiction.h"
 
-namespace tessera::master {
+namespace tessera::io {
 namespace {
 
-constexpr io::LibraryParts kBody{.outline = true, .field = true, .levels = 0, .artwork = false, .original = false};
+constexpr LibraryParts kBody{.outline = true, .field = true, .levels = 0, .artwork = false, .original = false};
 
 }  // namespace
 
@@ -21,4 +21,4 @@ Shape LibraryShapes::load(ShapeId id) {
   return shape;
 }
 
-}  // namespace tessera::master
+}  // namespace tessera::io

@@ -6,7 +6,7 @@
 
 #include "core/shape/shape_source.h"
 
-namespace tessera::master {
+namespace tessera {
 
 /// Keeps the models of shapes asked for (4 KB each) and the latest few whole shapes (80 KB each): a library
 /// of any size fits. What is kept never changes what is answered.
@@ -29,4 +29,4 @@ class CachedShapes : public ShapeSource {
   std::unordered_map<ShapeId, ShapeModel> models_;
 };
 
-}  // namespace tessera::master
+}  // namespace tessera

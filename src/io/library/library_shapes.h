@@ -1,18 +1,18 @@
-// The shapes that the master places, read from the library file as they are needed.
+// Shapes for who places them or tries where they fit, read from the library file as they are needed.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "core/shape/cached_shapes.h"
 #include "io/library/shape_library.h"
-#include "master/cached_shapes.h"
 
-namespace tessera::master {
+namespace tessera::io {
 
 class LibraryShapes : public CachedShapes {
  public:
   /// Throws InputError where the library is damaged.
-  explicit LibraryShapes(const io::ShapeLibrary& library)
+  explicit LibraryShapes(const ShapeLibrary& library)
       : library_(library),
         variant_of_(library.variant_of()),
         drawings_(library.drawings()) {}
@@ -24,9 +24,9 @@ class LibraryShapes : public CachedShapes {
   Shape load(ShapeId id) override;
 
  private:
-  const io::ShapeLibrary& library_;
+  const ShapeLibrary& library_;
   const std::vector<std::uint32_t> variant_of_;
   const std::vector<std::uint32_t> drawings_;
 };
 
-}  // namespace tessera::master
+}  // namespace tessera::io
