@@ -72,5 +72,48 @@ RC_GTEST_PROP(EvenRange, CoversTheLibraryEvenly, ()) {
 
 TEST(BalancedRanges, NeedsAPart) { EXPECT_THROW(balanced_ranges({}, 0), std::invalid_argument); }
 
+std::vector<int> some_breadths() {
+  return *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(1, 200)));
+}
+
+std::uint64_t weight_of(const std::vector<std::uint64_t>& weights, const std::vector<std::size_t>& items) {
+  std::uint64_t sum = 0;
+  for (const std::size_t item : items) sum += weights[item];
+  return sum;
+}
+
+RC_GTEST_PROP(FairShares, HaveEveryItemOnce, ()) {
+  const std::vector<std::uint64_t> weights = some_weights();
+  const std::vector<int> breadths = some_breadths();
+  const auto shares = fair_shares(weights, breadths);
+  RC_ASSERT(shares.size() == breadths.size());
+  std::vector<int> times(weights.size(), 0);
+  for (const auto& share : shares) {
+    for (const std::size_t item : share) ++times.at(item);
+  }
+  RC_ASSERT(times == std::vector<int>(weights.size(), 1));
+}
+
+RC_GTEST_PROP(FairShares, NoneWeighsMoreThanItsPartOfAllAndTheHeaviestItem, ()) {
+  const std::vector<std::uint64_t> weights = some_weights();
+  const std::vector<int> breadths = some_breadths();
+  const std::uint64_t total = std::accumulate(weights.begin(), weights.end(), std::uint64_t(0));
+  const std::uint64_t heaviest = weights.empty() ? 0 : *std::max_element(weights.begin(), weights.end());
+  const int breadth = std::accumulate(breadths.begin(), breadths.end(), 0);
+  const auto shares = fair_shares(weights, breadths);
+  for (std::size_t p = 0; p < shares.size(); ++p) {
+    RC_ASSERT(weight_of(weights, shares[p]) <= total * breadths[p] / breadth + 1 + heaviest);
+  }
+}
+
+TEST(FairShares, HeaviestFirstAndOfEqualOnesTheFirst) {
+  const std::vector<std::uint64_t> weights{1, 5, 5, 2};
+  const std::vector<int> breadths{1, 2};
+  const std::vector<std::vector<std::size_t>> shares{{1}, {2, 3, 0}};
+  EXPECT_EQ(fair_shares(weights, breadths), shares);
+}
+
+TEST(FairShares, NeedAPart) { EXPECT_THROW(fair_shares({}, {}), std::invalid_argument); }
+
 }  // namespace
 }  // namespace tessera

@@ -1,6 +1,7 @@
 #include "core/ranks/partition.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace tessera {
@@ -45,6 +46,26 @@ std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, 
 ShapeRange even_range(std::size_t shapes, int part, int parts) {
   const std::vector<std::uint64_t> weights(shapes, 1);
   return balanced_ranges(weights, parts)[std::size_t(part)];
+}
+
+std::vector<std::vector<std::size_t>> fair_shares(std::span<const std::uint64_t> weights,
+                                                  std::span<const int> breadths) {
+  if (breadths.empty()) throw std::invalid_argument("fair_shares: at least one part is needed");
+  std::vector<std::size_t> heaviest_first(weights.size());
+  std::iota(heaviest_first.begin(), heaviest_first.end(), std::size_t(0));
+  std::stable_sort(heaviest_first.begin(), heaviest_first.end(),
+                   [&](std::size_t a, std::size_t b) { return weights[a] > weights[b]; });
+  std::vector<std::vector<std::size_t>> shares(breadths.size());
+  std::vector<std::uint64_t> load(breadths.size(), 0);
+  for (const std::size_t item : heaviest_first) {
+    std::size_t least = 0;
+    for (std::size_t p = 1; p < breadths.size(); ++p) {
+      if (load[p] * std::uint64_t(breadths[least]) < load[least] * std::uint64_t(breadths[p])) least = p;
+    }
+    shares[least].push_back(item);
+    load[least] += weights[item];
+  }
+  return shares;
 }
 
 }  // namespace tessera

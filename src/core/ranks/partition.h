@@ -1,4 +1,4 @@
-// Dividing a library among ranks, and a rank's part among its devices.
+// Dividing a library among ranks, and a rank's part among its devices; and work among those who do it.
 #pragma once
 
 #include <cstddef>
@@ -17,5 +17,12 @@ std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, 
 
 /// Range `part` of `parts` where every shape weighs the same: their sizes differ by one at most.
 ShapeRange even_range(std::size_t shapes, int part, int parts);
+
+/// Divides items among parts, of which part p works on `breadths[p]` (at least 1) items at a time: the heaviest ones
+/// first, each to the part with the least weight for its breadth, of equal ones to the first. Gives the items of each
+/// part in that order. No part has more than its share of all weight, in proportion to its breadth, and the heaviest
+/// item together.
+std::vector<std::vector<std::size_t>> fair_shares(std::span<const std::uint64_t> weights,
+                                                  std::span<const int> breadths);
 
 }  // namespace tessera
