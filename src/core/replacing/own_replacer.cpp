@@ -1,13 +1,11 @@
 #include "core/replacing/own_replacer.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
+#include <chrono>
 #include <thread>
 #include <utility>
 
-#include "core/replacing/window_trials.h"
+#include "core/replacing/window_queue.h"
 
 namespace tessera {
 namespace {
@@ -15,8 +13,8 @@ namespace {
 /// 0.1 MB each.
 constexpr std::size_t kMostKept = 2000;
 
-/// Another thread's window failed.
-struct GivenUp {};
+/// A look takes some microseconds, and messages that are under way wait for it.
+constexpr std::chrono::milliseconds kBetweenLooks{1};
 
 }  // namespace
 
@@ -27,9 +25,22 @@ OwnReplacer::OwnReplacer(ShapeSource& shapes, int threads, std::function<void()>
 
 const HoleShape& OwnReplacer::kept(ShapeId id) {
   auto found = kept_.find(id);
-  if (found == kept_.end()) found = kept_.emplace(id, Kept{make_hole_shape(shapes_.shape(id)), 0}).first;
+  if (found == kept_.end()) {
+    look_();
+    found = kept_.emplace(id, Kept{make_hole_shape(shapes_.shape(id)), 0}).first;
+  }
   found->second.used = questions_;
   return found->second.shape;
+}
+
+HoleShapes OwnReplacer::shapes_of(const std::vector<ReplacementWindow>& windows) {
+  HoleShapes shapes;
+  for (const ReplacementWindow& window : windows) {
+    for (const WindowPiece& piece : window.moving) shapes[piece.shape] = &kept(piece.shape);
+    for (const WindowPiece& piece : window.still) shapes[piece.shape] = &kept(piece.shape);
+    for (const IncomingShape& in : window.incoming) shapes[in.shape] = &kept(in.shape);
+  }
+  return shapes;
 }
 
 void OwnReplacer::forget_some() {
@@ -40,41 +51,21 @@ void OwnReplacer::forget_some() {
 std::vector<ReplacementOutcome> OwnReplacer::take_replaced() {
   const std::vector<ReplacementWindow> windows = std::exchange(posted_, {});
   ++questions_;
-  HoleShapes shapes;
-  for (const ReplacementWindow& window : windows) {
-    look_();
-    for (const WindowPiece& piece : window.moving) shapes[piece.shape] = &kept(piece.shape);
-    for (const WindowPiece& piece : window.still) shapes[piece.shape] = &kept(piece.shape);
-    for (const IncomingShape& in : window.incoming) shapes[in.shape] = &kept(in.shape);
-  }
-  std::vector<ReplacementOutcome> outcomes(windows.size());
-  std::atomic<std::size_t> next = 0;
-  std::atomic<bool> failed = false;
-  std::exception_ptr error;
-  std::mutex mutex;
-  const auto work = [&](const std::function<void()>& look) {
-    try {
-      for (std::size_t i = next++; i < windows.size(); i = next++) {
-        outcomes[i] = replaced(windows[i], shapes, [&] {
-          if (failed) throw GivenUp{};
-          look();
-        });
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      if (!error) error = std::current_exception();
-      failed = true;
-    }
-  };
+  const HoleShapes shapes = shapes_of(windows);
+  WindowQueue queue(windows, shapes);
   {
     std::vector<std::jthread> threads;
-    const std::size_t wanted = std::min<std::size_t>(windows.size(), std::size_t(threads_));
-    for (std::size_t i = 1; i < wanted; ++i) threads.emplace_back(work, [] {});
-    work(look_);
+    try {
+      const std::size_t wanted = std::min(windows.size(), std::size_t(threads_));
+      for (std::size_t i = 0; i < wanted; ++i) threads.emplace_back([&queue] { queue.work(); });
+      while (!queue.wait(kBetweenLooks)) look_();
+    } catch (...) {
+      queue.give_up();
+      throw;
+    }
   }
-  if (error) std::rethrow_exception(error);
   forget_some();
-  return outcomes;
+  return queue.take_outcomes();
 }
 
 }  // namespace tessera

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "core/replacing/hole_shape.h"
+#include "core/replacing/window_pieces.h"
 #include "core/replacing/replacer.h"
 #include "core/shape/shape_source.h"
 
@@ -14,8 +14,8 @@ namespace tessera {
 
 class OwnReplacer : public Replacer {
  public:
-  /// `shapes`, of the whole library, outlives it. `look` is called between trials, by the thread that asks, and may
-  /// throw.
+  /// `shapes`, of the whole library, outlives it; only the thread that asks reads them. That thread calls `look` while
+  /// it reads and again and again while `threads` others (at least 1) work; `look` may throw.
   OwnReplacer(ShapeSource& shapes, int threads, std::function<void()> look);
 
   int breadth() const override { return threads_; }
@@ -28,6 +28,7 @@ class OwnReplacer : public Replacer {
     std::uint64_t used = 0;  // the question that needed it last
   };
   const HoleShape& kept(ShapeId id);
+  HoleShapes shapes_of(const std::vector<ReplacementWindow>& windows);
   void forget_some();
 
   ShapeSource& shapes_;

@@ -1,0 +1,49 @@
+#include "core/replacing/window_queue.h"
+
+#include <utility>
+
+#include "core/replacing/window_trials.h"
+
+namespace tessera {
+namespace {
+
+/// Thrown through the trials of a window that nobody wants any more.
+struct GivenUp {};
+
+}  // namespace
+
+WindowQueue::WindowQueue(const std::vector<ReplacementWindow>& windows,
+                         const HoleShapes& shapes)
+    : windows_(windows),
+      shapes_(shapes),
+      outcomes_(windows.size()) {}
+
+void WindowQueue::work() noexcept {
+  try {
+    for (std::size_t i = next_++; i < windows_.size() && !given_up_; i = next_++) {
+      outcomes_[i] = replaced(windows_[i], shapes_, [this] {
+        if (given_up_) throw GivenUp{};
+      });
+      const std::lock_guard lock(mutex_);
+      if (++done_ == windows_.size()) ended_.notify_all();
+    }
+  } catch (const GivenUp&) {
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    if (!error_) error_ = std::current_exception();
+    give_up();
+    ended_.notify_all();
+  }
+}
+
+bool WindowQueue::wait(std::chrono::milliseconds most) {
+  std::unique_lock lock(mutex_);
+  return ended_.wait_for(lock, most, [this] { return done_ == windows_.size() || error_; });
+}
+
+std::vector<ReplacementOutcome> WindowQueue::take_outcomes() {
+  if (error_) std::rethrow_exception(error_);
+  return std::move(outcomes_);
+}
+
+}  // namespace tessera

@@ -1,0 +1,44 @@
+// Windows on which several threads work at a time, each on one after the other.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include "core/replacing/window_pieces.h"
+#include "core/replacing/replacement.h"
+
+namespace tessera {
+
+class WindowQueue {
+ public:
+  /// Both outlive it. `shapes` has those of all windows.
+  WindowQueue(const std::vector<ReplacementWindow>& windows, const HoleShapes& shapes);
+
+  /// Works until no window is left, one has failed, or give_up() was called. For any number of threads.
+  void work() noexcept;
+  /// Those who work end after the trials that they are at.
+  void give_up() { given_up_ = true; }
+
+  /// Waits until all windows are done or one has failed, but no longer than this; whether it is so.
+  bool wait(std::chrono::milliseconds most);
+  /// Of the windows, in their order. To be called when nobody works any more; throws what a window threw.
+  std::vector<ReplacementOutcome> take_outcomes();
+
+ private:
+  const std::vector<ReplacementWindow>& windows_;
+  const HoleShapes& shapes_;
+  std::vector<ReplacementOutcome> outcomes_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> given_up_{false};
+  std::mutex mutex_;  // of what follows
+  std::condition_variable ended_;
+  std::size_t done_ = 0;
+  std::exception_ptr error_;
+};
+
+}  // namespace tessera
