@@ -1,5 +1,5 @@
-// What the messages of matching hold, for Boost.Serialization. Structures without pointers travel as they lie in
-// memory, and vectors of them in one copy.
+// What the messages of matching and replacing hold, for Boost.Serialization. Structures without pointers travel as they
+// lie in memory, and vectors of them in one copy.
 #pragma once
 
 #include <boost/serialization/is_bitwise_serializable.hpp>
@@ -13,6 +13,7 @@
 #include "core/matching/matcher.h"
 #include "core/ranks/rank_site.h"
 #include "core/ranks/rank_statistics.h"
+#include "core/replacing/replacement.h"
 
 namespace tessera::comm {
 
@@ -40,6 +41,13 @@ TESSERA_SENT_AS_IT_LIES(tessera::DistanceHistogram)
 TESSERA_SENT_AS_IT_LIES(tessera::Docking)
 TESSERA_SENT_AS_IT_LIES(tessera::RefinedDocking)
 TESSERA_SENT_AS_IT_LIES(tessera::DockingTerms)
+TESSERA_SENT_AS_IT_LIES(tessera::Vec2)
+TESSERA_SENT_AS_IT_LIES(tessera::Box)
+TESSERA_SENT_AS_IT_LIES(tessera::ContactDistances)
+TESSERA_SENT_AS_IT_LIES(tessera::WindowPiece)
+TESSERA_SENT_AS_IT_LIES(tessera::IncomingShape)
+TESSERA_SENT_AS_IT_LIES(tessera::DrawingUses)
+TESSERA_SENT_AS_IT_LIES(tessera::ReplacedPiece)
 TESSERA_SENT_AS_IT_LIES(tessera::WorkerTimes)
 
 #undef TESSERA_SENT_AS_IT_LIES
@@ -54,6 +62,11 @@ TESSERA_SENT_BY_MEMBERS(tessera::StandingLimits)
 TESSERA_SENT_BY_MEMBERS(tessera::CountRequest)
 TESSERA_SENT_BY_MEMBERS(tessera::DockRequest)
 TESSERA_SENT_BY_MEMBERS(tessera::DockReply)
+TESSERA_SENT_BY_MEMBERS(tessera::Grid<float>)
+TESSERA_SENT_BY_MEMBERS(tessera::CanvasField)
+TESSERA_SENT_BY_MEMBERS(tessera::EdgeField)
+TESSERA_SENT_BY_MEMBERS(tessera::ReplacementWindow)
+TESSERA_SENT_BY_MEMBERS(tessera::ReplacementOutcome)
 TESSERA_SENT_BY_MEMBERS(tessera::DeviceDescription)
 TESSERA_SENT_BY_MEMBERS(tessera::RankSite)
 
@@ -89,6 +102,37 @@ void serialize(Archive& archive, tessera::DockRequest& request, unsigned) {
 template <class Archive>
 void serialize(Archive& archive, tessera::DockReply& reply, unsigned) {
   archive& reply.dockings& reply.evaluated;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::Grid<float>& grid, unsigned) {
+  int width = grid.width();
+  int height = grid.height();
+  archive& width& height;
+  if constexpr (Archive::is_loading::value) grid = {width, height};
+  archive& grid.data();
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::CanvasField& field, unsigned) {
+  archive& field.value& field.origin;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::EdgeField& edge, unsigned) {
+  archive& edge.distance& edge.node_px;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::ReplacementWindow& window, unsigned) {
+  archive& window.box& window.edge& window.distances& window.least_scale_px& window.most_scale_px;
+  archive& window.moving& window.still& window.incoming& window.uses;
+  archive& window.random& window.trials& window.first_temperature_px2& window.last_temperature_px2;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::ReplacementOutcome& outcome, unsigned) {
+  archive& outcome.pieces& outcome.kept;
 }
 
 template <class Archive>

@@ -113,6 +113,73 @@ TEST(Messages, FieldPatches) {
   }));
 }
 
+Similarity any_similarity() { return {any_float(), any_float(), any_float(), any_float()}; }
+
+PoseRange any_poses() { return {any_float(), any_float(), {any_vec2(), any_vec2()}}; }
+
+WindowPiece any_piece() { return {ShapeId{any_index()}, ShapeId{any_index()}, any_similarity(), any_poses()}; }
+
+ReplacementWindow any_window() {
+  ReplacementWindow window;
+  window.box = {any_vec2(), any_vec2()};
+  const int width = *rc::gen::inRange(0, 20);
+  window.edge = {{Grid<float>(width, *rc::gen::inRange(0, 20)), any_vec2()}, any_float()};
+  for (float& value : window.edge.distance.value.data()) value = any_float();
+  window.distances = {any_float(), any_float()};
+  window.least_scale_px = any_float();
+  window.most_scale_px = any_float();
+  window.moving = any_vector(any_piece);
+  window.still = any_vector(any_piece);
+  window.incoming = any_vector([] {
+    return IncomingShape{ShapeId{any_index()}, ShapeId{any_index()}, any_poses(), any_float()};
+  });
+  window.uses = any_vector([] { return DrawingUses{ShapeId{any_index()}, any_index()}; });
+  window.random = *rc::gen::arbitrary<std::uint64_t>();
+  window.trials = any_index();
+  window.first_temperature_px2 = any_float();
+  window.last_temperature_px2 = any_float();
+  return window;
+}
+
+bool same_bits(const EdgeField& a, const EdgeField& b) {
+  const Grid<float>& nodes = a.distance.value;
+  return nodes.bounds() == b.distance.value.bounds() && same_bits(nodes.data(), b.distance.value.data()) &&
+         same_bits(std::vector{a.distance.origin}, std::vector{b.distance.origin}) &&
+         same_bits(std::vector{a.node_px}, std::vector{b.node_px});
+}
+
+bool same_bits(const ReplacementWindow& a, const ReplacementWindow& b) {
+  const auto numbers = [](const ReplacementWindow& w) {
+    return std::vector{w.least_scale_px,       w.most_scale_px,     w.first_temperature_px2,
+                       w.last_temperature_px2, w.distances.soft_px, w.distances.hard_px};
+  };
+  return same_bits(std::vector{a.box.low, a.box.high}, std::vector{b.box.low, b.box.high}) &&
+         same_bits(a.edge, b.edge) && same_bits(numbers(a), numbers(b)) && same_bits(a.moving, b.moving) &&
+         same_bits(a.still, b.still) && same_bits(a.incoming, b.incoming) && same_bits(a.uses, b.uses) &&
+         a.random == b.random && a.trials == b.trials;
+}
+
+TEST(Messages, ReplacementWindows) {
+  EXPECT_TRUE(rc::check([] {
+    const std::vector<ReplacementWindow> windows = any_vector(any_window, 4);
+    const std::vector<ReplacementWindow> same = there_and_back(windows);
+    RC_ASSERT(same.size() == windows.size());
+    for (std::size_t i = 0; i < same.size(); ++i) RC_ASSERT(same_bits(same[i], windows[i]));
+  }));
+}
+
+TEST(Messages, ReplacementOutcomes) {
+  EXPECT_TRUE(rc::check([] {
+    const auto any_replaced = [] { return ReplacedPiece{ShapeId{any_index()}, any_similarity(), any_index()}; };
+    const ReplacementOutcome outcome{any_vector(any_replaced), any_index()};
+    const auto same = there_and_back(std::vector{outcome, {}});
+    RC_ASSERT(same.size() == 2u);
+    RC_ASSERT(same_bits(same[0].pieces, outcome.pieces));
+    RC_ASSERT(same[0].kept == outcome.kept);
+    RC_ASSERT(same[1] == ReplacementOutcome{});
+  }));
+}
+
 TEST(Messages, SpecialFloatsKeepTheirBits) {
   const std::vector<float> special = {-0.f, std::nanf("0x123"), -std::numeric_limits<float>::infinity(),
                                       std::numeric_limits<float>::denorm_min(),
@@ -137,6 +204,9 @@ TEST(Messages, VectorsTravelInOneCopy) {
   // A field costs its own bytes and a few more: nothing for each number.
   const FieldPatch patch{{0, 0, 100, 100}, std::vector<float>(10000, 1.f)};
   EXPECT_LT(encode(patch).size(), 40000u + 64u);
+  ReplacementWindow window;
+  window.edge.distance.value = Grid<float>(100, 100);
+  EXPECT_LT(encode(window).size(), 40000u + 256u);
   EXPECT_LT(encode(std::vector<TargetSample>(100)).size(), 100 * sizeof(TargetSample) + 64);
 }
 
