@@ -20,6 +20,7 @@
 #include "cli/time_limit.h"
 #include "comm/loop_clock.h"
 #include "comm/rank_sites.h"
+#include "comm/replacer_team.h"
 #include "comm/stop_signals.h"
 #include "comm/worker_team.h"
 #include "core/base/error.h"
@@ -81,10 +82,10 @@ StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const Time
 }
 
 master::CollageResult run_loop(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
-                               Matcher& matcher, CollageCheckpoints& checkpoints) {
+                               Matcher& matcher, [[maybe_unused]] Replacer& replacer, ShapeSource& shapes,
+                               CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
-  io::LibraryShapes shapes(input.library);
   CollageProgress progress(input.job.settings, arguments.quiet, limit);
   const CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
   master::CollageResult result =
@@ -124,6 +125,9 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   announce_overlays(ranks, input.job);
   const std::unique_ptr<Matcher> matcher =
       ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library, stop_reason);
+  io::LibraryShapes shapes(input.library);
+  const std::unique_ptr<Replacer> replacer =
+      ranks.size() > 1 ? comm::gather_replacers(ranks) : own_replacer(shapes, stop_reason);
   // Over those that LLVM brings with the first kernel: they reset themselves when they are called, and a second signal
   // at that moment, as timeout(1) sends it, would end the process.
   comm::install_stop_handlers();
@@ -132,7 +136,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
 
   CollageCheckpoints checkpoints(input.checkpoints, input.origin);
   comm::LoopClock clock(ranks);
-  const master::CollageResult result = run_loop(arguments, input, limit, *matcher, checkpoints);
+  const master::CollageResult result = run_loop(arguments, input, limit, *matcher, *replacer, shapes, checkpoints);
   const RankStatistics times = times_of(clock, result);
   journal->warn(empty_result_warning(input.folder, input.job, result));
   journal->warn(used_up_warning(input.job, input.canvas, result));

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <string>
 
 #include "cli/rank_agreement.h"
@@ -13,8 +14,10 @@
 #include "core/matching/matching_context.h"
 #include "core/matching/sized_settings.h"
 #include "core/ranks/partition.h"
+#include "core/replacing/own_replacer.h"
 #include "io/available_cores.h"
 #include "io/job/job_library.h"
+#include "io/library/library_shapes.h"
 #include "io/library/shape_models.h"
 #include "worker/device_group.h"
 
@@ -25,12 +28,18 @@ MatchingContext context_of(const io::Job& job, const io::ShapeLibrary& library) 
   return make_matching_context(with_sizes_times(job.size_factor, job.settings), std::uint32_t(library.size()));
 }
 
-/// A worker's devices share its node with those of the other workers.
-worker::DeviceShare share_node(const comm::Communicator& ranks, const io::Job& job) {
+/// A worker's devices and cores are its part of its node's, shared with the other workers there.
+worker::DeviceShare share_of_node(const comm::Communicator& ranks, const io::Job& job) {
   const bool with_master = ranks.node_ranks().front() == 0;
-  const int workers = ranks.local_size() - with_master;
-  worker::limit_cpu_threads(io::available_cores() / workers);
-  return {ranks.local_rank() - with_master, workers, job.devices_per_worker};
+  return {ranks.local_rank() - with_master, ranks.local_size() - with_master, job.devices_per_worker};
+}
+
+int cores_of(const worker::DeviceShare& share) { return std::max(1, io::available_cores() / share.workers); }
+
+std::function<void()> give_up_when(const StopReason& stop_reason) {
+  return [stop_reason] {
+    if (const char* reason = stop_reason()) throw Interrupted{reason};
+  };
 }
 
 std::string host_name() {
@@ -54,22 +63,28 @@ void run_collage_worker(comm::Communicator& ranks) {
   io::resolve_wishes(library, job);
   const ShapeRange part = even_range(library.size(), ranks.rank() - 1, ranks.size() - 1);
   const MatchingContext context = context_of(job, library);
-  const worker::DeviceShare share = share_node(ranks, job);
+  const worker::DeviceShare share = share_of_node(ranks, job);
+  const int cores = cores_of(share);
+  worker::limit_cpu_threads(cores);
   comm::tell_site(ranks, site_with(job, share));
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
-  comm::serve(ranks, worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share,
-                                                 [&ranks] { ranks.look(); }));
+  const auto look = [&ranks] { ranks.look(); };
+  io::LibraryShapes shapes(library);
+  comm::serve(ranks,
+              worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share, look),
+              std::make_unique<OwnReplacer>(shapes, cores, look));
 }
 
 std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::ShapeLibrary& library,
                                      const StopReason& stop_reason) {
   const MatchingContext context = context_of(job, library);
   const ShapeRange all = even_range(library.size(), 0, 1);
-  const auto give_up = [stop_reason] {
-    if (const char* reason = stop_reason()) throw Interrupted{reason};
-  };
   return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context),
-                                     {.per_worker = job.devices_per_worker}, give_up);
+                                     {.per_worker = job.devices_per_worker}, give_up_when(stop_reason));
+}
+
+std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopReason& stop_reason) {
+  return std::make_unique<OwnReplacer>(shapes, io::available_cores(), give_up_when(stop_reason));
 }
 
 RankSite master_site(const comm::Communicator& ranks, const io::Job& job) {

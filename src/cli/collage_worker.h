@@ -1,4 +1,5 @@
-// The ranks of tessera collage that search the library: a part of it each, on the devices of their node.
+// The ranks of tessera collage that search the library, a part of it each, on the devices of their node, and replace
+// pieces on its cores.
 #pragma once
 
 #include <functional>
@@ -7,6 +8,8 @@
 #include "comm/communicator.h"
 #include "core/matching/matcher.h"
 #include "core/ranks/rank_site.h"
+#include "core/replacing/replacer.h"
+#include "core/shape/shape_source.h"
 #include "io/job/job_file.h"
 #include "io/library/shape_library.h"
 
@@ -22,6 +25,10 @@ using StopReason = std::function<const char*()>;
 /// Interrupted.
 std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::ShapeLibrary& library,
                                      const StopReason& stop_reason);
+
+/// The replacer of a run without workers: on all cores of this rank. What asks to stop ends a question by Interrupted.
+/// The shapes outlive it.
+std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopReason& stop_reason);
 
 /// Where rank 0 runs: with devices where it is alone, without where workers do the matching.
 RankSite master_site(const comm::Communicator& ranks, const io::Job& job);

@@ -24,13 +24,13 @@ MasterTimes LoopClock::master_times(const RunStatistics& run) const {
   times.merge_s = run.merge_s;
   times.waiting_s = ranks_.waited_s() - waited_before_s_;
   times.ahead_s = run.ahead_s;
-  times.questions_s = run.prune_s + run.dock_s - times.waiting_s - times.ahead_s;
+  times.questions_s = run.prune_s + run.dock_s + run.replace_s - times.waiting_s - times.ahead_s;
   times.loop_s = run.total_s;
   times.other_s =
       times.loop_s - times.objective_s - times.merge_s - times.questions_s - times.ahead_s - times.waiting_s;
   times.processor_s = busy_processor_s(ranks_) - processor_before_s_ - run.setup_processor_s;
   const Traffic& now = ranks_.traffic();
-  times.sent = difference(now.sent_in_matching(), traffic_before_.sent_in_matching());
+  times.sent = difference(now.sent_in_loop(), traffic_before_.sent_in_loop());
   times.sent_fields = difference(now.sent(Tag::update_field), traffic_before_.sent(Tag::update_field));
   return times;
 }

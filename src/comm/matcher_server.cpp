@@ -4,6 +4,7 @@
 
 #include "comm/encode.h"
 #include "comm/messages.h"
+#include "comm/replacer_team.h"
 #include "comm/worker_clock.h"
 #include "comm/worker_team.h"
 #include "core/ranks/worker_tree.h"
@@ -35,12 +36,17 @@ std::vector<DockingTerms> measure(Matcher& matcher, const std::vector<Docking>& 
   return matcher.take_measure();
 }
 
+std::vector<ReplacementOutcome> replace(Replacer& replacer, const std::vector<ReplacementWindow>& windows) {
+  replacer.post_replace(windows);
+  return replacer.take_replaced();
+}
+
 /// The time that `ask` takes goes on the account of `stage`.
-template <class Question, class Answer>
-Bytes measured_answer(const Message& request, Matcher& matcher, WorkerClock& clock, double WorkerTimes::*stage,
-                      std::uint64_t WorkerTimes::*questions, Answer (*ask)(Matcher&, const Question&)) {
+template <class Asked, class Question, class Answer>
+Bytes measured_answer(const Message& request, Asked& asked, WorkerClock& clock, double WorkerTimes::*stage,
+                      std::uint64_t WorkerTimes::*questions, Answer (*ask)(Asked&, const Question&)) {
   const auto question = decode<Question>(request.bytes);
-  return encode(clock.measure(stage, questions, [&] { return ask(matcher, question); }));
+  return encode(clock.measure(stage, questions, [&] { return ask(asked, question); }));
 }
 
 /// Of the workers below and of this one: in the order of the ranks.
@@ -51,7 +57,7 @@ std::vector<WorkerTimes> times_of(Communicator& ranks, const WorkerClock& clock)
   return times;
 }
 
-void answer(const Message& request, Communicator& ranks, Matcher& matcher, WorkerClock& clock) {
+void answer(const Message& request, Communicator& ranks, Matcher& matcher, Replacer& replacer, WorkerClock& clock) {
   using Times = WorkerTimes;
   const int asker = request.from;
   switch (request.tag) {
@@ -80,6 +86,10 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Worke
       ranks.send(asker, Tag::measure_reply,
                  measured_answer(request, matcher, clock, &Times::measure_s, &Times::measures, measure));
       break;
+    case Tag::replace_request:
+      ranks.send(asker, Tag::replace_reply,
+                 measured_answer(request, replacer, clock, &Times::replace_s, &Times::replaces, replace));
+      break;
     case Tag::times_request: ranks.send(asker, Tag::times_reply, encode(times_of(ranks, clock))); break;
     default: throw std::logic_error("a message that is no question: " + std::string(tag_name(request.tag)));
   }
@@ -87,18 +97,20 @@ void answer(const Message& request, Communicator& ranks, Matcher& matcher, Worke
 
 }  // namespace
 
-void serve(Communicator& ranks, std::unique_ptr<Matcher> own) {
-  const std::unique_ptr<Matcher> matcher = gather_workers(ranks, std::move(own));
+void serve(Communicator& ranks, std::unique_ptr<Matcher> own_matcher, std::unique_ptr<Replacer> own_replacer) {
+  const std::unique_ptr<Matcher> matcher = gather_workers(ranks, std::move(own_matcher));
+  const std::unique_ptr<Replacer> replacer = gather_replacers(ranks, std::move(own_replacer));
   const int asker = place_in_tree(ranks.rank(), ranks.size()).parent;
   ranks.send(asker, Tag::hello, encode(matcher->shapes()));
+  ranks.send(asker, Tag::breadth, encode(replacer->breadth()));
   WorkerClock clock(ranks);
   for (;;) {
-    const Message request =
-        ranks.receive_any(asker, {Tag::start_field, Tag::update_field, Tag::limit, Tag::count_request,
-                                  Tag::dock_request, Tag::refine_request, Tag::measure_request, Tag::times_request});
+    const Message request = ranks.receive_any(
+        asker, {Tag::start_field, Tag::update_field, Tag::limit, Tag::count_request, Tag::dock_request,
+                Tag::refine_request, Tag::measure_request, Tag::replace_request, Tag::times_request});
     // While this rank computes it cannot help a large reply along, which others may be waiting for.
     ranks.flush();
-    answer(request, ranks, *matcher, clock);
+    answer(request, ranks, *matcher, *replacer, clock);
   }
 }
 

@@ -15,6 +15,7 @@ using SharedBytes = std::shared_ptr<const Bytes>;
 
 enum class Tag : int {
   hello,        // worker -> who asks it: its part of the library, with those below it
+  breadth,      // worker -> who asks it: how many windows it and those below it work on at a time
   start_field,  // down the tree of ranks (worker_tree.h), as are the requests below; replies carry the request's name
   update_field,
   limit,
@@ -26,6 +27,8 @@ enum class Tag : int {
   refine_reply,
   measure_request,
   measure_reply,
+  replace_request,
+  replace_reply,
   times_request,
   times_reply,
   broadcast,
@@ -43,10 +46,11 @@ inline constexpr std::size_t kTags = std::size_t(Tag::heartbeat) + 1;
 
 // clang-format off
 inline constexpr std::array<std::string_view, kTags> kTagNames = {
-    "hello",          "start field",  "update field", "limit", "count request", "count reply",
-    "dock request",   "dock reply",   "refine request", "refine reply", "measure request",
-    "measure reply",  "times request", "times reply", "broadcast",     "barrier",        "site",
-    "turn",           "failure",       "end",         "bye",           "leave",          "heartbeat"};
+    "hello",          "breadth",       "start field",   "update field",    "limit",         "count request",
+    "count reply",    "dock request",  "dock reply",    "refine request",  "refine reply",  "measure request",
+    "measure reply",  "replace request", "replace reply", "times request", "times reply",   "broadcast",
+    "barrier",        "site",          "turn",          "failure",         "end",           "bye",
+    "leave",          "heartbeat"};
 // clang-format on
 
 inline std::string_view tag_name(Tag tag) { return kTagNames[std::size_t(tag)]; }

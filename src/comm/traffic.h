@@ -25,9 +25,9 @@ struct Traffic {
   const TrafficCount& sent(Tag tag) const { return sent_by_tag[std::size_t(tag)]; }
   const TrafficCount& received(Tag tag) const { return received_by_tag[std::size_t(tag)]; }
   /// What was sent in the loop: questions to the workers, or their answers.
-  TrafficCount sent_in_matching() const {
+  TrafficCount sent_in_loop() const {
     TrafficCount sum;
-    for (std::size_t tag = std::size_t(Tag::start_field); tag <= std::size_t(Tag::measure_reply); ++tag) {
+    for (std::size_t tag = std::size_t(Tag::start_field); tag <= std::size_t(Tag::replace_reply); ++tag) {
       sum.messages += sent_by_tag[tag].messages;
       sum.bytes += sent_by_tag[tag].bytes;
     }

@@ -17,7 +17,7 @@ class WorkerClock {
     waited_before_s_ = ranks_.waited_s();
     waited_in_stages_s_ = 0;
     processor_before_s_ = busy_processor_s(ranks_);
-    sent_before_ = ranks_.traffic().sent_in_matching();
+    sent_before_ = ranks_.traffic().sent_in_loop();
     loop_ = Stopwatch();
   }
 
@@ -41,9 +41,9 @@ class WorkerClock {
     times.loop_s = loop_.seconds();
     times.waiting_s = ranks_.waited_s() - waited_before_s_ - waited_in_stages_s_;
     times.messages_s = times.loop_s - times.waiting_s - times.count_s - times.dock_s - times.refine_s -
-                       times.measure_s - times.field_s;
+                       times.measure_s - times.replace_s - times.field_s;
     times.processor_s = busy_processor_s(ranks_) - processor_before_s_;
-    const TrafficCount sent = ranks_.traffic().sent_in_matching();
+    const TrafficCount sent = ranks_.traffic().sent_in_loop();
     times.sent = {sent.messages - sent_before_.messages, sent.bytes - sent_before_.bytes};
     return times;
   }

@@ -7,6 +7,7 @@
 #include "comm/worker_team.h"
 #include "core/matcher_suite.h"
 #include "core/ranks/partition.h"
+#include "idle_replacer.h"
 
 namespace tessera::comm {
 namespace {
@@ -44,7 +45,9 @@ class ThreadedJob {
  private:
   void work(int rank, std::unique_ptr<Matcher> part) {
     const std::unique_ptr<Communicator> ranks = network_.connect(rank);
-    run_rank(*ranks, {.run = [&](Communicator& c) -> int { serve(c, std::move(part)); }, .report_error = {}});
+    run_rank(*ranks,
+             {.run = [&](Communicator& c) -> int { serve(c, std::move(part), std::make_unique<test::IdleReplacer>()); },
+              .report_error = {}});
   }
 
   InProcessNetwork network_;

@@ -7,9 +7,11 @@
 #include <thread>
 
 #include "comm/matcher_server.h"
+#include "comm/replacer_team.h"
 #include "comm/worker_team.h"
 #include "core/base/stopwatch.h"
 #include "core/ranks/worker_tree.h"
+#include "idle_replacer.h"
 #include "job_fixture.h"
 #include "on_all_ranks.h"
 
@@ -48,6 +50,15 @@ class SlowCounter : public Matcher {
   std::size_t samples_ = 0;
 };
 
+/// Takes its time, whatever it is asked.
+class SlowReplacer : public test::IdleReplacer {
+ public:
+  std::vector<ReplacementOutcome> take_replaced() override {
+    std::this_thread::sleep_for(kNap);
+    return IdleReplacer::take_replaced();
+  }
+};
+
 template <class Times, class Stages>
 double sum_of_stages(const Times& times, const Stages& stages) {
   double sum_s = 0;
@@ -59,7 +70,7 @@ double sum_of_stages(const Times& times, const Stages& stages) {
 }
 
 /// A loop of two rounds; counts in `run` what a master would.
-void play_loop(Matcher& team, RunStatistics& run) {
+void play_loop(Matcher& team, Replacer& replacers, RunStatistics& run) {
   const Stopwatch loop;
   team.start_field(3, 2, {});
   for (run.rounds = 0; run.rounds < 2; ++run.rounds) {
@@ -75,15 +86,18 @@ void play_loop(Matcher& team, RunStatistics& run) {
     run.ahead_s += ahead.seconds();
     team.take_dock();
     run.dock_s += stage.lap();
+    replacers.post_replace(std::vector<ReplacementWindow>(3));
+    replacers.take_replaced();
+    run.replace_s += stage.lap();
   }
   run.total_s = loop.seconds();
 }
 
 void expect_master(const MasterTimes& master, int asked) {
   EXPECT_NEAR(sum_of_stages(master, kMasterStages), master.loop_s, kRounding_s);
-  EXPECT_GE(master.waiting_s, 2 * kNap_s * 0.9);
+  EXPECT_GE(master.waiting_s, 2 * 2 * kNap_s * 0.9);
   EXPECT_GE(master.ahead_s, 2 * kNap_s / 10);
-  EXPECT_EQ(master.sent.messages, std::uint64_t(asked) * (1 + 2 * 3));
+  EXPECT_EQ(master.sent.messages, std::uint64_t(asked) * (1 + 2 * 4));
   EXPECT_EQ(master.sent_fields.messages, std::uint64_t(asked) * 2);
   EXPECT_GE(master.sent_fields.bytes, master.sent_fields.messages * 6 * sizeof(float));
   EXPECT_LT(master.sent_fields.bytes, master.sent.bytes);
@@ -96,7 +110,9 @@ void expect_worker(const WorkerTimes& worker, int asked) {
   EXPECT_EQ(worker.counts, 2u);
   EXPECT_EQ(worker.docks, 2u);
   EXPECT_EQ(worker.refines, 0u);
-  EXPECT_EQ(worker.sent.messages, 4u + std::uint64_t(asked) * (1 + 2 * 3));
+  EXPECT_GE(worker.replace_s, 2 * kNap_s * 0.99);
+  EXPECT_EQ(worker.replaces, 2u);
+  EXPECT_EQ(worker.sent.messages, 6u + std::uint64_t(asked) * (1 + 2 * 4));
   EXPECT_GE(worker.sent.bytes, 2 * 5 * sizeof(DistanceHistogram));
 }
 
@@ -109,10 +125,11 @@ TEST(LoopClock, StagesOfEveryRankAddUpLoopAfterLoop) {
         ranks,
         [](Communicator& c) {
           const auto team = gather_workers(c);
+          const auto replacers = gather_replacers(c);
           for (int loop = 0; loop < 2; ++loop) {
             LoopClock clock(c);
             RunStatistics run;
-            play_loop(*team, run);
+            play_loop(*team, *replacers, run);
             const RankStatistics times = clock.stop(run);
             EXPECT_EQ(times.rounds, 2u);
             EXPECT_EQ(times.asked, asked_by(0, c));
@@ -125,7 +142,8 @@ TEST(LoopClock, StagesOfEveryRankAddUpLoopAfterLoop) {
           return 0;
         },
         [](Communicator& c) {
-          serve(c, std::make_unique<SlowCounter>(ShapeRange{std::uint32_t(c.rank()), std::uint32_t(c.rank() + 1)}));
+          serve(c, std::make_unique<SlowCounter>(ShapeRange{std::uint32_t(c.rank()), std::uint32_t(c.rank() + 1)}),
+                std::make_unique<SlowReplacer>());
         });
     EXPECT_EQ(outcome.result.exit_code, 0);
   });

@@ -8,6 +8,7 @@
 #include "comm/worker_team.h"
 #include "core/base/error.h"
 #include "core/matching/reference_matcher.h"
+#include "idle_replacer.h"
 #include "job_fixture.h"
 #include "on_all_ranks.h"
 #include "support/matcher_round.h"
@@ -18,6 +19,7 @@ namespace {
 using tessera::test::MatchingScene;
 using tessera::test::Round;
 using tessera::test::set_field;
+using test::IdleReplacer;
 using test::on_all_ranks;
 using test::run_job;
 
@@ -108,7 +110,7 @@ void with_team(const std::function<void(Matcher&)>& master, MakeMatcher make_mat
           master(*gather_workers(c));
           return 0;
         },
-        [&](Communicator& c) { serve(c, make_matcher(c)); });
+        [&](Communicator& c) { serve(c, make_matcher(c), std::make_unique<IdleReplacer>()); });
     EXPECT_EQ(outcome.result.exit_code, 0);
     EXPECT_TRUE(outcome.reported.empty()) << outcome.reported[0];
   });
@@ -210,7 +212,7 @@ TEST(RemoteMatcher, LargeMessagesBothWaysDoNotLockUp) {
           return 0;
         },
         [](Communicator& c) {
-          serve(c, std::make_unique<EchoMatcher>(ShapeRange{0, kShapes}));
+          serve(c, std::make_unique<EchoMatcher>(ShapeRange{0, kShapes}), std::make_unique<IdleReplacer>());
         });
   });
 }
@@ -236,7 +238,9 @@ TEST(RemoteMatcher, AWorkersErrorReachesWhoeverTakes) {
           ADD_FAILURE() << "no error came";
           return 0;
         },
-        [](Communicator& c) { serve(c, std::make_unique<FailingMatcher>(part_of(kEchoShapes, c))); });
+        [](Communicator& c) {
+          serve(c, std::make_unique<FailingMatcher>(part_of(kEchoShapes, c)), std::make_unique<IdleReplacer>());
+        });
     if (ranks.rank() != 0) return;
     EXPECT_EQ(outcome.result.exit_code, 1);
     ASSERT_EQ(outcome.reported.size(), 1u);
@@ -255,7 +259,7 @@ TEST(RemoteMatcher, AWorkerThatCannotStartEndsTheJob) {
         },
         [](Communicator& c) {
           if (c.rank() == c.size() - 1) throw InputError("library.h5: not a library");
-          serve(c, std::make_unique<EchoMatcher>(part_of(kEchoShapes, c)));
+          serve(c, std::make_unique<EchoMatcher>(part_of(kEchoShapes, c)), std::make_unique<IdleReplacer>());
         });
     EXPECT_EQ(outcome.result.exit_code, ranks.rank() == 0 ? 2 : 0);
   });

@@ -14,6 +14,7 @@ namespace tessera {
 namespace {
 
 using test::any_windows;
+using test::endless_windows;
 using test::EndlessShapes;
 
 const auto do_not_look = [] {};
@@ -57,13 +58,6 @@ TEST(OwnReplacer, AQuestionOfNothing) {
 TEST(OwnReplacer, HasAThreadAtLeast) {
   EndlessShapes shapes;
   EXPECT_EQ(OwnReplacer(shapes, 0, do_not_look).breadth(), 1);
-}
-
-/// More trials than anybody waits for.
-std::vector<ReplacementWindow> endless_windows(std::size_t count) {
-  std::vector<ReplacementWindow> windows = any_windows(count, 3);
-  for (ReplacementWindow& window : windows) window.trials = 1'000'000'000;
-  return windows;
 }
 
 TEST(OwnReplacer, WhatALookThrowsComesOutAndTheThreadsEnd) {

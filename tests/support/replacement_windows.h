@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "core/replacing/draws.h"
@@ -17,8 +18,11 @@ namespace tessera::test {
 class EndlessShapes : public ShapeSource {
  public:
   const Shape& shape(ShapeId id) override {
+    static const std::vector<Shape> few{
+        make_test_shape("disc", disc_outline()), make_test_shape("bean", bean_outline()),
+        make_test_shape("star", star_outline(5)), make_test_shape("blob", blob_outline(3))};
     ++read_;
-    return shapes_[index_of(id) % shapes_.size()];
+    return few[index_of(id) % few.size()];
   }
   const ShapeModel& model(ShapeId) override { throw std::logic_error("nobody needs models here"); }
 
@@ -26,8 +30,6 @@ class EndlessShapes : public ShapeSource {
   std::size_t read() const { return read_; }
 
  private:
-  std::vector<Shape> shapes_{make_test_shape("disc", disc_outline()), make_test_shape("bean", bean_outline()),
-                             make_test_shape("star", star_outline(5)), make_test_shape("blob", blob_outline(3))};
   std::size_t read_ = 0;
 };
 
@@ -84,6 +86,13 @@ inline ReplacementWindow any_window(std::uint64_t number, std::uint32_t first = 
 inline std::vector<ReplacementWindow> any_windows(std::size_t count, std::uint64_t number) {
   std::vector<ReplacementWindow> windows;
   for (std::size_t i = 0; i < count; ++i) windows.push_back(any_window(mix_bits(number + i)));
+  return windows;
+}
+
+/// More trials than anybody waits for.
+inline std::vector<ReplacementWindow> endless_windows(std::size_t count) {
+  std::vector<ReplacementWindow> windows = any_windows(count, 3);
+  for (ReplacementWindow& window : windows) window.trials = 1'000'000'000;
   return windows;
 }
 

@@ -8,7 +8,7 @@
 
 namespace tessera {
 
-/// Messages of matching that a rank sent; the transport's own headers are not counted.
+/// Messages of matching and replacing that a rank sent; the transport's own headers are not counted.
 struct MessageCount {
   std::uint64_t messages = 0;
   std::uint64_t bytes = 0;
@@ -23,6 +23,7 @@ struct WorkerTimes {
   double dock_s = 0;
   double refine_s = 0;
   double measure_s = 0;
+  double replace_s = 0;
   double field_s = 0;     // updates
   double messages_s = 0;  // between question and matcher, and back: reading, writing and sending
   double waiting_s = 0;   // for the next question
@@ -32,6 +33,7 @@ struct WorkerTimes {
   std::uint64_t docks = 0;
   std::uint64_t refines = 0;
   std::uint64_t measures = 0;
+  std::uint64_t replaces = 0;
   MessageCount sent;
 
   friend bool operator==(const WorkerTimes&, const WorkerTimes&) = default;
@@ -70,9 +72,9 @@ struct TimedStage {
 };
 
 inline constexpr TimedStage<WorkerTimes> kWorkerStages[] = {
-    {"count", &WorkerTimes::count_s},     {"dock", &WorkerTimes::dock_s},   {"refine", &WorkerTimes::refine_s},
-    {"measure", &WorkerTimes::measure_s}, {"field", &WorkerTimes::field_s}, {"messages", &WorkerTimes::messages_s},
-    {"waiting", &WorkerTimes::waiting_s}};
+    {"count", &WorkerTimes::count_s},       {"dock", &WorkerTimes::dock_s},       {"refine", &WorkerTimes::refine_s},
+    {"measure", &WorkerTimes::measure_s},   {"replace", &WorkerTimes::replace_s}, {"field", &WorkerTimes::field_s},
+    {"messages", &WorkerTimes::messages_s}, {"waiting", &WorkerTimes::waiting_s}};
 
 inline constexpr TimedStage<MasterTimes> kMasterStages[] = {
     {"objective", &MasterTimes::objective_s}, {"merge", &MasterTimes::merge_s},

@@ -95,6 +95,7 @@ Json workers_json(const RankStatistics& ranks) {
   json["docks"] = average([](const WorkerTimes& w) { return double(w.docks); });
   json["refines"] = average([](const WorkerTimes& w) { return double(w.refines); });
   json["measures"] = average([](const WorkerTimes& w) { return double(w.measures); });
+  json["replaces"] = average([](const WorkerTimes& w) { return double(w.replaces); });
   json["sent_messages"] = average([](const WorkerTimes& w) { return double(w.sent.messages); });
   json["sent_bytes"] = average([](const WorkerTimes& w) { return double(w.sent.bytes); });
   return json;

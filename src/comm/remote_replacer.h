@@ -1,0 +1,27 @@
+// Replacement trials on another rank and on those below it.
+#pragma once
+
+#include <vector>
+
+#include "comm/communicator.h"
+#include "core/replacing/replacer.h"
+
+namespace tessera::comm {
+
+class RemoteReplacer : public Replacer {
+ public:
+  /// `worker` (matcher_server.h) and those below it work on `breadth` windows at a time. The communicator outlives the
+  /// replacer.
+  RemoteReplacer(Communicator& ranks, int worker, int breadth);
+
+  int breadth() const override { return breadth_; }
+  void post_replace(const std::vector<ReplacementWindow>& windows) override;
+  std::vector<ReplacementOutcome> take_replaced() override;
+
+ private:
+  Communicator& ranks_;
+  int worker_;
+  int breadth_;
+};
+
+}  // namespace tessera::comm
