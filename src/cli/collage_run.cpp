@@ -82,14 +82,14 @@ StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const Time
 }
 
 master::CollageResult run_loop(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
-                               Matcher& matcher, [[maybe_unused]] Replacer& replacer, ShapeSource& shapes,
+                               Matcher& matcher, Replacer& replacer, ShapeSource& shapes,
                                CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
   CollageProgress progress(input.job.settings, arguments.quiet, limit);
   const CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
   master::CollageResult result =
-      master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints});
+      master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints}, &replacer);
   result.statistics.last_tenth = progress.history().gained_in_last_tenth(result.statistics.total_s);
   return result;
 }

@@ -125,9 +125,11 @@ void serialize(Archive& archive, tessera::EdgeField& edge, unsigned) {
 
 template <class Archive>
 void serialize(Archive& archive, tessera::ReplacementWindow& window, unsigned) {
-  archive& window.box& window.edge& window.distances& window.least_scale_px& window.most_scale_px;
-  archive& window.moving& window.still& window.incoming& window.uses;
-  archive& window.random& window.trials& window.first_temperature_px2& window.last_temperature_px2;
+  // By all its members: one that is left out here would differ from rank to rank, so then this does not compile.
+  auto& [box, edge, distances, least_px, most_px, repetition, moving, still, incoming, uses, random, trials, first_px2,
+         last_px2] = window;
+  archive& box& edge& distances& least_px& most_px& repetition& moving& still& incoming& uses& random& trials;
+  archive& first_px2& last_px2;
 }
 
 template <class Archive>

@@ -128,6 +128,7 @@ ReplacementWindow any_window() {
   window.distances = {any_float(), any_float()};
   window.least_scale_px = any_float();
   window.most_scale_px = any_float();
+  window.repetition_cost = any_float();
   window.moving = any_vector(any_piece);
   window.still = any_vector(any_piece);
   window.incoming = any_vector([] {
@@ -150,7 +151,7 @@ bool same_bits(const EdgeField& a, const EdgeField& b) {
 
 bool same_bits(const ReplacementWindow& a, const ReplacementWindow& b) {
   const auto numbers = [](const ReplacementWindow& w) {
-    return std::vector{w.least_scale_px,       w.most_scale_px,     w.first_temperature_px2,
+    return std::vector{w.least_scale_px,       w.most_scale_px,     w.repetition_cost,  w.first_temperature_px2,
                        w.last_temperature_px2, w.distances.soft_px, w.distances.hard_px};
   };
   return same_bits(std::vector{a.box.low, a.box.high}, std::vector{b.box.low, b.box.high}) &&

@@ -62,6 +62,7 @@ inline ReplacementWindow any_window(std::uint64_t number, std::uint32_t first = 
   window.distances = {0.5f, -1.4f};
   window.least_scale_px = kPoses.min_scale_px;
   window.most_scale_px = kPoses.max_scale_px;
+  window.repetition_cost = 0.1f;
   const auto any_shape = [&] { return ShapeId{first + std::uint32_t(draws.below(4))}; };
   for (int cell = 0; cell < kCells * kCells; ++cell) {
     const ShapeId shape = any_shape();
