@@ -278,7 +278,9 @@ class Run {
     if (progress.done < progress.all) {
       const auto poses_of = [this](const Placement& p) { return collage().poses_of(p); };
       Replacing replacing(collage().free(), collage().stances(), settings_, shapes_, poses_of, replacer_);
+      const Stopwatch asked;
       moving_ = replacing.batch(moving_, collage().given(), progress);
+      trial_work_.replace_s += asked.seconds();
       statistics_.trials += std::max<std::uint64_t>(1, (progress.done - replaced_) / kReplacementsPerTrial);
       replaced_ = progress.done;
     }
