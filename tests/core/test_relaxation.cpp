@@ -55,6 +55,63 @@ TEST(Relaxation, GradientIsThatOfTheEnergy) {
   }));
 }
 
+/// Of what it leaves out nothing changes.
+TEST(Relaxation, EnergyOfSomeChangesAsThatOfAll) {
+  const FreeField canvas = rectangle();
+  const FreeField torus = seamless(kCanvas_px, true, true);
+  EXPECT_TRUE(rc::check([&] {
+    const float soft_px = *rc::gen::element(0.f, 3.f);
+    const Relaxation relaxation(**rc::gen::element(&canvas, &torus), {soft_px, soft_px - 1});
+    const float hard_stiffness = *rc::gen::element(0.f, 20.f);
+    const std::vector<RelaxedPiece> pieces = any_pieces(kCanvas_px);
+    std::vector<RelaxedPiece> after = pieces;
+    std::vector<std::size_t> active;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (!*rc::gen::inRange(0, 3)) active.push_back(i);
+    }
+    RC_PRE(!active.empty());
+    for (const std::size_t i : active) {
+      if (*rc::gen::inRange(0, 2)) after[i].canvas_from_shape.tx += any_number(-5, 5);
+      if (*rc::gen::inRange(0, 2)) after[i].canvas_from_shape.a *= 1.1f;
+    }
+    const auto change = [&](const std::vector<std::size_t>& of) {
+      return relaxation.energy_px2(after, of, 3, hard_stiffness) - relaxation.energy_px2(pieces, of, 3, hard_stiffness);
+    };
+    const double of_all = change(all_of(pieces));
+    RC_ASSERT(std::abs(change(active) - of_all) < 1e-3 + 1e-5 * std::abs(of_all));
+  }));
+}
+
+TEST(Relaxation, EnergyOfAllIsThatWhereAllAreActive) {
+  const FreeField canvas = rectangle();
+  EXPECT_TRUE(rc::check([&] {
+    const Relaxation relaxation(canvas, {0, -1});
+    const std::vector<RelaxedPiece> pieces = any_pieces(kCanvas_px);
+    RC_ASSERT(relaxation.energy_px2(pieces, 3) == relaxation.energy_px2(pieces, all_of(pieces), 3));
+  }));
+}
+
+/// A disc a little too large for its square: by how much follows from its depth beyond the sides.
+TEST(Relaxation, HardStiffnessCountsWhatIsTooDeep) {
+  const FreeField canvas = rectangle(100);
+  const auto energy_px2 = [&](float depth_px, float hard_stiffness) {
+    const std::vector<RelaxedPiece> pieces{piece(kDisc, pose((50 + depth_px) / kDiscRadius, 0, {50, 50}))};
+    return Relaxation(canvas, {0, -1}).energy_px2(pieces, {0}, 3, hard_stiffness);
+  };
+  EXPECT_EQ(energy_px2(0.8f, 20), energy_px2(0.8f, 0)) << "so deep it may be";
+  const double at_2 = energy_px2(2, 20) - energy_px2(2, 0);
+  EXPECT_GT(at_2, 0);
+  EXPECT_NEAR(energy_px2(2, 40) - energy_px2(2, 0), 2 * at_2, 1e-3 * at_2);
+  // By hand: arcs beyond four sides, depth² along them, counted from 1 px on; the edge weighs twice a half.
+  double sum_px3 = 0;
+  constexpr double kStep_rad = 1e-4;
+  for (double angle = 0; angle < 2 * std::numbers::pi; angle += kStep_rad) {
+    const double beyond = 52 * std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle))) - 50;
+    if (beyond > 1) sum_px3 += 52 * kStep_rad * (beyond - 1) * (beyond - 1);
+  }
+  EXPECT_NEAR(at_2, 20 * sum_px3, 0.1 * at_2);
+}
+
 TEST(Relaxation, EnergyBecomesLess) {
   const FreeField canvas = rectangle();
   const Relaxation relaxation(canvas, {0, -1});
@@ -100,6 +157,70 @@ TEST(Relaxation, PosesStayInTheirRange) {
     Relaxation(canvas, {0, -1}).relax(pieces, all_of(pieces), kShort, do_not_look);
     for (const RelaxedPiece& p : pieces) RC_ASSERT(p.poses.contains(p.canvas_from_shape));
   }));
+}
+
+class CoarseEdge : public testing::Test {
+ protected:
+  static constexpr float kNode_px = 2;
+
+  static CanvasField coarse(const CanvasEdge& edge, int columns, int rows, Vec2 origin) {
+    CanvasField field{Grid<float>(columns, rows), origin};
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < columns; ++i) {
+        field.value(i, j) = edge.at((origin + Vec2{float(i), float(j)}) * kNode_px).value;
+      }
+    }
+    return field;
+  }
+
+  /// Also beyond the nodes of both. Where gradients jump, at ridges, nodes 2 px apart see it up to 2 px beside it.
+  static void expect_alike(const CanvasEdge& fine, const CanvasEdge& edge, float low_px, float high_px) {
+    int alike = 0;
+    int all = 0;
+    for (float y = low_px; y < high_px; y += 1.9f) {
+      for (float x = low_px; x < high_px; x += 2.3f) {
+        const FieldSample expected = fine.at({x, y});
+        const FieldSample found = edge.at({x, y});
+        ASSERT_NEAR(found.value, expected.value, 1) << x << ", " << y;
+        alike += norm(found.gradient - expected.gradient) < 0.15f;
+        ++all;
+      }
+    }
+    EXPECT_GT(alike, 0.9 * all);
+  }
+};
+
+TEST_F(CoarseEdge, IsThatOfARectangle) {
+  const FreeField canvas = rectangle(100);
+  const CanvasEdge fine(canvas);
+  const CanvasField field = coarse(fine, 60, 60, {-5, -5});  // -10 to 108 px
+  expect_alike(fine, CanvasEdge(field, kNode_px), -9, 107);
+  EXPECT_FALSE(CanvasEdge(field, kNode_px).period().repeats());
+}
+
+TEST_F(CoarseEdge, IsThatOfADisc) {
+  Grid<float> coverage(200, 200, 0.f);
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 200; ++x) coverage(x, y) = norm(Vec2{float(x) - 100, float(y) - 100}) < 80 ? 1.f : 0.f;
+  }
+  const FreeField canvas(make_mask_canvas(coverage), PieceSettings{});
+  const CanvasEdge fine(canvas);
+  const CanvasField field = coarse(fine, 60, 60, {-5, -5});
+  const CanvasEdge edge(field, kNode_px);
+  expect_alike(fine, edge, -4, 104);
+  EXPECT_NEAR(edge.at({50, 50}).value, 40, 1.5f);
+  EXPECT_NEAR(edge.at({70, 50}).gradient.x, -1, 0.1f) << "px a px, not a node";
+}
+
+TEST_F(CoarseEdge, BeyondTheNodesItFallsByTheWay) {
+  const FreeField canvas = rectangle(100);
+  const CanvasField field = coarse(CanvasEdge(canvas), 60, 60, {-5, -5});
+  const CanvasEdge edge(field, kNode_px);
+  const float at_last = edge.at({107.9f, 50}).value;
+  const FieldSample beyond = edge.at({138, 50});
+  EXPECT_NEAR(beyond.value, at_last - 30, 0.5f);
+  EXPECT_NEAR(beyond.gradient.x, -1, 1e-4f);
+  EXPECT_NEAR(edge.at({-50, -40}).value, edge.at({-10, -10}).value - 50, 0.5f);
 }
 
 /// The best step of a piece whose angle is fixed is not that of a free one, less the turn.

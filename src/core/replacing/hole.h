@@ -22,8 +22,8 @@ class Hole {
   /// Takes the piece out of what is free.
   void add(const LaidPiece& piece);
 
-  /// Distance to what is not free, positive in the hole, no more than kFar_px; beyond the raster that of its nearest
-  /// point.
+  /// Distance to what is not free, positive in the hole, no more than kFar_px; less than that far from a piece, where
+  /// its shape's field ends. Beyond the raster that of its nearest point.
   FieldSample at(Vec2 p) const;
   float cell_px() const { return cell_px_; }
 

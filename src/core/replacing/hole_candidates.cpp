@@ -108,7 +108,7 @@ std::vector<HoleCandidate> drawn(const Hole& hole, float reach_px, const std::ve
                                  Draws& draws) {
   std::vector<HoleCandidate> best;
   const std::vector<RimPoint> rim = hole.rim(reach_px);
-  if (rim.empty()) return best;
+  if (rim.empty() || guests.empty()) return best;
   const float most_px = kLargerThanFree * std::sqrt(hole.free_px2(reach_px));
   for (int k = 0; k < kDockings; ++k) {
     const std::size_t g = draws.below(guests.size());

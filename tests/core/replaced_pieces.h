@@ -1,0 +1,107 @@
+// Windows of simple shapes, for the tests of replacement trials.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "core/replacing/hole_shape.h"
+#include "core/replacing/replacement.h"
+#include "core/replacing/window_pieces.h"
+#include "relaxed_pieces.h"
+
+namespace tessera::replaced_pieces {
+
+inline constexpr int kCanvas_px = 200;
+
+inline const std::vector<HoleShape>& hole_shapes() {
+  static const std::vector<HoleShape> all = [] {
+    std::vector<HoleShape> made;
+    for (const Shape& shape : relaxed_pieces::shapes()) made.push_back(make_hole_shape(shape));
+    return made;
+  }();
+  return all;
+}
+
+inline const HoleShapes& shapes_by_id() {
+  static const HoleShapes all = [] {
+    HoleShapes shapes;
+    for (std::uint32_t i = 0; i < hole_shapes().size(); ++i) shapes[ShapeId{i}] = &hole_shapes()[i];
+    return shapes;
+  }();
+  return all;
+}
+
+inline LaidPiece laid(std::size_t shape, const Similarity& where) {
+  LaidPiece piece;
+  piece.lay(hole_shapes()[shape].contact, where);
+  return piece;
+}
+
+/// Of the outline itself, as it lies.
+inline Box box_of(ShapeId shape, const Similarity& where) {
+  std::vector<Vec2> points;
+  for (const Vec2 p : relaxed_pieces::shapes()[index_of(shape)].outline.curves.front())
+    points.push_back(where.apply(p));
+  return bounding_box(points);
+}
+
+inline bool holds(const Box& outer, const Box& inner, float inside_px) {
+  return inner.low.x >= outer.low.x + inside_px && inner.low.y >= outer.low.y + inside_px &&
+         inner.high.x <= outer.high.x - inside_px && inner.high.y <= outer.high.y - inside_px;
+}
+
+/// The canvas' edge on every second node of what `box` and so much beyond it cover.
+inline EdgeField edge_field(const FreeField& free, const Box& box, float beyond_px) {
+  constexpr float kNode_px = 2;
+  const Vec2 low = (box.low - Vec2{beyond_px, beyond_px}) * (1 / kNode_px);
+  const Vec2 origin{std::floor(low.x), std::floor(low.y)};
+  const int columns = int((box.width() + 2 * beyond_px) / kNode_px) + 3;
+  const int rows = int((box.height() + 2 * beyond_px) / kNode_px) + 3;
+  EdgeField edge{{Grid<float>(columns, rows), origin}, kNode_px};
+  const CanvasEdge canvas(free);
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      edge.distance.value(i, j) = canvas.at((origin + Vec2{float(i), float(j)}) * kNode_px).value;
+    }
+  }
+  return edge;
+}
+
+inline WindowPiece window_piece(std::size_t shape, const Similarity& where, const PoseRange& poses = {20, 60, {}}) {
+  return {ShapeId(shape), ShapeId(shape), where, poses};
+}
+
+/// The whole of a square canvas, without pieces: trials are cold, and every shape may come in.
+inline ReplacementWindow empty_window(int canvas_px = kCanvas_px) {
+  ReplacementWindow window;
+  const float size_px = float(canvas_px);
+  window.box = {{-64, -64}, {size_px + 64, size_px + 64}};
+  window.edge = edge_field(relaxed_pieces::rectangle(canvas_px), window.box, 60);
+  window.distances = {0, -1};
+  window.least_scale_px = 20;
+  window.most_scale_px = 60;
+  for (std::size_t i = 0; i < hole_shapes().size(); ++i) {
+    window.incoming.push_back({ShapeId(i), ShapeId(i), {20, 60, {}}, 1});
+    window.uses.push_back({ShapeId(i), 0});
+  }
+  window.random = 7;
+  window.trials = 20;
+  return window;
+}
+
+inline constexpr float kDiscPitch_px = 40;
+inline const float kDiscScale_px = kDiscPitch_px / 2 / relaxed_pieces::kDiscRadius;
+
+/// Discs that touch, in 5 rows of 5, without the one in the middle.
+inline std::vector<WindowPiece> discs_round_a_hole() {
+  std::vector<WindowPiece> discs;
+  for (int k = 0; k < 25; ++k) {
+    if (k == 12) continue;
+    const Vec2 at = Vec2{float(k % 5) + 0.5f, float(k / 5) + 0.5f} * kDiscPitch_px;
+    discs.push_back(window_piece(relaxed_pieces::kDisc, {kDiscScale_px, 0, at.x, at.y}));
+  }
+  return discs;
+}
+inline constexpr Vec2 kMiddle{0.5f * kCanvas_px, 0.5f * kCanvas_px};
+
+}  // namespace tessera::replaced_pieces
