@@ -85,7 +85,8 @@ float WindowPieces::farthest_px(Vec2 p, const std::vector<std::size_t>& pieces) 
   return farthest;
 }
 
-Scene WindowPieces::scene_of(const std::vector<std::size_t>& moving, const std::vector<std::size_t>& out) const {
+Scene WindowPieces::scene_of(const std::vector<std::size_t>& moving, const std::vector<std::size_t>& out,
+                             const std::vector<Box>& incoming) const {
   const auto add = [this](Scene& scene, std::size_t i, bool moves) {
     const Standing& s = standing_[i];
     scene.add(*s.shape, s.piece.canvas_from_shape, s.piece.poses, moves);
@@ -95,10 +96,10 @@ Scene WindowPieces::scene_of(const std::vector<std::size_t>& moving, const std::
   const float reach_px = kBeside * middle_px(window_);
   for (std::size_t i = 0; i < standing_.size(); ++i) {
     if (is_of(moving, i) || is_of(out, i)) continue;
-    const auto beside = [&](std::size_t j) {
-      return within_reach(standing_[i].laid.box, standing_[j].laid.box, reach_px);
-    };
-    if (std::any_of(moving.begin(), moving.end(), beside) || std::any_of(out.begin(), out.end(), beside)) {
+    const auto beside_box = [&](const Box& box) { return within_reach(standing_[i].laid.box, box, reach_px); };
+    const auto beside = [&](std::size_t j) { return beside_box(standing_[j].laid.box); };
+    if (std::any_of(moving.begin(), moving.end(), beside) || std::any_of(out.begin(), out.end(), beside) ||
+        std::any_of(incoming.begin(), incoming.end(), beside_box)) {
       add(scene, i, false);
     }
   }

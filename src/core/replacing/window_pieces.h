@@ -42,8 +42,9 @@ class WindowPieces {
   /// The farthest that a point of any of these is from `p`.
   float farthest_px(Vec2 p, const std::vector<std::size_t>& pieces) const;
 
-  /// `moving`, then who stands beside them or beside `out`, without those.
-  Scene scene_of(const std::vector<std::size_t>& moving, const std::vector<std::size_t>& out) const;
+  /// `moving`, then who stands beside them, beside `out` or where pieces come in, without `out`.
+  Scene scene_of(const std::vector<std::size_t>& moving, const std::vector<std::size_t>& out,
+                 const std::vector<Box>& incoming) const;
   /// What is free round the centre without `out`.
   Hole hole_of(Vec2 centre_px, const std::vector<std::size_t>& out, float half_px) const;
 

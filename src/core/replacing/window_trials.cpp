@@ -33,7 +33,7 @@ std::size_t drawn_count(Draws& draws) {
 /// Something in the hole, and room made for it.
 struct Attempt {
   Scene scene;
-  std::vector<std::size_t> incoming;  // places in the window's, of the scene's last pieces
+  std::vector<HoleCandidate> incoming;  // the scene's last pieces, as they came in
   double repetition_px2 = 0;
   double energy_px2 = 0;
 };
@@ -117,7 +117,7 @@ class WindowTrials {
     if (!draw(trial)) return false;
     std::vector<std::size_t> before = trial.ring;
     before.insert(before.end(), trial.out.begin(), trial.out.end());
-    double old_energy_px2 = relaxation_.energy_px2(pieces_.scene_of(before, {}));
+    double old_energy_px2 = relaxation_.energy_px2(pieces_.scene_of(before, {}, {}));
     for (const std::size_t i : trial.out) old_energy_px2 += taken_out_px2(i);
     const Attempt best = best_attempt(trial, old_energy_px2);
     if (!best.incoming.empty() && accepts(best.energy_px2 - old_energy_px2) && pieces_.stays_inside(best.scene)) {
@@ -139,13 +139,13 @@ class WindowTrials {
   Attempt best_attempt(const Trial& trial, double old_energy_px2) {
     const Hole hole = pieces_.hole_of(trial.centre_px, trial.out, trial.reach_px + kBeyondReach_px);
     const float softness = kSoftness * (0.6f + 0.8f * draws_.unit());
-    const Scene scene = pieces_.scene_of(trial.ring, trial.out);
     Attempt best;
     for (const HoleCandidate& candidate : best_candidates(hole, trial.reach_px, guests(), softness, draws_)) {
-      Attempt attempt{scene, {}, 0, 0};
+      Attempt attempt;
       add(candidate, attempt);
       for (std::size_t k = 1; k < trial.out.size() && fill_rest(attempt, hole, trial.reach_px, softness);) ++k;
-      for (const std::size_t at : attempt.incoming) repetition_.remove(window_.incoming[at].drawing);
+      for (const HoleCandidate& in : attempt.incoming) repetition_.remove(incoming(in).drawing);
+      attempt.scene = scene_of(trial, attempt.incoming);
       relaxation_.soften(attempt.scene);
       attempt.energy_px2 = relaxation_.energy_px2(attempt.scene) + attempt.repetition_px2;
       if (best.incoming.empty() || attempt.energy_px2 < best.energy_px2) best = std::move(attempt);
@@ -166,27 +166,39 @@ class WindowTrials {
     return all;
   }
 
+  const IncomingShape& incoming(const HoleCandidate& candidate) const { return window_.incoming[candidate.incoming]; }
+
   void add(const HoleCandidate& candidate, Attempt& attempt) {
-    const IncomingShape& in = window_.incoming[candidate.incoming];
+    const IncomingShape& in = incoming(candidate);
     const float scale_px = candidate.canvas_from_shape.scale();
-    attempt.incoming.push_back(candidate.incoming);
-    attempt.scene.add(*shapes_.at(in.shape), candidate.canvas_from_shape, in.poses, true);
+    attempt.incoming.push_back(candidate);
     attempt.repetition_px2 += double(scale_px * scale_px * repetition_.cost(in.drawing));
     repetition_.add(in.drawing);
   }
 
+  LaidPiece laid(const HoleCandidate& candidate) const {
+    LaidPiece piece;
+    piece.lay(shapes_.at(incoming(candidate).shape)->contact, candidate.canvas_from_shape);
+    return piece;
+  }
+
   /// Puts one more piece beside those that came in. False where nothing fits.
   bool fill_rest(Attempt& attempt, Hole hole, float reach_px, float softness) {
-    const std::size_t old = attempt.scene.pieces.size() - attempt.incoming.size();
-    for (std::size_t k = old; k < attempt.scene.pieces.size(); ++k) {
-      LaidPiece laid;
-      laid.lay(*attempt.scene.pieces[k].shape, attempt.scene.pieces[k].canvas_from_shape);
-      hole.add(laid);
-    }
+    for (const HoleCandidate& in : attempt.incoming) hole.add(laid(in));
     const std::vector<HoleCandidate> more = best_candidates(hole, reach_px, guests(), softness, draws_);
     if (more.empty()) return false;
     add(more.front(), attempt);
     return true;
+  }
+
+  Scene scene_of(const Trial& trial, const std::vector<HoleCandidate>& coming) const {
+    std::vector<Box> boxes;
+    for (const HoleCandidate& in : coming) boxes.push_back(laid(in).box);
+    Scene scene = pieces_.scene_of(trial.ring, trial.out, boxes);
+    for (const HoleCandidate& in : coming) {
+      scene.add(*shapes_.at(incoming(in).shape), in.canvas_from_shape, incoming(in).poses, true);
+    }
+    return scene;
   }
 
   bool accepts(double change_px2) {
@@ -205,7 +217,7 @@ class WindowTrials {
     pieces_.take_out(trial.out);
     const std::size_t old = attempt.scene.pieces.size() - attempt.incoming.size();
     for (std::size_t k = 0; k < attempt.incoming.size(); ++k) {
-      const IncomingShape& in = window_.incoming[attempt.incoming[k]];
+      const IncomingShape& in = incoming(attempt.incoming[k]);
       pieces_.add(in, attempt.scene.pieces[old + k].canvas_from_shape);
       repetition_.add(in.drawing);
     }

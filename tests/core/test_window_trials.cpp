@@ -1,0 +1,451 @@
+// Replacement trials in a window.
+#include "core/replacing/window_trials.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "core/collage/quality.h"
+#include "core/relax/schedules.h"
+#include "core/replacing/repetition.h"
+#include "core/replacing/scene.h"
+#include "replaced_pieces.h"
+
+namespace tessera {
+namespace {
+
+using namespace replaced_pieces;
+using relaxed_pieces::any_number;
+using relaxed_pieces::kDisc;
+using relaxed_pieces::kDiscRadius;
+using relaxed_pieces::pose;
+
+ReplacementOutcome outcome_of(const ReplacementWindow& window) {
+  return replaced(window, shapes_by_id(), [] {});
+}
+
+/// Pieces in disorder, some of which stand still, and some across the edges of the window.
+ReplacementWindow any_window() {
+  ReplacementWindow window = empty_window();
+  const float soft_px = *rc::gen::element(0.f, 3.f);
+  window.distances = {soft_px, soft_px - 1};
+  window.box = *rc::gen::element(window.box, Box{{25, 15}, {190, 180}});
+  const float around_rad = any_number(-3, 3);
+  const float width_rad = *rc::gen::element(0.4f, 7.f);
+  const PoseRange poses{20, 60, direction_range(around_rad - width_rad / 2, around_rad + width_rad / 2)};
+  const std::size_t still = *rc::gen::inRange<std::size_t>(0, 5);
+  for (const RelaxedPiece& p : relaxed_pieces::any_pieces(kCanvas_px)) {
+    const std::size_t shape = std::size_t(p.shape - relaxed_pieces::contact_shapes().data());
+    WindowPiece piece = window_piece(shape, p.canvas_from_shape, poses);
+    poses.pull_in(piece.canvas_from_shape);
+    (window.still.size() < still ? window.still : window.moving).push_back(piece);
+  }
+  for (IncomingShape& in : window.incoming) in.poses = poses;
+  window.repetition_cost = *rc::gen::element(0.f, 0.05f);
+  window.random = *rc::gen::arbitrary<std::uint64_t>();
+  window.trials = 12;
+  window.first_temperature_px2 = *rc::gen::element(0.f, 100.f);
+  return window;
+}
+
+Scene scene_of(const ReplacementWindow& window, const std::vector<ReplacedPiece>& pieces) {
+  Scene scene;
+  for (const ReplacedPiece& p : pieces) scene.add(*shapes_by_id().at(p.shape), p.canvas_from_shape, {}, true);
+  for (const WindowPiece& p : window.still) scene.add(*shapes_by_id().at(p.shape), p.canvas_from_shape, p.poses, false);
+  return scene;
+}
+
+std::vector<ReplacedPiece> before(const ReplacementWindow& window) {
+  std::vector<ReplacedPiece> pieces;
+  for (std::uint32_t i = 0; i < window.moving.size(); ++i) {
+    pieces.push_back({window.moving[i].shape, window.moving[i].canvas_from_shape, i});
+  }
+  return pieces;
+}
+
+Quality quality_of(const ReplacementWindow& window, const std::vector<ReplacedPiece>& pieces) {
+  std::vector<Placement> placements;
+  for (const ReplacedPiece& p : pieces) placements.push_back({p.shape, p.canvas_from_shape});
+  for (const WindowPiece& p : window.still) placements.push_back({p.shape, p.canvas_from_shape});
+  return measure_quality(make_rectangle_canvas(kCanvas_px, kCanvas_px), placements,
+                         [](ShapeId id) -> const Shape& { return relaxed_pieces::shapes()[index_of(id)]; });
+}
+
+/// Whether it stands as it did before.
+bool is_unchanged(const ReplacedPiece& piece, const ReplacementWindow& window) {
+  return piece.from != ReplacedPiece::kNew && piece.canvas_from_shape == window.moving[piece.from].canvas_from_shape;
+}
+
+TEST(WindowTrials, TheSameQuestionHasTheSameAnswer) {
+  EXPECT_TRUE(rc::check([] {
+    const ReplacementWindow window = any_window();
+    RC_ASSERT(outcome_of(window) == outcome_of(window));
+  }));
+}
+
+TEST(WindowTrials, OtherNumbersGiveOtherAnswers) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  const ReplacementOutcome first = outcome_of(window);
+  window.random = 8;
+  EXPECT_NE(outcome_of(window), first);
+}
+
+TEST(WindowTrials, OldPiecesComeFirstInTheirOrderAndThoseThatStandStillNotAtAll) {
+  std::size_t kept = 0;
+  EXPECT_TRUE(rc::check([&] {
+    const ReplacementWindow window = any_window();
+    const ReplacementOutcome outcome = outcome_of(window);
+    kept += outcome.kept;
+    RC_ASSERT(outcome.kept <= window.trials);
+    std::uint32_t next = 0;
+    bool is_new = false;
+    for (const ReplacedPiece& p : outcome.pieces) {
+      is_new |= p.from == ReplacedPiece::kNew;
+      RC_ASSERT(is_new == (p.from == ReplacedPiece::kNew));
+      for (const WindowPiece& s : window.still) RC_ASSERT(p.canvas_from_shape != s.canvas_from_shape);
+      if (is_new) continue;
+      RC_ASSERT(p.from >= next);
+      RC_ASSERT(p.shape == window.moving.at(p.from).shape);
+      next = p.from + 1;
+    }
+  }));
+  EXPECT_GT(kept, 20u);
+}
+
+TEST(WindowTrials, PosesStayInTheirRange) {
+  EXPECT_TRUE(rc::check([] {
+    ReplacementWindow window = any_window();
+    for (WindowPiece& p : window.moving) {
+      const float scale_px = p.canvas_from_shape.scale();
+      p.poses.min_scale_px = scale_px / *rc::gen::element(1.f, 1.1f);
+      p.poses.max_scale_px = scale_px * *rc::gen::element(1.f, 1.1f);
+    }
+    for (IncomingShape& in : window.incoming) in.poses.max_scale_px = float(*rc::gen::inRange(25, 50));
+    for (const ReplacedPiece& p : outcome_of(window).pieces) {
+      const bool is_new = p.from == ReplacedPiece::kNew;
+      const PoseRange& poses = is_new ? window.incoming[index_of(p.shape)].poses : window.moving[p.from].poses;
+      RC_ASSERT(poses.contains(p.canvas_from_shape));
+    }
+  }));
+}
+
+/// Else what other windows do at the same time would meet it.
+TEST(WindowTrials, WhatChangedLiesWithinTheWindow) {
+  std::size_t changed = 0;
+  EXPECT_TRUE(rc::check([&] {
+    const ReplacementWindow window = any_window();
+    const float inside_px = 0.5f * std::max(0.f, window.distances.soft_px);
+    constexpr float kSlack_px = 0.6f;  // an outline goes a little beyond its samples
+    for (const ReplacedPiece& p : outcome_of(window).pieces) {
+      if (is_unchanged(p, window)) continue;
+      ++changed;
+      RC_ASSERT(holds(window.box, box_of(p.shape, p.canvas_from_shape), inside_px - kSlack_px));
+    }
+  }));
+  EXPECT_GT(changed, 30u);
+}
+
+TEST(WindowTrials, PiecesThatAreNotWhollyInTheWindowStayAsTheyAre) {
+  std::size_t across = 0;
+  EXPECT_TRUE(rc::check([&] {
+    const ReplacementWindow window = any_window();
+    const std::vector<ReplacedPiece> pieces = outcome_of(window).pieces;
+    for (std::uint32_t i = 0; i < window.moving.size(); ++i) {
+      const WindowPiece& piece = window.moving[i];
+      if (holds(window.box, box_of(piece.shape, piece.canvas_from_shape), 0)) continue;
+      ++across;
+      const ReplacedPiece expected{piece.shape, piece.canvas_from_shape, i};
+      RC_ASSERT(std::count(pieces.begin(), pieces.end(), expected) == 1);
+    }
+  }));
+  EXPECT_GT(across, 10u);
+}
+
+/// Trials look at a part of the pieces; what they gain there is gained by all.
+TEST(WindowTrials, ColdTrialsNeverRaiseTheEnergyOfTheWhole) {
+  EXPECT_TRUE(rc::check([] {
+    ReplacementWindow window = any_window();
+    window.repetition_cost = 0;
+    window.first_temperature_px2 = 0;
+    const SceneRelaxation relaxation(window);
+    const double old_px2 = relaxation.energy_px2(scene_of(window, before(window)));
+    const ReplacementOutcome outcome = outcome_of(window);
+    const double new_px2 = relaxation.energy_px2(scene_of(window, outcome.pieces));
+    RC_LOG() << old_px2 << " to " << new_px2 << " by " << outcome.kept << " trials\n";
+    RC_ASSERT(new_px2 <= old_px2 + 1e-4 * std::abs(old_px2));
+    RC_ASSERT(outcome.kept == 0 || new_px2 < old_px2);
+  }));
+}
+
+TEST(WindowTrials, ColdTrialsCoverMoreAndNotTwice) {
+  double gained = 0;
+  EXPECT_TRUE(rc::check([&] {
+    ReplacementWindow window = any_window();
+    window.distances = {0, -1};
+    window.box = empty_window().box;
+    window.repetition_cost = 0;
+    window.first_temperature_px2 = 0;
+    window.trials = 15;
+    const Quality old = quality_of(window, before(window));
+    const Quality now = quality_of(window, outcome_of(window).pieces);
+    RC_ASSERT(now.coverage - now.overlap - now.outside > old.coverage - old.overlap - old.outside - 0.02);
+    gained += now.coverage - now.overlap - old.coverage + old.overlap;
+  }));
+  EXPECT_GT(gained, 0.2) << "of 8 canvases";
+}
+
+double area_px2(const std::vector<ReplacedPiece>& pieces) {
+  double sum = 0;
+  for (const ReplacedPiece& p : pieces) sum += std::pow(p.canvas_from_shape.scale(), 2);
+  return sum;
+}
+
+/// The piece whose outline holds the point, of those that do not stand still.
+std::vector<ReplacedPiece> pieces_over(Vec2 p, const std::vector<ReplacedPiece>& pieces) {
+  std::vector<ReplacedPiece> over;
+  for (const ReplacedPiece& piece : pieces) {
+    if (laid(index_of(piece.shape), piece.canvas_from_shape).distance(p).value < 0) over.push_back(piece);
+  }
+  return over;
+}
+
+TEST(WindowTrials, AnEmptyPlaceIsFilled) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  window.incoming.resize(1);  // discs
+  window.trials = 40;
+  const std::vector<ReplacedPiece> pieces = outcome_of(window).pieces;
+  EXPECT_GT(area_px2(pieces), area_px2(before(window)) + 0.9 * kDiscScale_px * kDiscScale_px);
+  EXPECT_EQ(pieces_over(kMiddle, pieces).size(), 1u);
+  EXPECT_LT(quality_of(window, pieces).overlap, 0.01);
+}
+
+/// None of those round the hole makes room, and yet what comes in feels them.
+TEST(WindowTrials, AnEmptyPlaceAmongPiecesThatStandStillIsFilled) {
+  ReplacementWindow window = empty_window();
+  window.still = discs_round_a_hole();
+  window.incoming.resize(1);
+  window.trials = 1;
+  int filled = 0;
+  for (window.random = 0; window.random < 150; ++window.random) {
+    const std::vector<ReplacedPiece> pieces = outcome_of(window).pieces;
+    if (pieces.empty()) continue;
+    ++filled;
+    ASSERT_EQ(pieces.size(), 1u);
+    EXPECT_EQ(pieces[0].from, ReplacedPiece::kNew);
+    EXPECT_LT(norm(pieces[0].canvas_from_shape.translation() - kMiddle), 2);
+    EXPECT_NEAR(pieces[0].canvas_from_shape.scale(), kDiscScale_px, 2);
+  }
+  EXPECT_GT(filled, 0);
+}
+
+TEST(WindowTrials, PiecesGrowIntoAPlaceThatMayNotBeFilled) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  window.incoming.resize(1);
+  window.incoming[0].poses.min_scale_px = 45;  // too large for it
+  window.trials = 30;
+  const ReplacementOutcome outcome = outcome_of(window);
+  EXPECT_GT(quality_of(window, outcome.pieces).coverage, quality_of(window, before(window)).coverage);
+}
+
+TEST(WindowTrials, WithoutTrialsNothingChanges) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  window.trials = 0;
+  const ReplacementOutcome outcome = outcome_of(window);
+  EXPECT_EQ(outcome.kept, 0u);
+  EXPECT_EQ(outcome.pieces, before(window));
+}
+
+TEST(WindowTrials, WhereNothingComesInNothingChanges) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  const std::vector<ReplacedPiece> as_before = before(window);
+  for (IncomingShape& in : window.incoming) in.weight = 0;
+  EXPECT_EQ(outcome_of(window).pieces, as_before);
+  window.incoming.clear();
+  EXPECT_EQ(outcome_of(window).pieces, as_before);
+}
+
+TEST(WindowTrials, WhereRepetitionCostsMuchOtherDrawingsComeIn) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  window.trials = 30;
+  const auto times_of = [&](std::size_t shape) {
+    std::ptrdiff_t times = 0;
+    for (window.random = 0; window.random < 3; ++window.random) {
+      const std::vector<ReplacedPiece> pieces = outcome_of(window).pieces;
+      times += std::count_if(pieces.begin(), pieces.end(),
+                             [&](const ReplacedPiece& p) { return index_of(p.shape) == shape; });
+    }
+    return times;
+  };
+  const std::ptrdiff_t discs_cheap = times_of(kDisc);
+  window.repetition_cost = 0.3f;
+  EXPECT_LT(times_of(kDisc), discs_cheap);
+  ASSERT_GT(times_of(1), 0);
+  window.repetition_cost = 0.5f;
+  window.uses[1].elsewhere = 100;
+  EXPECT_EQ(times_of(1), 0) << "worth nothing";
+}
+
+/// Mirror images, for one: they are used as one.
+TEST(WindowTrials, ShapesOfOneDrawingAreRepetitionsOfEachOther) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  window.trials = 60;
+  window.repetition_cost = 0.4f;
+  ASSERT_NE(outcome_of(window).pieces, before(window));
+  window.uses = {{ShapeId{kDisc}, 0}};
+  for (IncomingShape& in : window.incoming) in.drawing = ShapeId{kDisc};
+  for (const ReplacedPiece& p : outcome_of(window).pieces) {
+    EXPECT_EQ(index_of(p.shape), kDisc) << "nothing is gained by another shape of as many pieces";
+    if (p.from == ReplacedPiece::kNew) break;
+  }
+}
+
+TEST(Repetition, CostsTheLogarithmOfTheCopies) {
+  ReplacementWindow window = empty_window();
+  window.repetition_cost = 0.5f;
+  window.moving = {window_piece(0, pose(30, 0, {50, 50})), window_piece(0, pose(30, 0, {90, 50})),
+                   window_piece(1, pose(30, 0, {50, 90}))};
+  window.still = {window_piece(3, pose(30, 0, {90, 90}))};
+  window.uses[0].elsewhere = 3;
+  window.uses[2].elsewhere = 40;
+  Repetition repetition(window);
+  const auto cost = [&](std::uint32_t drawing) { return repetition.cost(ShapeId{drawing}); };
+  EXPECT_NEAR(cost(0), 0.5 * std::log(6), 1e-6) << "a sixth, by three elsewhere and two that move";
+  EXPECT_NEAR(cost(1), 0.5 * std::log(2), 1e-6);
+  EXPECT_NEAR(cost(2), 0.5 * std::log(16), 1e-6) << "no more than that";
+  EXPECT_EQ(cost(3), 0) << "the first; whoever stands still is counted elsewhere";
+  EXPECT_EQ(cost(99), 0);
+  repetition.add(ShapeId{1});
+  EXPECT_NEAR(cost(1), 0.5 * std::log(3), 1e-6);
+  repetition.remove(ShapeId{1});
+  EXPECT_NEAR(cost(1), 0.5 * std::log(2), 1e-6);
+}
+
+/// Discs of a fixed size have smaller stars come in for them: always a loss.
+TEST(WindowTrials, HotTrialsKeepLosses) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  window.moving.push_back(window_piece(kDisc, {kDiscScale_px, 0, kMiddle.x, kMiddle.y}));
+  for (WindowPiece& piece : window.moving) piece.poses = {kDiscScale_px, kDiscScale_px, {}};
+  window.incoming = {{ShapeId{2}, ShapeId{2}, {20, 25, {}}, 1}};
+  const auto kept = [&](float first_px2, float last_px2, std::uint32_t trials) {
+    window.first_temperature_px2 = first_px2;
+    window.last_temperature_px2 = last_px2;
+    window.trials = trials;
+    std::uint32_t sum = 0;
+    for (window.random = 0; window.random < 4; ++window.random) sum += outcome_of(window).kept;
+    return sum;
+  };
+  constexpr float kHot_px2 = 1e5f;
+  constexpr float kWarm_px2 = 1000;  // about as much as is lost
+  EXPECT_EQ(kept(0, 0, 16), 0u);
+  const std::uint32_t hot = kept(kHot_px2, kHot_px2, 16);
+  EXPECT_GT(hot, 40u);
+  const std::uint32_t warm = kept(kWarm_px2, kWarm_px2, 16);
+  EXPECT_GT(warm, 5u);
+  EXPECT_LT(warm, hot - 10);
+  EXPECT_GT(kept(kHot_px2, 0, 4), 8u) << "it begins with the first temperature";
+  EXPECT_GT(kept(0, kHot_px2, 16), 20u) << "and ends with the last";
+  EXPECT_EQ(kept(0, kHot_px2, 1), 0u) << "the first trial has the first temperature";
+}
+
+TEST(WindowTrials, NoPieceComesToLieInAnother) {
+  ReplacementWindow window = empty_window();
+  for (int k = 0; k < 16; ++k) {
+    const Vec2 at = Vec2{float(k % 4) + 0.5f, float(k / 4) + 0.5f} * 50.f;
+    window.moving.push_back(window_piece(std::size_t(k % 5), pose(45, float(k), at)));
+  }
+  window.trials = 40;
+  for (std::uint64_t random = 0; random < 2; ++random) {
+    window.random = random;
+    const std::vector<ReplacedPiece> pieces = outcome_of(window).pieces;
+    for (const ReplacedPiece& p : pieces) {
+      const std::vector<Vec2>& interior = hole_shapes()[index_of(p.shape)].interior;
+      const auto covered = std::count_if(interior.begin(), interior.end(), [&](Vec2 point) {
+        return pieces_over(p.canvas_from_shape.apply(point), pieces).size() > 1;
+      });
+      EXPECT_LT(covered, 0.15 * double(interior.size()));
+    }
+  }
+}
+
+TEST(WindowTrials, PaddingIsKeptNearly) {
+  ReplacementWindow window = empty_window();
+  PieceSettings settings;
+  settings.padding_px = 3;
+  window.distances = contact_distances(settings);
+  for (WindowPiece disc : discs_round_a_hole()) {
+    disc.canvas_from_shape.a -= 3;
+    window.moving.push_back(disc);
+  }
+  window.trials = 50;
+  const ReplacementOutcome outcome = outcome_of(window);
+  EXPECT_GT(outcome.kept, 3u);
+  const Quality q = quality_of(window, outcome.pieces);
+  ASSERT_TRUE(q.between_px);
+  EXPECT_GT(*q.between_px, 1.8);
+  EXPECT_LT(q.overlap, 1e-9);
+}
+
+TEST(WindowTrials, WhatLookThrowsComesOut) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  std::uint32_t looks = 0;
+  const auto throw_at = [&](std::uint32_t look) {
+    looks = 0;
+    return [&looks, look] {
+      if (++looks == look) throw std::runtime_error("stop");
+    };
+  };
+  EXPECT_THROW(replaced(window, shapes_by_id(), throw_at(1)), std::runtime_error);
+  EXPECT_THROW(replaced(window, shapes_by_id(), throw_at(window.trials)), std::runtime_error);
+  EXPECT_NO_THROW(replaced(window, shapes_by_id(), throw_at(window.trials + 1)));
+  EXPECT_EQ(looks, window.trials) << "before each trial";
+}
+
+/// What a scene costs beside depths: what of its moving pieces others cover.
+double covered_twice_px2(const Scene& scene, const ReplacementWindow& window) {
+  const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
+  constexpr float kStiffness = 8;
+  constexpr float kHardStiffness = 20;
+  const double depths_px2 =
+      Relaxation(free, window.distances).energy_px2(scene.pieces, scene.active, kStiffness, kHardStiffness);
+  return SceneRelaxation(window).energy_px2(scene) - depths_px2;
+}
+
+TEST(SceneEnergy, CountsWhatIsCoveredTwice) {
+  const ReplacementWindow window = empty_window();
+  const auto add = [](Scene& scene, float scale_px, Vec2 at, bool moves) {
+    scene.add(hole_shapes()[kDisc], pose(scale_px, 0, at), {}, moves);
+  };
+  constexpr float kSmall_px = 12;
+  const double small_px2 = kSmall_px * kSmall_px;
+  Scene inside;
+  add(inside, 50, kMiddle, false);
+  add(inside, kSmall_px, kMiddle, true);
+  EXPECT_NEAR(covered_twice_px2(inside, window), 2 * small_px2, 2);
+  Scene around;
+  add(around, 50, kMiddle, true);
+  add(around, kSmall_px, kMiddle, false);
+  EXPECT_NEAR(covered_twice_px2(around, window), 2 * small_px2, 150);
+  Scene on_itself;
+  add(on_itself, 50, kMiddle, false);
+  add(on_itself, 50, kMiddle, true);
+  EXPECT_NEAR(covered_twice_px2(on_itself, window), 2 * 50. * 50, 2) << "there boundaries alone see nothing";
+  Scene beside;
+  add(beside, 40, kMiddle, true);
+  add(beside, 40, kMiddle + Vec2{46, 0}, true);
+  EXPECT_NEAR(covered_twice_px2(beside, window), 0, 2);
+}
+
+}  // namespace
+}  // namespace tessera
