@@ -234,7 +234,8 @@ class Run {
     const double area_px2 = canvas_.regions.empty() ? canvas_.area_px2 : canvas_.regions[region].area_px2;
     const auto earlier_trials = std::uint32_t(trials_in_regions_below(region));
     Improving improving(collage(), filling(), settings_, area_px2, shapes_);
-    while (may_improve() && !reached_limit() && !interrupted()) {
+    // Pieces that were replaced come to rest, whatever limit was reached, and also if that was interrupted.
+    while ((!moving_.empty() || (may_improve() && !reached_limit())) && !interrupted()) {
       if (moving_.empty() && statistics_.trials == earlier_trials + kTrialsBeforeReplacing) begin_replacing();
       try {
         if (moving_.empty()) {
@@ -272,21 +273,22 @@ class Run {
     if (pays_to_replace(settings_) && replacements() >= collage().placements().size()) moving_ = collage().placements();
   }
 
-  /// One more batch; after the last one the pieces come to rest, and are kept or put back.
+  /// One more batch; where there is none, the pieces come to rest, and are kept or put back.
   void replace(Improving& improving) {
     ReplacementProgress progress{replaced_, std::max(replaced_, replacements())};
-    if (progress.done < progress.all) {
-      const auto poses_of = [this](const Placement& p) { return collage().poses_of(p); };
-      Replacing replacing(collage().free(), collage().stances(), settings_, shapes_, poses_of, replacer_);
-      const Stopwatch asked;
-      moving_ = replacing.batch(moving_, collage().given(), progress);
-      trial_work_.replace_s += asked.seconds();
-      statistics_.trials += std::max<std::uint64_t>(1, (progress.done - replaced_) / kReplacementsPerTrial);
-      replaced_ = progress.done;
+    if (progress.done == progress.all || !may_improve() || reached_limit()) {
+      settle(improving);
+      return;
     }
+    const auto poses_of = [this](const Placement& p) { return collage().poses_of(p); };
+    Replacing replacing(collage().free(), collage().stances(), settings_, shapes_, poses_of, replacer_);
+    const Stopwatch asked;
+    moving_ = replacing.batch(moving_, collage().given(), progress);
+    trial_work_.replace_s += asked.seconds();
+    statistics_.trials += std::max<std::uint64_t>(1, (progress.done - replaced_) / kReplacementsPerTrial);
     statistics_.improve_s = improve_clock_.seconds();
-    if (replaced_ >= progress.all || !may_improve() || reached_limit()) settle(improving);
-    if (!unfinished_) after_step();
+    replaced_ = progress.done;
+    after_step();
   }
 
   void settle(Improving& improving) {
@@ -296,6 +298,7 @@ class Run {
     if (trial == Trial::interrupted) return;
     statistics_.trials_kept += trial == Trial::kept;
     moving_.clear();
+    after_step();
   }
 
   bool may_improve() const {

@@ -116,7 +116,11 @@ std::vector<IncomingShape> Replacing::drawn_shapes(std::uint64_t random) const {
 std::vector<DrawingUses> Replacing::uses_beside(const ReplacementWindow& window, const std::vector<Lying>& all) const {
   std::map<ShapeId, std::uint32_t> uses;
   for (const IncomingShape& in : window.incoming) uses[in.drawing] = 0;
-  for (const Lying& l : all) ++uses[l.piece.drawing];
+  for (const WindowPiece& piece : window.moving) uses[piece.drawing] = 0;
+  for (const Lying& l : all) {
+    const auto found = uses.find(l.piece.drawing);
+    if (found != uses.end()) ++found->second;
+  }
   for (const WindowPiece& piece : window.moving) --uses[piece.drawing];
   std::vector<DrawingUses> listed;
   for (const auto& [drawing, elsewhere] : uses) listed.push_back({drawing, elsewhere});
