@@ -7,8 +7,9 @@
 #include "bench/devices.h"
 #include "bench/library_matcher.h"
 #include "bench/line_plot.h"
-#include "bench/snapshots.h"
 #include "core/base/error.h"
+#include "core/replacing/own_replacer.h"
+#include "io/available_cores.h"
 #include "io/library/library_file.h"
 #include "io/library/library_shapes.h"
 #include "io/number_text.h"
@@ -26,26 +27,28 @@ std::vector<double> marks_up_to(int last) {
   return marks;
 }
 
-std::vector<Snapshot> snapshots_of(const Canvas& canvas, const CollageSettings& settings, Matcher& matcher,
-                                   ShapeSource& shapes, const std::vector<double>& marks_s) {
-  Snapshots snapshots(marks_s);
+/// In so much time, from the start: a run of its own, as improving plans with the time that it has.
+master::CollageResult improved(const Canvas& canvas, CollageSettings settings, Matcher& matcher, ShapeSource& shapes,
+                               double seconds) {
+  settings.improve.seconds = seconds;
+  settings.stop.seconds = seconds;
+  OwnReplacer replacer(shapes, io::available_cores(), [] {});
   master::SilentObserver silent;
-  master::make_collage(canvas, settings, matcher, shapes, silent, {nullptr, &snapshots});
-  return snapshots.taken();
+  return master::make_collage(canvas, settings, matcher, shapes, silent, {}, &replacer);
 }
 
 struct Way {
   const char* name;
   bool relax;
 };
-constexpr Way kWays[] = {{"all pieces moving together now and then", true}, {"ruin and recreate alone", false}};
+constexpr Way kWays[] = {{"pieces that move and are exchanged", true}, {"ruin and recreate alone", false}};
 
-void add_row(const Way& way, const Snapshot& s, const Quality& q, io::TextTable& table, Json& rows) {
-  table.add({way.name, io::fixed(s.seconds, 1), std::to_string(s.trials), io::fixed(100 * q.coverage, 2),
+void add_row(const Way& way, const RunStatistics& s, const Quality& q, io::TextTable& table, Json& rows) {
+  table.add({way.name, io::fixed(s.total_s, 1), std::to_string(s.trials), io::fixed(100 * q.coverage, 2),
              io::fixed(100 * q.overlap, 3), q.balance ? io::fixed(q.balance->evenness, 2) : "-",
              std::to_string(q.pieces), std::to_string(q.distinct_shapes)});
   rows.push_back({{"relax", way.relax},
-                  {"seconds", rounded(s.seconds)},
+                  {"seconds", rounded(s.total_s)},
                   {"trials", s.trials},
                   {"coverage_percent", rounded(100 * q.coverage)},
                   {"overlap_percent", rounded(100 * q.overlap)},
@@ -68,8 +71,6 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
   settings.seed = job.seed;
   settings.pieces.min_scale_px = job.scale_px[0];
   settings.pieces.max_scale_px = job.scale_px[1];
-  settings.improve.seconds = marks_s.back();
-  settings.stop.seconds = marks_s.back();
   io::LibraryShapes shapes(library);
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
 
@@ -89,13 +90,15 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
     const auto matcher = library_matcher(library, library.size(), settings, setting.devices);
     Curve open_curve{way.name, {}, false};
     Curve balance_curve{way.name, {}, false};
-    for (const Snapshot& s : snapshots_of(canvas, settings, *matcher, shapes, marks_s)) {
+    for (const double mark_s : marks_s) {
+      const master::CollageResult made = improved(canvas, settings, *matcher, shapes, mark_s);
+      const double made_s = made.statistics.total_s;
       const Quality q = measure_quality(
-          canvas, s.placements, [&](ShapeId id) -> const Shape& { return shapes.shape(id); },
+          canvas, made.placements, [&](ShapeId id) -> const Shape& { return shapes.shape(id); },
           SizeRange{job.scale_px[0], job.scale_px[1]});
-      add_row(way, s, q, table, report.json["rows"]);
-      open_curve.points.emplace_back(std::max(1., s.seconds), 100 * (1 - q.coverage));
-      balance_curve.points.emplace_back(std::max(1., s.seconds), q.balance ? q.balance->evenness : 0);
+      add_row(way, made.statistics, q, table, report.json["rows"]);
+      open_curve.points.emplace_back(std::max(1., made_s), 100 * (1 - q.coverage));
+      balance_curve.points.emplace_back(std::max(1., made_s), q.balance ? q.balance->evenness : 0);
     }
     open.curves.push_back(open_curve);
     balance.curves.push_back(balance_curve);
@@ -105,7 +108,8 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
   report.text = table.text() + "\n" + std::to_string(library.size()) + " shapes, " + std::to_string(size_px) + " x " +
                 std::to_string(size_px) + " px, pieces of " + short_number(job.scale_px[0]) + " to " +
                 short_number(job.scale_px[1]) + " px, seed " + std::to_string(job.seed) +
-                "; start-up is not counted.\nPieces move together where the largest is at most five times the "
+                "; each row is a run of its own, start-up is not counted.\nPieces move together where the largest is "
+                "at most five times the "
                 "smallest; elsewhere both are the same.\n";
   return report;
 }

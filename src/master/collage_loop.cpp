@@ -25,7 +25,7 @@ namespace {
 
 /// The first trial lets all pieces move.
 constexpr std::uint32_t kTrialsBeforeReplacing = 1;
-constexpr std::uint64_t kReplacementsPerPiece = 60;  // where the job limits time alone
+constexpr std::uint64_t kReplacementsPerPiece = 60;  // are expected at first where the job limits time alone
 
 Canvas region_of(const Canvas& canvas, std::uint32_t region) {
   return {.width_px = canvas.width_px,
@@ -262,10 +262,19 @@ class Run {
 
   /// Of the region's trials so many are replacements.
   std::uint64_t replacements() const {
-    if (settings_.improve.trials == 0) return kReplacementsPerPiece * collage().placements().size();
+    if (settings_.improve.trials == 0) return replacements_in_time();
     const std::uint32_t region = collage().limits().region;
     const std::uint64_t trials = trials_in_regions_below(region + 1) - trials_in_regions_below(region);
     return std::uint64_t(kReplacementsPerTrial * kPartReplaced * double(trials));
+  }
+
+  /// As many as their part of the time is enough for, as far as is known by now.
+  std::uint64_t replacements_in_time() const {
+    if (replaced_ == 0) return kReplacementsPerPiece * collage().placements().size();
+    const StopSettings& stop = settings_.stop;
+    double limit_s = settings_.improve.seconds;
+    if (stop.seconds > 0) limit_s = std::min(limit_s, statistics_.improve_s + stop.seconds - seconds());
+    return std::uint64_t(double(replaced_) * kPartReplaced * limit_s / statistics_.improve_s);
   }
 
   void begin_replacing() {
