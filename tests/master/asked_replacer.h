@@ -1,0 +1,56 @@
+// Replacers that remember what they were asked.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "core/replacing/replacer.h"
+#include "core/replacing/window_trials.h"
+#include "support/synthetic_library.h"
+
+namespace tessera::test {
+
+inline ReplacementOutcome as_it_was(const ReplacementWindow& window) {
+  ReplacementOutcome outcome;
+  for (std::uint32_t i = 0; i < window.moving.size(); ++i) {
+    outcome.pieces.push_back({window.moving[i].shape, window.moving[i].canvas_from_shape, i});
+  }
+  return outcome;
+}
+
+/// Answers what it is told to; pieces stay as they are until then.
+class AskedReplacer : public Replacer {
+ public:
+  using Answer = std::function<ReplacementOutcome(const ReplacementWindow&)>;
+
+  explicit AskedReplacer(Answer answer = as_it_was) : answer_(std::move(answer)) {}
+
+  int breadth() const override { return 1; }
+  void post_replace(const std::vector<ReplacementWindow>& windows) override { batches.push_back(windows); }
+  std::vector<ReplacementOutcome> take_replaced() override {
+    std::vector<ReplacementOutcome> outcomes;
+    for (const ReplacementWindow& window : batches.back()) outcomes.push_back(answer_(window));
+    return outcomes;
+  }
+
+  const std::vector<ReplacementWindow>& windows() const { return batches.back(); }
+
+  std::vector<std::vector<ReplacementWindow>> batches;
+
+ private:
+  Answer answer_;
+};
+
+/// Tries what it is asked to, with shapes of `library`, which outlives it.
+inline AskedReplacer::Answer real_trials(
+    const std::vector<Shape>& library, const std::function<void()>& look = [] {}) {
+  const auto made = std::make_shared<std::vector<HoleShape>>();
+  HoleShapes shapes;
+  for (const Shape& shape : library) made->push_back(make_hole_shape(shape));
+  for (std::uint32_t i = 0; i < made->size(); ++i) shapes[ShapeId{i}] = &(*made)[i];
+  return [made, shapes, look](const ReplacementWindow& window) { return replaced(window, shapes, look); };
+}
+
+}  // namespace tessera::test

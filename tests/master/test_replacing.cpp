@@ -1,0 +1,486 @@
+// Batches of replacement trials: which windows they have, and what becomes of the answers.
+#include "master/replacing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "asked_replacer.h"
+#include "whole_collage.h"
+
+namespace tessera::master {
+namespace {
+
+using whole_collage::library;
+
+/// As many shapes as wished, each of them one of the library's; every second is the mirror image of that before it.
+class ManyShapes : public test::VectorShapes {
+ public:
+  ManyShapes() : VectorShapes(library()) {}
+  const Shape& shape(ShapeId id) override { return VectorShapes::shape(kind(id)); }
+  const ShapeModel& model(ShapeId id) override { return VectorShapes::model(kind(id)); }
+  ShapeId drawing(ShapeId id) const override { return ShapeId(index_of(id) & ~1u); }
+
+ private:
+  static ShapeId kind(ShapeId id) { return ShapeId(index_of(id) % std::uint32_t(library().size())); }
+};
+
+CollageSettings settings_40_to_80() {
+  CollageSettings s;
+  s.seed = 3;
+  s.pieces.min_scale_px = 40;
+  s.pieces.max_scale_px = 80;
+  return s;
+}
+
+/// A canvas with pieces side by side.
+class Batches {
+ public:
+  explicit Batches(const Canvas& canvas, const CollageSettings& s = settings_40_to_80(), std::uint32_t shapes = 12)
+      : free(canvas, s.pieces),
+        settings_(s),
+        stances_(s, shapes) {
+    for (float y = kPitch_px / 2; y < float(canvas.height_px); y += kPitch_px) {
+      for (float x = kPitch_px / 2; x < float(canvas.width_px); x += kPitch_px) {
+        const auto i = std::uint32_t(placements.size());
+        placements.push_back({ShapeId(i % 12), {45, 0, x, y}, 1.f + float(i), 100.f + float(i)});
+      }
+    }
+  }
+
+  Replacing replacing(Replacer& replacer) {
+    return {free, stances_, settings_, shapes_, [](const Placement&) { return PoseRange{40, 80, {}}; }, replacer};
+  }
+
+  std::vector<Placement> batch(Replacer& replacer, std::size_t given = 0, ReplacementProgress progress = {0, 100'000}) {
+    return replacing(replacer).batch(placements, given, progress);
+  }
+
+  FreeField free;
+  std::vector<Placement> placements;
+
+ private:
+  static constexpr float kPitch_px = 56;
+
+  CollageSettings settings_;
+  StanceTable stances_;
+  ManyShapes shapes_;
+};
+
+/// Of four windows.
+Canvas large_canvas() { return make_rectangle_canvas(800, 700); }
+
+Box box_of(const WindowPiece& piece) {
+  std::vector<Vec2> points;
+  for (const Vec2 p : library()[index_of(piece.shape) % library().size()].outline.curves.front()) {
+    points.push_back(piece.canvas_from_shape.apply(p));
+  }
+  return bounding_box(points);
+}
+
+/// As the master knows it.
+auto known(const WindowPiece& piece) {
+  const Similarity& s = piece.canvas_from_shape;
+  return std::tuple(piece.shape, piece.drawing, s.a, s.b, s.tx, s.ty, piece.poses.min_scale_px,
+                    piece.poses.max_scale_px);
+}
+
+std::ptrdiff_t times_in(const std::vector<WindowPiece>& pieces, const WindowPiece& piece) {
+  return std::count_if(pieces.begin(), pieces.end(), [&](const WindowPiece& p) { return known(p) == known(piece); });
+}
+
+bool holds(const Box& outer, const Box& inner, float slack_px = 0.5f) {
+  return inner.low.x > outer.low.x - slack_px && inner.low.y > outer.low.y - slack_px &&
+         inner.high.x < outer.high.x + slack_px && inner.high.y < outer.high.y + slack_px;
+}
+
+/// How many windows move the placement, itself or an image.
+std::size_t times_moving(const Placement& p, const std::vector<ReplacementWindow>& windows, const Period& period) {
+  std::size_t times = 0;
+  for (const ReplacementWindow& w : windows) {
+    times += std::size_t(std::count_if(w.moving.begin(), w.moving.end(), [&](const WindowPiece& m) {
+      return m.shape == p.shape &&
+             norm(period.nearest(m.canvas_from_shape.translation(), p.canvas_from_shape.translation()) -
+                  p.canvas_from_shape.translation()) < 0.01f;
+    }));
+  }
+  return times;
+}
+
+TEST(Replacing, WhatMovesInNoWindowStaysWhateverTheAnswers) {
+  constexpr std::size_t kGiven = 30;
+  Batches batches(large_canvas());
+  test::AskedReplacer replacer([](const ReplacementWindow&) { return ReplacementOutcome{}; });  // all are gone
+  const std::vector<Placement> left = batches.batch(replacer, kGiven);
+  std::vector<Placement> expected;
+  for (std::size_t i = 0; i < batches.placements.size(); ++i) {
+    const std::size_t times = times_moving(batches.placements[i], replacer.windows(), {});
+    EXPECT_LE(times, i < kGiven ? 0u : 1u) << i;
+    if (times == 0) expected.push_back(batches.placements[i]);
+  }
+  EXPECT_EQ(left, expected);
+  EXPECT_GT(left.size(), kGiven) << "some lie across the edges of windows";
+  EXPECT_LT(left.size(), batches.placements.size() / 2 + kGiven);
+}
+
+TEST(Replacing, OldPiecesKeepTheirScoreAndNewOnesHaveNone) {
+  Batches batches(make_rectangle_canvas(300, 220));
+  const Similarity where{70, 3, 100, 90};
+  test::AskedReplacer replacer([&](const ReplacementWindow& window) {
+    ReplacementOutcome outcome = test::as_it_was(window);
+    outcome.pieces.erase(outcome.pieces.begin());
+    for (ReplacedPiece& p : outcome.pieces) p.canvas_from_shape.tx += 2;
+    outcome.pieces.push_back({ShapeId{7}, where, ReplacedPiece::kNew});
+    return outcome;
+  });
+  const std::vector<Placement> result = batches.batch(replacer);
+  ASSERT_EQ(replacer.windows().size(), 1u);
+  ASSERT_EQ(replacer.windows()[0].moving.size(), batches.placements.size()) << "the canvas' own edge is no cut";
+  ASSERT_EQ(result.size(), batches.placements.size());
+  for (std::size_t i = 0; i + 1 < result.size(); ++i) {
+    Placement expected = batches.placements[i + 1];
+    expected.canvas_from_shape.tx += 2;
+    EXPECT_EQ(result[i], expected);
+  }
+  EXPECT_EQ(result.back(), (Placement{ShapeId{7}, where, 0, 0}));
+}
+
+TEST(Replacing, WindowsDoNotTouchAndHoldWhatMovesInThem) {
+  for (const Canvas& canvas : {large_canvas(), make_seamless_canvas(800, 700, true, true)}) {
+    Batches batches(canvas);
+    test::AskedReplacer replacer;
+    batches.batch(replacer);
+    const std::vector<ReplacementWindow>& windows = replacer.windows();
+    ASSERT_EQ(windows.size(), 4u);
+    for (const ReplacementWindow& a : windows) {
+      EXPECT_GE(std::min(a.box.width(), a.box.height()), 169) << "three middle sizes, or half of three of the largest";
+      for (const WindowPiece& piece : a.moving) EXPECT_TRUE(holds(a.box, box_of(piece)));
+      for (const ReplacementWindow& b : windows) {
+        for (const Vec2 offset : canvas.period.offsets()) {
+          if (&a == &b && offset == Vec2{}) continue;
+          const Box image{b.box.low + offset, b.box.high + offset};
+          EXPECT_FALSE(within_reach(a.box, image, -0.01f));
+        }
+      }
+    }
+  }
+}
+
+/// Nor is anything that reaches into a window unknown in it.
+TEST(Replacing, WindowsKnowWhoStandsAtTheirEdges) {
+  for (const Canvas& canvas : {large_canvas(), make_seamless_canvas(800, 700, true, true)}) {
+    Batches batches(canvas);
+    test::AskedReplacer replacer;
+    batches.batch(replacer, 20);
+    std::size_t at_edges = 0;
+    for (const ReplacementWindow& w : replacer.windows()) {
+      for (std::size_t i = 0; i < batches.placements.size(); ++i) {
+        const Placement& p = batches.placements[i];
+        for (const Vec2 offset : canvas.period.offsets()) {
+          const WindowPiece piece{
+              p.shape, ShapeId(index_of(p.shape) & ~1u), moved(p.canvas_from_shape, offset), {40, 80, {}}};
+          const bool reaches_in = within_reach(w.box, box_of(piece), -1);
+          const bool near = within_reach(w.box, box_of(piece), 0.6f * 56.6f);
+          const auto moving = times_in(w.moving, piece);
+          const auto still = times_in(w.still, piece);
+          EXPECT_LE(moving + still, near ? 1 : 0);
+          EXPECT_GE(moving + still, reaches_in ? 1 : 0);
+          EXPECT_LE(moving, i < 20 ? 0 : 1) << "given ones";
+          at_edges += std::size_t(still);
+        }
+      }
+    }
+    EXPECT_GT(at_edges, 40u);
+  }
+}
+
+TEST(Replacing, CutsLieElsewhereInEachBatch) {
+  Batches batches(large_canvas());
+  test::AskedReplacer replacer;
+  std::set<float> cuts;
+  for (std::uint64_t done = 0; done < 6; ++done) {
+    batches.batch(replacer, 0, {done, 100'000});
+    for (const ReplacementWindow& w : replacer.windows()) cuts.insert(w.box.high.x);
+  }
+  EXPECT_EQ(cuts.size(), 7u) << "six, and the end";
+}
+
+TEST(Replacing, TheSameQuestionIsAskedAgain) {
+  test::AskedReplacer replacer;
+  Batches first(large_canvas());
+  first.batch(replacer, 0, {700, 100'000});
+  Batches second(large_canvas());
+  second.batch(replacer, 0, {700, 100'000});
+  ASSERT_EQ(replacer.batches[0].size(), replacer.batches[1].size());
+  std::set<std::uint64_t> random;
+  for (std::size_t i = 0; i < replacer.batches[0].size(); ++i) {
+    const ReplacementWindow& a = replacer.batches[0][i];
+    const ReplacementWindow& b = replacer.batches[1][i];
+    const auto same = [](const WindowPiece& p, const WindowPiece& q) { return known(p) == known(q); };
+    EXPECT_TRUE(std::ranges::equal(a.moving, b.moving, same));
+    EXPECT_TRUE(std::ranges::equal(a.still, b.still, same));
+    EXPECT_EQ(a.trials, b.trials);
+    EXPECT_EQ(a.random, b.random);
+    EXPECT_EQ(a.edge.distance.value.data(), b.edge.distance.value.data());
+    random.insert(a.random);
+  }
+  EXPECT_EQ(random.size(), replacer.batches[0].size()) << "each window has its own";
+}
+
+std::uint64_t trials_of(const std::vector<ReplacementWindow>& windows) {
+  std::uint64_t trials = 0;
+  for (const ReplacementWindow& w : windows) trials += w.trials;
+  return trials;
+}
+
+TEST(Replacing, APhaseHasAsManyTrialsAsItIsToAndCoolsDown) {
+  for (const std::uint64_t all : {1ull, 3ull, 1000ull, 1001ull}) {
+    Batches batches(large_canvas());
+    test::AskedReplacer replacer;
+    Replacing replacing = batches.replacing(replacer);
+    ReplacementProgress progress{0, all};
+    float temperature_px2 = 0.03f * 40 * 80;
+    for (int batch = 0; progress.done < all; ++batch) {
+      ASSERT_LT(batch, 100);
+      const std::uint64_t before = progress.done;
+      replacing.batch(batches.placements, 0, progress);
+      const std::uint64_t trials = trials_of(replacer.windows());
+      EXPECT_LE(trials, all - before);
+      EXPECT_TRUE(progress.done == before + trials || (trials == 0 && progress.done == all));
+      for (const ReplacementWindow& w : replacer.windows()) {
+        EXPECT_NEAR(w.first_temperature_px2, temperature_px2, 0.01) << "where the last batch ended";
+        EXPECT_LE(w.last_temperature_px2, w.first_temperature_px2);
+        EXPECT_NEAR(w.last_temperature_px2, 96 * (1 - double(before + trials) / double(all)), 0.01);
+      }
+      if (!replacer.windows().empty()) temperature_px2 = replacer.windows()[0].last_temperature_px2;
+    }
+    EXPECT_EQ(progress.done, all);
+    EXPECT_EQ(progress.all, all);
+  }
+}
+
+TEST(Replacing, AWholeBatchHasTwoTrialsForEachPiece) {
+  Batches batches(large_canvas());
+  test::AskedReplacer replacer;
+  batches.batch(replacer);
+  for (const ReplacementWindow& w : replacer.windows()) EXPECT_EQ(w.trials, 2 * w.moving.size());
+}
+
+TEST(Replacing, EndsWhereNothingMayMove) {
+  Batches batches(make_rectangle_canvas(300, 220));
+  test::AskedReplacer replacer;
+  ReplacementProgress progress{10, 500};
+  EXPECT_EQ(batches.replacing(replacer).batch(batches.placements, batches.placements.size(), progress),
+            batches.placements);
+  EXPECT_EQ(progress.done, 500u);
+  EXPECT_TRUE(replacer.windows().empty());
+}
+
+/// What is thrown in a batch leaves the progress as it was: the batch comes again.
+TEST(Replacing, ABatchThatIsGivenUpCountsNothing) {
+  struct GivenUp {};
+  Batches batches(make_rectangle_canvas(300, 220));
+  test::AskedReplacer replacer([](const ReplacementWindow&) -> ReplacementOutcome { throw GivenUp{}; });
+  ReplacementProgress progress{10, 500};
+  EXPECT_THROW(batches.replacing(replacer).batch(batches.placements, 0, progress), GivenUp);
+  EXPECT_EQ(progress.done, 10u);
+}
+
+TEST(Replacing, APieceAcrossTheSeamMovesAndIsWrapped) {
+  const Canvas canvas = make_seamless_canvas(300, 220, true, true);
+  Batches batches(canvas);
+  std::size_t across = 0;
+  test::AskedReplacer replacer([&](const ReplacementWindow& window) {
+    ReplacementOutcome outcome = test::as_it_was(window);
+    for (ReplacedPiece& p : outcome.pieces) {
+      const Box box = box_of({p.shape, p.shape, p.canvas_from_shape, {}});
+      across += box.low.x < 300 && box.high.x > 300;
+      p.canvas_from_shape.tx += 1;
+    }
+    return outcome;
+  });
+  batches.placements[0].canvas_from_shape.tx = 1;
+  for (std::uint64_t done = 0; done < 4; ++done) {
+    const std::vector<Placement> result = batches.batch(replacer, 0, {done, 100'000});
+    EXPECT_EQ(result.size(), batches.placements.size());
+    for (const Placement& p : result) EXPECT_EQ(canvas.period.wrapped(p.canvas_from_shape), p.canvas_from_shape);
+    ASSERT_EQ(replacer.windows().size(), 1u) << "one period";
+    EXPECT_NEAR(replacer.windows()[0].box.width(), 300, 0.01);
+    EXPECT_NEAR(replacer.windows()[0].box.height(), 220, 0.01);
+  }
+  EXPECT_GT(across, 0u);
+}
+
+/// Real trials on a canvas without edges lose nothing, and what they lay stands apart.
+TEST(Replacing, TrialsOnASeamlessCanvasCoverMore) {
+  const Canvas canvas = make_seamless_canvas(300, 220, true, true);
+  Batches batches(canvas);
+  const Quality before = whole_collage::quality_of(canvas, batches.placements, library());
+  test::AskedReplacer replacer(test::real_trials(library()));
+  Replacing replacing = batches.replacing(replacer);
+  ReplacementProgress progress{0, 120};
+  while (progress.done < progress.all) batches.placements = replacing.batch(batches.placements, 0, progress);
+  const Quality after = whole_collage::quality_of(canvas, batches.placements, library());
+  EXPECT_GT(after.coverage - after.overlap, before.coverage - before.overlap + 0.05);
+  EXPECT_LT(after.overlap, 0.04);
+}
+
+TEST(Replacing, AllShapesOfASmallLibraryMayComeIn) {
+  Batches batches(large_canvas());
+  test::AskedReplacer replacer;
+  batches.batch(replacer);
+  for (const ReplacementWindow& w : replacer.windows()) {
+    ASSERT_EQ(w.incoming.size(), 12u);
+    for (std::uint32_t i = 0; i < 12; ++i) {
+      EXPECT_EQ(w.incoming[i].shape, ShapeId{i});
+      EXPECT_EQ(w.incoming[i].drawing, ShapeId(i & ~1u));
+      EXPECT_EQ(w.incoming[i].weight, 1);
+      EXPECT_EQ(w.incoming[i].poses.min_scale_px, 40);
+      EXPECT_EQ(w.incoming[i].poses.max_scale_px, 80);
+    }
+  }
+}
+
+TEST(Replacing, OfALargeLibraryAsManyMayComeInAsCanBeLookedAt) {
+  for (const std::uint32_t shapes : {400u, 401u, 5000u}) {
+    Batches batches(large_canvas(), settings_40_to_80(), shapes);
+    test::AskedReplacer replacer;
+    batches.batch(replacer);
+    std::set<ShapeId> different;
+    for (const ReplacementWindow& w : replacer.windows()) {
+      EXPECT_EQ(w.incoming.size(), 400u);
+      for (const IncomingShape& in : w.incoming) different.insert(in.shape);
+    }
+    EXPECT_LT(index_of(*different.rbegin()), shapes);
+    if (shapes == 5000) {
+      EXPECT_GT(different.size(), 1200u) << "others in each window";
+      EXPECT_GT(index_of(*different.rbegin()), 4500u) << "of all of it";
+    }
+  }
+}
+
+TEST(Replacing, ShapesComeInAsTheyMayStandAndAsOftenAsTheyAreWishedFor) {
+  CollageSettings s = settings_40_to_80();
+  s.wishes.classes.resize(3);
+  s.wishes.classes[0].weight = 4;
+  s.wishes.classes[0].poses.scale_px = {{40, 50}, {70, 80}};
+  s.wishes.classes[1].weight = 1;
+  s.wishes.classes[2].weight = 0;
+  s.wishes.class_of_shape = {0, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+  Batches batches(make_rectangle_canvas(300, 220), s);
+  test::AskedReplacer replacer;
+  batches.batch(replacer);
+  const std::vector<IncomingShape>& incoming = replacer.windows().at(0).incoming;
+  ASSERT_EQ(incoming.size(), 12u) << "the first in two stances, and not the third";
+  EXPECT_EQ(incoming[0].shape, incoming[1].shape);
+  EXPECT_EQ(incoming[0].poses.max_scale_px, 50);
+  EXPECT_EQ(incoming[1].poses.min_scale_px, 70);
+  EXPECT_EQ(incoming[1].weight, 1);
+  EXPECT_EQ(incoming[2].shape, ShapeId{1});
+  EXPECT_EQ(incoming[2].weight, 0.25f) << "of that of the most wished for";
+  for (const IncomingShape& in : incoming) EXPECT_NE(in.shape, ShapeId{2});
+}
+
+TEST(Replacing, UsesElsewhereAreThoseOfAllPiecesThatDoNotMoveInTheWindow) {
+  CollageSettings s = settings_40_to_80();
+  s.objective.repetition_exponent = 0.5f;
+  Batches batches(large_canvas(), s);
+  test::AskedReplacer replacer;
+  batches.batch(replacer, 10);
+  for (const ReplacementWindow& w : replacer.windows()) {
+    ASSERT_EQ(w.uses.size(), 6u) << "drawings";
+    std::size_t elsewhere = 0;
+    for (std::size_t i = 0; i < w.uses.size(); ++i) {
+      EXPECT_EQ(w.uses[i].drawing, ShapeId(std::uint32_t(2 * i))) << "ascending";
+      const auto moving = std::count_if(w.moving.begin(), w.moving.end(),
+                                        [&](const WindowPiece& p) { return p.drawing == w.uses[i].drawing; });
+      const auto all = std::count_if(batches.placements.begin(), batches.placements.end(), [&](const Placement& p) {
+        return (index_of(p.shape) & ~1u) == index_of(w.uses[i].drawing);
+      });
+      EXPECT_EQ(w.uses[i].elsewhere, std::uint32_t(all - moving));
+      elsewhere += w.uses[i].elsewhere;
+    }
+    EXPECT_EQ(elsewhere, batches.placements.size() - w.moving.size());
+    EXPECT_NEAR(w.repetition_cost, 0.07 * 0.5, 1e-6);
+  }
+}
+
+/// A drawing that neither moves in the window nor may come in is none of its business.
+TEST(Replacing, UsesOfOtherDrawingsAreLeftOut) {
+  CollageSettings s = settings_40_to_80();
+  s.wishes.classes.resize(2);
+  s.wishes.classes[1].weight = 0;
+  s.wishes.class_of_shape = {0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+  Batches batches(large_canvas(), s);
+  test::AskedReplacer replacer;
+  batches.batch(replacer, batches.placements.size() - 1);  // one may move
+  ASSERT_EQ(replacer.windows().size(), 1u);
+  const ReplacementWindow& w = replacer.windows()[0];
+  ASSERT_EQ(w.moving.size(), 1u);
+  std::set<ShapeId> expected = {ShapeId{0}, w.moving[0].drawing};
+  ASSERT_EQ(w.uses.size(), expected.size());
+  for (const DrawingUses& uses : w.uses) EXPECT_TRUE(expected.count(uses.drawing));
+}
+
+TEST(Replacing, DistancesAndSizesAreThoseOfTheJob) {
+  CollageSettings s = settings_40_to_80();
+  s.pieces.padding_px = 3;
+  Batches batches(make_rectangle_canvas(300, 220), s);
+  test::AskedReplacer replacer;
+  batches.batch(replacer);
+  const ReplacementWindow& w = replacer.windows().at(0);
+  EXPECT_NEAR(w.distances.soft_px, 3.3, 1e-5);
+  EXPECT_NEAR(w.distances.hard_px, 3.1, 1e-5);
+  EXPECT_EQ(w.least_scale_px, 40);
+  EXPECT_EQ(w.most_scale_px, 80);
+}
+
+/// As far as pieces of a window may feel it, with the edge's own place, padding or not.
+TEST(Replacing, TheEdgeIsThatOfTheCanvas) {
+  for (const float padding_px : {0.f, 3.f}) {
+    CollageSettings s = settings_40_to_80();
+    s.pieces.padding_px = padding_px;
+    for (const Canvas& canvas : {large_canvas(), make_seamless_canvas(800, 700, true, false)}) {
+      Batches batches(canvas, s);
+      test::AskedReplacer replacer;
+      batches.batch(replacer);
+      for (const ReplacementWindow& w : replacer.windows()) {
+        const CanvasEdge edge(w.edge.distance, w.edge.node_px);
+        for (float y = w.box.low.y - 70; y < w.box.high.y + 70; y += 13.3f) {
+          for (float x = w.box.low.x - 70; x < w.box.high.x + 70; x += 17.7f) {
+            const float to_top = std::min(y, 700 - y);
+            const float to_side = canvas.period.x_px > 0 ? to_top : std::min(x, 800 - x);
+            if (std::min(to_top, to_side) < 0) continue;
+            EXPECT_NEAR(edge.at({x, y}).value, std::min(to_top, to_side), 1.1f) << x << ", " << y;
+          }
+        }
+      }
+    }
+  }
+}
+
+/// Windows far from the edge have no raster of it; nothing in them would feel one.
+TEST(Replacing, FarFromTheEdgeThereIsNone) {
+  constexpr float kFar_px = 64;
+  Batches batches(make_rectangle_canvas(1500, 1300));
+  test::AskedReplacer replacer;
+  batches.batch(replacer);
+  std::size_t far = 0;
+  for (const ReplacementWindow& w : replacer.windows()) {
+    const float nearest_px = std::min({w.box.low.x, w.box.low.y, 1500 - w.box.high.x, 1300 - w.box.high.y}) - 80;
+    const bool none = w.edge.distance.value.width() == 3;
+    EXPECT_EQ(none, nearest_px > kFar_px) << nearest_px;
+    far += none;
+    const CanvasEdge edge(w.edge.distance, w.edge.node_px);
+    for (float y = w.box.low.y - 79; none && y < w.box.high.y + 79; y += 29) {
+      for (float x = w.box.low.x - 79; x < w.box.high.x + 79; x += 31) EXPECT_EQ(edge.at({x, y}).value, kFar_px);
+    }
+  }
+  EXPECT_GT(far, 0u);
+  EXPECT_LT(far, replacer.windows().size());
+}
+
+}  // namespace
+}  // namespace tessera::master
