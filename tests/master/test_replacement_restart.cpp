@@ -1,0 +1,239 @@
+// A loop that is interrupted while pieces are replaced goes on from its state, and one from elsewhere is refused.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/interrupted.h"
+#include "replacement_phase.h"
+
+namespace tessera::master {
+namespace {
+
+using namespace replacement_phase;
+
+class CountQuestions : public SilentObserver {
+ public:
+  const char* stop_requested() override { return ++questions >= stop_at ? "signal" : nullptr; }
+  std::size_t questions = 0;
+  std::size_t stop_at = std::numeric_limits<std::size_t>::max();  // from this question on
+};
+
+/// A run of the whole, and at which of the observer's questions its phase begins, settles and is over.
+class InterruptedPhase : public testing::Test {
+ protected:
+  void SetUp() override {
+    CountQuestions observer;
+    test::AskedReplacer replacer([&](const ReplacementWindow& window) {
+      if (begins_ == 0) begins_ = observer.questions;
+      const ReplacementOutcome outcome = try_(window);
+      settles_ = observer.questions;
+      return outcome;
+    });
+    whole_ = run(small_canvas(), settings_, &replacer, observer);
+    ASSERT_GT(replacer.batches.size(), 1u);
+    own_ = CountQuestions{};
+    own_result_ = run(small_canvas(), settings_, nullptr, own_);
+    ASSERT_EQ(own_result_.placements, whole_.placements);
+  }
+
+  void expect_same(const CollageResult& found, const std::string& where) const {
+    EXPECT_FALSE(found.unfinished) << where;
+    EXPECT_EQ(found.placements, whole_.placements) << where;
+    EXPECT_EQ(found.statistics.trials, whole_.statistics.trials) << where;
+    EXPECT_EQ(found.statistics.trials_kept, whole_.statistics.trials_kept) << where;
+    EXPECT_EQ(found.statistics.stopped_by, whole_.statistics.stopped_by) << where;
+  }
+
+  CollageResult go_on(const CheckpointState& from) const {
+    return run(small_canvas(), settings_, nullptr, *std::make_unique<SilentObserver>(), {&from, nullptr});
+  }
+
+  const CollageSettings settings_ = settings(5, 30, 60);
+  const test::AskedReplacer::Answer try_ = test::real_trials(library());
+  CollageResult whole_;
+  std::size_t begins_ = 0;
+  std::size_t settles_ = 0;
+  CountQuestions own_;
+  CollageResult own_result_;
+};
+
+/// With this thread's own replacer, which looks between trials; stopped at any question of the second half.
+TEST_F(InterruptedPhase, GoesOnFromAnyQuestion) {
+  int in_phase = 0;
+  int settling = 0;
+  constexpr std::size_t kInterruptions = 12;
+  for (std::size_t k = 0; k < kInterruptions; ++k) {
+    CountQuestions observer;
+    observer.stop_at = begins_ + (own_.questions - begins_) * k / kInterruptions;
+    KeepLatest keeper;
+    const CollageResult stopped = run(small_canvas(), settings_, nullptr, observer, {nullptr, &keeper});
+    ASSERT_TRUE(stopped.unfinished) << k;
+    EXPECT_EQ(stopped.statistics.stopped_by, "signal");
+    EXPECT_FALSE(stopped.gave_up_question);
+    const CheckpointState state = keeper.latest;
+    in_phase += !state.moving.empty() && state.replaced < 33;
+    settling += !state.moving.empty() && state.replaced == 33;
+    // What is given out meanwhile are pieces that stand.
+    EXPECT_LT(quality(small_canvas(), stopped).overlap, 0.01) << k;
+    expect_same(go_on(state), "stopped at " + std::to_string(observer.stop_at));
+  }
+  EXPECT_GT(in_phase, 0);
+  EXPECT_GT(settling, 0);
+}
+
+TEST_F(InterruptedPhase, AReplacerThatGivesUpLeavesTheStateBeforeTheBatch) {
+  for (std::size_t batch = 1; batch <= 2; ++batch) {
+    KeepLatest keeper;
+    std::size_t windows = 0;
+    test::AskedReplacer giving_up([&](const ReplacementWindow& window) {
+      if (++windows == batch) throw Interrupted{"lost_rank"};
+      return try_(window);
+    });
+    SilentObserver silent;
+    const CollageResult stopped = run(small_canvas(), settings_, &giving_up, silent, {nullptr, &keeper});
+    EXPECT_TRUE(stopped.unfinished);
+    EXPECT_TRUE(stopped.gave_up_question);
+    EXPECT_EQ(stopped.statistics.stopped_by, "lost_rank");
+    EXPECT_EQ(giving_up.batches.size(), batch) << "not asked again";
+    EXPECT_FALSE(keeper.latest.moving.empty());
+    EXPECT_EQ(keeper.latest.replaced == 0, batch == 1);
+    expect_same(go_on(keeper.latest), "batch " + std::to_string(batch));
+  }
+}
+
+/// Each step again and again from the state that the last one left.
+TEST_F(InterruptedPhase, GoesOnAfterEveryStep) {
+  KeepLatest keeper;
+  CheckpointState state;
+  const CheckpointState* from = nullptr;
+  int moving = 0;
+  for (int step = 0; step < 200; ++step) {
+    stopped_collage::StopAfter stop(1);
+    const CollageResult result = run(small_canvas(), settings_, nullptr, stop, {from, &keeper});
+    if (!result.unfinished) {
+      expect_same(result, "in steps");
+      EXPECT_GE(moving, 2);
+      return;
+    }
+    state = keeper.latest;
+    moving += !state.moving.empty();
+    from = &state;
+  }
+  FAIL() << "does not end";
+}
+
+/// Where next to nothing may move, batches are small and use the trials up before the phase is over.
+TEST(InterruptedSettling, IsTakenUpAgainAlsoWhereTrialsAreUsedUp) {
+  const CollageSettings free = settings(6, 30, 60);
+  CollageSettings s = free;
+  s.improve.trials = 0;
+  const CollageResult filled = run(small_canvas(), s, nullptr);
+  s = free;
+  for (const Placement& p : filled.placements) s.wishes.given.push_back({p.shape, p.canvas_from_shape, true});
+  s.wishes.given.back().locked = false;
+  CountQuestions observer;
+  const auto try_it = test::real_trials(library());
+  test::AskedReplacer trying(try_it);
+  std::size_t settles = 0;
+  test::AskedReplacer counting([&](const ReplacementWindow& window) {
+    settles = observer.questions;
+    return try_it(window);
+  });
+  const CollageResult whole = run(small_canvas(), s, &counting, observer);
+  EXPECT_EQ(whole.statistics.trials, 6u);
+  std::uint64_t done = 0;
+  for (const auto& windows : counting.batches) done += trials_of(windows);
+  ASSERT_LT(done, 40u) << "a part of the phase";
+  ASSERT_GT(observer.questions, settles + 10);
+  CountQuestions stopping;
+  stopping.stop_at = settles + 8;
+  KeepLatest keeper;
+  const CollageResult stopped = run(small_canvas(), s, &trying, stopping, {nullptr, &keeper});
+  EXPECT_TRUE(stopped.unfinished) << "interrupted while pieces settled";
+  EXPECT_FALSE(keeper.latest.moving.empty());
+  SilentObserver silent;
+  const CollageResult found = run(small_canvas(), s, nullptr, silent, {&keeper.latest, nullptr});
+  EXPECT_EQ(found.placements, whole.placements);
+  EXPECT_EQ(found.statistics.trials_kept, whole.statistics.trials_kept);
+}
+
+/// A state in the midst of the phase, for damage.
+class ForeignPhase : public testing::Test {
+ protected:
+  void SetUp() override {
+    settings_.wishes.given = {{ShapeId{2}, {40, 0, 80, 60}, true}};
+    KeepLatest keeper;
+    std::size_t windows = 0;
+    test::AskedReplacer giving_up([&](const ReplacementWindow& window) {
+      if (++windows == 2) throw Interrupted{"signal"};
+      return test::as_it_was(window);
+    });
+    SilentObserver silent;
+    run(small_canvas(), settings_, &giving_up, silent, {nullptr, &keeper});
+    state_ = keeper.latest;
+    state_.name = "checkpoint.h5";
+    ASSERT_GT(state_.moving.size(), 2u);
+    ASSERT_TRUE(state_.improving);
+  }
+
+  std::string complaint() const {
+    SilentObserver silent;
+    test::AskedReplacer idle;
+    try {
+      run(small_canvas(), settings_, &idle, silent, {&state_, nullptr});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+
+  void expect_complaint(const std::string& what) const {
+    EXPECT_EQ(complaint(), "checkpoint.h5: not a checkpoint of this canvas and library: " + what +
+                               "; --restart removes it and starts again");
+  }
+
+  CollageSettings settings_ = settings(5, 30, 60);
+  CheckpointState state_;
+};
+
+TEST_F(ForeignPhase, IsFineBeforeTheChange) { EXPECT_EQ(complaint(), "none"); }
+
+TEST_F(ForeignPhase, MovingPiecesOfUnknownShapes) {
+  state_.moving.back().shape = ShapeId{12};
+  expect_complaint("shape 12 of 12");
+}
+
+TEST_F(ForeignPhase, AbsurdPoses) {
+  for (const float absurd : {1e30f, -1e9f, std::numeric_limits<float>::quiet_NaN()}) {
+    const CheckpointState whole = state_;
+    state_.moving.back().canvas_from_shape.tx = absurd;
+    expect_complaint("a piece out of all proportion");
+    state_ = whole;
+    state_.moving.back().canvas_from_shape.a = absurd;
+    expect_complaint("a piece out of all proportion");
+    state_ = whole;
+  }
+}
+
+TEST_F(ForeignPhase, GivenOnesThatMoved) {
+  state_.moving.front().canvas_from_shape.tx += 1;
+  expect_complaint("pieces move that may not");
+  state_.moving.clear();
+  state_.moving.push_back(state_.placements.back());
+  expect_complaint("pieces move that may not");
+}
+
+TEST_F(ForeignPhase, PiecesThatMoveWhileTheCanvasIsFilled) {
+  state_.improving = false;
+  expect_complaint("pieces move that may not");
+}
+
+/// More trials than there can be: the phase is over.
+TEST_F(ForeignPhase, AnyNumberOfTrialsIsFine) {
+  state_.replaced = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(complaint(), "none");
+}
+
+}  // namespace
+}  // namespace tessera::master
