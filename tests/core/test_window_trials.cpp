@@ -5,7 +5,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <set>
+#include <array>
 #include <stdexcept>
 
 #include "core/collage/quality.h"
@@ -131,6 +131,26 @@ TEST(WindowTrials, PosesStayInTheirRange) {
       RC_ASSERT(poses.contains(p.canvas_from_shape));
     }
   }));
+}
+
+/// Half of how far pieces feel each other, on both sides of a cut.
+TEST(WindowPieces, MayMoveThatAreFarEnoughInside) {
+  const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
+  ReplacementWindow window = empty_window();
+  window.box = {{50, 50}, {150, 150}};
+  window.distances = {20, 19};
+  constexpr float kRadius_px = 15;
+  const auto may_move = [&](Vec2 centre) {
+    window.moving = {window_piece(kDisc, pose(kRadius_px / kDiscRadius, 0, centre))};
+    return WindowPieces(window, shapes_by_id(), CanvasEdge(free)).may_move(0);
+  };
+  EXPECT_TRUE(may_move(kMiddle));
+  for (const Vec2 side : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
+    EXPECT_TRUE(may_move(kMiddle + side * (50 - 10 - kRadius_px - 0.5f)));
+    EXPECT_FALSE(may_move(kMiddle + side * (50 - 10 - kRadius_px + 0.5f)));
+  }
+  window.still = {window_piece(kDisc, pose(30, 0, kMiddle))};
+  EXPECT_FALSE(WindowPieces(window, shapes_by_id(), CanvasEdge(free)).may_move(1)) << "it stands still";
 }
 
 /// Else what other windows do at the same time would meet it.
@@ -331,12 +351,39 @@ TEST(Repetition, CostsTheLogarithmOfTheCopies) {
 }
 
 /// Discs of a fixed size have smaller stars come in for them: always a loss.
-TEST(WindowTrials, HotTrialsKeepLosses) {
+ReplacementWindow stars_for_discs() {
   ReplacementWindow window = empty_window();
   window.moving = discs_round_a_hole();
   window.moving.push_back(window_piece(kDisc, {kDiscScale_px, 0, kMiddle.x, kMiddle.y}));
   for (WindowPiece& piece : window.moving) piece.poses = {kDiscScale_px, kDiscScale_px, {}};
   window.incoming = {{ShapeId{2}, ShapeId{2}, {20, 25, {}}, 1}};
+  return window;
+}
+
+TEST(WindowTrials, AsManyComeInAsGoOutAtMostWhereThereIsRoom) {
+  ReplacementWindow window = stars_for_discs();
+  window.trials = 1;
+  window.first_temperature_px2 = 1e6f;
+  std::array<int, 4> times_out{};
+  bool two_for_two = false;
+  for (window.random = 0; window.random < 60; ++window.random) {
+    const ReplacementOutcome outcome = outcome_of(window);
+    const auto is_new = [](const ReplacedPiece& p) { return p.from == ReplacedPiece::kNew; };
+    const auto in = std::size_t(std::count_if(outcome.pieces.begin(), outcome.pieces.end(), is_new));
+    const std::size_t out = window.moving.size() - (outcome.pieces.size() - in);
+    ASSERT_LT(out, times_out.size());
+    EXPECT_LE(in, std::max<std::size_t>(1, out));
+    EXPECT_EQ(in > 0, outcome.kept == 1);
+    times_out[out] += in > 0;
+    two_for_two |= out == 2 && in == 2;
+  }
+  EXPECT_GT(times_out[1], 30) << "mostly one";
+  EXPECT_GT(times_out[2], 0);
+  EXPECT_TRUE(two_for_two);
+}
+
+TEST(WindowTrials, HotTrialsKeepLosses) {
+  ReplacementWindow window = stars_for_discs();
   const auto kept = [&](float first_px2, float last_px2, std::uint32_t trials) {
     window.first_temperature_px2 = first_px2;
     window.last_temperature_px2 = last_px2;
