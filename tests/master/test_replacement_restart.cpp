@@ -32,9 +32,18 @@ class InterruptedPhase : public testing::Test {
     });
     whole_ = run(small_canvas(), settings_, &replacer, observer);
     ASSERT_GT(replacer.batches.size(), 1u);
-    own_ = CountQuestions{};
-    own_result_ = run(small_canvas(), settings_, nullptr, own_);
-    ASSERT_EQ(own_result_.placements, whole_.placements);
+    CountQuestions looking;
+    test::AskedReplacer looks(looking_trials(looking));
+    ASSERT_EQ(run(small_canvas(), settings_, &looks, looking).placements, whole_.placements);
+    questions_ = looking.questions;
+  }
+
+  /// Trials that ask the observer before each, so that the same questions come in every run: how often an OwnReplacer
+  /// asks goes by time.
+  static test::AskedReplacer::Answer looking_trials(CountQuestions& observer) {
+    return test::real_trials(library(), [&observer] {
+      if (const char* reason = observer.stop_requested()) throw Interrupted{reason};
+    });
   }
 
   void expect_same(const CollageResult& found, const std::string& where) const {
@@ -54,23 +63,22 @@ class InterruptedPhase : public testing::Test {
   CollageResult whole_;
   std::size_t begins_ = 0;
   std::size_t settles_ = 0;
-  CountQuestions own_;
-  CollageResult own_result_;
+  std::size_t questions_ = 0;  // with looking trials
 };
 
-/// With this thread's own replacer, which looks between trials; stopped at any question of the second half.
+/// Stopped at any question from the phase on.
 TEST_F(InterruptedPhase, GoesOnFromAnyQuestion) {
   int in_phase = 0;
   int settling = 0;
   constexpr std::size_t kInterruptions = 12;
   for (std::size_t k = 0; k < kInterruptions; ++k) {
     CountQuestions observer;
-    observer.stop_at = begins_ + (own_.questions - begins_) * k / kInterruptions;
+    observer.stop_at = begins_ + (questions_ - begins_) * k / kInterruptions;
     KeepLatest keeper;
-    const CollageResult stopped = run(small_canvas(), settings_, nullptr, observer, {nullptr, &keeper});
+    test::AskedReplacer looks(looking_trials(observer));
+    const CollageResult stopped = run(small_canvas(), settings_, &looks, observer, {nullptr, &keeper});
     ASSERT_TRUE(stopped.unfinished) << k;
     EXPECT_EQ(stopped.statistics.stopped_by, "signal");
-    EXPECT_FALSE(stopped.gave_up_question);
     const CheckpointState state = keeper.latest;
     in_phase += !state.moving.empty() && state.replaced < 33;
     settling += !state.moving.empty() && state.replaced == 33;
@@ -80,6 +88,18 @@ TEST_F(InterruptedPhase, GoesOnFromAnyQuestion) {
   }
   EXPECT_GT(in_phase, 0);
   EXPECT_GT(settling, 0);
+}
+
+/// The loop's own replacer looks while it works, and no question is given up then.
+TEST_F(InterruptedPhase, OfTheLoopsOwnReplacerGoesOn) {
+  CountQuestions observer;
+  observer.stop_at = begins_ + 1;
+  KeepLatest keeper;
+  const CollageResult stopped = run(small_canvas(), settings_, nullptr, observer, {nullptr, &keeper});
+  EXPECT_TRUE(stopped.unfinished);
+  EXPECT_FALSE(stopped.gave_up_question);
+  EXPECT_FALSE(keeper.latest.moving.empty());
+  expect_same(go_on(keeper.latest), "in the first batch");
 }
 
 TEST_F(InterruptedPhase, AReplacerThatGivesUpLeavesTheStateBeforeTheBatch) {
