@@ -143,6 +143,8 @@ class Collage {
   void review(SampleId id, Keep keep);
   void retrace(const Window& changed);
   void check_pieces(const CheckpointState& state) const;
+  using CheckPiece = std::function<void(ShapeId, const Similarity&, bool any_size)>;
+  void check_moving(const CheckpointState& state, const CheckPiece& check) const;
   void check_samples(const CheckpointState& state) const;
   std::uint64_t rebuilt_digest() const;
 

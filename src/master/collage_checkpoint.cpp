@@ -12,6 +12,8 @@ namespace {
 constexpr float kScaleSlack = 2;     // pieces leave the allowed scales by a rounding at most
 constexpr float kFarAway_px = 1e6f;  // beyond any canvas
 constexpr float kLongestContour = 1e4f;
+constexpr float kLeastScale_px = 1e-3f;  // no job allows less; below, squares vanish
+constexpr double kMostCovered = 4;       // times the canvas
 
 [[noreturn]] void fail(const CheckpointState& state, const std::string& what) {
   throw InputError(state.name + ": not a checkpoint of this canvas and library: " + what +
@@ -21,7 +23,7 @@ constexpr float kLongestContour = 1e4f;
 /// A piece that was given may be of any size, locked or not.
 bool sane(const Similarity& pose) {
   const auto near = [](float at_px) { return std::abs(at_px) < kFarAway_px; };  // not NaN either
-  return near(pose.tx) && near(pose.ty) && near(pose.scale()) && pose.scale() > 0;
+  return near(pose.tx) && near(pose.ty) && near(pose.scale()) && pose.scale() > kLeastScale_px;
 }
 
 bool sane(const Similarity& pose, const PieceSettings& pieces) {
@@ -80,14 +82,7 @@ void Collage::check_pieces(const CheckpointState& state) const {
   for (std::size_t i = 0; i < state.placements.size(); ++i) {
     check(state.placements[i].shape, state.placements[i].canvas_from_shape, i < any_size);
   }
-  for (std::size_t i = 0; i < state.moving.size(); ++i) {
-    check(state.moving[i].shape, state.moving[i].canvas_from_shape, i < any_size);
-  }
-  const bool given_move =
-      !state.moving.empty() &&
-      !std::equal(state.placements.begin(), state.placements.begin() + std::ptrdiff_t(given_), state.moving.begin(),
-                  state.moving.begin() + std::ptrdiff_t(std::min(given_, state.moving.size())));
-  if (given_move || (!state.moving.empty() && !state.improving)) fail(state, "pieces move that may not");
+  check_moving(state, check);
   for (const PooledSample& sample : state.pool) {
     for (const Candidate& c : sample.candidates) {
       check(c.shape, c.canvas_from_shape, false);
@@ -97,6 +92,26 @@ void Collage::check_pieces(const CheckpointState& state) const {
       }
     }
   }
+}
+
+/// Those that job or region gave are the first, and where they are; the others cover the canvas about once.
+void Collage::check_moving(const CheckpointState& state, const CheckPiece& check) const {
+  const std::vector<Placement>& moving = state.moving;
+  if (moving.empty()) return;
+  const bool any_size = settings_.wishes.given.size() > given_;
+  const auto given = std::ptrdiff_t(given_);
+  if (!state.improving || moving.size() < given_ ||
+      !std::equal(moving.begin(), moving.begin() + given, state.placements.begin())) {
+    fail(state, "pieces move that may not");
+  }
+  double area_px2 = 0;
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    check(moving[i].shape, moving[i].canvas_from_shape, i < given_ || any_size);
+    const double scale_px = moving[i].canvas_from_shape.scale();
+    if (i >= given_) area_px2 += scale_px * scale_px;
+  }
+  const Window& nodes = free_.grid().one_period();
+  if (area_px2 > kMostCovered * nodes.width() * nodes.height()) fail(state, "more pieces move than have room");
 }
 
 void Collage::check_samples(const CheckpointState& state) const {

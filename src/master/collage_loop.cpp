@@ -25,6 +25,7 @@ namespace {
 
 /// The first trial lets all pieces move.
 constexpr std::uint32_t kTrialsBeforeReplacing = 1;
+constexpr double kMostReplacements = 1e15;
 constexpr std::uint64_t kReplacementsPerPiece = 60;  // are expected at first where the job limits time alone
 
 Canvas region_of(const Canvas& canvas, std::uint32_t region) {
@@ -274,18 +275,21 @@ class Run {
     const StopSettings& stop = settings_.stop;
     double limit_s = settings_.improve.seconds;
     if (stop.seconds > 0) limit_s = std::min(limit_s, statistics_.improve_s + stop.seconds - seconds());
-    return std::uint64_t(double(replaced_) * kPartReplaced * limit_s / statistics_.improve_s);
+    const double in_time = double(replaced_) * kPartReplaced * limit_s / statistics_.improve_s;
+    return std::uint64_t(in_time < kMostReplacements ? std::max(0., in_time) : kMostReplacements);
   }
 
   void begin_replacing() {
     replaced_ = 0;
-    if (pays_to_replace(settings_) && replacements() >= collage().placements().size()) moving_ = collage().placements();
+    const std::size_t pieces = collage().placements().size() - collage().given();
+    if (pays_to_replace(settings_) && replacements() >= pieces) moving_ = collage().placements();
   }
 
   /// One more batch; where there is none, the pieces come to rest, and are kept or put back.
   void replace(Improving& improving) {
-    ReplacementProgress progress{replaced_, std::max(replaced_, replacements())};
-    if (progress.done == progress.all || !may_improve() || reached_limit()) {
+    const bool late = !may_improve() || reached_limit();
+    ReplacementProgress progress{replaced_, late ? replaced_ : std::max(replaced_, replacements())};
+    if (progress.done == progress.all) {
       settle(improving);
       return;
     }

@@ -21,7 +21,8 @@ constexpr float kWindowLargest = 3;             // so many of the largest
 constexpr float kTrialsPerPiece = 2;            // of a batch
 constexpr float kBeside = 0.5f;                 // of the middle size: pieces so near to a window are seen from inside
 constexpr float kBeyond_px = 64;                // of the canvas' nodes: nothing lies farther outside
-constexpr float kEdgeNode_px = 2;
+constexpr float kLeastEdgeNode_px = 2;
+constexpr float kEdgeNodesPerScale = 32;    // of the least: the edge of large pieces needs no more
 constexpr float kFarFromEdge_px = 64;       // holes look no farther
 constexpr float kFirstTemperature = 0.03f;  // of the product of least and most scale
 /// Of repetition_exponent: at its default, 0.3, as many different shapes stand as without replacement.
@@ -76,14 +77,15 @@ std::vector<Replacing::Lying> Replacing::lying(const std::vector<Placement>& pla
 
 EdgeField Replacing::edge_around(const Box& box) const {
   const float beyond_px = settings_.pieces.max_scale_px;
-  const auto node = [](float at_px) { return int(std::floor(at_px / kEdgeNode_px)); };
+  const float node_px = std::max(kLeastEdgeNode_px, settings_.pieces.min_scale_px / kEdgeNodesPerScale);
+  const auto node = [node_px](float at_px) { return int(std::floor(at_px / node_px)); };
   const int x0 = node(box.low.x - beyond_px), x1 = node(box.high.x + beyond_px) + 2;
   const int y0 = node(box.low.y - beyond_px), y1 = node(box.high.y + beyond_px) + 2;
-  EdgeField edge{{Grid<float>(x1 - x0, y1 - y0), {float(x0), float(y0)}}, kEdgeNode_px};
+  EdgeField edge{{Grid<float>(x1 - x0, y1 - y0), {float(x0), float(y0)}}, node_px};
   const CanvasEdge canvas(free_);
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {
-      edge.distance.value(x - x0, y - y0) = canvas.at(Vec2{float(x), float(y)} * kEdgeNode_px).value;
+      edge.distance.value(x - x0, y - y0) = canvas.at(Vec2{float(x), float(y)} * node_px).value;
     }
   }
   const std::vector<float>& values = edge.distance.value.data();
@@ -112,38 +114,37 @@ std::vector<IncomingShape> Replacing::drawn_shapes(std::uint64_t random) const {
   return all;
 }
 
-/// Of the drawings of the window: how many pieces there are beside those that move in it.
-std::vector<DrawingUses> Replacing::uses_beside(const ReplacementWindow& window, const std::vector<Lying>& all) const {
+/// Of the drawings of the window: how many pieces there are beside those that move in it, of so many in all.
+std::vector<DrawingUses> Replacing::uses_beside(const ReplacementWindow& window,
+                                                const std::map<ShapeId, std::uint32_t>& all) const {
   std::map<ShapeId, std::uint32_t> uses;
-  for (const IncomingShape& in : window.incoming) uses[in.drawing] = 0;
-  for (const WindowPiece& piece : window.moving) uses[piece.drawing] = 0;
-  for (const Lying& l : all) {
-    const auto found = uses.find(l.piece.drawing);
-    if (found != uses.end()) ++found->second;
-  }
+  const auto count = [&](ShapeId drawing) {
+    const auto found = all.find(drawing);
+    uses[drawing] = found == all.end() ? 0 : found->second;
+  };
+  for (const IncomingShape& in : window.incoming) count(in.drawing);
+  for (const WindowPiece& piece : window.moving) count(piece.drawing);
   for (const WindowPiece& piece : window.moving) --uses[piece.drawing];
   std::vector<DrawingUses> listed;
   for (const auto& [drawing, elsewhere] : uses) listed.push_back({drawing, elsewhere});
   return listed;
 }
 
-ReplacementWindow Replacing::empty_window(const Box& box, std::uint64_t random) const {
-  ReplacementWindow window;
-  window.box = box;
-  window.edge = edge_around(box);
+/// All but its pieces and who may come in.
+void Replacing::complete(ReplacementWindow& window, std::uint64_t random) const {
+  window.edge = edge_around(window.box);
   window.distances = contact_distances(settings_.pieces);
   window.least_scale_px = settings_.pieces.min_scale_px;
   window.most_scale_px = settings_.pieces.max_scale_px;
   window.repetition_cost = kRepetition * settings_.objective.repetition_exponent;
-  window.incoming = drawn_shapes(random);
   window.random = random;
-  return window;
 }
 
 /// All pieces that lie in the window as a whole may move, but for the given ones and those of other windows.
-Replacing::Cut Replacing::cut(const Box& box, const std::vector<Lying>& all, std::size_t given, std::uint64_t random,
+Replacing::Cut Replacing::cut(const Box& box, const std::vector<Lying>& all, std::size_t given,
                               std::vector<bool>& taken) const {
-  Cut made{empty_window(box, random), {}};
+  Cut made;
+  made.window.box = box;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const Vec2 offset : free_.grid().period().offsets()) {
       const Box lies{all[i].box.low + offset, all[i].box.high + offset};
@@ -169,13 +170,18 @@ std::vector<Replacing::Cut> Replacing::cut_all(const std::vector<Placement>& pla
   const float part_x = draws.unit();
   const float part_y = draws.unit();
   const std::vector<Lying> all = lying(placements);
+  const std::vector<IncomingShape> incoming = drawn_shapes(key);  // the same for all, so that no rank reads many more
+  std::map<ShapeId, std::uint32_t> copies;
+  for (const Lying& l : all) ++copies[l.piece.drawing];
   std::vector<bool> taken(placements.size(), false);
   std::vector<Cut> cuts;
   for (const Box& box :
        cut_into_windows(canvas_box(free_), free_.grid().period(), least_window_px(settings_.pieces), part_x, part_y)) {
-    Cut made = cut(box, all, given, mix_bits(key ^ cuts.size()), taken);
+    Cut made = cut(box, all, given, taken);
     if (made.moving.empty()) continue;
-    made.window.uses = uses_beside(made.window, all);
+    complete(made.window, mix_bits(key ^ cuts.size()));
+    made.window.incoming = incoming;
+    made.window.uses = uses_beside(made.window, copies);
     cuts.push_back(std::move(made));
   }
   return cuts;
@@ -213,7 +219,7 @@ std::vector<Placement> Replacing::batch(const std::vector<Placement>& placements
   ReplacementProgress after = progress;
   plan(cuts, after);
   std::vector<ReplacementWindow> windows;
-  for (const Cut& c : cuts) windows.push_back(c.window);
+  for (Cut& c : cuts) windows.push_back(std::move(c.window));
   replacer_.post_replace(windows);
   const std::vector<ReplacementOutcome> outcomes = replacer_.take_replaced();
   progress = after;

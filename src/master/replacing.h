@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "core/collage/placement.h"
@@ -59,12 +60,12 @@ class Replacing {
 
   std::vector<Lying> lying(const std::vector<Placement>& placements) const;
   std::vector<Cut> cut_all(const std::vector<Placement>& placements, std::size_t given, std::uint64_t key) const;
-  Cut cut(const Box& box, const std::vector<Lying>& all, std::size_t given, std::uint64_t random,
-          std::vector<bool>& taken) const;
-  ReplacementWindow empty_window(const Box& box, std::uint64_t random) const;
+  Cut cut(const Box& box, const std::vector<Lying>& all, std::size_t given, std::vector<bool>& taken) const;
+  void complete(ReplacementWindow& window, std::uint64_t random) const;
   EdgeField edge_around(const Box& box) const;
   std::vector<IncomingShape> drawn_shapes(std::uint64_t random) const;
-  std::vector<DrawingUses> uses_beside(const ReplacementWindow& window, const std::vector<Lying>& all) const;
+  std::vector<DrawingUses> uses_beside(const ReplacementWindow& window,
+                                       const std::map<ShapeId, std::uint32_t>& all) const;
   void plan(std::vector<Cut>& cuts, ReplacementProgress& progress) const;
   std::vector<Placement> joined(const std::vector<Placement>& placements, const std::vector<Cut>& cuts,
                                 const std::vector<ReplacementOutcome>& outcomes) const;

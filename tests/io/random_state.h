@@ -1,6 +1,7 @@
 // A state of the collage's loop with a random number in every place.
 #pragma once
 
+#include <cmath>
 #include <random>
 
 #include "core/collage/checkpoint_state.h"
@@ -78,7 +79,7 @@ class RandomState {
     }
     for (double* measure :
          {&s.pads_per_shape, &s.prune_s, &s.dock_s, &s.objective_s, &s.merge_s, &s.improve_s, &s.total_s}) {
-      *measure = double(number());
+      *measure = std::abs(double(number()));
     }
   }
 

@@ -249,6 +249,11 @@ TEST_F(ForeignPhase, PiecesThatMoveWhileTheCanvasIsFilled) {
   expect_complaint("pieces move that may not");
 }
 
+TEST_F(ForeignPhase, MorePiecesThanHaveRoom) {
+  state_.moving.insert(state_.moving.end(), 1000, state_.moving.back());
+  expect_complaint("more pieces move than have room");
+}
+
 /// More trials than there can be: the phase is over.
 TEST_F(ForeignPhase, AnyNumberOfTrialsIsFine) {
   state_.replaced = std::numeric_limits<std::uint64_t>::max();

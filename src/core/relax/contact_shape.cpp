@@ -27,7 +27,8 @@ const BoundarySamples& ContactShape::samples_at(float scale_px) const {
 ContactShape make_contact_shape(const Shape& shape, float sparser) {
   ContactShape made;
   for (int k = 0; k < kContactDensities; ++k) {
-    made.samples[k] = sample_boundary(shape.outline, sparser * kDensities[k].spacing, sparser * kDensities[k].tolerance);
+    made.samples[k] =
+        sample_boundary(shape.outline, sparser * kDensities[k].spacing, sparser * kDensities[k].tolerance);
   }
   made.outline = shape.outline;
   made.field = shape.field;

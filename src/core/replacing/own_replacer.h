@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "core/replacing/window_pieces.h"
 #include "core/replacing/replacer.h"
+#include "core/replacing/window_pieces.h"
 #include "core/shape/shape_source.h"
 
 namespace tessera {

@@ -12,8 +12,7 @@ struct GivenUp {};
 
 }  // namespace
 
-WindowQueue::WindowQueue(const std::vector<ReplacementWindow>& windows,
-                         const HoleShapes& shapes)
+WindowQueue::WindowQueue(const std::vector<ReplacementWindow>& windows, const HoleShapes& shapes)
     : windows_(windows),
       shapes_(shapes),
       outcomes_(windows.size()) {}

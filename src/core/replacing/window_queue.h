@@ -9,8 +9,8 @@
 #include <mutex>
 #include <vector>
 
-#include "core/replacing/window_pieces.h"
 #include "core/replacing/replacement.h"
+#include "core/replacing/window_pieces.h"
 
 namespace tessera {
 

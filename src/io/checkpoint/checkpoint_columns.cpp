@@ -130,6 +130,8 @@ void require_ascending(const std::vector<std::uint32_t>& edges, const char* name
 void check_values(const CheckpointColumns& c) {
   require(c.job.size() <= kMaxJobBytes, "/job is too long");
   require_finite(c.measures, "/statistics/measures");
+  require(std::all_of(c.measures.begin(), c.measures.end(), [](double v) { return v >= 0; }),
+          "/statistics/measures: a value is below 0");
   for (const auto* column : {&c.placed_pose, &c.placed_score, &c.placed_matched})
     require_finite(*column, "/placements");
   for (const auto* column : {&c.moving_pose, &c.moving_score, &c.moving_matched}) require_finite(*column, "/moving");
