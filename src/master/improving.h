@@ -23,9 +23,11 @@ class Improving {
   /// Trial number `trial`, of which `earlier` were before the region was begun: its outcome follows from these numbers
   /// and the placements alone. `stopped` is asked before every piece and while pieces move; an interrupted trial, also
   /// where the matcher throws Interrupted, leaves the placements as they were.
-  /// The pieces are relaxed from there.
-  Trial settle(std::vector<Placement> placements, std::uint32_t trial, const std::function<bool()>& stopped);
   Trial try_once(std::uint32_t trial, const std::function<bool()>& stopped, std::uint32_t earlier = 0);
+
+  /// A trial that takes these placements instead of those that stand, and lets their pieces come to rest: they may lie
+  /// in each other.
+  Trial settle(std::vector<Placement> placements, std::uint32_t trial, const std::function<bool()>& stopped);
 
  private:
   struct Stopped {};
