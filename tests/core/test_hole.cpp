@@ -193,9 +193,10 @@ void check_candidates(const std::vector<HoleCandidate>& found, const std::vector
     RC_ASSERT(c.score_px2 > 0);
     const float scale_px = c.canvas_from_shape.scale();
     RC_ASSERT(c.score_px2 <= 1.0001f * guests[c.incoming].worth * scale_px * scale_px);
-    RC_ASSERT(k == 0 || c.score_px2 <= found[k - 1].score_px2);
+    if (k > 0) RC_ASSERT(c.score_px2 <= found[k - 1].score_px2);
     for (std::size_t j = 0; j < k; ++j) {
-      RC_ASSERT(found[j].incoming != c.incoming || !near_copy(found[j].canvas_from_shape, c.canvas_from_shape, 0.15f));
+      if (found[j].incoming != c.incoming) continue;
+      RC_ASSERT(!near_copy(found[j].canvas_from_shape, c.canvas_from_shape, 0.15f));
     }
   }
 }

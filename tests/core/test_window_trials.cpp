@@ -197,7 +197,7 @@ TEST(WindowTrials, ColdTrialsNeverRaiseTheEnergyOfTheWhole) {
     const double new_px2 = relaxation.energy_px2(scene_of(window, outcome.pieces));
     RC_LOG() << old_px2 << " to " << new_px2 << " by " << outcome.kept << " trials\n";
     RC_ASSERT(new_px2 <= old_px2 + 1e-4 * std::abs(old_px2));
-    RC_ASSERT(outcome.kept == 0 || new_px2 < old_px2);
+    if (outcome.kept > 0) RC_ASSERT(new_px2 < old_px2);
   }));
 }
 
