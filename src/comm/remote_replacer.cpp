@@ -10,7 +10,7 @@ RemoteReplacer::RemoteReplacer(Communicator& ranks, int worker, int breadth)
       worker_(worker),
       breadth_(breadth) {}
 
-void RemoteReplacer::post_replace(const std::vector<ReplacementWindow>& windows) {
+void RemoteReplacer::post_replace(std::vector<ReplacementWindow> windows) {
   ranks_.send(worker_, Tag::replace_request, encode(windows));
 }
 

@@ -15,7 +15,7 @@ class RemoteReplacer : public Replacer {
   RemoteReplacer(Communicator& ranks, int worker, int breadth);
 
   int breadth() const override { return breadth_; }
-  void post_replace(const std::vector<ReplacementWindow>& windows) override;
+  void post_replace(std::vector<ReplacementWindow> windows) override;
   std::vector<ReplacementOutcome> take_replaced() override;
 
  private:

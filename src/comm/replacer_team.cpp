@@ -21,14 +21,14 @@ class ReplacerTeam : public Replacer {
 
   int breadth() const override { return std::accumulate(breadths_.begin(), breadths_.end(), 0); }
 
-  void post_replace(const std::vector<ReplacementWindow>& windows) override {
+  void post_replace(std::vector<ReplacementWindow> windows) override {
     std::vector<std::uint64_t> trials;
     for (const ReplacementWindow& window : windows) trials.push_back(window.trials);
     shares_ = fair_shares(trials, breadths_);
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       std::vector<ReplacementWindow> share;
-      for (const std::size_t i : shares_[p]) share.push_back(windows[i]);
-      parts_[p]->post_replace(share);
+      for (const std::size_t i : shares_[p]) share.push_back(std::move(windows[i]));
+      parts_[p]->post_replace(std::move(share));
     }
   }
 

@@ -18,6 +18,7 @@
 #include "master/collage.h"
 #include "master/filling.h"
 #include "master/improving.h"
+#include "master/improving_budget.h"
 #include "master/replacing.h"
 
 namespace tessera::master {
@@ -25,8 +26,6 @@ namespace {
 
 /// The first trial lets all pieces move.
 constexpr std::uint32_t kTrialsBeforeReplacing = 1;
-constexpr double kMostReplacements = 1e15;
-constexpr std::uint64_t kReplacementsPerPiece = 60;  // are expected at first where the job limits time alone
 
 Canvas region_of(const Canvas& canvas, std::uint32_t region) {
   return {.width_px = canvas.width_px,
@@ -71,6 +70,7 @@ class Run {
         observer_(observer),
         keeper_(checkpoints.keeper),
         context_(make_matching_context(settings, matcher.shapes().end)),
+        budget_(canvas, settings),
         own_replacer_(shapes, 1, [this] { look(); }),
         replacer_(replacer ? *replacer : own_replacer_) {
     if (checkpoints.from) {
@@ -231,18 +231,18 @@ class Run {
     statistics_.stopped_by = collage().may_go_on() ? "full" : "used_up";
     filling().count_into(trial_work_);
     improve_clock_ = {statistics_.improve_s, {}};
-    const std::uint32_t region = collage().limits().region;
-    const double area_px2 = canvas_.regions.empty() ? canvas_.area_px2 : canvas_.regions[region].area_px2;
-    const auto earlier_trials = std::uint32_t(trials_in_regions_below(region));
-    Improving improving(collage(), filling(), settings_, area_px2, shapes_);
+    const auto first_trial = std::uint32_t(budget_.first_trial(region()));
+    Improving improving(collage(), filling(), settings_, budget_.area_px2(region()), shapes_);
     // Pieces that were replaced come to rest, whatever limit was reached, and also if that was interrupted.
     while ((!moving_.empty() || (may_improve() && !reached_limit())) && !interrupted()) {
-      if (moving_.empty() && statistics_.trials == earlier_trials + kTrialsBeforeReplacing) begin_replacing();
+      if (moving_.empty() && statistics_.trials == first_trial + kTrialsBeforeReplacing) begin_replacing();
       try {
         if (moving_.empty()) {
-          try_once(improving, earlier_trials);
+          try_once(improving, first_trial);
+        } else if (const std::uint64_t all = replacements(); replaced_ < all) {
+          replace(all);
         } else {
-          replace(improving);
+          settle(improving);
         }
       } catch (const Interrupted&) {
         statistics_.improve_s = improve_clock_.seconds();
@@ -251,9 +251,45 @@ class Run {
     }
   }
 
-  void try_once(Improving& improving, std::uint32_t earlier_trials) {
-    const Trial trial = improving.try_once(
-        std::uint32_t(statistics_.trials), [this] { return observer_.stop_requested(); }, earlier_trials);
+  void try_once(Improving& improving, std::uint32_t first_trial) {
+    count(improving.try_once(
+        std::uint32_t(statistics_.trials), [this] { return observer_.stop_requested(); }, first_trial));
+  }
+
+  /// Each piece is to be replaced once at least.
+  void begin_replacing() {
+    replaced_ = 0;
+    if (pays_to_replace(settings_) && replacements() >= free_pieces()) moving_ = collage().placements();
+  }
+
+  /// As many as the phase has in all; no more than there were where time is over.
+  std::uint64_t replacements() {
+    if (!moving_.empty() && (!may_improve() || reached_limit())) return replaced_;
+    return budget_.replacements(region(), free_pieces(), {replaced_, statistics_.improve_s, seconds()});
+  }
+
+  void replace(std::uint64_t all) {
+    const auto poses_of = [this](const Placement& p) { return collage().poses_of(p); };
+    Replacing replacing(collage().free(), collage().stances(), settings_, shapes_, poses_of, replacer_);
+    ReplacementProgress progress{replaced_, all};
+    const Stopwatch asked;
+    moving_ = replacing.batch(moving_, collage().given(), progress, [this] { look(); });
+    trial_work_.replace_s += asked.seconds();
+    statistics_.trials += progress.done / kReplacementsPerTrial - replaced_ / kReplacementsPerTrial;
+    statistics_.improve_s = improve_clock_.seconds();
+    replaced_ = progress.done;
+    after_step();
+  }
+
+  /// The pieces come to rest, and are kept or put back.
+  void settle(Improving& improving) {
+    const Trial trial =
+        improving.settle(moving_, std::uint32_t(statistics_.trials), [this] { return observer_.stop_requested(); });
+    if (trial != Trial::interrupted) moving_.clear();
+    count(trial);
+  }
+
+  void count(Trial trial) {
     statistics_.improve_s = improve_clock_.seconds();
     if (trial == Trial::interrupted) return;
     statistics_.trials_kept += trial == Trial::kept;
@@ -261,77 +297,9 @@ class Run {
     after_step();
   }
 
-  /// Of the region's trials so many are replacements.
-  std::uint64_t replacements() const {
-    if (settings_.improve.trials == 0) return replacements_in_time();
-    const std::uint32_t region = collage().limits().region;
-    const std::uint64_t trials = trials_in_regions_below(region + 1) - trials_in_regions_below(region);
-    return std::uint64_t(kReplacementsPerTrial * kPartReplaced * double(trials));
-  }
-
-  /// As many as their part of the time is enough for, as far as is known by now.
-  std::uint64_t replacements_in_time() const {
-    if (replaced_ == 0) return kReplacementsPerPiece * collage().placements().size();
-    const StopSettings& stop = settings_.stop;
-    double limit_s = settings_.improve.seconds;
-    if (stop.seconds > 0) limit_s = std::min(limit_s, statistics_.improve_s + stop.seconds - seconds());
-    const double in_time = double(replaced_) * kPartReplaced * limit_s / statistics_.improve_s;
-    return std::uint64_t(in_time < kMostReplacements ? std::max(0., in_time) : kMostReplacements);
-  }
-
-  void begin_replacing() {
-    replaced_ = 0;
-    const std::size_t pieces = collage().placements().size() - collage().given();
-    if (pays_to_replace(settings_) && replacements() >= pieces) moving_ = collage().placements();
-  }
-
-  /// One more batch; where there is none, the pieces come to rest, and are kept or put back.
-  void replace(Improving& improving) {
-    const bool late = !may_improve() || reached_limit();
-    ReplacementProgress progress{replaced_, late ? replaced_ : std::max(replaced_, replacements())};
-    if (progress.done == progress.all) {
-      settle(improving);
-      return;
-    }
-    const auto poses_of = [this](const Placement& p) { return collage().poses_of(p); };
-    Replacing replacing(collage().free(), collage().stances(), settings_, shapes_, poses_of, replacer_);
-    const Stopwatch asked;
-    moving_ = replacing.batch(moving_, collage().given(), progress);
-    trial_work_.replace_s += asked.seconds();
-    statistics_.trials += std::max<std::uint64_t>(1, (progress.done - replaced_) / kReplacementsPerTrial);
-    statistics_.improve_s = improve_clock_.seconds();
-    replaced_ = progress.done;
-    after_step();
-  }
-
-  void settle(Improving& improving) {
-    const Trial trial =
-        improving.settle(moving_, std::uint32_t(statistics_.trials), [this] { return observer_.stop_requested(); });
-    statistics_.improve_s = improve_clock_.seconds();
-    if (trial == Trial::interrupted) return;
-    statistics_.trials_kept += trial == Trial::kept;
-    moving_.clear();
-    after_step();
-  }
-
-  bool may_improve() const {
-    const ImproveSettings& limits = settings_.improve;
-    return (limits.trials == 0 || statistics_.trials < trials_in_regions_below(collage().limits().region + 1)) &&
-           (limits.seconds == 0 || statistics_.improve_s < limits.seconds);
-  }
-
-  /// They are divided by area.
-  std::uint64_t trials_in_regions_below(std::uint32_t end) const {
-    if (end == 0) return 0;
-    double before_px2 = 0;
-    double all_px2 = 0;
-    for (std::size_t r = 0; r < canvas_.regions.size(); ++r) {
-      all_px2 += canvas_.regions[r].area_px2;
-      if (r < end) before_px2 += canvas_.regions[r].area_px2;
-    }
-    const double trials = settings_.improve.trials;
-    return std::uint64_t(before_px2 == all_px2 ? trials : trials * before_px2 / all_px2);
-  }
+  std::uint32_t region() const { return collage().limits().region; }
+  std::size_t free_pieces() const { return collage().placements().size() - collage().given(); }
+  bool may_improve() const { return budget_.may_go_on(region(), statistics_.trials, statistics_.improve_s); }
 
   void after_step() {
     observer_.progressed({collage().placements().size(), collage().covered_px2() / canvas_.area_px2, seconds(),
@@ -397,6 +365,7 @@ class Run {
   Observer& observer_;
   CheckpointKeeper* keeper_;
   MatchingContext context_;
+  ImprovingBudget budget_;
   RunStatistics statistics_;  // of the greedy part, with the number of trials
   RunStatistics trial_work_;
   std::unique_ptr<Part> part_;

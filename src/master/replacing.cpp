@@ -28,6 +28,8 @@ constexpr float kFirstTemperature = 0.03f;  // of the product of least and most 
 /// Of repetition_exponent: at its default, 0.3, as many different shapes stand as without replacement.
 constexpr float kRepetition = 0.07f;
 constexpr std::size_t kMostIncoming = 400;  // shapes, of a larger library
+/// Of a question, for each that works on them: enough to share them out evenly.
+constexpr std::size_t kWindowsAtATime = 8;
 
 float middle_px(const PieceSettings& p) { return std::sqrt(p.min_scale_px * p.max_scale_px); }
 
@@ -65,9 +67,11 @@ Replacing::Replacing(const FreeField& free, const StanceTable& stances, const Co
       poses_of_(std::move(poses_of)),
       replacer_(replacer) {}
 
-std::vector<Replacing::Lying> Replacing::lying(const std::vector<Placement>& placements) const {
+std::vector<Replacing::Lying> Replacing::lying(const std::vector<Placement>& placements,
+                                               const std::function<void()>& look) const {
   std::vector<Lying> all;
   for (const Placement& p : placements) {
+    look();
     std::vector<Vec2> points;
     for (const Vec2 point : shapes_.model(p.shape).boundary) points.push_back(p.canvas_from_shape.apply(point));
     all.push_back({{p.shape, shapes_.drawing(p.shape), p.canvas_from_shape, poses_of_(p)}, bounding_box(points)});
@@ -130,29 +134,27 @@ std::vector<DrawingUses> Replacing::uses_beside(const ReplacementWindow& window,
   return listed;
 }
 
-/// All but its pieces and who may come in.
-void Replacing::complete(ReplacementWindow& window, std::uint64_t random) const {
+/// All that the job and the canvas say of a window that is cut.
+void Replacing::complete(ReplacementWindow& window) const {
   window.edge = edge_around(window.box);
   window.distances = contact_distances(settings_.pieces);
   window.least_scale_px = settings_.pieces.min_scale_px;
   window.most_scale_px = settings_.pieces.max_scale_px;
   window.repetition_cost = kRepetition * settings_.objective.repetition_exponent;
-  window.random = random;
 }
 
-/// All pieces that lie in the window as a whole may move, but for the given ones and those of other windows.
-Replacing::Cut Replacing::cut(const Box& box, const std::vector<Lying>& all, std::size_t given,
-                              std::vector<bool>& taken) const {
+/// All pieces that lie in the window as a whole may move, but for the given ones.
+Replacing::Cut Replacing::cut(const Box& box, const std::vector<Lying>& all, std::size_t given) const {
   Cut made;
   made.window.box = box;
+  const std::vector<Vec2> offsets = free_.grid().period().offsets();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (const Vec2 offset : free_.grid().period().offsets()) {
+    for (const Vec2 offset : offsets) {
       const Box lies{all[i].box.low + offset, all[i].box.high + offset};
       if (!within_reach(box, lies, kBeside * middle_px(settings_.pieces))) continue;
       WindowPiece piece = all[i].piece;
       piece.canvas_from_shape = moved(piece.canvas_from_shape, offset);
-      if (i >= given && !taken[i] && holds(box, lies)) {
-        taken[i] = true;
+      if (i >= given && holds(box, lies)) {
         made.moving.push_back(i);
         made.window.moving.push_back(piece);
       } else {
@@ -164,24 +166,18 @@ Replacing::Cut Replacing::cut(const Box& box, const std::vector<Lying>& all, std
   return made;
 }
 
-std::vector<Replacing::Cut> Replacing::cut_all(const std::vector<Placement>& placements, std::size_t given,
-                                               std::uint64_t key) const {
+std::vector<Replacing::Cut> Replacing::cut_all(const std::vector<Lying>& all, std::size_t given, std::uint64_t key,
+                                               const std::function<void()>& look) const {
   Draws draws(key);
   const float part_x = draws.unit();
   const float part_y = draws.unit();
-  const std::vector<Lying> all = lying(placements);
-  const std::vector<IncomingShape> incoming = drawn_shapes(key);  // the same for all, so that no rank reads many more
-  std::map<ShapeId, std::uint32_t> copies;
-  for (const Lying& l : all) ++copies[l.piece.drawing];
-  std::vector<bool> taken(placements.size(), false);
   std::vector<Cut> cuts;
   for (const Box& box :
        cut_into_windows(canvas_box(free_), free_.grid().period(), least_window_px(settings_.pieces), part_x, part_y)) {
-    Cut made = cut(box, all, given, taken);
+    look();
+    Cut made = cut(box, all, given);
     if (made.moving.empty()) continue;
-    complete(made.window, mix_bits(key ^ cuts.size()));
-    made.window.incoming = incoming;
-    made.window.uses = uses_beside(made.window, copies);
+    made.window.random = mix_bits(key ^ cuts.size());
     cuts.push_back(std::move(made));
   }
   return cuts;
@@ -213,17 +209,39 @@ void Replacing::plan(std::vector<Cut>& cuts, ReplacementProgress& progress) cons
 }
 
 std::vector<Placement> Replacing::batch(const std::vector<Placement>& placements, std::size_t given,
-                                        ReplacementProgress& progress) {
+                                        ReplacementProgress& progress, const std::function<void()>& look) {
   const std::uint64_t key = mix_bits(settings_.seed ^ mix_bits(kReplace ^ (progress.done << 24)));
-  std::vector<Cut> cuts = cut_all(placements, given, key);
+  const std::vector<Lying> all = lying(placements, look);
+  std::vector<Cut> cuts = cut_all(all, given, key, look);
   ReplacementProgress after = progress;
   plan(cuts, after);
-  std::vector<ReplacementWindow> windows;
-  for (Cut& c : cuts) windows.push_back(std::move(c.window));
-  replacer_.post_replace(windows);
-  const std::vector<ReplacementOutcome> outcomes = replacer_.take_replaced();
+  const std::vector<ReplacementOutcome> outcomes = asked(cuts, all, drawn_shapes(key), look);
   progress = after;
   return joined(placements, cuts, outcomes);
+}
+
+/// A few windows for each that is worked on at a time: no question lasts long, or needs the memory of all windows.
+std::vector<ReplacementOutcome> Replacing::asked(std::vector<Cut>& cuts, const std::vector<Lying>& all,
+                                                 const std::vector<IncomingShape>& incoming,
+                                                 const std::function<void()>& look) {
+  std::map<ShapeId, std::uint32_t> copies;
+  for (const Lying& l : all) ++copies[l.piece.drawing];
+  const std::size_t most = kWindowsAtATime * std::size_t(replacer_.breadth());
+  std::vector<ReplacementOutcome> outcomes;
+  while (outcomes.size() < cuts.size()) {
+    std::vector<ReplacementWindow> windows;
+    for (std::size_t i = outcomes.size(); i < cuts.size() && windows.size() < most; ++i) {
+      look();
+      ReplacementWindow window = std::move(cuts[i].window);
+      complete(window);
+      window.incoming = incoming;
+      window.uses = uses_beside(window, copies);
+      windows.push_back(std::move(window));
+    }
+    replacer_.post_replace(std::move(windows));
+    for (ReplacementOutcome& outcome : replacer_.take_replaced()) outcomes.push_back(std::move(outcome));
+  }
+  return outcomes;
 }
 
 /// The pieces of no window, then those of each.

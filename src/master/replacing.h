@@ -44,8 +44,10 @@ class Replacing {
 
   /// `placements` after one more batch of trials, about two for each piece; all but the first `given` may be gone. Adds
   /// to `progress.done`. What follows from the arguments and the settings is the same whoever works on it.
-  std::vector<Placement> batch(const std::vector<Placement>& placements, std::size_t given,
-                               ReplacementProgress& progress);
+  /// `look` is called now and then while this rank computes; what it throws leaves nothing changed.
+  std::vector<Placement> batch(
+      const std::vector<Placement>& placements, std::size_t given, ReplacementProgress& progress,
+      const std::function<void()>& look = [] {});
 
  private:
   /// A piece as it lies, and the box of its outline, nearly.
@@ -58,10 +60,13 @@ class Replacing {
     std::vector<std::size_t> moving;  // the placements that move in it
   };
 
-  std::vector<Lying> lying(const std::vector<Placement>& placements) const;
-  std::vector<Cut> cut_all(const std::vector<Placement>& placements, std::size_t given, std::uint64_t key) const;
-  Cut cut(const Box& box, const std::vector<Lying>& all, std::size_t given, std::vector<bool>& taken) const;
-  void complete(ReplacementWindow& window, std::uint64_t random) const;
+  std::vector<Lying> lying(const std::vector<Placement>& placements, const std::function<void()>& look) const;
+  std::vector<Cut> cut_all(const std::vector<Lying>& all, std::size_t given, std::uint64_t key,
+                           const std::function<void()>& look) const;
+  Cut cut(const Box& box, const std::vector<Lying>& all, std::size_t given) const;
+  void complete(ReplacementWindow& window) const;
+  std::vector<ReplacementOutcome> asked(std::vector<Cut>& cuts, const std::vector<Lying>& all,
+                                        const std::vector<IncomingShape>& incoming, const std::function<void()>& look);
   EdgeField edge_around(const Box& box) const;
   std::vector<IncomingShape> drawn_shapes(std::uint64_t random) const;
   std::vector<DrawingUses> uses_beside(const ReplacementWindow& window,

@@ -11,7 +11,7 @@ namespace tessera::comm::test {
 class IdleReplacer : public Replacer {
  public:
   int breadth() const override { return 1; }
-  void post_replace(const std::vector<ReplacementWindow>& windows) override { windows_ = windows.size(); }
+  void post_replace(std::vector<ReplacementWindow> windows) override { windows_ = windows.size(); }
   std::vector<ReplacementOutcome> take_replaced() override { return std::vector<ReplacementOutcome>(windows_); }
 
  private:

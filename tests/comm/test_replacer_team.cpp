@@ -32,7 +32,7 @@ class EchoReplacer : public Replacer {
   explicit EchoReplacer(int breadth) : breadth_(breadth) {}
 
   int breadth() const override { return breadth_; }
-  void post_replace(const std::vector<ReplacementWindow>& windows) override { windows_ = windows; }
+  void post_replace(std::vector<ReplacementWindow> windows) override { windows_ = windows; }
   std::vector<ReplacementOutcome> take_replaced() override {
     std::vector<ReplacementOutcome> outcomes;
     for (const ReplacementWindow& window : windows_) {
@@ -132,7 +132,7 @@ class WorkersReplacer : public Replacer {
   explicit WorkersReplacer(Communicator& ranks) : own_(shapes_, 1 + ranks.rank() % 3, [&ranks] { ranks.look(); }) {}
 
   int breadth() const override { return own_.breadth(); }
-  void post_replace(const std::vector<ReplacementWindow>& windows) override { own_.post_replace(windows); }
+  void post_replace(std::vector<ReplacementWindow> windows) override { own_.post_replace(windows); }
   std::vector<ReplacementOutcome> take_replaced() override { return own_.take_replaced(); }
 
  private:

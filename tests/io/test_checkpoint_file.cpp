@@ -325,6 +325,11 @@ TEST_F(DamagedCheckpoint, NotANumber) {
   expect_complaint("damaged: /candidates: a value is no number");
 }
 
+TEST_F(DamagedCheckpoint, TimesBelowZero) {
+  put<double>("/statistics/measures", H5T_NATIVE_DOUBLE, {0, -1e-9});
+  expect_complaint("/statistics/measures: a value is below 0");
+}
+
 TEST_F(DamagedCheckpoint, FlagsAndOrder) {
   put<std::uint8_t>("/improving", H5T_NATIVE_UINT8, {2});
   expect_complaint("damaged: /improving: a value is out of range");

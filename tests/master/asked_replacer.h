@@ -25,10 +25,13 @@ class AskedReplacer : public Replacer {
  public:
   using Answer = std::function<ReplacementOutcome(const ReplacementWindow&)>;
 
-  explicit AskedReplacer(Answer answer = as_it_was) : answer_(std::move(answer)) {}
+  /// With this breadth all windows of a batch are one question.
+  explicit AskedReplacer(Answer answer = as_it_was, int breadth = 1000)
+      : answer_(std::move(answer)),
+        breadth_(breadth) {}
 
-  int breadth() const override { return 1; }
-  void post_replace(const std::vector<ReplacementWindow>& windows) override { batches.push_back(windows); }
+  int breadth() const override { return breadth_; }
+  void post_replace(std::vector<ReplacementWindow> windows) override { batches.push_back(std::move(windows)); }
   std::vector<ReplacementOutcome> take_replaced() override {
     std::vector<ReplacementOutcome> outcomes;
     for (const ReplacementWindow& window : batches.back()) outcomes.push_back(answer_(window));
@@ -41,6 +44,7 @@ class AskedReplacer : public Replacer {
 
  private:
   Answer answer_;
+  int breadth_;
 };
 
 /// Tries what it is asked to, with shapes of `library`, which outlives it.

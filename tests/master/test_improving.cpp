@@ -16,7 +16,7 @@ TEST(Improving, CoversMoreAndKeepsTheRules) {
   const CollageResult result = run(canvas, improved(40));
   const Quality after = quality(canvas, result);
   EXPECT_EQ(result.statistics.trials, 40u);
-  EXPECT_GT(result.statistics.trials_kept, 0u);  // what all replacements come to counts once
+  EXPECT_GE(result.statistics.trials_kept, 2u) << "all pieces moved, and some were replaced";
   EXPECT_GT(after.coverage, before.coverage + 0.003);
   EXPECT_LT(after.overlap, 0.01);
   EXPECT_LT(after.outside, 0.001);
@@ -86,7 +86,7 @@ TEST(Improving, KeepsToTheLimitsOfStop) {
   const Canvas canvas = make_rectangle_canvas(300, 220);
   const CollageResult greedy = run(canvas, settings());
   CollageSettings s = improved(60);
-  s.improve.relax = false;  // dwarfs come into gaps: there would be more pieces than may be
+  s.stop.pieces = 1000;
   const CollageResult free = run(canvas, s);
   ASSERT_GT(free.placements.size(), greedy.placements.size());
   EXPECT_EQ(free.statistics.rounds, greedy.statistics.rounds) << "the card's iterations are those of the greedy part";

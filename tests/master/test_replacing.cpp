@@ -229,6 +229,32 @@ TEST(Replacing, TheSameQuestionIsAskedAgain) {
   EXPECT_EQ(random.size(), replacer.batches[0].size()) << "each window has its own";
 }
 
+/// Questions are short, and how short they are changes nothing.
+TEST(Replacing, AFewWindowsAreAskedAboutAtATime) {
+  Batches batches(make_rectangle_canvas(1900, 1500));
+  const auto moves = [](const ReplacementWindow& window) {
+    ReplacementOutcome outcome = test::as_it_was(window);
+    for (ReplacedPiece& p : outcome.pieces) p.canvas_from_shape.tx += float(window.random % 100) / 100;
+    return outcome;
+  };
+  test::AskedReplacer broad(moves);
+  const std::vector<Placement> expected = batches.batch(broad);
+  ASSERT_EQ(broad.batches.size(), 1u);
+  ASSERT_GT(broad.windows().size(), 16u);
+  for (const int breadth : {1, 2}) {
+    test::AskedReplacer narrow(moves, breadth);
+    EXPECT_EQ(batches.batch(narrow), expected);
+    std::size_t windows = 0;
+    for (const auto& question : narrow.batches) {
+      EXPECT_LE(question.size(), std::size_t(8 * breadth));
+      EXPECT_FALSE(question.empty());
+      windows += question.size();
+    }
+    EXPECT_EQ(windows, broad.windows().size());
+    EXPECT_LE(narrow.batches.size(), windows / std::size_t(8 * breadth) + 1);
+  }
+}
+
 std::uint64_t trials_of(const std::vector<ReplacementWindow>& windows) {
   std::uint64_t trials = 0;
   for (const ReplacementWindow& w : windows) trials += w.trials;
@@ -275,7 +301,7 @@ TEST(Replacing, EndsWhereNothingMayMove) {
   EXPECT_EQ(batches.replacing(replacer).batch(batches.placements, batches.placements.size(), progress),
             batches.placements);
   EXPECT_EQ(progress.done, 500u);
-  EXPECT_TRUE(replacer.windows().empty());
+  EXPECT_TRUE(replacer.batches.empty());
 }
 
 /// What is thrown in a batch leaves the progress as it was: the batch comes again.
@@ -286,6 +312,30 @@ TEST(Replacing, ABatchThatIsGivenUpCountsNothing) {
   ReplacementProgress progress{10, 500};
   EXPECT_THROW(batches.replacing(replacer).batch(batches.placements, 0, progress), GivenUp);
   EXPECT_EQ(progress.done, 10u);
+}
+
+/// This rank looks while it cuts windows and before each question, and whatever it then throws counts nothing.
+TEST(Replacing, LooksBeforeAndBetweenQuestions) {
+  struct GivenUp {};
+  Batches batches(make_rectangle_canvas(1900, 1500));
+  test::AskedReplacer all(test::as_it_was, 1);
+  std::size_t looks = 0;
+  ReplacementProgress progress{10, 100'000};
+  batches.replacing(all).batch(batches.placements, 0, progress, [&] { ++looks; });
+  ASSERT_GT(all.batches.size(), 2u);
+  std::set<std::size_t> questions;
+  for (std::size_t stop = 1; stop <= looks; ++stop) {
+    test::AskedReplacer replacer(test::as_it_was, 1);
+    ReplacementProgress given_up{10, 100'000};
+    std::size_t left = stop;
+    const auto look = [&] {
+      if (--left == 0) throw GivenUp{};
+    };
+    EXPECT_THROW(batches.replacing(replacer).batch(batches.placements, 0, given_up, look), GivenUp) << stop;
+    EXPECT_EQ(given_up.done, 10u);
+    questions.insert(replacer.batches.size());
+  }
+  EXPECT_EQ(questions.size(), all.batches.size()) << "after any number of questions, but the last";
 }
 
 TEST(Replacing, APieceAcrossTheSeamMovesAndIsWrapped) {
@@ -469,20 +519,22 @@ TEST(Replacing, FarFromTheEdgeThereIsNone) {
   constexpr float kFar_px = 64;
   Batches batches(make_rectangle_canvas(1500, 1300));
   test::AskedReplacer replacer;
-  batches.batch(replacer);
-  std::size_t far = 0;
-  for (const ReplacementWindow& w : replacer.windows()) {
-    const float nearest_px = std::min({w.box.low.x, w.box.low.y, 1500 - w.box.high.x, 1300 - w.box.high.y}) - 80;
-    const bool none = w.edge.distance.value.width() == 3;
-    EXPECT_EQ(none, nearest_px > kFar_px) << nearest_px;
-    far += none;
-    const CanvasEdge edge(w.edge.distance, w.edge.node_px);
-    for (float y = w.box.low.y - 79; none && y < w.box.high.y + 79; y += 29) {
-      for (float x = w.box.low.x - 79; x < w.box.high.x + 79; x += 31) EXPECT_EQ(edge.at({x, y}).value, kFar_px);
+  float least_far_px = 1e6f;
+  for (std::uint64_t done = 0; done < 8; ++done) {
+    batches.batch(replacer, 0, {done, 100'000});
+    for (const ReplacementWindow& w : replacer.windows()) {
+      const float nearest_px = std::min({w.box.low.x, w.box.low.y, 1500 - w.box.high.x, 1300 - w.box.high.y}) - 80;
+      const bool none = w.edge.distance.value.width() == 3;
+      EXPECT_TRUE(none ? nearest_px > kFar_px : nearest_px < kFar_px + 4) << nearest_px;
+      if (!none) continue;
+      least_far_px = std::min(least_far_px, nearest_px);
+      const CanvasEdge edge(w.edge.distance, w.edge.node_px);
+      for (float y = w.box.low.y - 79; y < w.box.high.y + 79; y += 58) {
+        for (float x = w.box.low.x - 79; x < w.box.high.x + 79; x += 62) EXPECT_EQ(edge.at({x, y}).value, kFar_px);
+      }
     }
   }
-  EXPECT_GT(far, 0u);
-  EXPECT_LT(far, replacer.windows().size());
+  EXPECT_LT(least_far_px, 200) << "such windows were looked at";
 }
 
 }  // namespace

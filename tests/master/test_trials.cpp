@@ -181,6 +181,32 @@ TEST_F(RelaxingTest, TheFirstTrialIsThatOfTheRegion) {
   for (const Placement& p : collage_.placements()) EXPECT_GT(p.canvas_from_shape.scale(), 80);
 }
 
+/// Where others left them, also a little in each other.
+TEST_F(RelaxingTest, PiecesSettleFromWhereTheyAre) {
+  const std::vector<Placement> moving = {piece(1, 50, {50, 70}), piece(3, 50, {95, 70}), piece(0, 40, {160, 80})};
+  matcher_.offers = {};
+  EXPECT_EQ(improving_.settle(moving, 9, [] { return false; }), Trial::kept);
+  ASSERT_EQ(collage_.placements().size(), 3u);
+  for (std::size_t i = 0; i < moving.size(); ++i) EXPECT_EQ(collage_.placements()[i].shape, moving[i].shape);
+  const Vec2 apart = collage_.placements()[1].canvas_from_shape.translation() -
+                     collage_.placements()[0].canvas_from_shape.translation();
+  EXPECT_GT(norm(apart), 45) << "they make room for each other";
+}
+
+TEST_F(RelaxingTest, WhatSettlesToLessIsPutBack) {
+  matcher_.offers = {};
+  ASSERT_EQ(improving_.try_once(0, [] { return false; }), Trial::kept);
+  const std::vector<Placement> large = collage_.placements();
+  EXPECT_EQ(improving_.settle({piece(1, 20, {60, 70})}, 9, [] { return false; }), Trial::put_back);
+  EXPECT_EQ(collage_.placements(), large);
+}
+
+TEST_F(RelaxingTest, AnInterruptedSettlingIsPutBack) {
+  int asked = 0;
+  EXPECT_EQ(improving_.settle({piece(1, 60, {60, 70})}, 9, [&] { return ++asked > 20; }), Trial::interrupted);
+  EXPECT_EQ(collage_.placements(), before_);
+}
+
 /// At whatever moment.
 TEST_F(RelaxingTest, AnInterruptedRelaxationIsPutBack) {
   int interrupted = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "core/replacing/replacer.h"
@@ -19,7 +20,7 @@ class OwnReplacer : public Replacer {
   OwnReplacer(ShapeSource& shapes, int threads, std::function<void()> look);
 
   int breadth() const override { return threads_; }
-  void post_replace(const std::vector<ReplacementWindow>& windows) override { posted_ = windows; }
+  void post_replace(std::vector<ReplacementWindow> windows) override { posted_ = std::move(windows); }
   std::vector<ReplacementOutcome> take_replaced() override;
 
  private:

@@ -13,7 +13,7 @@ class Replacer {
 
   /// So many windows may be worked on at a time.
   virtual int breadth() const = 0;
-  virtual void post_replace(const std::vector<ReplacementWindow>& windows) = 0;
+  virtual void post_replace(std::vector<ReplacementWindow> windows) = 0;
   /// The outcomes stand in the order of the windows posted.
   virtual std::vector<ReplacementOutcome> take_replaced() = 0;
 };

@@ -1,5 +1,7 @@
 #include "core/replacing/window_queue.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "core/replacing/window_trials.h"
@@ -15,11 +17,17 @@ struct GivenUp {};
 WindowQueue::WindowQueue(const std::vector<ReplacementWindow>& windows, const HoleShapes& shapes)
     : windows_(windows),
       shapes_(shapes),
-      outcomes_(windows.size()) {}
+      order_(windows.size()),
+      outcomes_(windows.size()) {
+  std::iota(order_.begin(), order_.end(), std::size_t(0));
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::size_t a, std::size_t b) { return windows[a].trials > windows[b].trials; });
+}
 
 void WindowQueue::work() noexcept {
   try {
-    for (std::size_t i = next_++; i < windows_.size() && !given_up_; i = next_++) {
+    for (std::size_t k = next_++; k < order_.size() && !given_up_; k = next_++) {
+      const std::size_t i = order_[k];
       outcomes_[i] = replaced(windows_[i], shapes_, [this] {
         if (given_up_) throw GivenUp{};
       });

@@ -1,9 +1,11 @@
-// Windows on which several threads work at a time, each on one after the other.
+// Windows on which several threads work at a time, each on one after the other: those with most trials first, so that
+// none is left at the end.
 #pragma once
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -32,6 +34,7 @@ class WindowQueue {
  private:
   const std::vector<ReplacementWindow>& windows_;
   const HoleShapes& shapes_;
+  std::vector<std::size_t> order_;  // of the windows, in which they are begun
   std::vector<ReplacementOutcome> outcomes_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> given_up_{false};

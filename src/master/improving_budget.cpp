@@ -1,0 +1,52 @@
+#include "master/improving_budget.h"
+
+#include <algorithm>
+
+#include "master/replacing.h"
+
+namespace tessera::master {
+namespace {
+
+constexpr std::uint64_t kExpectedPerPiece = 60;  // replacements, before anything is known of the time that they take
+constexpr double kMostReplacements = 1e15;
+/// All pieces move before the phase, and come to rest after it.
+constexpr std::uint64_t kTrialsAroundPhase = 2;
+
+}  // namespace
+
+double ImprovingBudget::area_px2(std::uint32_t region) const {
+  return canvas_.regions.empty() ? canvas_.area_px2 : canvas_.regions[region].area_px2;
+}
+
+bool ImprovingBudget::may_go_on(std::uint32_t region, std::uint64_t trials, double improve_s) const {
+  const ImproveSettings& limits = settings_.improve;
+  return (limits.trials == 0 || trials < trials_below(region + 1)) &&
+         (limits.seconds == 0 || improve_s < limits.seconds);
+}
+
+std::uint64_t ImprovingBudget::replacements(std::uint32_t region, std::size_t pieces, const Replaced& so_far) const {
+  if (settings_.improve.trials > 0) {
+    const std::uint64_t trials = trials_below(region + 1) - trials_below(region);
+    return std::uint64_t(kReplacementsPerTrial * kPartReplaced * double(trials - std::min(trials, kTrialsAroundPhase)));
+  }
+  if (so_far.trials == 0) return kExpectedPerPiece * pieces;
+  double limit_s = settings_.improve.seconds;
+  const double stop_s = settings_.stop.seconds;
+  if (stop_s > 0) limit_s = std::min(limit_s, so_far.improve_s + stop_s - so_far.total_s);
+  const double in_time = double(so_far.trials) * kPartReplaced * limit_s / so_far.improve_s;
+  return std::uint64_t(in_time < kMostReplacements ? std::max(0., in_time) : kMostReplacements);
+}
+
+std::uint64_t ImprovingBudget::trials_below(std::uint32_t end) const {
+  if (end == 0) return 0;
+  double before_px2 = 0;
+  double all_px2 = 0;
+  for (std::size_t r = 0; r < canvas_.regions.size(); ++r) {
+    all_px2 += canvas_.regions[r].area_px2;
+    if (r < end) before_px2 += canvas_.regions[r].area_px2;
+  }
+  const double trials = settings_.improve.trials;
+  return std::uint64_t(before_px2 == all_px2 ? trials : trials * before_px2 / all_px2);
+}
+
+}  // namespace tessera::master

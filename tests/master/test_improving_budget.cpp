@@ -1,0 +1,103 @@
+// How many trials improving has: by regions, by number and by time.
+#include "master/improving_budget.h"
+
+#include <gtest/gtest.h>
+
+namespace tessera::master {
+namespace {
+
+using Replaced = ImprovingBudget::Replaced;
+
+/// 10,000 px2 in two regions, the second three times as large as the first.
+Canvas two_regions() {
+  Canvas canvas;
+  canvas.area_px2 = 10'000;
+  canvas.regions.resize(2);
+  canvas.regions[0].area_px2 = 2'500;
+  canvas.regions[1].area_px2 = 7'500;
+  return canvas;
+}
+
+CollageSettings improving(int trials, double improve_s = 0, double stop_s = 0) {
+  CollageSettings s;
+  s.improve.trials = trials;
+  s.improve.seconds = improve_s;
+  s.stop.seconds = stop_s;
+  return s;
+}
+
+TEST(ImprovingBudget, DividesTrialsByArea) {
+  const Canvas canvas = two_regions();
+  const CollageSettings s = improving(50);
+  const ImprovingBudget budget(canvas, s);
+  EXPECT_EQ(budget.area_px2(0), 2'500);
+  EXPECT_EQ(budget.area_px2(1), 7'500);
+  EXPECT_EQ(budget.first_trial(0), 0u);
+  EXPECT_EQ(budget.first_trial(1), 12u);
+  EXPECT_TRUE(budget.may_go_on(0, 11, 1e6));
+  EXPECT_FALSE(budget.may_go_on(0, 12, 0));
+  EXPECT_TRUE(budget.may_go_on(1, 12, 0));
+  EXPECT_TRUE(budget.may_go_on(1, 49, 0));
+  EXPECT_FALSE(budget.may_go_on(1, 50, 0));
+}
+
+TEST(ImprovingBudget, WithoutRegionsTheCanvasHasAll) {
+  Canvas canvas;
+  canvas.area_px2 = 10'000;
+  const CollageSettings s = improving(50);
+  const ImprovingBudget budget(canvas, s);
+  EXPECT_EQ(budget.area_px2(0), 10'000);
+  EXPECT_EQ(budget.first_trial(0), 0u);
+  EXPECT_TRUE(budget.may_go_on(0, 49, 0));
+  EXPECT_FALSE(budget.may_go_on(0, 50, 0));
+}
+
+/// Whichever ends first.
+TEST(ImprovingBudget, EndsByTimeToo) {
+  const Canvas canvas = two_regions();
+  const CollageSettings timed = improving(0, 3);
+  EXPECT_TRUE(ImprovingBudget(canvas, timed).may_go_on(0, 1'000'000, 2.9));
+  EXPECT_FALSE(ImprovingBudget(canvas, timed).may_go_on(0, 0, 3));
+  const CollageSettings both = improving(50, 3);
+  EXPECT_FALSE(ImprovingBudget(canvas, both).may_go_on(0, 0, 3));
+  EXPECT_FALSE(ImprovingBudget(canvas, both).may_go_on(0, 12, 0));
+}
+
+/// Eight for five sixths of the region's trials, without that before and that after.
+TEST(ImprovingBudget, ReplacementsFollowFromTheRegionsTrials) {
+  const Canvas canvas = two_regions();
+  const CollageSettings s = improving(50);
+  const ImprovingBudget budget(canvas, s);
+  for (const Replaced so_far : {Replaced{}, Replaced{40, 1e6, 1e6}}) {
+    EXPECT_EQ(budget.replacements(0, 7, so_far), 66u);   // 8 · 5/6 · 10
+    EXPECT_EQ(budget.replacements(1, 7, so_far), 240u);  // 8 · 5/6 · 36
+  }
+  for (const int few : {1, 2, 3}) {
+    const CollageSettings little = improving(few);
+    EXPECT_EQ(ImprovingBudget(canvas, little).replacements(0, 7, {}), 0u);
+  }
+}
+
+TEST(ImprovingBudget, ReplacementsFollowFromTime) {
+  const Canvas canvas = two_regions();
+  const CollageSettings s = improving(0, 12);
+  const ImprovingBudget budget(canvas, s);
+  EXPECT_EQ(budget.replacements(0, 7, {}), 420u) << "nothing is known as yet: 60 for each piece";
+  // 100 took 2 of the 10 s that are five sixths of the time.
+  EXPECT_EQ(budget.replacements(0, 7, {100, 2, 5}), 500u);
+  EXPECT_EQ(budget.replacements(0, 7, {100, 0, 5}), 1'000'000'000'000'000u) << "no time at all";
+}
+
+/// The run may end before improving does.
+TEST(ImprovingBudget, TheRunsEndCountsToo) {
+  const Canvas canvas = two_regions();
+  const CollageSettings late = improving(0, 12, 9);  // at 5 s of the run, 2 of them of improving: 6 s in all
+  EXPECT_EQ(ImprovingBudget(canvas, late).replacements(0, 7, {100, 2, 5}), 250u);
+  const CollageSettings early = improving(0, 12, 100);
+  EXPECT_EQ(ImprovingBudget(canvas, early).replacements(0, 7, {100, 2, 5}), 500u);
+  const CollageSettings over = improving(0, 12, 1);
+  EXPECT_EQ(ImprovingBudget(canvas, over).replacements(0, 7, {100, 2, 5}), 0u);
+}
+
+}  // namespace
+}  // namespace tessera::master
