@@ -55,8 +55,8 @@ scale_px = [14, 60]
 [output]
 width_px = 160
 END
-  sed 's/^\[output\]/[improve]\ntrials = 800\n&/' small.toml >long.toml  # 10 s or so
-  sed 's/trials = 800/trials = 2500/' long.toml >longer.toml
+  sed 's/^\[output\]/[improve]\ntrials = 300\n&/' small.toml >long.toml  # 10 s or so
+  sed 's/trials = 300/trials = 930/' long.toml >longer.toml
 }
 
 expect_same_pieces() {  # FOLDER FOLDER
