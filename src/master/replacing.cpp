@@ -47,6 +47,32 @@ bool holds(const Box& outer, const Box& inner) {
          inner.high.y <= outer.high.y;
 }
 
+/// Fills in what of these nodes is less than far from the edge; whether there is anything. Halves what may hold both:
+/// a raster of all would be most of the master's work.
+bool fill_near_edge(const CanvasEdge& canvas, const Window& nodes, EdgeField& edge) {
+  const auto at = [&](float x, float y) { return canvas.at((edge.distance.origin + Vec2{x, y}) * edge.node_px).value; };
+  const Vec2 half{0.5f * float(nodes.x1 - nodes.x0 - 1), 0.5f * float(nodes.y1 - nodes.y0 - 1)};
+  const float middle_px = at(float(nodes.x0) + half.x, float(nodes.y0) + half.y);
+  if (middle_px - norm(half) * edge.node_px > kFarFromEdge_px) return false;
+  constexpr int kSmall = 8;
+  if (nodes.x1 - nodes.x0 > kSmall || nodes.y1 - nodes.y0 > kSmall) {
+    const bool wide = half.x > half.y;
+    const int x = wide ? (nodes.x0 + nodes.x1) / 2 : nodes.x1, y = wide ? nodes.y1 : (nodes.y0 + nodes.y1) / 2;
+    const bool first = fill_near_edge(canvas, {nodes.x0, nodes.y0, x, y}, edge);
+    const bool second = fill_near_edge(canvas, {wide ? x : nodes.x0, wide ? nodes.y0 : y, nodes.x1, nodes.y1}, edge);
+    return first || second;
+  }
+  bool any = false;
+  for (int y = nodes.y0; y < nodes.y1; ++y) {
+    for (int x = nodes.x0; x < nodes.x1; ++x) {
+      float& value = edge.distance.value(x, y);
+      value = std::min(kFarFromEdge_px, at(float(x), float(y)));
+      any = any || value < kFarFromEdge_px;
+    }
+  }
+  return any;
+}
+
 }  // namespace
 
 bool pays_to_replace(const CollageSettings& s) {
@@ -80,24 +106,18 @@ std::vector<Replacing::Lying> Replacing::lying(const std::vector<Placement>& pla
 }
 
 EdgeField Replacing::edge_around(const Box& box) const {
-  const float beyond_px = settings_.pieces.max_scale_px;
+  const Vec2 beyond{settings_.pieces.max_scale_px, settings_.pieces.max_scale_px};
+  const Box seen{box.low - beyond, box.high + beyond};
+  const CanvasEdge canvas(free_);
   const float node_px = std::max(kLeastEdgeNode_px, settings_.pieces.min_scale_px / kEdgeNodesPerScale);
   const auto node = [node_px](float at_px) { return int(std::floor(at_px / node_px)); };
-  const int x0 = node(box.low.x - beyond_px), x1 = node(box.high.x + beyond_px) + 2;
-  const int y0 = node(box.low.y - beyond_px), y1 = node(box.high.y + beyond_px) + 2;
-  EdgeField edge{{Grid<float>(x1 - x0, y1 - y0), {float(x0), float(y0)}}, node_px};
-  const CanvasEdge canvas(free_);
-  for (int y = y0; y < y1; ++y) {
-    for (int x = x0; x < x1; ++x) {
-      edge.distance.value(x - x0, y - y0) = canvas.at(Vec2{float(x), float(y)} * node_px).value;
-    }
-  }
-  const std::vector<float>& values = edge.distance.value.data();
-  if (*std::min_element(values.begin(), values.end()) < kFarFromEdge_px) return edge;
+  const int x0 = node(seen.low.x), x1 = node(seen.high.x) + 2;
+  const int y0 = node(seen.low.y), y1 = node(seen.high.y) + 2;
+  EdgeField edge{{Grid<float>(x1 - x0, y1 - y0, kFarFromEdge_px), {float(x0), float(y0)}}, node_px};
+  if (fill_near_edge(canvas, {0, 0, x1 - x0, y1 - y0}, edge)) return edge;
   // Most windows of a large canvas: nothing in them feels the edge.
-  const float across_px = std::max(box.width(), box.height()) + 2 * beyond_px;
-  const Vec2 origin = (box.low - Vec2{beyond_px, beyond_px}) * (1 / across_px);
-  return {{Grid<float>(3, 3, kFarFromEdge_px), origin}, across_px};
+  const float across_px = std::max(seen.width(), seen.height());
+  return {{Grid<float>(3, 3, kNoEdge_px), seen.low * (1 / across_px)}, across_px};
 }
 
 /// All of a small library's; as many of a large one's as a rank can look at.

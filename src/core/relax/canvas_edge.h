@@ -17,6 +17,8 @@ class CanvasEdge {
   CanvasEdge(const CanvasField& distance, float node_px) : field_(distance), node_px_(node_px) {}
 
   const Period& period() const { return period_; }
+  /// Between two of its nodes.
+  float node_px() const { return node_px_; }
 
   /// Distance to the edge, positive inside, with its gradient. Beyond the field's nodes: the value at the nearest one,
   /// less the way there.

@@ -79,12 +79,11 @@ void each_contact(const LaidPiece& piece, const LaidPiece& other, Vec2 offset, f
 /// The same with the canvas' edge, whose distance is negative outside the canvas.
 template <class F>
 void each_contact(const LaidPiece& piece, const CanvasEdge& edge, float reach_px, F f) {
-  constexpr float kNode_px = 1;
   // The farthest sample is no farther from the centre than the radius.
   const FieldSample centre = edge.at(piece.canvas_from_shape.translation());
-  if (centre.value > piece.shape->radius * piece.scale_px + reach_px + kNode_px) return;
+  if (centre.value > piece.shape->radius * piece.scale_px + reach_px + edge.node_px()) return;
   walk_contacts(
-      piece, reach_px, kNode_px, [&](Vec2 p) { return edge.at(p); }, f);
+      piece, reach_px, edge.node_px(), [&](Vec2 p) { return edge.at(p); }, f);
 }
 
 }  // namespace tessera
