@@ -1,10 +1,10 @@
 #include "protocol_sim.h"
 
 #include <algorithm>
-#include <simgrid/s4u.hpp>
 #include <string>
 
 #include "core/base/portable_math.h"
+#include "sim_cluster.h"
 
 namespace tessera::bench {
 namespace {
@@ -12,22 +12,6 @@ namespace {
 namespace sg4 = simgrid::s4u;
 
 constexpr int kRounds = 3;  // all alike
-constexpr double kFlopsPerSecond = 1e9;
-
-std::string host_name(int rank) { return "host" + std::to_string(rank); }
-
-void make_platform(int ranks, const Cluster& cluster) {
-  sg4::NetZone* zone = sg4::create_star_zone("cluster");
-  for (int rank = 0; rank < ranks; ++rank) {
-    sg4::Host* host = zone->create_host(host_name(rank), kFlopsPerSecond);
-    sg4::Link* link = zone->create_split_duplex_link("link" + std::to_string(rank), cluster.bytes_per_s)
-                          ->set_latency(cluster.latency_s / 2)
-                          ->seal();
-    const sg4::LinkInRoute up(link, sg4::LinkInRoute::Direction::UP);
-    zone->add_route(host->get_netpoint(), nullptr, nullptr, nullptr, {up}, true);
-  }
-  zone->seal();
-}
 
 /// The kinds of messages of a round, with what they weigh and what the workers do for them.
 struct Question {
@@ -101,18 +85,10 @@ class RankPlay {
   }
 
  private:
-  static sg4::Mailbox* inbox(int rank) { return sg4::Mailbox::by_name("to " + std::to_string(rank)); }
-  static sg4::Mailbox* outbox(int rank) { return sg4::Mailbox::by_name("from " + std::to_string(rank)); }
-
   void compute(double seconds) {
     if (seconds <= 0) return;
-    sg4::this_actor::execute(seconds * kFlopsPerSecond);
+    pass(seconds);
     busy_s_ += seconds;
-  }
-
-  void send(sg4::Mailbox* mailbox, double bytes) {
-    static int message;
-    mailbox->put_init(&message, std::uint64_t(std::max(1., bytes)))->detach();
   }
 
   /// A rank that has waited sleeps between its looks.
@@ -161,7 +137,7 @@ class RankPlay {
 SimulatedRound play(const Scenario& scenario) {
   std::vector<sg4::ActorPtr> workers;
   for (int rank = 1; rank <= scenario.costs.workers; ++rank) {
-    workers.push_back(sg4::Actor::create("worker" + std::to_string(rank), sg4::Host::by_name(host_name(rank)),
+    workers.push_back(sg4::Actor::create("worker" + std::to_string(rank), host_of(rank),
                                          [&scenario, rank] { RankPlay(scenario, rank).serve(); }));
   }
   sg4::this_actor::sleep_for(1);  // all mailboxes have their receivers
@@ -175,19 +151,12 @@ SimulatedRound play(const Scenario& scenario) {
 }  // namespace
 
 std::vector<SimulatedRound> simulate_rounds(const std::vector<Scenario>& scenarios, const Cluster& cluster) {
-  sg4::Engine engine("tessera");
-  // Links as they are; the default is made for TCP on Ethernet.
-  sg4::Engine::set_config("network/model:CM02");
-  sg4::Engine::set_config("network/TCP-gamma:0");
-  sg4::Engine::set_config("network/crosstraffic:no");
   int ranks = 2;
   for (const Scenario& scenario : scenarios) ranks = std::max(ranks, scenario.costs.workers + 1);
-  make_platform(ranks, cluster);
   std::vector<SimulatedRound> rounds;
-  sg4::Actor::create("master", sg4::Host::by_name(host_name(0)), [&] {
+  simulate(ranks, cluster, [&] {
     for (const Scenario& scenario : scenarios) rounds.push_back(play(scenario));
   });
-  engine.run();
   return rounds;
 }
 

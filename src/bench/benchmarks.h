@@ -47,6 +47,9 @@ Report bench_alternatives(const Setting& setting, const SquareJob& job);
 /// Also writes a plot.
 Report bench_quality(const Setting& setting, const SquareJob& job, int seconds);
 
+/// One batch of replacement trials on a large canvas: the master's part of it, and the workers'.
+Report bench_replacing(const Setting& setting, const SquareJob& job);
+
 struct LibraryOptions {
   std::string library;
   std::vector<std::uint32_t> sizes = {100, 1000, 10000, 100000};

@@ -17,6 +17,7 @@ constexpr const char* kExamples =
     "  tessera bench table2 --library out/animals.h5 --rows 13a,13b,13c\n"
     "  tessera bench alternatives --library out/animals.h5 --scale-px 20,160 --size 1000 --seed 7\n"
     "  tessera bench quality --library out/animals.h5 --scale-px 60,120 --seconds 32\n"
+    "  tessera bench replacing --library out/animals.h5 --scale-px 60,120 --size 10000\n"
     "  tessera bench library --library out/animals.h5 --sizes 100,1000,10000\n"
     "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
     "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
@@ -92,6 +93,16 @@ void add_quality(CLI::App& bench, Command& selected) {
       ->capture_default_str();
 }
 
+void add_replacing(CLI::App& bench, Command& selected) {
+  const auto job = std::make_shared<bench::SquareJob>();
+  job->scale_px = {60, 120};
+  job->size_px = 10000;
+  CLI::App* sub = add_benchmark(bench, selected, "replacing",
+                                "A batch of replacement trials on a large canvas: the master's part, and the workers'",
+                                [job](const bench::Setting& s) { return bench::bench_replacing(s, *job); });
+  add_square_job_options(*sub, *job);
+}
+
 void add_library(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<bench::LibraryOptions>();
   CLI::App* sub = add_benchmark(bench, selected, "library", "Time and memory as the library grows",
@@ -139,6 +150,7 @@ void add_bench_command(CLI::App& app, Command& selected) {
   add_table2(*bench, selected);
   add_alternatives(*bench, selected);
   add_quality(*bench, selected);
+  add_replacing(*bench, selected);
   add_library(*bench, selected);
   add_scaling(*bench, selected);
 }

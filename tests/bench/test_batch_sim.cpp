@@ -1,0 +1,44 @@
+// The simulated batch of replacement trials against times that were worked out by hand.
+#include "batch_sim.h"
+
+#include <gtest/gtest.h>
+
+namespace tessera::bench {
+namespace {
+
+/// Four windows of 3, 2, 2 and 1 s.
+ReplacingCase by_hand() {
+  ReplacingCase c;
+  c.master_s = 0.5;
+  c.request_s = 0.01;
+  c.unpack_s = 0.02;
+  c.reply_s = 0.03;
+  for (const std::uint32_t s : {1u, 3u, 2u, 2u}) c.windows.push_back({s * 100, double(s), 1, 1});
+  return c;
+}
+
+// A latency of 1 ms; a byte takes no time to speak of.
+constexpr Cluster kSlowNetwork{0.001, 1e12};
+
+TEST(BatchSim, AsByHand) {
+  const std::vector<SimulatedBatch> found =
+      simulate_batches(by_hand(), {{1, 1}, {1, 2}, {2, 1}, {4, 1}, {4, 8}, {2, 1, 1}}, kSlowNetwork);
+  // Four windows packed, on the way, unpacked, tried, packed, on the way, unpacked.
+  const double each_way_s = 4 * (0.01 + 0.02 + 0.03 + 0.03) + 0.002;
+  EXPECT_NEAR(found[0].batch_s, 0.5 + each_way_s + 8, 1e-6);
+  EXPECT_NEAR(found[0].master_busy_s, 0.5 + 4 * (0.01 + 0.03), 1e-9);
+  // Two cores: 3 and 1, 2 and 2.
+  EXPECT_NEAR(found[1].batch_s, 0.5 + each_way_s + 4, 1e-6);
+  // Two workers, two windows each: the second is asked 20 ms after the first; its answer is joined first.
+  EXPECT_NEAR(found[2].batch_s, 0.5 + 2 * 0.02 + 0.001 + 0.04 + 4 + 0.06 + 0.001 + 2 * 0.06, 1e-6);
+  EXPECT_NEAR(found[2].master_busy_s, found[0].master_busy_s, 1e-9);
+  // The largest window is what all wait for: its worker is asked first and joined last.
+  EXPECT_NEAR(found[3].batch_s, 0.5 + 0.01 + 0.001 + 0.02 + 3 + 0.03 + 0.001 + 0.03, 1e-6);
+  EXPECT_NEAR(found[4].batch_s, found[3].batch_s, 1e-6) << "more cores than windows bring nothing";
+  // A chain: the first worker unpacks four windows, packs two of them for the second, joins its answer and packs all.
+  EXPECT_NEAR(found[5].batch_s,
+              0.5 + 0.04 + 0.001 + 0.08 + 0.02 + (0.001 + 0.04 + 4 + 0.06 + 0.001) + 0.06 + 0.12 + 0.001 + 0.12, 1e-6);
+}
+
+}  // namespace
+}  // namespace tessera::bench
