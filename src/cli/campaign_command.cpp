@@ -10,7 +10,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  tessera campaign jobs/animals.toml --seeds 1-8\n"
     "  tessera campaign jobs/animals.toml --seeds 1-3 --set objective.gap_weight=0.5,1,2 --out out/gaps\n"
-    "  tessera campaign jobs/animals.toml --set 'pieces.scale_px=[20, 160],[14, 90]' --set improve.trials=0\n"
+    "  tessera campaign jobs/animals.toml --set 'pieces.scale_px=[20, 160],[14, 90]' --set quality=draft\n"
     "  tessera campaign jobs/animals.toml --seeds 1-8 --list\n"
     "Every seed with every value. Collages that are finished are not made again, and those of another job in DIR are\n"
     "not overwritten; at the end all are ranked (see tessera rank). --list prints, for scripts, a line a collage:\n"

@@ -70,6 +70,22 @@ expect_word 'tessera: warning: no run log: unlogged/run.log: not a regular file'
 grep -q 'no run log' unlogged/card.json || fail "the warning is not in the card"
 echo "ok what made the result"
 
+# How much is improved, in a word, is a number in the job of the result, which gives the same pieces again.
+all_that_fits=(--quiet --set stop.pieces=0)
+run 0 collage job.toml --out good "${all_that_fits[@]}" --set quality=good
+[[ $(grep -c -e '^quality = ""$' -e '^trials = 17$' good/job.toml) == 2 ]] || fail "no number in good/job.toml"
+grep -q '"trials_limit": 17,' good/card.json || fail "no number in good/card.json"
+run 0 collage good/job.toml --out again "${all_that_fits[@]}"
+cmp good/pieces.geojson again/pieces.geojson || fail "other pieces of the written job"
+touch -d '1 hour ago' good/pieces.geojson
+cp -p good/pieces.geojson before.geojson
+run 0 collage job.toml --out good "${all_that_fits[@]}" --resume=auto --set improve.trials=17
+[[ ! good/pieces.geojson -nt before.geojson ]] || fail "made again: the word's number is another job"
+run 0 campaign job.toml --out words --set quality=draft,good --set stop.pieces=0
+cmp good/pieces.geojson words/quality_good/pieces.geojson || fail "other pieces in a campaign"
+grep -q '"trials_limit": 0,' words/quality_draft/card.json || fail "a draft was improved"
+echo "ok qualities"
+
 # A campaign keeps what is finished, and does not lose what is another job's.
 run 0 campaign job.toml --seeds 1-2 --out campaign
 touch -d '1 hour ago' campaign/seed_*/*

@@ -107,7 +107,7 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:2: unknown key checkpoint.uses (did you mean pieces.uses?); "
             "allowed in [checkpoint]: every_s");
   EXPECT_EQ(mistake("uses = 3"),
-            "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed");
+            "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed, quality");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, start, "
             "match, objective, improve, stop, checkpoint, comm, colour, devices, output, [[shapes]], [[regions]], "

@@ -69,7 +69,8 @@ RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
     key.set(job, value);
   }
   for (const JobTable& table : job_tables()) job.tables[table.name] = {random_row(table), random_row(table)};
-  job.wishes.clear();  // no such file
+  job.wishes.clear();                            // no such file
+  job.quality = QualityWord::none;               // improve.trials has what it says
   job.library_colours = {"#012345", "#ffffff"};  // of a palette the colours themselves come back
   *rc::gen::arbitrary<bool>() ? job.library.clear() : job.library_files.clear();
   if (*rc::gen::arbitrary<bool>()) {  // the two do not go together

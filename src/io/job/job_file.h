@@ -17,6 +17,9 @@ namespace tessera::io {
 /// How a canvas repeats: its left edge goes on at its right one (x), its upper at its lower one (y).
 enum class Seamless { none, x, y, both };
 
+/// How much a job is improved, in a word (quality_word.h).
+enum class QualityWord { none, draft, good, best };
+
 /// A rectangle of the size given, or the mask in `file` scaled into a box of that size with its aspect kept.
 struct CanvasSpec {
   int width_px = 1000;
@@ -98,18 +101,19 @@ struct JobValue {
 using JobRow = std::map<std::string, JobValue>;
 
 struct Job {
-  std::string path;                          // the file it came from
-  std::string library;                       // absolute path; empty: library_files
-  std::vector<std::string> library_files;    // absolute paths
+  std::string path;                                    // the file it came from
+  std::string library;                                 // absolute path; empty: library_files
+  std::vector<std::string> library_files;              // absolute paths
   std::vector<std::string> library_colours = {"all"};  // as ColourSpec::palette, or "all" alone
   double library_colours_within = 15;                  // CIEDE2000
-  std::vector<std::string> library_include;  // patterns of names (io/library/name_globs.h); empty: all shapes
+  std::vector<std::string> library_include;            // patterns of names (io/library/name_globs.h); empty: all shapes
   std::vector<std::string> library_exclude;
   std::string size_map;      // a grey picture, absolute path; empty: all sizes everywhere
   bool drawn_sizes = false;  // each shape as large as it was drawn, instead of settings.pieces' sizes
   std::string wishes;  // absolute path of a table whose rows come before those of [[shapes]]; empty once they are there
-  std::vector<std::string> wishes_places;  // "FILE:LINE" of each row that came from it
-  Mirroring mirrored = Mirroring::never;   // of shapes that no table says otherwise of
+  std::vector<std::string> wishes_places;   // "FILE:LINE" of each row that came from it
+  Mirroring mirrored = Mirroring::never;    // of shapes that no table says otherwise of
+  QualityWord quality = QualityWord::none;  // none once settings.improve has what it says
   CanvasSpec canvas;
   StartSpec start;
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"

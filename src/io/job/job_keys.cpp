@@ -36,6 +36,10 @@ void add_input_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"", "seed", integer, "", 0, kMaxSeed, {},
                               "start of the random numbers; another seed, another collage"},
                              FIELD(settings.seed)));
+  keys.push_back(with_word({"", "quality", word, "", 0, 0, {"", "draft", "good", "best"},
+                            "how much is improved, by the canvas and the sizes of the pieces, in the place of "
+                            "`improve.trials`; empty = as [improve] says"},
+                           FIELD(quality)));
   keys.push_back(with_text({"library", "file", file, "", 0, 0, {},
                             "the library of shapes, made by `tessera library build`"},
                            FIELD(library)));

@@ -17,6 +17,7 @@
 #include "io/job/job_tables.h"
 #include "io/job/millimetres.h"
 #include "io/job/palette.h"
+#include "io/job/quality_word.h"
 #include "io/job/wishes_file.h"
 
 namespace tessera::io {
@@ -169,6 +170,14 @@ class Entries {
     return given_from(0, entries_.size(), section, name);
   }
 
+  /// Whether `quality` has a say: numbers that are given beside it win, those of the command line anyway.
+  bool quality_counts() const {
+    const bool of_command_line = given_from(in_file_, entries_.size(), "", "quality");
+    const std::size_t begin = of_command_line ? in_file_ : 0;
+    return !given_from(begin, entries_.size(), "improve", "trials") &&
+           !given_from(begin, entries_.size(), "improve", "seconds");
+  }
+
   void apply_all_but_mm(Job& job) const {
     for (const JobEntry& entry : entries_) {
       if (!is_length_in_mm(entry)) apply_entry(entry, job);
@@ -275,6 +284,8 @@ Job read_job(const std::string& text, const std::string& path, const std::vector
   entries.apply_all_but_mm(job);
   set_size_on_paper(entries.has("canvas", "size_px"), job);
   entries.apply_mm(job);
+  if (entries.quality_counts()) set_improving_by_quality(job);
+  job.quality = QualityWord::none;  // from here on the numbers count, in job.toml too
   add_rows(table, path, job);
   set_regions(job);
   for (const JobRow& row : rows_of(job, "keep_out")) job.canvas.keep_out_rectangles.push_back(keep_out_rectangle(row));
