@@ -19,6 +19,13 @@ using relaxed_pieces::kDisc;
 using relaxed_pieces::kDiscRadius;
 using relaxed_pieces::pose;
 
+/// Nobody helps.
+std::vector<HoleCandidate> best(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests, float softness,
+                                Draws& draws) {
+  SharedTasks alone;
+  return best_candidates(hole, reach_px, guests, softness, draws, alone);
+}
+
 /// A corner of a canvas with two discs, and what is known of it by heart.
 class HoleInACorner : public testing::Test {
  protected:
@@ -166,7 +173,7 @@ class HoleOfAShape {
 
   std::vector<HoleCandidate> candidates(const std::vector<HoleGuest>& guests, std::uint64_t random = 1) const {
     Draws draws(random);
-    return best_candidates(hole, kReach_px, guests, kSoftness, draws);
+    return best(hole, kReach_px, guests, kSoftness, draws);
   }
 
  private:
@@ -240,7 +247,7 @@ TEST(HoleCandidates, OfAnOpenPlaceAreTheBestFirst) {
   const std::vector<HoleGuest> guests = all_guests({20, 60, {}});
   EXPECT_TRUE(rc::check([&] {
     Draws draws(*rc::gen::arbitrary<std::uint64_t>());
-    const std::vector<HoleCandidate> found = best_candidates(open, kReach_px, guests, kSoftness, draws);
+    const std::vector<HoleCandidate> found = best(open, kReach_px, guests, kSoftness, draws);
     RC_ASSERT(found.size() == 4u);
     check_candidates(found, guests);
   }));
@@ -311,7 +318,7 @@ TEST(HoleCandidates, SofterNeighboursAreCoveredMore) {
   const std::vector<HoleGuest> guests = {guest(2, {42, 60, {}})};
   const auto best_px2 = [&](float softness) {
     Draws draws(1);
-    const std::vector<HoleCandidate> found = best_candidates(hole.hole, kReach_px, guests, softness, draws);
+    const std::vector<HoleCandidate> found = best(hole.hole, kReach_px, guests, softness, draws);
     return found.empty() ? 0.f : found.front().score_px2;
   };
   EXPECT_GT(best_px2(0.5f), best_px2(3) + 50);
@@ -322,7 +329,7 @@ TEST(HoleCandidates, NothingFitsWhereThereIsNoHole) {
   const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
   Hole full(kMiddle, 30, 1.5f, CanvasEdge(free));
   full.add(laid(kDisc, pose(300, 0, kMiddle)));
-  EXPECT_TRUE(best_candidates(full, 30, all_guests({20, 60, {}}), kSoftness, draws).empty());
+  EXPECT_TRUE(best(full, 30, all_guests({20, 60, {}}), kSoftness, draws).empty());
   const HoleOfAShape hole(1, pose(40, 0, kMiddle));
   EXPECT_TRUE(hole.candidates({}).empty()) << "nobody comes";
 }

@@ -41,6 +41,18 @@ TEST(OwnReplacer, AnyNumberOfThreadsGivesTheSame) {
   }
 }
 
+/// Where there are fewer windows than threads, these help each other: alone in one, and when the others are done.
+TEST(OwnReplacer, ThreadsWithoutAWindowHelp) {
+  EndlessShapes shapes;
+  OwnReplacer alone(shapes, 1, do_not_look);
+  OwnReplacer several(shapes, 5, do_not_look);
+  for (const std::size_t count : {1, 2, 3}) {
+    std::vector<ReplacementWindow> windows = any_windows(count, 6);
+    windows.front().trials *= 4;
+    EXPECT_EQ(asked(several, windows), asked(alone, windows)) << count;
+  }
+}
+
 TEST(OwnReplacer, WindowsStandForThemselves) {
   EndlessShapes shapes;
   OwnReplacer replacer(shapes, 2, do_not_look);

@@ -23,8 +23,11 @@ using relaxed_pieces::kDisc;
 using relaxed_pieces::kDiscRadius;
 using relaxed_pieces::pose;
 
-ReplacementOutcome outcome_of(const ReplacementWindow& window) {
-  return replaced(window, shapes_by_id(), [] {});
+/// Nobody helps.
+ReplacementOutcome outcome_of(
+    const ReplacementWindow& window, const std::function<void()>& look = [] {}) {
+  SharedTasks alone;
+  return replaced(window, shapes_by_id(), look, alone);
 }
 
 /// Pieces in disorder, some of which stand still, and some across the edges of the window.
@@ -453,13 +456,13 @@ TEST(WindowTrials, WhatLookThrowsComesOut) {
       if (++looks == look) throw std::runtime_error("stop");
     };
   };
-  EXPECT_THROW(replaced(window, shapes_by_id(), throw_at(1)), std::runtime_error);
-  EXPECT_THROW(replaced(window, shapes_by_id(), throw_at(window.trials)), std::runtime_error);
-  EXPECT_NO_THROW(replaced(window, shapes_by_id(), throw_at(window.trials + 1)));
+  EXPECT_THROW(outcome_of(window, throw_at(1)), std::runtime_error);
+  EXPECT_THROW(outcome_of(window, throw_at(window.trials)), std::runtime_error);
+  EXPECT_NO_THROW(outcome_of(window, throw_at(window.trials + 1)));
   EXPECT_EQ(looks, window.trials) << "before each trial";
 }
 
-/// What a scene costs beside depths: what of its moving pieces others cover.
+/// What a scene costs beside depths.
 double covered_twice_px2(const Scene& scene, const ReplacementWindow& window) {
   const FreeField free = relaxed_pieces::rectangle(kCanvas_px);
   constexpr float kStiffness = 8;
@@ -469,29 +472,23 @@ double covered_twice_px2(const Scene& scene, const ReplacementWindow& window) {
   return SceneRelaxation(window).energy_px2(scene) - depths_px2;
 }
 
+/// For both pieces of a pair, whichever of them moves: energies of a trial's pieces differ by as much as those of all.
 TEST(SceneEnergy, CountsWhatIsCoveredTwice) {
   const ReplacementWindow window = empty_window();
-  const auto add = [](Scene& scene, float scale_px, Vec2 at, bool moves) {
-    scene.add(hole_shapes()[kDisc], pose(scale_px, 0, at), {}, moves);
+  const auto pair_px2 = [&](float scale_px, float other_px, Vec2 apart, bool one_moves, bool other_moves) {
+    Scene scene;
+    scene.add(hole_shapes()[kDisc], pose(scale_px, 0, kMiddle), {}, one_moves);
+    scene.add(hole_shapes()[kDisc], pose(other_px, 0, kMiddle + apart), {}, other_moves);
+    return covered_twice_px2(scene, window);
   };
   constexpr float kSmall_px = 12;
   const double small_px2 = kSmall_px * kSmall_px;
-  Scene inside;
-  add(inside, 50, kMiddle, false);
-  add(inside, kSmall_px, kMiddle, true);
-  EXPECT_NEAR(covered_twice_px2(inside, window), 2 * small_px2, 2);
-  Scene around;
-  add(around, 50, kMiddle, true);
-  add(around, kSmall_px, kMiddle, false);
-  EXPECT_NEAR(covered_twice_px2(around, window), 2 * small_px2, 150);
-  Scene on_itself;
-  add(on_itself, 50, kMiddle, false);
-  add(on_itself, 50, kMiddle, true);
-  EXPECT_NEAR(covered_twice_px2(on_itself, window), 2 * 50. * 50, 2) << "there boundaries alone see nothing";
-  Scene beside;
-  add(beside, 40, kMiddle, true);
-  add(beside, 40, kMiddle + Vec2{46, 0}, true);
-  EXPECT_NEAR(covered_twice_px2(beside, window), 0, 2);
+  for (const auto& [one, other] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
+    EXPECT_NEAR(pair_px2(50, kSmall_px, {}, one, other), 2 * 2 * small_px2, 150);
+    EXPECT_NEAR(pair_px2(50, 50, {}, one, other), 2 * 2 * 50. * 50, 4) << "there boundaries alone see nothing";
+    EXPECT_NEAR(pair_px2(40, 40, {46, 0}, one, other), 0, 2);
+  }
+  EXPECT_EQ(pair_px2(50, kSmall_px, {}, true, false), pair_px2(50, kSmall_px, {}, true, true));
 }
 
 }  // namespace

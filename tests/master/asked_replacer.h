@@ -54,7 +54,10 @@ inline AskedReplacer::Answer real_trials(
   HoleShapes shapes;
   for (const Shape& shape : library) made->push_back(make_hole_shape(shape));
   for (std::uint32_t i = 0; i < made->size(); ++i) shapes[ShapeId{i}] = &(*made)[i];
-  return [made, shapes, look](const ReplacementWindow& window) { return replaced(window, shapes, look); };
+  return [made, shapes, look](const ReplacementWindow& window) {
+    SharedTasks alone;
+    return replaced(window, shapes, look, alone);
+  };
 }
 
 }  // namespace tessera::test

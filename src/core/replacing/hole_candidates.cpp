@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/portable_math.h"
 #include "core/matching/match_round.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr int kDockings = 1500;
 constexpr std::size_t kRefinedInHole = 20;
 constexpr std::size_t kTried = 4;
+constexpr std::size_t kParts = 4;  // of the dockings, each for one that scores them
 constexpr int kRefineSteps = 14;
 constexpr float kMostStep_px = 4;
 constexpr float kRefineStiffness_px = 30;  // at a scale of so many px it is 1: larger pieces may lie deeper
@@ -104,11 +106,11 @@ const DockPoint& drawn_dock(const HoleGuest& guest, const RimPoint& rim, Draws& 
   return *dock;
 }
 
-std::vector<HoleCandidate> drawn(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests, float softness,
-                                 Draws& draws) {
-  std::vector<HoleCandidate> best;
+/// Not scored as yet.
+std::vector<HoleCandidate> drawn(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests, Draws& draws) {
+  std::vector<HoleCandidate> all;
   const std::vector<RimPoint> rim = hole.rim(reach_px);
-  if (rim.empty() || guests.empty()) return best;
+  if (rim.empty() || guests.empty()) return all;
   const float most_px = kLargerThanFree * std::sqrt(hole.free_px2(reach_px));
   for (int k = 0; k < kDockings; ++k) {
     const std::size_t g = draws.below(guests.size());
@@ -116,12 +118,41 @@ std::vector<HoleCandidate> drawn(const Hole& hole, float reach_px, const std::ve
     const RimPoint& at = rim[draws.below(rim.size())];
     if (draws.unit() >= guest.weight || guest.poses.min_scale_px > most_px || guest.shape->docks.empty()) continue;
     const DockPoint& dock = drawn_dock(guest, at, draws);
-    const Similarity pose = docked(dock, at, drawn_scale_px(guest, dock, at, most_px, draws), guest.poses);
+    all.push_back({g, docked(dock, at, drawn_scale_px(guest, dock, at, most_px, draws), guest.poses)});
+  }
+  return all;
+}
+
+void keep_best(const HoleCandidate& candidate, std::vector<HoleCandidate>& best) {
+  best.insert(std::upper_bound(best.begin(), best.end(), candidate, scores_better), candidate);
+  if (best.size() > kRefinedInHole) best.pop_back();
+}
+
+/// Those worth most; of equal ones the first.
+std::vector<HoleCandidate> best_of(std::span<const HoleCandidate> drawn, const Hole& hole,
+                                   const std::vector<HoleGuest>& guests, float softness) {
+  std::vector<HoleCandidate> best;
+  for (HoleCandidate candidate : drawn) {
     const float least = best.size() < kRefinedInHole ? 0.f : best.back().score_px2;
-    const HoleCandidate candidate{g, pose, score(hole, guest, pose, softness, least)};
-    if (candidate.score_px2 <= least) continue;
-    best.insert(std::upper_bound(best.begin(), best.end(), candidate, scores_better), candidate);
-    if (best.size() > kRefinedInHole) best.pop_back();
+    candidate.score_px2 = score(hole, guests[candidate.incoming], candidate.canvas_from_shape, softness, least);
+    if (candidate.score_px2 > least) keep_best(candidate, best);
+  }
+  return best;
+}
+
+/// The same, divided where somebody helps: alone, who knows the best so far sees sooner that another is none.
+std::vector<HoleCandidate> shared_best_of(const std::vector<HoleCandidate>& drawn, const Hole& hole,
+                                          const std::vector<HoleGuest>& guests, float softness, SharedTasks& tasks) {
+  if (!tasks.has_helpers()) return best_of(drawn, hole, guests, softness);
+  std::vector<std::vector<HoleCandidate>> parts(kParts);
+  tasks.run(kParts, [&](std::size_t k) {
+    const std::size_t begin = drawn.size() * k / kParts;
+    const std::size_t end = drawn.size() * (k + 1) / kParts;
+    parts[k] = best_of(std::span(drawn).subspan(begin, end - begin), hole, guests, softness);
+  });
+  std::vector<HoleCandidate> best;
+  for (const std::vector<HoleCandidate>& part : parts) {
+    for (const HoleCandidate& candidate : part) keep_best(candidate, best);
   }
   return best;
 }
@@ -129,12 +160,14 @@ std::vector<HoleCandidate> drawn(const Hole& hole, float reach_px, const std::ve
 }  // namespace
 
 std::vector<HoleCandidate> best_candidates(const Hole& hole, float reach_px, const std::vector<HoleGuest>& guests,
-                                           float softness, Draws& draws) {
-  std::vector<HoleCandidate> candidates = drawn(hole, reach_px, guests, softness, draws);
-  for (HoleCandidate& c : candidates) {
+                                           float softness, Draws& draws, SharedTasks& tasks) {
+  const std::vector<HoleCandidate> all = drawn(hole, reach_px, guests, draws);
+  std::vector<HoleCandidate> candidates = shared_best_of(all, hole, guests, softness, tasks);
+  tasks.run(candidates.size(), [&](std::size_t i) {
+    HoleCandidate& c = candidates[i];
     c.canvas_from_shape = refined(hole, guests[c.incoming], c.canvas_from_shape);
     c.score_px2 = score(hole, guests[c.incoming], c.canvas_from_shape, softness, 0);
-  }
+  });
   std::stable_sort(candidates.begin(), candidates.end(), scores_better);
   std::vector<HoleCandidate> distinct;
   for (const HoleCandidate& c : candidates) {

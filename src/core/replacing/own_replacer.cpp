@@ -56,8 +56,8 @@ std::vector<ReplacementOutcome> OwnReplacer::take_replaced() {
   {
     std::vector<std::jthread> threads;
     try {
-      const std::size_t wanted = std::min(windows.size(), std::size_t(threads_));
-      for (std::size_t i = 0; i < wanted; ++i) threads.emplace_back([&queue] { queue.work(); });
+      const int wanted = windows.empty() ? 0 : threads_;
+      for (int i = 0; i < wanted; ++i) threads.emplace_back([&queue] { queue.work(); });
       while (!queue.wait(kBetweenLooks)) look_();
     } catch (...) {
       queue.give_up();

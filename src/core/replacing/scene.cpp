@@ -24,28 +24,30 @@ std::vector<LaidPiece> laid(const Scene& scene) {
   return all;
 }
 
-std::size_t points_within(const std::vector<Vec2>& points, const LaidPiece& piece, const LaidPiece& other) {
-  std::size_t count = 0;
-  for (const Vec2 p : points) {
+/// How much of `piece` lies in `other`, by the points of its inside.
+double within_px2(const LaidPiece& piece, const HoleShape& shape, const LaidPiece& other) {
+  std::size_t points = 0;
+  for (const Vec2 p : shape.interior) {
     const Vec2 at = piece.canvas_from_shape.apply(p);
-    count += within_reach(other.box, {at, at}, 0) && other.distance(at).value < 0;
+    points += within_reach(other.box, {at, at}, 0) && other.distance(at).value < 0;
   }
-  return count;
+  const double area_px2 = double(piece.scale_px) * double(piece.scale_px);
+  return points > 0 ? area_px2 * double(points) / double(shape.interior.size()) : 0;
 }
 
-/// Boundaries alone do not see a piece that lies wholly within another, or just on one of its own shape.
+/// Boundaries alone do not see a piece that lies wholly within another, or just on one of its own shape. Of each pair
+/// that a trial may change: what of the one lies in the other, and of the other in the one.
 double covered_twice_px2(const Scene& scene) {
   const std::vector<LaidPiece> all = laid(scene);
+  std::vector<bool> active(all.size(), false);
+  for (const std::size_t i : scene.active) active[i] = true;
   double covered_px2 = 0;
   for (const std::size_t i : scene.active) {
-    const std::vector<Vec2>& interior = scene.shapes[i]->interior;
-    std::size_t points = 0;
     for (std::size_t j = 0; j < all.size(); ++j) {
-      if (j != i && within_reach(all[i].box, all[j].box, 0)) points += points_within(interior, all[i], all[j]);
+      if (j == i || !within_reach(all[i].box, all[j].box, 0)) continue;
+      covered_px2 += within_px2(all[i], *scene.shapes[i], all[j]);
+      if (!active[j]) covered_px2 += within_px2(all[j], *scene.shapes[j], all[i]);  // else it does so itself
     }
-    if (points == 0) continue;
-    const double area_px2 = double(all[i].scale_px) * double(all[i].scale_px);
-    covered_px2 += area_px2 * double(points) / double(interior.size());
   }
   return covered_px2;
 }

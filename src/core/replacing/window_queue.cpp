@@ -28,12 +28,13 @@ void WindowQueue::work() noexcept {
   try {
     for (std::size_t k = next_++; k < order_.size() && !given_up_; k = next_++) {
       const std::size_t i = order_[k];
-      outcomes_[i] = replaced(windows_[i], shapes_, [this] {
+      const auto look = [this] {
         if (given_up_) throw GivenUp{};
-      });
-      const std::lock_guard lock(mutex_);
-      if (++done_ == windows_.size()) ended_.notify_all();
+      };
+      outcomes_[i] = replaced(windows_[i], shapes_, look, tasks_);
+      count_done();
     }
+    tasks_.help();
   } catch (const GivenUp&) {
   } catch (...) {
     const std::lock_guard lock(mutex_);
@@ -41,6 +42,18 @@ void WindowQueue::work() noexcept {
     give_up();
     ended_.notify_all();
   }
+}
+
+void WindowQueue::count_done() {
+  const std::lock_guard lock(mutex_);
+  if (++done_ < windows_.size()) return;
+  ended_.notify_all();
+  tasks_.close();
+}
+
+void WindowQueue::give_up() {
+  given_up_ = true;
+  tasks_.close();
 }
 
 bool WindowQueue::wait(std::chrono::milliseconds most) {

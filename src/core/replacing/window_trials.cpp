@@ -47,9 +47,10 @@ struct Trial {
 
 class WindowTrials {
  public:
-  WindowTrials(const ReplacementWindow& window, const HoleShapes& shapes)
+  WindowTrials(const ReplacementWindow& window, const HoleShapes& shapes, SharedTasks& tasks)
       : window_(window),
         shapes_(shapes),
+        tasks_(tasks),
         relaxation_(window),
         pieces_(window, shapes, relaxation_.edge()),
         repetition_(window),
@@ -139,56 +140,62 @@ class WindowTrials {
   Attempt best_attempt(const Trial& trial, double old_energy_px2) {
     const Hole hole = pieces_.hole_of(trial.centre_px, trial.out, trial.reach_px + kBeyondReach_px);
     const float softness = kSoftness * (0.6f + 0.8f * draws_.unit());
-    Attempt best;
-    for (const HoleCandidate& candidate : best_candidates(hole, trial.reach_px, guests(), softness, draws_)) {
-      Attempt attempt;
-      add(candidate, attempt);
-      for (std::size_t k = 1; k < trial.out.size() && fill_rest(attempt, hole, trial.reach_px, softness);) ++k;
-      for (const HoleCandidate& in : attempt.incoming) repetition_.remove(incoming(in).drawing);
-      attempt.scene = scene_of(trial, attempt.incoming);
-      relaxation_.soften(attempt.scene);
-      attempt.energy_px2 = relaxation_.energy_px2(attempt.scene) + attempt.repetition_px2;
-      if (best.incoming.empty() || attempt.energy_px2 < best.energy_px2) best = std::move(attempt);
-    }
+    const std::vector<HoleCandidate> candidates =
+        best_candidates(hole, trial.reach_px, guests(repetition_), softness, draws_, tasks_);
+    if (candidates.empty()) return {};
+    const std::uint64_t key = draws_.bits();
+    std::vector<Attempt> attempts(candidates.size());
+    tasks_.run(candidates.size(),
+               [&](std::size_t i) { attempts[i] = attempt(trial, hole, softness, candidates[i], Draws(key + i)); });
+    Attempt& best = *std::min_element(attempts.begin(), attempts.end(),
+                                      [](const Attempt& a, const Attempt& b) { return a.energy_px2 < b.energy_px2; });
     const double most_px2 = old_energy_px2 + double(kGiveUp * window_.least_scale_px * window_.most_scale_px);
-    if (best.incoming.empty() || best.energy_px2 > most_px2) return {};
+    if (best.energy_px2 > most_px2) return {};
     relaxation_.come_to_rest(best.scene);
     best.energy_px2 = relaxation_.energy_px2(best.scene) + best.repetition_px2;
-    return best;
+    return std::move(best);
+  }
+
+  /// The candidate in the hole, as many more as went out, and room made for them.
+  Attempt attempt(const Trial& trial, Hole hole, float softness, const HoleCandidate& first, Draws draws) const {
+    Attempt made;
+    Repetition repetition = repetition_;
+    add(first, repetition, made);
+    while (made.incoming.size() < trial.out.size()) {
+      hole.add(laid(made.incoming.back()));
+      const auto more = best_candidates(hole, trial.reach_px, guests(repetition), softness, draws, tasks_);
+      if (more.empty()) break;
+      add(more.front(), repetition, made);
+    }
+    made.scene = scene_of(trial, made.incoming);
+    relaxation_.soften(made.scene);
+    made.energy_px2 = relaxation_.energy_px2(made.scene) + made.repetition_px2;
+    return made;
   }
 
   /// In the order of the window's incoming shapes.
-  std::vector<HoleGuest> guests() const {
+  std::vector<HoleGuest> guests(const Repetition& repetition) const {
     std::vector<HoleGuest> all;
     for (const IncomingShape& in : window_.incoming) {
-      all.push_back({shapes_.at(in.shape), in.poses, in.weight, 1 - repetition_.cost(in.drawing)});
+      all.push_back({shapes_.at(in.shape), in.poses, in.weight, 1 - repetition.cost(in.drawing)});
     }
     return all;
   }
 
   const IncomingShape& incoming(const HoleCandidate& candidate) const { return window_.incoming[candidate.incoming]; }
 
-  void add(const HoleCandidate& candidate, Attempt& attempt) {
+  void add(const HoleCandidate& candidate, Repetition& repetition, Attempt& attempt) const {
     const IncomingShape& in = incoming(candidate);
     const float scale_px = candidate.canvas_from_shape.scale();
     attempt.incoming.push_back(candidate);
-    attempt.repetition_px2 += double(scale_px * scale_px * repetition_.cost(in.drawing));
-    repetition_.add(in.drawing);
+    attempt.repetition_px2 += double(scale_px * scale_px * repetition.cost(in.drawing));
+    repetition.add(in.drawing);
   }
 
   LaidPiece laid(const HoleCandidate& candidate) const {
     LaidPiece piece;
     piece.lay(shapes_.at(incoming(candidate).shape)->contact, candidate.canvas_from_shape);
     return piece;
-  }
-
-  /// Puts one more piece beside those that came in. False where nothing fits.
-  bool fill_rest(Attempt& attempt, Hole hole, float reach_px, float softness) {
-    for (const HoleCandidate& in : attempt.incoming) hole.add(laid(in));
-    const std::vector<HoleCandidate> more = best_candidates(hole, reach_px, guests(), softness, draws_);
-    if (more.empty()) return false;
-    add(more.front(), attempt);
-    return true;
   }
 
   Scene scene_of(const Trial& trial, const std::vector<HoleCandidate>& coming) const {
@@ -225,6 +232,7 @@ class WindowTrials {
 
   const ReplacementWindow& window_;
   const HoleShapes& shapes_;
+  SharedTasks& tasks_;
   SceneRelaxation relaxation_;
   WindowPieces pieces_;
   Repetition repetition_;
@@ -236,8 +244,8 @@ class WindowTrials {
 }  // namespace
 
 ReplacementOutcome replaced(const ReplacementWindow& window, const HoleShapes& shapes,
-                            const std::function<void()>& look) {
-  return WindowTrials(window, shapes).run(look);
+                            const std::function<void()>& look, SharedTasks& tasks) {
+  return WindowTrials(window, shapes, tasks).run(look);
 }
 
 }  // namespace tessera
