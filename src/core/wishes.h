@@ -2,6 +2,8 @@
 // to this once, by the names of the library's shapes and of the canvas' regions (io/job/wish_resolution.h).
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -68,6 +70,11 @@ struct Wishes {
   std::vector<RegionWish> regions;            // of the canvas, in the order in which they are filled; empty: one
 
   std::vector<GivenPiece> given;  // the locked ones first
+
+  /// So many of the given pieces stand to the end.
+  std::size_t locked() const {
+    return std::size_t(std::count_if(given.begin(), given.end(), [](const GivenPiece& piece) { return piece.locked; }));
+  }
 
   friend bool operator==(const Wishes&, const Wishes&) = default;
 };

@@ -78,7 +78,8 @@ void Collage::check_pieces(const CheckpointState& state) const {
     }
     if (!(is_given ? sane(pose) : sane(pose, settings_.pieces))) fail(state, "a piece out of all proportion");
   };
-  const std::size_t any_size = given_ + (settings_.wishes.given.size() > given_ ? state.placements.size() : 0);
+  const Wishes& wishes = settings_.wishes;
+  const std::size_t any_size = wishes.given.size() > wishes.locked() ? state.placements.size() : given_;
   for (std::size_t i = 0; i < state.placements.size(); ++i) {
     check(state.placements[i].shape, state.placements[i].canvas_from_shape, i < any_size);
   }
@@ -98,7 +99,7 @@ void Collage::check_pieces(const CheckpointState& state) const {
 void Collage::check_moving(const CheckpointState& state, const CheckPiece& check) const {
   const std::vector<Placement>& moving = state.moving;
   if (moving.empty()) return;
-  const bool any_size = settings_.wishes.given.size() > given_;
+  const bool any_size = settings_.wishes.given.size() > settings_.wishes.locked();
   const auto given = std::ptrdiff_t(given_);
   if (!state.improving || moving.size() < given_ ||
       !std::equal(moving.begin(), moving.begin() + given, state.placements.begin())) {

@@ -20,6 +20,7 @@
 #include "master/improving.h"
 #include "master/improving_budget.h"
 #include "master/replacing.h"
+#include "master/standing_pieces.h"
 
 namespace tessera::master {
 namespace {
@@ -70,13 +71,14 @@ class Run {
         observer_(observer),
         keeper_(checkpoints.keeper),
         context_(make_matching_context(settings, matcher.shapes().end)),
+        given_(canvas, settings.wishes, shapes),
         budget_(canvas, settings),
         own_replacer_(shapes, 1, [this] { look(); }),
         replacer_(replacer ? *replacer : own_replacer_) {
     if (checkpoints.from) {
       restore(*checkpoints.from);
     } else {
-      begin(0, given_pieces(), locked());
+      begin(0, given_.at_first());
     }
     setup_processor_s_ = processor_time_s() - processor_before_s_;
   }
@@ -102,43 +104,27 @@ class Run {
   Collage& collage() const { return part_->collage; }
   Filling& filling() const { return part_->filling; }
 
-  std::vector<Placement> given_pieces() const {
-    std::vector<Placement> placements;
-    for (const GivenPiece& piece : settings_.wishes.given) {
-      placements.push_back({piece.shape, canvas_.period.wrapped(piece.canvas_from_shape), 0, 0});
-    }
-    return placements;
-  }
-
-  /// Of the given pieces.
-  std::size_t locked() const {
-    const std::vector<GivenPiece>& given = settings_.wishes.given;
-    return std::size_t(std::count_if(given.begin(), given.end(), [](const GivenPiece& piece) { return piece.locked; }));
-  }
-
   void look() const {
     if (const char* reason = observer_.stop_requested()) throw StoppedBetween{{reason}};
   }
 
-  /// The first `given` of the standing pieces stand to the end.
-  void begin(std::uint32_t region, std::vector<Placement> standing, std::size_t given) {
+  void begin(std::uint32_t region, StandingPieces standing) {
     const Canvas part = region_of(canvas_, region);
     part_ = std::make_unique<Part>(part, settings_, context_, matcher_, shapes_, statistics_, [this] { look(); });
-    if (settings_.start.grow_outward) collage().grow_by(OutwardGrowth(part, settings_.pieces, standing, shapes_));
-    collage().begin(std::move(standing), given, region, size_of_attempt(attempt_));
+    if (settings_.start.grow_outward)
+      collage().grow_by(OutwardGrowth(part, settings_.pieces, standing.pieces, shapes_));
+    collage().begin(std::move(standing.pieces), standing.given, region, size_of_attempt(attempt_));
     improving_ = false;
     moving_.clear();
     replaced_ = 0;
   }
 
-  /// What stands is given to the next region. False where there is none, or the run is over.
+  /// What stands is given to the next region, but for what may move there. False where there is none, or the run is over.
   bool begin_next_region() {
     const std::uint32_t next = collage().limits().region + 1;
     if (unfinished_ || over_ || next >= canvas_.regions.size()) return false;
     attempt_ = 0;
-    std::vector<Placement> standing = collage().placements();
-    const std::size_t given = standing.size();
-    begin(next, std::move(standing), given);
+    begin(next, given_.when_begun(next, collage().placements()));
     return true;
   }
 
@@ -146,7 +132,7 @@ class Run {
   /// job gives.
   void begin_again(std::uint32_t region, std::vector<Placement> placements, std::size_t given) {
     placements.resize(given);
-    begin(region, region == 0 ? given_pieces() : std::move(placements), given);
+    begin(region, region == 0 ? given_.at_first() : given_.when_begun_with(region, std::move(placements)));
   }
 
   /// Every shape is to have a place: where some have none, all over again with smaller sizes.
@@ -194,7 +180,8 @@ class Run {
   }
 
   void check_given(const CheckpointState& from) const {
-    const bool as_many = from.region > 0 ? from.given >= locked() : from.given == locked();
+    const std::size_t given = given_.at_first().given;
+    const bool as_many = from.region > 0 ? from.given >= settings_.wishes.locked() : from.given == given;
     if (as_many && from.begun_with == begun_with()) return;
     throw InputError(from.name + ": begun with other pieces than [[given]] and start.pieces have now; give what they " +
                      "were then, or --restart, which removes it and starts again");
@@ -219,8 +206,8 @@ class Run {
     while (!should_stop()) {
       if (!filling().place_one()) {
         if (begin_next_attempt()) continue;
-        statistics_.stopped_by = collage().may_go_on() ? "full" : "used_up";
-        improving_ = settings_.improve.trials > 0 || settings_.improve.seconds > 0;
+        statistics_.stopped_by = why_filled();
+        improving_ = improves();
         return;
       }
       after_step();
@@ -228,7 +215,7 @@ class Run {
   }
 
   void improve() {
-    statistics_.stopped_by = collage().may_go_on() ? "full" : "used_up";
+    statistics_.stopped_by = why_filled();
     filling().count_into(trial_work_);
     improve_clock_ = {statistics_.improve_s, {}};
     const auto first_trial = std::uint32_t(budget_.first_trial(region()));
@@ -309,13 +296,27 @@ class Run {
   }
 
   bool should_stop() {
-    const StopSettings& stop = settings_.stop;
-    if (stop.pieces > 0 && collage().placements().size() >= std::size_t(stop.pieces)) {
+    if (has_all_pieces(collage().placements().size())) {
       statistics_.stopped_by = "pieces";
-      over_ = true;
+      improving_ = improves() && moves_given_pieces_only();
+      over_ = !improving_;
       return true;
     }
     return reached_limit() || interrupted();
+  }
+
+  bool has_all_pieces(std::size_t pieces) const {
+    return settings_.stop.pieces > 0 && pieces >= std::size_t(settings_.stop.pieces);
+  }
+
+  /// The pieces of an earlier result, as many as the job wants: who gives them free wants them improved.
+  bool moves_given_pieces_only() const { return given_.any_free() && has_all_pieces(given_.size()); }
+
+  bool improves() const { return settings_.improve.trials > 0 || settings_.improve.seconds > 0; }
+
+  const char* why_filled() const {
+    if (moves_given_pieces_only()) return "pieces";
+    return collage().may_go_on() ? "full" : "used_up";
   }
 
   /// That ends filling and improving alike.
@@ -365,6 +366,7 @@ class Run {
   Observer& observer_;
   CheckpointKeeper* keeper_;
   MatchingContext context_;
+  GivenPieces given_;
   ImprovingBudget budget_;
   RunStatistics statistics_;  // of the greedy part, with the number of trials
   RunStatistics trial_work_;

@@ -107,7 +107,7 @@ std::vector<Placement> Improving::ruined(std::uint64_t random) {
 
 void Improving::fill(const Look& look) {
   do look();
-  while (filling_.place_one());
+  while (collage_.placements().size() < most_pieces_ && filling_.place_one());
 }
 
 /// What is free, what is covered twice, and some of what dwarfs cover.
@@ -174,10 +174,7 @@ Trial Improving::try_with(const std::function<void(const Look&)>& change, const 
     collage_.replace_placements(before);
     throw;
   }
-  if (collage_.placements().size() <= most_pieces_ && collage_.missing().size() <= missing_before &&
-      loss_256ths_px2() < loss_before) {
-    return Trial::kept;
-  }
+  if (collage_.missing().size() <= missing_before && loss_256ths_px2() < loss_before) return Trial::kept;
   collage_.replace_placements(before);
   return Trial::put_back;
 }

@@ -37,7 +37,19 @@ std::uint64_t ImprovingBudget::replacements(std::uint32_t region, std::size_t pi
   return std::uint64_t(in_time < kMostReplacements ? std::max(0., in_time) : kMostReplacements);
 }
 
+/// By area; but each region has one, where there are as many: with it all its pieces move.
 std::uint64_t ImprovingBudget::trials_below(std::uint32_t end) const {
+  const std::uint64_t regions = canvas_.regions.size();
+  const auto trials = std::uint64_t(settings_.improve.trials);
+  if (regions < 2 || trials < regions) return share_below(end);
+  std::uint64_t below = 0;
+  for (std::uint32_t r = 1; r <= end; ++r) {
+    below = std::min(std::max(share_below(r), below + 1), trials - (regions - r));
+  }
+  return below;
+}
+
+std::uint64_t ImprovingBudget::share_below(std::uint32_t end) const {
   if (end == 0) return 0;
   double before_px2 = 0;
   double all_px2 = 0;

@@ -32,6 +32,7 @@ class ImprovingBudget {
 
  private:
   std::uint64_t trials_below(std::uint32_t end) const;
+  std::uint64_t share_below(std::uint32_t end) const;
 
   const Canvas& canvas_;
   const CollageSettings& settings_;

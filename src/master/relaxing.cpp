@@ -14,9 +14,6 @@
 namespace tessera::master {
 namespace {
 
-/// Where sizes differ more, dwarfs fill the gaps as well as pieces that grow into them (docs/measurements.md).
-constexpr float kMostSizeRatio = 5;
-
 /// Pieces of fixed sizes would cover no more, and what moves opens gaps.
 bool any_may_grow(const CollageSettings& s) {
   const StanceTable table(s, std::uint32_t(s.wishes.class_of_shape.size()));
@@ -26,10 +23,16 @@ bool any_may_grow(const CollageSettings& s) {
 
 }  // namespace
 
-bool pays_to_relax(const CollageSettings& s) {
-  return s.improve.relax && s.pieces.max_scale_px <= kMostSizeRatio * s.pieces.min_scale_px && !s.pieces.size_map &&
-         !s.colour && any_may_grow(s);
+std::optional<NoRelaxing> why_not_relaxed(const CollageSettings& s) {
+  if (!s.improve.relax) return NoRelaxing::not_wanted;
+  if (s.pieces.size_map) return NoRelaxing::sizes_by_place;
+  if (s.colour) return NoRelaxing::colours_by_place;
+  if (s.pieces.max_scale_px > kMostRelaxedSizeRatio * s.pieces.min_scale_px) return NoRelaxing::sizes_differ;
+  if (!any_may_grow(s)) return NoRelaxing::sizes_fixed;
+  return {};
 }
+
+bool pays_to_relax(const CollageSettings& settings) { return !why_not_relaxed(settings); }
 
 std::uint32_t trials_per_relaxation(double area_px2, const PieceSettings& pieces) {
   const double pieces_at_most = area_px2 / (double(pieces.min_scale_px) * pieces.max_scale_px);

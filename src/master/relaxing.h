@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,8 +18,19 @@
 
 namespace tessera::master {
 
-/// Where the job wants it, sizes are much alike and some piece may grow; colours and sizes that go by the place would
-/// not hold where a piece moved to.
+/// Where sizes differ more, dwarfs fill the gaps as well as pieces that grow into them (docs/measurements.md).
+inline constexpr float kMostRelaxedSizeRatio = 5;
+
+enum class NoRelaxing {
+  not_wanted,        // by the job
+  sizes_by_place,    // they would not hold where a piece moved to
+  colours_by_place,  // nor would these
+  sizes_differ,      // more than kMostRelaxedSizeRatio
+  sizes_fixed,       // no piece may grow
+};
+
+/// Nothing where relaxing pays.
+std::optional<NoRelaxing> why_not_relaxed(const CollageSettings& settings);
 bool pays_to_relax(const CollageSettings& settings);
 
 /// About as many as there are pieces on so large a canvas, as it takes as much longer.

@@ -189,8 +189,6 @@ TEST_F(WishResolution, NamesThatThereAreNotAreTold) {
             std::string::npos);
   const std::string region = "[[regions]]\nname = 'sea'\ncolour = '#0000ff'\n";
   EXPECT_NE(mistake(region + region).find("two with the name \"sea\""), std::string::npos);
-  EXPECT_NE(mistake("[start]\nkeep = 'free'\n" + region).find("start.keep: found \"free\" where there are [[regions]]"),
-            std::string::npos);
   EXPECT_NE(mistake("fit = 'all'\n" + region).find("pieces.fit: found \"all\" where there are [[regions]]"),
             std::string::npos);
 }

@@ -41,6 +41,22 @@ TEST(ImprovingBudget, DividesTrialsByArea) {
   EXPECT_FALSE(budget.may_go_on(1, 50, 0));
 }
 
+/// A trial that moves all of its pieces, however small it is.
+TEST(ImprovingBudget, EachRegionHasATrialWhereThereAreAsMany) {
+  Canvas canvas = two_regions();
+  canvas.regions.push_back({{}, 1});
+  canvas.regions[1].area_px2 = 7'499;
+  const auto first_trials = [&](int trials) {
+    const CollageSettings s = improving(trials);
+    const ImprovingBudget budget(canvas, s);
+    return std::vector{budget.first_trial(0), budget.first_trial(1), budget.first_trial(2)};
+  };
+  EXPECT_EQ(first_trials(2), (std::vector<std::uint64_t>{0, 0, 1})) << "too few";
+  EXPECT_EQ(first_trials(3), (std::vector<std::uint64_t>{0, 1, 2}));
+  EXPECT_EQ(first_trials(100), (std::vector<std::uint64_t>{0, 25, 99}));
+  EXPECT_EQ(first_trials(100'000), (std::vector<std::uint64_t>{0, 25'000, 99'990})) << "by area alone";
+}
+
 TEST(ImprovingBudget, WithoutRegionsTheCanvasHasAll) {
   Canvas canvas;
   canvas.area_px2 = 10'000;

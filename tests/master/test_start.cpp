@@ -158,6 +158,24 @@ TEST(WarmStart, FreePiecesAreRepeatable) {
   expect_repeatable(canvas, s, run(canvas, s));
 }
 
+/// Of a job that wants no more: they are improved all the same, and no piece is added.
+TEST(WarmStart, FreePiecesThatAreEnoughAreImproved) {
+  const Canvas canvas = make_rectangle_canvas(240, 160);
+  CollageSettings s = settings();
+  s.stop.pieces = 6;
+  const CollageResult few = run(canvas, s);
+  ASSERT_EQ(few.placements.size(), 6u);
+  s.improve.trials = 3;
+  s.wishes.given = as_given(few.placements, false);
+  const CollageResult result = run(canvas, s);
+  EXPECT_EQ(result.placements.size(), 6u);
+  EXPECT_EQ(result.statistics.trials, 3u);
+  EXPECT_EQ(result.statistics.stopped_by, "pieces");
+  EXPECT_GT(quality(canvas, result).coverage, quality(canvas, few).coverage + 0.01);
+  s.wishes.given = as_given(few.placements, true);
+  EXPECT_EQ(run(canvas, s).statistics.trials, 0u) << "nothing may move";
+}
+
 TEST(WarmStart, FreePiecesStandAgainAtEachAttemptToFitAll) {
   CollageSettings s = settings();
   s.pieces.fit_all = true;

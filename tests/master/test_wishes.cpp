@@ -1,6 +1,8 @@
 // Wishes in whole collages: who stands where, what is given, every shape once; and each of them after interruptions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -99,6 +101,60 @@ TEST(Wishes, PiecesOfEachRegionMoveTogether) {
   EXPECT_EQ(relaxed.statistics.trials_kept, 2u);
   EXPECT_GT(quality(canvas, relaxed).coverage, quality(canvas, filled).coverage + 0.002);
   EXPECT_LT(quality(canvas, relaxed).overlap, 0.01);
+}
+
+std::vector<GivenPiece> as_free(const std::vector<Placement>& placements, std::size_t locked) {
+  std::vector<GivenPiece> pieces;
+  for (const Placement& p : placements) pieces.push_back({p.shape, p.canvas_from_shape, pieces.size() < locked});
+  return pieces;
+}
+
+/// Of the left region's pieces and of the right one's, those that are not where they were.
+std::array<int, 2> moved_by_region(const std::vector<GivenPiece>& given, const std::vector<Placement>& placements) {
+  std::array<int, 2> moved{};
+  for (const GivenPiece& piece : given) {
+    const bool stands = std::any_of(placements.begin(), placements.end(),
+                                    [&](const Placement& p) { return p.canvas_from_shape == piece.canvas_from_shape; });
+    moved[piece.canvas_from_shape.tx > 120] += !stands;
+  }
+  return moved;
+}
+
+/// Each moves while its own region is improved; those that are locked never do.
+TEST(Wishes, FreePiecesMoveInTheirOwnRegion) {
+  const Canvas canvas = two_regions();
+  CollageSettings s = settings();
+  s.wishes.regions.resize(2);
+  const CollageResult filled = run(canvas, s);
+  constexpr std::size_t kLocked = 2;
+  s.wishes.given = as_free(filled.placements, kLocked);
+  std::swap(s.wishes.given[kLocked], s.wishes.given.back());  // in any order of the regions
+  s.improve.trials = 2;
+  const CollageResult relaxed = run(canvas, s);
+  EXPECT_EQ(relaxed.statistics.trials_kept, 2u);
+  EXPECT_GT(quality(canvas, relaxed).coverage, quality(canvas, filled).coverage + 0.002);
+  EXPECT_LT(quality(canvas, relaxed).overlap, 0.01);
+  EXPECT_LT(quality(canvas, relaxed).outside, 0.01);
+  const std::array<int, 2> moved = moved_by_region(s.wishes.given, relaxed.placements);
+  EXPECT_GT(moved[0], 1);
+  EXPECT_GT(moved[1], 1);
+  for (std::size_t i = 0; i < kLocked; ++i) {
+    EXPECT_EQ(relaxed.placements[i].canvas_from_shape, filled.placements[i].canvas_from_shape);
+  }
+}
+
+TEST(Wishes, FreePiecesOfRegionsAreTheSameAfterInterruptions) {
+  const Canvas canvas = two_regions();
+  CollageSettings s = settings();
+  s.wishes.regions.resize(2);
+  std::vector<Placement> some = run(canvas, s).placements;
+  for (std::size_t i = some.size(); i > 0; --i) {
+    if (i % 2 == 0) some.erase(some.begin() + std::ptrdiff_t(i - 1));
+  }
+  s.wishes.given = as_free(some, 1);
+  s.wishes.given.push_back({ShapeId{4}, {7, 0, 230, 10}, false});  // smaller than the job's pieces
+  s.improve.trials = 6;
+  expect_repeatable(canvas, s, run(canvas, s));
 }
 
 TEST(Wishes, SizesAndAnglesAreThoseThatWereWishedFor) {

@@ -52,9 +52,6 @@ class Resolution {
     if (!region_rows_.empty() && job_.settings.pieces.fit_all) {
       fail("pieces.fit: found \"all\" where there are [[regions]], allowed: \"free\"");
     }
-    if (!region_rows_.empty() && job_.start.free) {
-      fail("start.keep: found \"free\" where there are [[regions]], allowed: \"locked\"");
-    }
     for (const JobRow& row : region_rows_) add_region(row);
     if (!shape_rows_.empty() || job_.drawn_sizes) add_classes();
     for (const JobRow& row : given_rows_) wishes_.given.push_back(given_piece(row));

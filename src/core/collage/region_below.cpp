@@ -1,0 +1,25 @@
+#include "core/collage/region_below.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "core/field/field_lookup.h"
+#include "core/geometry/rasterise.h"
+
+namespace tessera {
+
+std::uint32_t region_below(const Canvas& canvas, const Outline& outline, const Similarity& canvas_from_shape) {
+  std::vector<FieldView> regions;
+  for (const CanvasRegion& region : canvas.regions) regions.emplace_back(region.distance);
+  std::vector<std::size_t> cells(std::max<std::size_t>(1, regions.size()), 0);
+  for (const Span& span : fill_spans(outline, canvas_from_shape, {0, 0, canvas.width_px, canvas.height_px})) {
+    for (int x = span.x0; x < span.x1; ++x) {
+      const Vec2 middle_px{float(x) + 0.5f, float(span.y) + 0.5f};
+      for (std::size_t r = 0; r < regions.size(); ++r) cells[r] += field_value(regions[r], middle_px) > 0;
+    }
+  }
+  return std::uint32_t(std::max_element(cells.begin(), cells.end()) - cells.begin());
+}
+
+}  // namespace tessera
