@@ -64,6 +64,15 @@ TEST(GeoJson, SaysWhichPiecesAreMirroredAndWhichGroupTheyAreOf) {
   EXPECT_FALSE(ring.contains("group"));
 }
 
+TEST(GeoJson, SaysWhichPiecesAreLocked) {
+  test::SampleCollage sample;
+  const Similarity pose = sample.report.placements[0].canvas_from_shape;
+  sample.job.settings.wishes.given = {{ShapeId{7}, pose}, {ShapeId{7}, pose, false}};
+  const json features = json::parse(geojson_text(sample.report))["features"];
+  EXPECT_EQ(features[0]["properties"]["locked"], true);
+  EXPECT_FALSE(features[1]["properties"].contains("locked"));
+}
+
 TEST(GeoJson, RingsAreClosedAndTurnAsTheStandardSays) {
   const test::SampleCollage sample;
   const json geometry = json::parse(geojson_text(sample.report))["features"][1]["geometry"];

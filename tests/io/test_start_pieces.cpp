@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/pose.h"
 #include "io/result/geojson_output.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
@@ -80,6 +81,37 @@ TEST_F(StartPieces, ComeAfterThoseThatAreGiven) {
   job.start.free = true;
   EXPECT_FALSE(added(job)[1].locked);
   EXPECT_TRUE(job.settings.wishes.given[0].locked);
+}
+
+TEST_F(StartPieces, ThoseThatTheFileLocksStandThoughOthersAreFree) {
+  const std::string locked = R"({"shape":"ring","scale":9,"rotation_deg":0,"x_px":1,"y_px":2,"locked":true})";
+  const std::string loose = R"({"shape":"bear","scale":9,"rotation_deg":0,"x_px":1,"y_px":2,"locked":false})";
+  Job job;
+  job.start.free = true;
+  job.start.pieces =
+      folder_.write("pieces.geojson", collection(feature(kGood) + "," + feature(locked) + "," + feature(loose)));
+  const std::vector<GivenPiece> pieces = added(job);
+  ASSERT_EQ(pieces.size(), 3u);
+  EXPECT_EQ(pieces[0].shape, ShapeId{2}) << "the locked one first";
+  EXPECT_EQ(job.settings.wishes.locked(), 1u);
+  EXPECT_EQ(pieces[1].shape, ShapeId{1});
+  expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":0,"x_px":0,"y_px":0,"locked":1})",
+                 "locked: found 1, allowed: true or false");
+}
+
+/// A result has them among its pieces.
+TEST_F(StartPieces, ThoseOfGivenDoNotStandTwice) {
+  Job job;
+  job.canvas.seamless = Seamless::x;
+  job.canvas.width_px = 300;
+  job.settings.wishes.given = {{ShapeId{1}, pose_of(40.0004, 449.9996, 350.4997, -20)}};
+  job.start.pieces = folder_.write("pieces.geojson", collection(feature(kGood) + "," + feature(kGood)));
+  const GivenPiece given = job.settings.wishes.given[0];
+  const std::vector<GivenPiece> pieces = added(job);
+  ASSERT_EQ(pieces.size(), 2u) << "each stands for one";
+  EXPECT_EQ(pieces[0], given) << "as the job gives it";
+  job.settings.wishes.given = {{ShapeId{1}, pose_of(40, 90, 50.6, -20)}, {ShapeId{0}, pose_of(40, 90, 50.5, -20)}};
+  EXPECT_EQ(added(job).size(), 4u) << "beside it, and another one";
 }
 
 TEST_F(StartPieces, TheFolderOfAResultIsAsGoodAsItsFile) {

@@ -15,6 +15,7 @@ class CheckpointFolder {
   const std::string& previous() const { return previous_; }
   bool has_latest() const;
   bool has_previous() const;
+  bool has_any() const { return has_latest() || has_previous(); }
 
   /// `bytes` become the latest checkpoint, that one the previous; both are on the disk when this returns. There is
   /// never a moment without a whole checkpoint. Throws EnvironmentError with the reason; the latest one is untouched

@@ -39,8 +39,10 @@ Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState
   return {to_toml(*origin.job), origin.library_digest, origin.canvas_digest, origin.overlay_digest, state};
 }
 
-std::string origin_differences(const CheckpointOrigin& then, const CheckpointOrigin& now) {
-  std::string differences = job_differences(*then.job, *now.job, counts);
+std::string origin_differences(const CheckpointOrigin& then, const CheckpointOrigin& now,
+                               const std::function<bool(const JobKey&)>& concerned) {
+  std::string differences =
+      job_differences(*then.job, *now.job, [&](const JobKey& key) { return counts(key) && concerned(key); });
   if (then.library_digest != now.library_digest) {
     differences += differing_file("library.file", library_text(*then.job), library_text(*now.job));
   }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "core/field/canvas.h"
 #include "io/checkpoint/checkpoint_file.h"
 #include "io/job/job_file.h"
+#include "io/job/job_keys.h"
 #include "io/library/shape_library.h"
 
 namespace tessera::io {
@@ -27,8 +29,10 @@ CheckpointOrigin make_origin(const Job& job, const ShapeLibrary& library, const 
 Checkpoint make_checkpoint(const CheckpointOrigin& origin, const CheckpointState& state);
 
 /// "; KEY: then A, now B" for each difference that decides about the collage; empty where there is none. Keys that do
-/// not decide may differ, and files may have moved.
-std::string origin_differences(const CheckpointOrigin& then, const CheckpointOrigin& now);
+/// not decide may differ, and files may have moved. Of keys only those count that are `concerned`, of files all.
+std::string origin_differences(
+    const CheckpointOrigin& then, const CheckpointOrigin& now,
+    const std::function<bool(const JobKey&)>& concerned = [](const JobKey&) { return true; });
 
 /// Throws InputError where `checkpoint` belongs to others: the file, then each difference with its key, what it was
 /// then and what it is now (origin_differences).

@@ -1,12 +1,15 @@
 #include "io/job/start_pieces.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/geometry/period.h"
 #include "io/job/job_entry.h"
 #include "io/nearest_name.h"
 #include "io/number_text.h"
@@ -59,7 +62,7 @@ class Filter {
     if (depth == kCollection) return key == "features";
     if (depth == kProperties) return key == "properties";
     return depth == kProperty && (key == "shape" || key == kScale.key || key == kRotation.key || key == kX.key ||
-                                  key == kY.key || key == "mirrored");
+                                  key == kY.key || key == "mirrored" || key == "locked");
   }
 
   std::function<void(const json& feature)> take_;
@@ -88,10 +91,11 @@ double number(const json& properties, const Range& range) {
   return found;
 }
 
-bool is_mirrored(const json& properties) {
-  if (!properties.contains("mirrored")) return false;
-  const json& value = properties.at("mirrored");
-  if (!value.is_boolean()) fail("mirrored", found_text(value), "true or false");
+/// False where the feature does not say.
+bool flag(const json& properties, const char* key) {
+  if (!properties.contains(key)) return false;
+  const json& value = properties.at(key);
+  if (!value.is_boolean()) fail(key, found_text(value), "true or false");
   return value.get<bool>();
 }
 
@@ -109,7 +113,7 @@ class Names {
     const json& value = member(properties, "shape", allowed);
     if (!value.is_string()) fail("shape", found_text(value), allowed);
     const std::string name = value.get<std::string>();
-    const bool mirrored = is_mirrored(properties);
+    const bool mirrored = flag(properties, "mirrored");
     if (const auto found = index_[mirrored].find(name); found != index_[mirrored].end()) return ShapeId{found->second};
     if (index_[!mirrored].contains(name)) {
       fail("mirrored", mirrored ? "true" : "false",
@@ -124,20 +128,21 @@ class Names {
   std::array<std::unordered_map<std::string, std::uint32_t>, 2> index_;  // of the drawings, and of their mirror images
 };
 
-GivenPiece piece_of(const json& feature, const Names& names, bool locked) {
+GivenPiece piece_of(const json& feature, const Names& names, bool all_locked) {
   const json& properties = member(feature, "properties", "an object with shape, scale, rotation_deg, x_px and y_px");
   const ShapeId shape = names.id(properties);
   const double scale_px = number(properties, kScale);
   const double rotation_deg = number(properties, kRotation);
   const double x_px = number(properties, kX), y_px = number(properties, kY);
+  const bool locked = flag(properties, "locked") || all_locked;
   return {shape, pose_of(scale_px, rotation_deg, x_px, y_px), locked};
 }
 
-std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const Names& names, bool locked) {
+std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const Names& names, bool all_locked) {
   std::vector<GivenPiece> pieces;
   const auto take = [&](const json& feature) {
     try {
-      pieces.push_back(piece_of(feature, names, locked));
+      pieces.push_back(piece_of(feature, names, all_locked));
     } catch (const InputError& error) {
       throw InputError("feature " + std::to_string(pieces.size()) + ": " + error.what());
     }
@@ -146,6 +151,39 @@ std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const 
   const json& features = member(collection, "features", "a list of features, as in pieces.geojson");
   if (!features.is_array()) fail("features", found_text(features), "a list of features, as in pieces.geojson");
   return pieces;
+}
+
+/// In the file a pose is rounded to three decimals, px and degrees.
+bool same_as_written(const Similarity& given, const Similarity& read, const Period& period) {
+  constexpr float kRounding = 0.001f;
+  constexpr float kTurn_rad = 2e-5f;
+  const auto near = [](float a, float b, float by) { return std::abs(a - b) <= by; };
+  const float by = kRounding + kTurn_rad * read.scale();
+  const Vec2 at = period.nearest(given.translation(), read.translation());
+  return near(given.a, read.a, by) && near(given.b, read.b, by) && near(at.x, read.tx, kRounding) &&
+         near(at.y, read.ty, kRounding);
+}
+
+/// A result holds the pieces of its job's [[given]], too: with that job they are not to stand twice.
+void remove_given_again(const std::vector<GivenPiece>& given, const Period& period, std::vector<GivenPiece>& pieces) {
+  std::unordered_multimap<std::uint32_t, const GivenPiece*> by_shape;
+  for (const GivenPiece& piece : given) by_shape.emplace(index_of(piece.shape), &piece);
+  std::erase_if(pieces, [&](const GivenPiece& piece) {
+    const auto [begin, end] = by_shape.equal_range(index_of(piece.shape));
+    const auto at = std::find_if(begin, end, [&](const auto& known) {
+      return same_as_written(known.second->canvas_from_shape, piece.canvas_from_shape, period);
+    });
+    if (at == end) return false;
+    by_shape.erase(at);
+    return true;
+  });
+}
+
+/// Of a seamless canvas, which is a rectangle.
+Period period_of(const CanvasSpec& canvas) {
+  const bool both = canvas.seamless == Seamless::both;
+  return {both || canvas.seamless == Seamless::x ? canvas.width_px : 0,
+          both || canvas.seamless == Seamless::y ? canvas.height_px : 0};
 }
 
 /// What people give instead of a result.
@@ -172,9 +210,10 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
   const std::string where = job.path + ": start.pieces: ";
   try {
     check_is_there(job.start.pieces, file);
-    const std::vector<GivenPiece> pieces =
-        pieces_in(read_regular_file(file, kMostBytes), Names(shapes), !job.start.free);
+    std::vector<GivenPiece> pieces = pieces_in(read_regular_file(file, kMostBytes), Names(shapes), !job.start.free);
     std::vector<GivenPiece>& given = job.settings.wishes.given;
+    remove_given_again(given, period_of(job.canvas), pieces);
+    std::stable_partition(pieces.begin(), pieces.end(), [](const GivenPiece& piece) { return piece.locked; });
     given.insert(given.end(), pieces.begin(), pieces.end());
   } catch (const json::exception& error) {
     throw InputError(where + file + ": no JSON: " + printable(error.what(), 200) +

@@ -54,28 +54,34 @@ void append_property(const char* key, const std::string& value, std::string& tex
   text += value;
 }
 
-void append_properties(const Placement& placement, std::size_t index, const Shape& shape, const std::string& group,
-                       std::string& text) {
+/// Of a piece, beside what its placement says.
+struct Feature {
+  std::size_t index;
+  std::string group;
+  bool locked;
+};
+
+void append_properties(const Placement& placement, const Feature& feature, const Shape& shape, std::string& text) {
   const Similarity& t = placement.canvas_from_shape;
   text += '{';
-  append_property("index", std::to_string(index), text);
+  append_property("index", std::to_string(feature.index), text);
   append_property("shape", quoted(shape.name), text);
   append_property("source", quoted(shape.artwork.path), text);
-  if (!group.empty()) append_property("group", quoted(group), text);
+  if (!feature.group.empty()) append_property("group", quoted(feature.group), text);
   append_property("scale", fixed(t.scale(), kPixelDecimals), text);
   append_property("rotation_deg", fixed(rotation_deg(t), kPixelDecimals), text);
   append_property("x_px", fixed(t.tx, kPixelDecimals), text);
   append_property("y_px", fixed(t.ty, kPixelDecimals), text);
   append_property("mirrored", shape.artwork.mirrored ? "true" : "false", text);
+  if (feature.locked) append_property("locked", "true", text);
   append_property("score", fixed(placement.score, kScoreDecimals), text);
   append_property("matched_px", fixed(placement.matched_px, kPixelDecimals), text);
   text += '}';
 }
 
-void append_feature(const Placement& placement, std::size_t index, const Shape& shape, const std::string& group,
-                    std::string& text) {
+void append_feature(const Placement& placement, const Feature& feature, const Shape& shape, std::string& text) {
   text += R"({"type":"Feature","properties":)";
-  append_properties(placement, index, shape, group, text);
+  append_properties(placement, feature, shape, text);
   text += R"(,"geometry":)";
   append_geometry(shape.outline, placement.canvas_from_shape, text);
   text += '}';
@@ -86,11 +92,12 @@ void append_feature(const Placement& placement, std::size_t index, const Shape& 
 std::string geojson_text(const CollageReport& report) {
   std::string text = R"({"type":"FeatureCollection","features":[)";
   const std::vector<std::string> groups = shape_groups(*report.job, report.shapes.names());
+  const std::size_t locked = report.job->settings.wishes.locked();
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
     const Placement& placement = report.placements[i];
     text += i ? ",\n" : "\n";
     const std::size_t slot = report.shapes.slot_of(placement.shape);
-    append_feature(placement, i, report.shapes[slot], groups[slot], text);
+    append_feature(placement, {i, groups[slot], i < locked}, report.shapes[slot], text);
   }
   text += "\n]}\n";
   return text;
