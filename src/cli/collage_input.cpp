@@ -49,6 +49,13 @@ io::CheckpointFolder checkpoints_in(const io::EarlierResult& earlier, Start star
   return std::filesystem::exists(earlier.folder) ? io::CheckpointFolder(earlier.folder) : checked_start(earlier, start);
 }
 
+io::CheckpointOrigin checked_origin(const CollageArguments& arguments, const io::Job& job,
+                                    const io::ShapeLibrary& library, const Canvas& canvas) {
+  const io::CheckpointOrigin origin = io::make_origin(job, library, canvas);
+  if (arguments.refined) check_is_the_same_collage(*arguments.refined, origin);
+  return origin;
+}
+
 /// The folder is there then. Returns the place of its lock.
 std::string locked_folder(const std::string& folder) {
   io::create_output_directory(folder);
@@ -71,6 +78,7 @@ CollageInput::CollageInput(const CollageArguments& arguments)
       library(library_for(job)),
       palette(io::load_palette(job)),
       canvas(checked_canvas(library, job)),
+      origin(checked_origin(arguments, job, library, canvas)),
       lock(locked_folder(folder), folder) {
   io::check_start_is_elsewhere(job, folder);
   io::check_nothing_foreign_is_replaced(folder, arguments.job);
@@ -78,7 +86,6 @@ CollageInput::CollageInput(const CollageArguments& arguments)
   earlier = io::find_earlier_result(folder);
   start = start_of(arguments, earlier);
   checkpoints = checked_start(earlier, start);
-  origin = io::make_origin(job, library, canvas);
   finished = start == Start::resume && !checkpoints.has_latest();
   if (finished) {
     io::check_finished_result(earlier, origin);

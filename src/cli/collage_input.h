@@ -31,8 +31,8 @@ struct CollageInput {
   io::LibraryView library;
   std::vector<std::string> palette;  // of silhouettes, "#rrggbb"
   Canvas canvas;
-  io::OutputLock lock;  // of the folder; what is in it counts as it is from then on
   io::CheckpointOrigin origin;
+  io::OutputLock lock;                  // of the folder; what is in it counts as it is from then on
   bool finished = false;                // --resume found the finished collage: nothing is left to compute
   std::optional<CheckpointState> from;  // nothing: an empty canvas
 };

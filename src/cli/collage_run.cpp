@@ -118,6 +118,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   journal->warn(idle_keys_warning(input.job));
   journal->warn(unable_library_warning_of(input));
   journal->warn(standing_warning_of(input));
+  if (arguments.refined) journal->warn(idle_relaxing_warning(input.job));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
@@ -140,6 +141,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   const RankStatistics times = times_of(clock, result);
   journal->warn(empty_result_warning(input.folder, input.job, result));
   journal->warn(used_up_warning(input.job, input.canvas, result));
+  if (arguments.refined) journal->warn(nothing_gained_warning(input.job, result));
   journal->keep_warning(checkpoints.warning());
   const io::RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
   if (leaves_older_result(input, result)) {

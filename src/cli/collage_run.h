@@ -2,10 +2,12 @@
 // the others are workers; a single rank is both.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/refined_result.h"
 #include "comm/communicator.h"
 
 namespace tessera::cli {
@@ -19,6 +21,7 @@ struct CollageArguments {
                                           // there, if any; empty = from the start
   bool restart = false;                   // even where there is a checkpoint
   std::optional<std::string> time_limit;  // time_limit.h; nothing = none but Slurm's
+  std::shared_ptr<const RefinedResult> refined = {};  // whose pieces are to be relaxed; null: none
 };
 
 /// Where the result goes.

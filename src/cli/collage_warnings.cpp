@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "core/collage/standing_check.h"
 #include "io/job/job_keys.h"
 #include "io/job/job_tables.h"
 #include "io/job/job_value.h"
+#include "master/relaxing.h"
 
 namespace tessera::cli {
 namespace {
@@ -51,6 +53,22 @@ std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t be
   if (first == last) return "";
   return std::to_string(last - first) + " lie " + where + ", the first is number " + std::to_string(*first - begin) +
          ", \"" + name(*first) + "\"";
+}
+
+std::string text_of(master::NoRelaxing reason, const io::Job& job) {
+  const PieceSettings& pieces = job.settings.pieces;
+  switch (reason) {
+    case master::NoRelaxing::not_wanted: return "improve.relax is false";
+    case master::NoRelaxing::sizes_by_place: return "their sizes go by the place (pieces.size_map)";
+    case master::NoRelaxing::colours_by_place: return "they are chosen by what they cover (colour.image)";
+    case master::NoRelaxing::sizes_fixed: return "their sizes are fixed (pieces.scale_px, pieces.sizes, [[shapes]])";
+    case master::NoRelaxing::sizes_differ: break;
+  }
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "sizes from %g to %g px are allowed (pieces.scale_px), and the largest may be %g times the smallest",
+                double(pieces.min_scale_px), double(pieces.max_scale_px), double(master::kMostRelaxedSizeRatio));
+  return text;
 }
 
 }  // namespace
@@ -148,6 +166,18 @@ std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool 
   if (shapes >= kFew || job.colour.pieces == "palette") return "";
   return "a library of " + std::to_string(shapes) +
          " shapes has few colours to show colour.image; photos take 500 and more";
+}
+
+std::string idle_relaxing_warning(const io::Job& job) {
+  const std::optional<master::NoRelaxing> reason = master::why_not_relaxed(job.settings);
+  return reason ? "the pieces are not relaxed, as " + text_of(*reason, job) : "";
+}
+
+std::string nothing_gained_warning(const io::Job& job, const master::CollageResult& result) {
+  const RunStatistics& run = result.statistics;
+  if (result.unfinished || run.trials == 0 || run.trials_kept > 0 || master::why_not_relaxed(job.settings)) return "";
+  return "no trial covered more, out of " + std::to_string(run.trials) +
+         ": the pieces lie where they lay; with a larger --trials they are exchanged, too";
 }
 
 std::string joined_warnings(const std::vector<std::string>& warnings) {

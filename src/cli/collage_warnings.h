@@ -42,6 +42,12 @@ std::string idle_shift_warning(const io::Job& job);
 /// in it; or they are few.
 std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool one_colour);
 
+/// Where pieces are to be relaxed and will not: why. Empty where they will.
+std::string idle_relaxing_warning(const io::Job& job);
+
+/// Where none of the trials that were to relax covered more. Empty where pieces were not relaxed at all: that was told.
+std::string nothing_gained_warning(const io::Job& job, const master::CollageResult& result);
+
 /// Those that say something, with semicolons between them.
 std::string joined_warnings(const std::vector<std::string>& warnings);
 

@@ -68,17 +68,12 @@ std::vector<std::string> drawing_keys(const DrawArguments& arguments) {
   return keys;
 }
 
-bool has_checkpoint(const std::string& folder) {
-  const io::CheckpointFolder checkpoints(folder);
-  return checkpoints.has_latest() || checkpoints.has_previous();
-}
-
 /// The job that a result was made by.
 io::Job job_of_result(const std::string& folder) {
   try {
     return io::read_result(folder).job;
   } catch (const InputError& error) {
-    if (!has_checkpoint(folder)) throw;
+    if (!io::CheckpointFolder(folder).has_any()) throw;
     throw InputError(std::string(error.what()) +
                      "; a checkpoint is there: tessera collage with --resume makes the result");
   }
@@ -97,7 +92,7 @@ void check_takes_pictures(const std::string& folder) {
   if (io::is_in_result(folder, io::kManifestName)) {
     throw InputError("--to " + folder + ": found a result there, allowed: a folder without one");
   }
-  if (has_checkpoint(folder)) {
+  if (io::CheckpointFolder(folder).has_any()) {
     throw InputError("--to " + folder +
                      ": found the checkpoint of an interrupted run there, allowed: a folder without one");
   }

@@ -1,7 +1,11 @@
 // What tessera collage says on stderr beside errors.
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <memory>
+
 #include "cli/collage_warnings.h"
+#include "core/colour/colour_target.h"
 #include "core/field/keep_out.h"
 #include "support/synthetic_shapes.h"
 
@@ -113,6 +117,50 @@ TEST(CollageWarnings, ALibraryThatIsUsedUpTellsSizesThatWouldFill) {
   EXPECT_EQ(used_up_warning(job, canvas_px2(9000), result), "") << "hardly more is to be had";
   job.settings.pieces.fit_all = true;
   EXPECT_EQ(used_up_warning(job, canvas_px2(34000), result), "") << "the program found these sizes";
+}
+
+TEST(CollageWarnings, WhyPiecesAreNotRelaxed) {
+  const auto warning = [](float min_scale_px, float max_scale_px, const std::function<void(CollageSettings&)>& change) {
+    io::Job job;
+    job.settings.pieces.min_scale_px = min_scale_px;
+    job.settings.pieces.max_scale_px = max_scale_px;
+    change(job.settings);
+    return idle_relaxing_warning(job);
+  };
+  const auto nothing = [](CollageSettings&) {};
+  const std::string not_relaxed = "the pieces are not relaxed, as ";
+  EXPECT_EQ(warning(20, 100, nothing), "");
+  EXPECT_EQ(warning(20, 101, nothing),
+            not_relaxed + "sizes from 20 to 101 px are allowed (pieces.scale_px), and the largest may be 5 times the " +
+                "smallest");
+  EXPECT_EQ(warning(50, 50, nothing),
+            not_relaxed + "their sizes are fixed (pieces.scale_px, pieces.sizes, [[shapes]])");
+  EXPECT_EQ(warning(20, 100, [](CollageSettings& s) { s.improve.relax = false; }),
+            not_relaxed + "improve.relax is false");
+  EXPECT_EQ(warning(20, 101, [](CollageSettings& s) { s.pieces.size_map = std::make_shared<SizeMap>(); }),
+            not_relaxed + "their sizes go by the place (pieces.size_map)");
+  const auto show = [](CollageSettings& s) {
+    s.colour.target = std::make_shared<ColourTarget>(Grid<Texel>(2, 2), 1.f);
+  };
+  EXPECT_EQ(warning(20, 101, show), not_relaxed + "they are chosen by what they cover (colour.image)");
+}
+
+TEST(CollageWarnings, RelaxingThatBringsNothingIsTold) {
+  io::Job job;
+  job.settings.pieces.min_scale_px = 40;
+  master::CollageResult result;
+  result.statistics.trials = 2;
+  EXPECT_EQ(nothing_gained_warning(job, result),
+            "no trial covered more, out of 2: the pieces lie where they lay; with a larger --trials they are "
+            "exchanged, too");
+  result.unfinished = true;
+  EXPECT_EQ(nothing_gained_warning(job, result), "");
+  result.unfinished = false;
+  result.statistics.trials_kept = 1;
+  EXPECT_EQ(nothing_gained_warning(job, result), "");
+  result.statistics.trials_kept = 0;
+  job.settings.improve.relax = false;
+  EXPECT_EQ(nothing_gained_warning(job, result), "") << "it was told before";
 }
 
 TEST(CollageWarnings, PiecesThatStandBadlyAreTold) {

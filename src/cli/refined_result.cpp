@@ -1,0 +1,100 @@
+#include "cli/refined_result.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "io/checkpoint/checkpoint_folder.h"
+#include "io/job/job_tables.h"
+#include "io/job/toml_text.h"
+
+namespace tessera::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail_unfinished(const std::string& folder) {
+  throw InputError(folder + ": found unfinished work, allowed: a finished result; the command that made it finishes " +
+                   "it with --resume");
+}
+
+/// Where a limit may have ended it there is room left that was to stay, and no piece more is wanted.
+int most_pieces(const RefinedResult& result) {
+  const StopSettings& stop = result.whole.job.settings.stop;
+  const int pieces = int(result.whole.manifest.shapes.size());
+  if (stop.coverage < 1 || stop.seconds > 0) return pieces;
+  return stop.pieces > 0 ? std::max(stop.pieces, pieces) : 0;
+}
+
+/// Of each region once.
+int relaxations(const io::Job& job) { return std::max(1, int(io::rows_of(job, "regions").size())); }
+
+}  // namespace
+
+RefinedResult read_refined_result(const std::string& folder) {
+  const bool has_checkpoint = io::CheckpointFolder(folder).has_any();
+  try {
+    RefinedResult result{folder, io::read_result(folder)};
+    if (has_checkpoint || !result.whole.manifest.finished) fail_unfinished(folder);
+    return result;
+  } catch (const InputError&) {
+    if (has_checkpoint) fail_unfinished(folder);
+    throw;
+  }
+}
+
+std::string folder_beside(const std::string& folder, const std::string& suffix) {
+  fs::path path = fs::path(folder).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();  // a slash at its end
+  if (path == "." || path.filename() == "..") path = fs::canonical(folder);
+  return path.string() + suffix;
+}
+
+void check_other_folder(const RefinedResult& result, const std::string& out) {
+  std::error_code is_not_there;
+  if (!fs::equivalent(result.folder, out, is_not_there)) return;
+  throw InputError("--out: found " + out + ", the result itself, which stays as it is; allowed: another folder");
+}
+
+void check_start_is_not_set(const std::vector<std::string>& overrides) {
+  for (const std::string& override : overrides) {
+    std::string key = override.substr(0, override.find('='));
+    std::erase(key, ' ');
+    if (key != "start.pieces" && key != "start.keep") continue;
+    throw InputError("--set " + override + ": allowed: any key but start.pieces and start.keep: RESULT is refined");
+  }
+}
+
+std::vector<std::string> relaxing_keys(const RefinedResult& result, int trials) {
+  const int least = relaxations(result.whole.job);
+  if (trials > 0 && trials < least) {
+    throw InputError("--trials: found " + std::to_string(trials) + ", allowed: " + std::to_string(least) +
+                     " or more, one for each of the [[regions]]");
+  }
+  return {"improve.relax=true", "improve.seconds=0", "improve.trials=" + std::to_string(std::max(trials, least)),
+          "stop.coverage=1",    "stop.seconds=0",    "stop.pieces=" + std::to_string(most_pieces(result))};
+}
+
+std::vector<std::string> starting_keys(const RefinedResult& result) {
+  return {"start.pieces=" + io::toml_text(result.folder), "start.keep=free"};
+}
+
+void check_is_the_same_collage(const RefinedResult& result, const io::CheckpointOrigin& now) {
+  const io::Job& then = result.whole.job;
+  const io::ResultManifest& manifest = result.whole.manifest;
+  const auto concerned = [](const io::JobKey& key) { return key.section == "library" || key.section == "canvas"; };
+  const std::string differences = io::origin_differences(
+      {&then, manifest.library_digest, manifest.canvas_digest, manifest.overlay_digest}, now, concerned);
+  if (!differences.empty()) {
+    throw InputError(result.folder + ": made from something else" + differences +
+                     "; give what it was then (--set library.file=FILE where it has moved)");
+  }
+  const bool locks = !then.start.pieces.empty() && !then.start.free;
+  if (locks && now.job->settings.wishes.locked() == io::rows_of(then, "given").size()) {
+    throw InputError(result.folder + ": pieces.geojson does not say which pieces are locked, as start.pieces of its " +
+                     "job wants: found no \"locked\", as of an earlier version; tessera collage " + result.folder +
+                     "/job.toml --out DIR makes one that does");
+  }
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,86 @@
+// What tessera refine makes of a result's job, and where it goes.
+#include "cli/refined_result.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "support/input_error.h"
+
+namespace tessera::cli {
+namespace {
+
+RefinedResult result_of(const StopSettings& stop, std::size_t pieces, std::size_t regions = 0) {
+  RefinedResult result;
+  result.folder = "out/a b";
+  result.whole.job.settings.stop = stop;
+  result.whole.job.tables["regions"].resize(regions);
+  result.whole.manifest.shapes.resize(pieces);
+  return result;
+}
+
+std::string key(const std::vector<std::string>& keys, const std::string& name) {
+  for (const std::string& text : keys)
+    if (text.starts_with(name + "=")) return text.substr(name.size() + 1);
+  return "missing";
+}
+
+TEST(RefinedResult, LimitsThatMayHaveEndedItEndNoRelaxingAndLeaveItsNumberOfPieces) {
+  const auto most_pieces = [](const StopSettings& stop) {
+    const std::vector<std::string> keys = relaxing_keys(result_of(stop, 120), 0);
+    EXPECT_EQ(key(keys, "stop.coverage"), "1");
+    EXPECT_EQ(key(keys, "stop.seconds"), "0");
+    return key(keys, "stop.pieces");
+  };
+  EXPECT_EQ(most_pieces({}), "0");
+  EXPECT_EQ(most_pieces({.pieces = 200}), "200");
+  EXPECT_EQ(most_pieces({.pieces = 100}), "120") << "so many were given";
+  EXPECT_EQ(most_pieces({.pieces = 200, .coverage = 0.8f}), "120");
+  EXPECT_EQ(most_pieces({.seconds = 60}), "120");
+}
+
+TEST(RefinedResult, ThereIsATrialForEachRegion) {
+  EXPECT_EQ(key(relaxing_keys(result_of({}, 9), 0), "improve.trials"), "1");
+  EXPECT_EQ(key(relaxing_keys(result_of({}, 9), 40), "improve.trials"), "40");
+  EXPECT_EQ(key(relaxing_keys(result_of({}, 9, 3), 0), "improve.trials"), "3");
+  EXPECT_EQ(key(relaxing_keys(result_of({}, 9, 3), 3), "improve.trials"), "3");
+  EXPECT_EQ(test::message_of([] { relaxing_keys(result_of({}, 9, 3), 2); }),
+            "--trials: found 2, allowed: 3 or more, one for each of the [[regions]]");
+}
+
+TEST(RefinedResult, ItsFolderIsOneTextWhateverItsName) {
+  EXPECT_EQ(key(starting_keys(result_of({}, 9)), "start.pieces"), R"("out/a b")");
+  EXPECT_EQ(key(starting_keys(result_of({}, 9)), "start.keep"), "free");
+}
+
+TEST(RefinedResult, GoesBesideIt) {
+  EXPECT_EQ(folder_beside("out/animals", "-relaxed"), "out/animals-relaxed");
+  EXPECT_EQ(folder_beside("out/animals//", "-relaxed"), "out/animals-relaxed");
+  EXPECT_EQ(folder_beside("./out/../animals/", "-relaxed"), "animals-relaxed");
+  EXPECT_EQ(folder_beside(".", "-relaxed"), std::filesystem::current_path().string() + "-relaxed");
+  EXPECT_EQ(folder_beside("./", "-relaxed"), std::filesystem::current_path().string() + "-relaxed");
+}
+
+TEST(RefinedResult, ItsPiecesAreNotToBeOthers) {
+  EXPECT_EQ(test::message_of([] { check_start_is_not_set({"seed=3", "start.grow=outward"}); }), "");
+  EXPECT_EQ(test::message_of([] { check_start_is_not_set({"start.pieces = other"}); }),
+            "--set start.pieces = other: allowed: any key but start.pieces and start.keep: RESULT is refined");
+}
+
+/// An earlier version did not say.
+TEST(RefinedResult, SaysWhichPiecesAreLocked) {
+  RefinedResult result = result_of({}, 9);
+  result.whole.job.start.pieces = "earlier";
+  result.whole.job.tables["given"].resize(1);
+  io::Job now = result.whole.job;
+  now.settings.wishes.given.resize(2);
+  const auto mistake = [&] { return test::message_of([&] { check_is_the_same_collage(result, {.job = &now}); }); };
+  EXPECT_EQ(mistake(), "");
+  now.settings.wishes.given[1].locked = false;
+  EXPECT_EQ(mistake().substr(0, 62), "out/a b: pieces.geojson does not say which pieces are locked, ");
+  result.whole.job.start.free = true;
+  EXPECT_EQ(mistake(), "") << "only those of [[given]] are";
+}
+
+}  // namespace
+}  // namespace tessera::cli
