@@ -36,8 +36,8 @@ std::vector<std::string> relaxing_keys(const RefinedResult& result, int trials);
 /// To begin with the result's pieces.
 std::vector<std::string> starting_keys(const RefinedResult& result);
 
-/// Of the job `now.job`, whose pieces were read. Throws InputError where its library, canvas or pictures are others than
-/// the result was made from, and where the result does not say which pieces are locked.
+/// Of the job `now.job`, whose pieces were read. Throws InputError where its library, canvas or pictures are others
+/// than the result was made from, and where the result does not say which pieces are locked.
 void check_is_the_same_collage(const RefinedResult& result, const io::CheckpointOrigin& now);
 
 }  // namespace tessera::cli

@@ -119,7 +119,8 @@ class Run {
     replaced_ = 0;
   }
 
-  /// What stands is given to the next region, but for what may move there. False where there is none, or the run is over.
+  /// What stands is given to the next region, but for what may move there. False where there is none, or the run is
+  /// over.
   bool begin_next_region() {
     const std::uint32_t next = collage().limits().region + 1;
     if (unfinished_ || over_ || next >= canvas_.regions.size()) return false;
