@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "core/ranks/partition.h"
+#include "master/replacing.h"
 #include "sim_cluster.h"
 
 namespace tessera::bench {
@@ -27,8 +28,8 @@ int subtree(int rank, const BatchScenario& scenario) {
 /// What one rank does. Which windows a rank has, it computes as who asks it does: a message itself says nothing.
 class RankPlay {
  public:
-  RankPlay(const ReplacingCase& measured, const BatchScenario& scenario, int rank)
-      : case_(measured),
+  RankPlay(const BatchScenario& scenario, int rank)
+      : case_(*scenario.measured),
         scenario_(scenario),
         rank_(rank),
         children_(place_in_tree(rank, scenario.workers + 1, scenario.fan_out).children) {
@@ -39,15 +40,27 @@ class RankPlay {
   }
 
   double lead() {
-    Windows all(case_.windows.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     work(case_.master_s);
-    share_out(all);
-    join();
+    for (std::size_t begin = 0; begin < case_.windows.size(); begin += at_a_time()) {
+      Windows windows;
+      for (std::size_t i = begin; i < std::min(begin + at_a_time(), case_.windows.size()); ++i) windows.push_back(i);
+      share_out(windows);
+      join();
+    }
     return busy_s_;
   }
 
   void serve() {
+    for (std::size_t begin = 0; begin < case_.windows.size(); begin += at_a_time()) answer();
+  }
+
+ private:
+  /// Windows of a question of the master (master/replacing.h).
+  std::size_t at_a_time() const {
+    return master::kWindowsAtATime * std::size_t(scenario_.workers) * std::size_t(scenario_.cores);
+  }
+
+  void answer() {
     const auto windows = *std::unique_ptr<Windows>(inbox(rank_)->get<Windows>());
     work(case_.unpack_s * double(windows.size()));
     share_out(windows);
@@ -59,13 +72,13 @@ class RankPlay {
     send(outbox(rank_), bytes);
   }
 
- private:
   void work(double seconds) {
     pass(seconds);
     busy_s_ += seconds;
   }
 
   void share_out(const Windows& windows) {
+    shares_.clear();
     std::vector<std::uint64_t> trials;
     for (const std::size_t i : windows) trials.push_back(case_.windows[i].trials);
     for (const Windows& of_part : fair_shares(trials, breadths_)) {
@@ -114,15 +127,15 @@ class RankPlay {
   double busy_s_ = 0;
 };
 
-SimulatedBatch play(const ReplacingCase& measured, const BatchScenario& scenario) {
+SimulatedBatch play(const BatchScenario& scenario) {
   std::vector<sg4::ActorPtr> workers;
   for (int rank = 1; rank <= scenario.workers; ++rank) {
     workers.push_back(sg4::Actor::create("worker" + std::to_string(rank), host_of(rank),
-                                         [&measured, &scenario, rank] { RankPlay(measured, scenario, rank).serve(); }));
+                                         [&scenario, rank] { RankPlay(scenario, rank).serve(); }));
   }
   sg4::this_actor::sleep_for(1);  // all mailboxes have their receivers
   const double before_s = sg4::Engine::get_clock();
-  const double busy_s = RankPlay(measured, scenario, 0).lead();
+  const double busy_s = RankPlay(scenario, 0).lead();
   const double batch_s = sg4::Engine::get_clock() - before_s;
   for (const sg4::ActorPtr& worker : workers) worker->join();
   return {batch_s, busy_s};
@@ -130,13 +143,12 @@ SimulatedBatch play(const ReplacingCase& measured, const BatchScenario& scenario
 
 }  // namespace
 
-std::vector<SimulatedBatch> simulate_batches(const ReplacingCase& measured, const std::vector<BatchScenario>& scenarios,
-                                             const Cluster& cluster) {
+std::vector<SimulatedBatch> simulate_batches(const std::vector<BatchScenario>& scenarios, const Cluster& cluster) {
   int ranks = 2;
   for (const BatchScenario& scenario : scenarios) ranks = std::max(ranks, scenario.workers + 1);
   std::vector<SimulatedBatch> batches;
   simulate(ranks, cluster, [&] {
-    for (const BatchScenario& scenario : scenarios) batches.push_back(play(measured, scenario));
+    for (const BatchScenario& scenario : scenarios) batches.push_back(play(scenario));
   });
   return batches;
 }

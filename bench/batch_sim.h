@@ -11,6 +11,7 @@
 namespace tessera::bench {
 
 struct BatchScenario {
+  const ReplacingCase* measured = nullptr;  // outlives it
   int workers = 1;
   int cores = 1;  // of each
   int fan_out = kFanOut;
@@ -22,7 +23,6 @@ struct SimulatedBatch {
 };
 
 /// One batch in each scenario. Only once in a process (sim_cluster.h).
-std::vector<SimulatedBatch> simulate_batches(const ReplacingCase& measured, const std::vector<BatchScenario>& scenarios,
-                                             const Cluster& cluster);
+std::vector<SimulatedBatch> simulate_batches(const std::vector<BatchScenario>& scenarios, const Cluster& cluster);
 
 }  // namespace tessera::bench

@@ -47,13 +47,13 @@ void run(const Options& options) {
   const ReplacingCase measured = read_replacing_case(options.report);
   std::vector<BatchScenario> scenarios;
   for (const int cores : options.cores) {
-    for (const int hosts : options.hosts) scenarios.push_back({hosts, cores});
+    for (const int hosts : options.hosts) scenarios.push_back({&measured, hosts, cores});
   }
   const std::vector<SimulatedBatch> batches =
-      simulate_batches(measured, scenarios, {options.latency_us * 1e-6, options.gigabytes_per_s * 1e9});
+      simulate_batches(scenarios, {options.latency_us * 1e-6, options.gigabytes_per_s * 1e9});
   io::TextTable table({"hosts", "cores each", "a batch, ms", "trials a second", "efficiency", "master busy %"});
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
-    const auto& [hosts, cores, fan_out] = scenarios[i];
+    const auto& [of_case, hosts, cores, fan_out] = scenarios[i];
     // Beside one core that has nobody to ask and nothing to wait for.
     const double alone_s = measured.work_s() + measured.master_s;
     const double batch_s = batches[i].batch_s;

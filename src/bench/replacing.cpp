@@ -9,6 +9,7 @@
 #include "bench/replacing_case.h"
 #include "comm/encode.h"
 #include "comm/messages.h"
+#include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/replacing/own_replacer.h"
 #include "io/library/library_file.h"
@@ -142,6 +143,10 @@ ReplacingCase measured_batch(const Canvas& canvas, const CollageSettings& settin
       free, stances, settings, shapes, [&](const Placement&) { return poses; }, replacer);
   const double began_s = replacer.since_s();
   replacing.batch(pieces, 0, progress);
+  if (replacer.found.windows.empty()) {
+    throw InputError("--size: found " + std::to_string(canvas.width_px) +
+                     " px, on which no piece may move; allowed: several times the largest piece");
+  }
   replacer.found.master_s = replacer.before_s - began_s + replacer.since_s();
   replacer.found.canvas_px = canvas.width_px;
   replacer.found.pieces = pieces.size();

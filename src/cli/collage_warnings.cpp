@@ -10,6 +10,7 @@
 #include "io/job/job_tables.h"
 #include "io/job/job_value.h"
 #include "master/relaxing.h"
+#include "master/replacing.h"
 
 namespace tessera::cli {
 namespace {
@@ -176,8 +177,8 @@ std::string idle_relaxing_warning(const io::Job& job) {
 std::string nothing_gained_warning(const io::Job& job, const master::CollageResult& result) {
   const RunStatistics& run = result.statistics;
   if (result.unfinished || run.trials == 0 || run.trials_kept > 0 || master::why_not_relaxed(job.settings)) return "";
-  return "no trial covered more, out of " + std::to_string(run.trials) +
-         ": the pieces lie where they lay; with a larger --trials they are exchanged, too";
+  return "no trial covered more, out of " + std::to_string(run.trials) + ": the pieces lie where they lay" +
+         (master::pays_to_replace(job.settings) ? "; with a larger --trials they are exchanged, too" : "");
 }
 
 std::string joined_warnings(const std::vector<std::string>& warnings) {

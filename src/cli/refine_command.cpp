@@ -19,7 +19,8 @@ constexpr const char* kExamples =
     "  mpirun -n 3 tessera refine out/animals --relax     rank 0 is the master, the others are workers\n"
     "RESULT stays as it is. Its job is run again from its pieces, which may move but for those of [[given]] and those\n"
     "that were locked. What still fits is placed before and after, so there may be more pieces; a job with a limit of\n"
-    "[stop] gets none beyond it, or beyond those of RESULT. What comes of a trial is kept where it covers more, what\n"
+    "[stop] gets none beyond it, or beyond those of RESULT, and exchanges none. What comes of a trial is kept where it "
+    "covers more, what\n"
     "pieces cover twice taken off; else pieces stay where they are. --relax brings something where sizes may change,\n"
     "the largest is at most five times the smallest, and neither colour.image nor pieces.size_map is given; elsewhere\n"
     "a warning says why not. [[regions]] relax one after the other, each in a trial of its own.\n"
@@ -45,7 +46,7 @@ Action action_of(const RefineArguments& arguments, const RefinedResult& result) 
 
 /// The result's job, run again. What the command line sets wins, but not over where it starts.
 CollageArguments collage_of(const RefineArguments& arguments) {
-  check_start_is_not_set(arguments.collage.overrides);
+  check_overrides(arguments.collage.overrides);
   const auto result = std::make_shared<const RefinedResult>(read_refined_result(arguments.result));
   const Action action = action_of(arguments, *result);
   CollageArguments collage = arguments.collage;

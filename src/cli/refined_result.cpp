@@ -56,10 +56,13 @@ void check_other_folder(const RefinedResult& result, const std::string& out) {
   throw InputError("--out: found " + out + ", the result itself, which stays as it is; allowed: another folder");
 }
 
-void check_start_is_not_set(const std::vector<std::string>& overrides) {
+void check_overrides(const std::vector<std::string>& overrides) {
   for (const std::string& override : overrides) {
     std::string key = override.substr(0, override.find('='));
     std::erase(key, ' ');
+    if (key == "quality") {
+      throw InputError("--set " + override + ": allowed where a result is refined: --trials N");
+    }
     if (key != "start.pieces" && key != "start.keep") continue;
     throw InputError("--set " + override + ": allowed: any key but start.pieces and start.keep: RESULT is refined");
   }

@@ -26,8 +26,8 @@ std::string folder_beside(const std::string& folder, const std::string& suffix);
 /// Throws InputError where `out` is the result's own folder.
 void check_other_folder(const RefinedResult& result, const std::string& out);
 
-/// Throws InputError where an override says what the pieces of the result are to be.
-void check_start_is_not_set(const std::vector<std::string>& overrides);
+/// Throws InputError where an override says what the pieces of the result are to be, or in a word how much is improved.
+void check_overrides(const std::vector<std::string>& overrides);
 
 /// "section.key=value" for improving with a first trial that relaxes, of `trials`; 0: no more than that needs. Limits
 /// that may have ended the run of the result end no relaxing, but then no pieces are added.

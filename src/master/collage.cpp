@@ -14,6 +14,15 @@
 namespace tessera::master {
 namespace {
 
+/// Files of results have poses to three decimals, of px and degrees.
+bool is_rounded_out_of(const PoseRange& poses, Similarity pose) {
+  constexpr float kRounding_px = 0.0006f;
+  constexpr float kRounding_rad = 1e-5f;
+  const Vec2 written{pose.a, pose.b};
+  poses.pull_in(pose);
+  return norm(Vec2{pose.a, pose.b} - written) < kRounding_px + kRounding_rad * pose.scale();
+}
+
 double area_px2(const Placement& p) {
   const float scale = p.canvas_from_shape.scale();
   return double(scale) * scale;
@@ -272,7 +281,7 @@ Window Collage::replace_placements(std::vector<Placement> placements) {
 PoseRange Collage::poses_of(const Placement& p) const {
   for (const Stance& stance : region_stances_.of(region_stances_.list(p.shape))) {
     const PoseRange poses = sized_at(context_, stance, p.canvas_from_shape.translation()).poses;
-    if (poses.contains(p.canvas_from_shape)) return poses;
+    if (poses.contains(p.canvas_from_shape) || is_rounded_out_of(poses, p.canvas_from_shape)) return poses;
   }
   const Similarity& pose = p.canvas_from_shape;
   const float scale_px = pose.scale();

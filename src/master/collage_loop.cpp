@@ -204,6 +204,12 @@ class Run {
   }
 
   void fill() {
+    if (moves_given_pieces_only()) {
+      statistics_.stopped_by = why_filled();
+      improving_ = improves();
+      over_ = !improving_;
+      return;
+    }
     while (!should_stop()) {
       if (!filling().place_one()) {
         if (begin_next_attempt()) continue;
@@ -299,8 +305,7 @@ class Run {
   bool should_stop() {
     if (has_all_pieces(collage().placements().size())) {
       statistics_.stopped_by = "pieces";
-      improving_ = improves() && moves_given_pieces_only();
-      over_ = !improving_;
+      over_ = true;
       return true;
     }
     return reached_limit() || interrupted();

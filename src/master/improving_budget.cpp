@@ -21,7 +21,7 @@ double ImprovingBudget::area_px2(std::uint32_t region) const {
 bool ImprovingBudget::may_go_on(std::uint32_t region, std::uint64_t trials, double improve_s) const {
   const ImproveSettings& limits = settings_.improve;
   return (limits.trials == 0 || trials < trials_below(region + 1)) &&
-         (limits.seconds == 0 || improve_s < limits.seconds);
+         (limits.seconds == 0 || improve_s < limits.seconds * part_below(region + 1));
 }
 
 std::uint64_t ImprovingBudget::replacements(std::uint32_t region, std::size_t pieces, const Replaced& so_far) const {
@@ -30,10 +30,12 @@ std::uint64_t ImprovingBudget::replacements(std::uint32_t region, std::size_t pi
     return std::uint64_t(kReplacementsPerTrial * kPartReplaced * double(trials - std::min(trials, kTrialsAroundPhase)));
   }
   if (so_far.trials == 0) return kExpectedPerPiece * pieces;
-  double limit_s = settings_.improve.seconds;
+  const double begin_s = settings_.improve.seconds * part_below(region);
+  double end_s = settings_.improve.seconds * part_below(region + 1);
   const double stop_s = settings_.stop.seconds;
-  if (stop_s > 0) limit_s = std::min(limit_s, so_far.improve_s + stop_s - so_far.total_s);
-  const double in_time = double(so_far.trials) * kPartReplaced * limit_s / so_far.improve_s;
+  if (stop_s > 0) end_s = std::min(end_s, so_far.improve_s + stop_s - so_far.total_s);
+  const double took_s = std::max(0., so_far.improve_s - begin_s);
+  const double in_time = double(so_far.trials) * kPartReplaced * (end_s - begin_s) / took_s;
   return std::uint64_t(in_time < kMostReplacements ? std::max(0., in_time) : kMostReplacements);
 }
 
@@ -50,6 +52,11 @@ std::uint64_t ImprovingBudget::trials_below(std::uint32_t end) const {
 }
 
 std::uint64_t ImprovingBudget::share_below(std::uint32_t end) const {
+  return std::uint64_t(double(settings_.improve.trials) * part_below(end));
+}
+
+/// Of the regions' area.
+double ImprovingBudget::part_below(std::uint32_t end) const {
   if (end == 0) return 0;
   double before_px2 = 0;
   double all_px2 = 0;
@@ -57,8 +64,7 @@ std::uint64_t ImprovingBudget::share_below(std::uint32_t end) const {
     all_px2 += canvas_.regions[r].area_px2;
     if (r < end) before_px2 += canvas_.regions[r].area_px2;
   }
-  const double trials = settings_.improve.trials;
-  return std::uint64_t(before_px2 == all_px2 ? trials : trials * before_px2 / all_px2);
+  return before_px2 == all_px2 ? 1 : before_px2 / all_px2;
 }
 
 }  // namespace tessera::master

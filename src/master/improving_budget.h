@@ -1,4 +1,4 @@
-// How many trials improving has, and how much time: of the canvas' regions each its part by area.
+// How many trials improving has, or how much time: of the canvas' regions each its part by area.
 #pragma once
 
 #include <cstddef>
@@ -33,6 +33,7 @@ class ImprovingBudget {
  private:
   std::uint64_t trials_below(std::uint32_t end) const;
   std::uint64_t share_below(std::uint32_t end) const;
+  double part_below(std::uint32_t end) const;
 
   const Canvas& canvas_;
   const CollageSettings& settings_;

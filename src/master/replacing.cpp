@@ -23,13 +23,11 @@ constexpr float kBeside = 0.5f;                 // of the middle size: pieces so
 constexpr float kBeyond_px = 64;                // of the canvas' nodes: nothing lies farther outside
 constexpr float kLeastEdgeNode_px = 2;
 constexpr float kEdgeNodesPerScale = 32;    // of the least: the edge of large pieces needs no more
-constexpr float kFarFromEdge_px = 64;       // holes look no farther
+constexpr float kFarFromEdge_px = 64;       // holes look no farther; contacts do where pieces keep away from it
 constexpr float kFirstTemperature = 0.03f;  // of the product of least and most scale
 /// Of repetition_exponent: at its default, 0.3, as many different shapes stand as without replacement.
 constexpr float kRepetition = 0.07f;
 constexpr std::size_t kMostIncoming = 400;  // shapes, of a larger library
-/// Of a question, for each that works on them: enough to share them out evenly.
-constexpr std::size_t kWindowsAtATime = 8;
 
 float middle_px(const PieceSettings& p) { return std::sqrt(p.min_scale_px * p.max_scale_px); }
 
@@ -49,25 +47,26 @@ bool holds(const Box& outer, const Box& inner) {
 
 /// Fills in what of these nodes is less than far from the edge; whether there is anything. Halves what may hold both:
 /// a raster of all would be most of the master's work.
-bool fill_near_edge(const CanvasEdge& canvas, const Window& nodes, EdgeField& edge) {
+bool fill_near_edge(const CanvasEdge& canvas, const Window& nodes, float far_px, EdgeField& edge) {
   const auto at = [&](float x, float y) { return canvas.at((edge.distance.origin + Vec2{x, y}) * edge.node_px).value; };
   const Vec2 half{0.5f * float(nodes.x1 - nodes.x0 - 1), 0.5f * float(nodes.y1 - nodes.y0 - 1)};
   const float middle_px = at(float(nodes.x0) + half.x, float(nodes.y0) + half.y);
-  if (middle_px - norm(half) * edge.node_px > kFarFromEdge_px) return false;
+  if (middle_px - norm(half) * edge.node_px > far_px) return false;
   constexpr int kSmall = 8;
   if (nodes.x1 - nodes.x0 > kSmall || nodes.y1 - nodes.y0 > kSmall) {
     const bool wide = half.x > half.y;
     const int x = wide ? (nodes.x0 + nodes.x1) / 2 : nodes.x1, y = wide ? nodes.y1 : (nodes.y0 + nodes.y1) / 2;
-    const bool first = fill_near_edge(canvas, {nodes.x0, nodes.y0, x, y}, edge);
-    const bool second = fill_near_edge(canvas, {wide ? x : nodes.x0, wide ? nodes.y0 : y, nodes.x1, nodes.y1}, edge);
+    const bool first = fill_near_edge(canvas, {nodes.x0, nodes.y0, x, y}, far_px, edge);
+    const bool second =
+        fill_near_edge(canvas, {wide ? x : nodes.x0, wide ? nodes.y0 : y, nodes.x1, nodes.y1}, far_px, edge);
     return first || second;
   }
   bool any = false;
   for (int y = nodes.y0; y < nodes.y1; ++y) {
     for (int x = nodes.x0; x < nodes.x1; ++x) {
       float& value = edge.distance.value(x, y);
-      value = std::min(kFarFromEdge_px, at(float(x), float(y)));
-      any = any || value < kFarFromEdge_px;
+      value = std::min(far_px, at(float(x), float(y)));
+      any = any || value < far_px;
     }
   }
   return any;
@@ -113,8 +112,9 @@ EdgeField Replacing::edge_around(const Box& box) const {
   const auto node = [node_px](float at_px) { return int(std::floor(at_px / node_px)); };
   const int x0 = node(seen.low.x), x1 = node(seen.high.x) + 2;
   const int y0 = node(seen.low.y), y1 = node(seen.high.y) + 2;
-  EdgeField edge{{Grid<float>(x1 - x0, y1 - y0, kFarFromEdge_px), {float(x0), float(y0)}}, node_px};
-  if (fill_near_edge(canvas, {0, 0, x1 - x0, y1 - y0}, edge)) return edge;
+  const float far_px = std::max(kFarFromEdge_px, contact_distances(settings_.pieces).reach_px() + 4 * node_px);
+  EdgeField edge{{Grid<float>(x1 - x0, y1 - y0, far_px), {float(x0), float(y0)}}, node_px};
+  if (fill_near_edge(canvas, {0, 0, x1 - x0, y1 - y0}, far_px, edge)) return edge;
   // Most windows of a large canvas: nothing in them feels the edge.
   const float across_px = std::max(seen.width(), seen.height());
   return {{Grid<float>(3, 3, kNoEdge_px), seen.low * (1 / across_px)}, across_px};

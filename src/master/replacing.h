@@ -23,6 +23,8 @@ bool pays_to_replace(const CollageSettings& settings);
 
 /// Of all trials of improving this part are replacements, so many for one: they take about as long, on two cores.
 inline constexpr double kPartReplaced = 5.0 / 6;
+/// Of a question, for each that works on them: enough to share them out evenly.
+inline constexpr std::size_t kWindowsAtATime = 8;
 inline constexpr std::uint64_t kReplacementsPerTrial = 8;
 
 /// How wide and high a window of this job is at least.

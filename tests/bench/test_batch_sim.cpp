@@ -21,8 +21,12 @@ ReplacingCase by_hand() {
 constexpr Cluster kSlowNetwork{0.001, 1e12};
 
 TEST(BatchSim, AsByHand) {
-  const std::vector<SimulatedBatch> found =
-      simulate_batches(by_hand(), {{1, 1}, {1, 2}, {2, 1}, {4, 1}, {4, 8}, {2, 1, 1}}, kSlowNetwork);
+  const ReplacingCase c = by_hand();
+  ReplacingCase many;
+  for (int i = 0; i < 10; ++i) many.windows.push_back({100, 1, 1, 1});
+  const std::vector<BatchScenario> scenarios = {{&c, 1, 1}, {&c, 1, 2},    {&c, 2, 1},    {&c, 4, 1},
+                                                {&c, 4, 8}, {&c, 2, 1, 1}, {&many, 1, 1}, {&many, 1, 2}};
+  const std::vector<SimulatedBatch> found = simulate_batches(scenarios, kSlowNetwork);
   // Four windows packed, on the way, unpacked, tried, packed, on the way, unpacked.
   const double each_way_s = 4 * (0.01 + 0.02 + 0.03 + 0.03) + 0.002;
   EXPECT_NEAR(found[0].batch_s, 0.5 + each_way_s + 8, 1e-6);
@@ -38,6 +42,9 @@ TEST(BatchSim, AsByHand) {
   // A chain: the first worker unpacks four windows, packs two of them for the second, joins its answer and packs all.
   EXPECT_NEAR(found[5].batch_s,
               0.5 + 0.04 + 0.001 + 0.08 + 0.02 + (0.001 + 0.04 + 4 + 0.06 + 0.001) + 0.06 + 0.12 + 0.001 + 0.12, 1e-6);
+  // Eight windows for each core are asked about at a time, and more when these are done.
+  EXPECT_NEAR(found[6].batch_s, 8 + 2 + 2 * 0.002, 1e-6);
+  EXPECT_NEAR(found[7].batch_s, 5 + 0.002, 1e-6);
 }
 
 }  // namespace

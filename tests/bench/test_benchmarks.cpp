@@ -113,8 +113,6 @@ TEST(Benchmarks, Quality) {
   }
   EXPECT_GE(rows[1].at("trials").get<int>(), rows[0].at("trials").get<int>());
   EXPECT_GT(rows[1].at("pieces").get<int>(), 0);
-  // Runs of their own, which plan with the time that they have: chance is worth half a point.
-  EXPECT_GE(rows[1].at("coverage_percent").get<double>(), rows[0].at("coverage_percent").get<double>() - 1);
 }
 
 TEST(Benchmarks, QualityChecksItsArguments) {

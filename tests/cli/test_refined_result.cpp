@@ -62,9 +62,11 @@ TEST(RefinedResult, GoesBesideIt) {
 }
 
 TEST(RefinedResult, ItsPiecesAreNotToBeOthers) {
-  EXPECT_EQ(test::message_of([] { check_start_is_not_set({"seed=3", "start.grow=outward"}); }), "");
-  EXPECT_EQ(test::message_of([] { check_start_is_not_set({"start.pieces = other"}); }),
+  EXPECT_EQ(test::message_of([] { check_overrides({"seed=3", "start.grow=outward"}); }), "");
+  EXPECT_EQ(test::message_of([] { check_overrides({"start.pieces = other"}); }),
             "--set start.pieces = other: allowed: any key but start.pieces and start.keep: RESULT is refined");
+  EXPECT_EQ(test::message_of([] { check_overrides({"quality=good"}); }),
+            "--set quality=good: allowed where a result is refined: --trials N");
 }
 
 /// An earlier version did not say.

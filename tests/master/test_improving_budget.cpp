@@ -68,15 +68,19 @@ TEST(ImprovingBudget, WithoutRegionsTheCanvasHasAll) {
   EXPECT_FALSE(budget.may_go_on(0, 50, 0));
 }
 
-/// Whichever ends first.
+/// Whichever ends first; time is divided, too.
 TEST(ImprovingBudget, EndsByTimeToo) {
   const Canvas canvas = two_regions();
-  const CollageSettings timed = improving(0, 3);
-  EXPECT_TRUE(ImprovingBudget(canvas, timed).may_go_on(0, 1'000'000, 2.9));
-  EXPECT_FALSE(ImprovingBudget(canvas, timed).may_go_on(0, 0, 3));
-  const CollageSettings both = improving(50, 3);
-  EXPECT_FALSE(ImprovingBudget(canvas, both).may_go_on(0, 0, 3));
+  const CollageSettings timed = improving(0, 4);
+  const ImprovingBudget by_time(canvas, timed);
+  EXPECT_TRUE(by_time.may_go_on(0, 1'000'000, 0.9));
+  EXPECT_FALSE(by_time.may_go_on(0, 0, 1));
+  EXPECT_TRUE(by_time.may_go_on(1, 0, 3.9));
+  EXPECT_FALSE(by_time.may_go_on(1, 0, 4));
+  const CollageSettings both = improving(50, 4);
+  EXPECT_FALSE(ImprovingBudget(canvas, both).may_go_on(0, 0, 1));
   EXPECT_FALSE(ImprovingBudget(canvas, both).may_go_on(0, 12, 0));
+  EXPECT_TRUE(ImprovingBudget(canvas, both).may_go_on(0, 11, 0.9));
 }
 
 /// Eight for five sixths of the region's trials, without that before and that after.
@@ -96,22 +100,26 @@ TEST(ImprovingBudget, ReplacementsFollowFromTheRegionsTrials) {
 
 TEST(ImprovingBudget, ReplacementsFollowFromTime) {
   const Canvas canvas = two_regions();
-  const CollageSettings s = improving(0, 12);
+  const CollageSettings s = improving(0, 48);  // 12 s and 36 s
   const ImprovingBudget budget(canvas, s);
   EXPECT_EQ(budget.replacements(0, 7, {}), 420u) << "nothing is known as yet: 60 for each piece";
   // 100 took 2 of the 10 s that are five sixths of the time.
   EXPECT_EQ(budget.replacements(0, 7, {100, 2, 5}), 500u);
   EXPECT_EQ(budget.replacements(0, 7, {100, 0, 5}), 1'000'000'000'000'000u) << "no time at all";
+  // 2 of 30 s.
+  EXPECT_EQ(budget.replacements(1, 7, {100, 14, 20}), 1500u);
+  EXPECT_EQ(budget.replacements(1, 7, {100, 11, 20}), 1'000'000'000'000'000u)
+      << "the first region took less than it may";
 }
 
 /// The run may end before improving does.
 TEST(ImprovingBudget, TheRunsEndCountsToo) {
   const Canvas canvas = two_regions();
-  const CollageSettings late = improving(0, 12, 9);  // at 5 s of the run, 2 of them of improving: 6 s in all
+  const CollageSettings late = improving(0, 48, 9);  // at 5 s of the run, 2 of them of improving: 6 s in all
   EXPECT_EQ(ImprovingBudget(canvas, late).replacements(0, 7, {100, 2, 5}), 250u);
-  const CollageSettings early = improving(0, 12, 100);
+  const CollageSettings early = improving(0, 48, 100);
   EXPECT_EQ(ImprovingBudget(canvas, early).replacements(0, 7, {100, 2, 5}), 500u);
-  const CollageSettings over = improving(0, 12, 1);
+  const CollageSettings over = improving(0, 48, 1);
   EXPECT_EQ(ImprovingBudget(canvas, over).replacements(0, 7, {100, 2, 5}), 0u);
 }
 

@@ -490,12 +490,12 @@ TEST(Replacing, DistancesAndSizesAreThoseOfTheJob) {
   EXPECT_EQ(w.most_scale_px, 80);
 }
 
-/// As far as pieces of a window may feel it, with the edge's own place, padding or not.
-/// Nobody asks how far away it is beyond that.
+/// So far windows know of the canvas' edge, or as far as pieces are kept away from it.
 constexpr float kFar_px = 64;
 
+/// As far as pieces of a window may feel it, with the edge's own place, padding or not.
 TEST(Replacing, TheEdgeIsThatOfTheCanvas) {
-  for (const float padding_px : {0.f, 3.f}) {
+  for (const float padding_px : {0.f, 3.f, 100.f}) {
     CollageSettings s = settings_40_to_80();
     s.pieces.padding_px = padding_px;
     for (const Canvas& canvas : {large_canvas(), make_seamless_canvas(800, 700, true, false)}) {
@@ -509,7 +509,9 @@ TEST(Replacing, TheEdgeIsThatOfTheCanvas) {
             const float to_top = std::min(y, 700 - y);
             const float to_side = canvas.period.x_px > 0 ? to_top : std::min(x, 800 - x);
             if (std::min(to_top, to_side) < 0) continue;
-            EXPECT_NEAR(edge.at({x, y}).value, std::min({to_top, to_side, kFar_px}), 1.1f) << x << ", " << y;
+            const float felt_px = std::max(kFar_px, padding_px);
+            EXPECT_NEAR(std::min(edge.at({x, y}).value, felt_px), std::min({to_top, to_side, felt_px}), 1.1f)
+                << x << ", " << y;
           }
         }
       }

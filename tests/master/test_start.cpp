@@ -176,6 +176,26 @@ TEST(WarmStart, FreePiecesThatAreEnoughAreImproved) {
   EXPECT_EQ(run(canvas, s).statistics.trials, 0u) << "nothing may move";
 }
 
+/// Files have sizes to three decimals: a piece as small as is allowed may be written a little smaller.
+TEST(WarmStart, AFreePieceThatWasRoundedBeyondABoundMayGrow) {
+  CollageSettings s = settings();
+  s.pieces.min_scale_px = 35.43347f;
+  s.pieces.max_scale_px = 80;
+  s.stop.pieces = 1;
+  s.improve.trials = 1;
+  for (const float scale_px : {35.433f, 35.4f}) {
+    s.wishes.given = {{ShapeId{2}, {scale_px, 0, 60, 60}, false}};
+    const CollageResult result = run(make_rectangle_canvas(120, 120), s);
+    ASSERT_EQ(result.placements.size(), 1u);
+    const float now_px = result.placements[0].canvas_from_shape.scale();
+    if (scale_px == 35.433f) {
+      EXPECT_GT(now_px, 60) << "grown";
+    } else {
+      EXPECT_NEAR(now_px, scale_px, 1e-4f) << "it is meant to be smaller";
+    }
+  }
+}
+
 TEST(WarmStart, FreePiecesStandAgainAtEachAttemptToFitAll) {
   CollageSettings s = settings();
   s.pieces.fit_all = true;

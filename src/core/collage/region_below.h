@@ -9,7 +9,8 @@
 
 namespace tessera {
 
-/// The region that has most of the piece, the first one where none has any. Counted on cells of 1 px.
+/// The region that has most of the piece, the first one where none has any. Counted on cells of 1 px, and fewer of
+/// large pieces.
 std::uint32_t region_below(const Canvas& canvas, const Outline& outline, const Similarity& canvas_from_shape);
 
 }  // namespace tessera

@@ -13,6 +13,9 @@ namespace {
 /// 0.1 MB each.
 constexpr std::size_t kMostKept = 2000;
 
+/// One has the window, the others help: a trial tries four candidates.
+constexpr std::size_t kMostThreadsPerWindow = 4;
+
 /// A look takes some microseconds, and messages that are under way wait for it.
 constexpr std::chrono::milliseconds kBetweenLooks{1};
 
@@ -43,9 +46,19 @@ HoleShapes OwnReplacer::shapes_of(const std::vector<ReplacementWindow>& windows)
   return shapes;
 }
 
+/// Those that were not needed for longest; the last question's stay, however many they are.
 void OwnReplacer::forget_some() {
   if (kept_.size() <= kMostKept) return;
-  std::erase_if(kept_, [this](const auto& entry) { return entry.second.used < questions_; });
+  std::vector<std::uint64_t> used;
+  for (const auto& [id, kept] : kept_) used.push_back(kept.used);
+  const auto oldest_kept = used.end() - std::ptrdiff_t(kMostKept);
+  std::nth_element(used.begin(), oldest_kept, used.end());
+  const std::uint64_t least = *oldest_kept;
+  auto room = std::count(oldest_kept, used.end(), least);
+  std::erase_if(kept_, [&](const auto& entry) {
+    const std::uint64_t when = entry.second.used;
+    return when < questions_ && (when < least || (when == least && room-- <= 0));
+  });
 }
 
 std::vector<ReplacementOutcome> OwnReplacer::take_replaced() {
@@ -56,8 +69,8 @@ std::vector<ReplacementOutcome> OwnReplacer::take_replaced() {
   {
     std::vector<std::jthread> threads;
     try {
-      const int wanted = windows.empty() ? 0 : threads_;
-      for (int i = 0; i < wanted; ++i) threads.emplace_back([&queue] { queue.work(); });
+      const std::size_t wanted = std::min(kMostThreadsPerWindow * windows.size(), std::size_t(threads_));
+      for (std::size_t i = 0; i < wanted; ++i) threads.emplace_back([&queue] { queue.work(); });
       while (!queue.wait(kBetweenLooks)) look_();
     } catch (...) {
       queue.give_up();

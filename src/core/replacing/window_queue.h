@@ -22,7 +22,8 @@ class WindowQueue {
   /// Both outlive it. `shapes` has those of all windows.
   WindowQueue(const std::vector<ReplacementWindow>& windows, const HoleShapes& shapes);
 
-  /// Works until no window is left, one has failed, or give_up() was called. For any number of threads.
+  /// Works until no window is left, and helps until all are done; or until one has failed, or give_up() was called. For
+  /// any number of threads.
   void work() noexcept;
   /// Those who work end after the trials that they are at.
   void give_up();
