@@ -38,7 +38,8 @@ TEST(ReplacementPhase, DoesNotDependOnWhoTries) {
   EXPECT_EQ(run(canvas, settings(10), nullptr).placements, given.placements);
 }
 
-/// Eight for each of five sixths of the trials between the first and the last; temperatures fall from the first batch to the last.
+/// Eight for each of five sixths of the trials between the first and the last; temperatures fall from the first batch
+/// to the last.
 TEST(ReplacementPhase, HasSoManyTrials) {
   test::AskedReplacer idle;
   const CollageResult result = run(make_rectangle_canvas(300, 220), settings(40), &idle);

@@ -42,7 +42,8 @@ struct DrawingUses {
 };
 
 /// Distance to the canvas' edge, px, positive inside: at node (i, j), which lies at (origin + (i, j)) times node_px.
-/// Beyond the nodes it falls with the way there.
+/// Beyond the nodes it falls with the way there. What is farther away than anything in the window may feel has any
+/// distance that is as far.
 struct EdgeField {
   CanvasField distance;
   float node_px = 1;
