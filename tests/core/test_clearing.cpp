@@ -74,6 +74,26 @@ TEST(Clearing, APieceWithoutRoomBetweenFixedOnesIsReported) {
   EXPECT_EQ(pieces[0].canvas_from_shape, pose(40, 0, {80, 100}));
 }
 
+/// A bar with vertices all along.
+Outline bar(float length, float width) {
+  std::vector<Vec2> curve;
+  for (float x = 0; x < length; ++x) curve.push_back({x, 0});
+  for (float x = length; x > 0; --x) curve.push_back({x, width});
+  return {{curve}};
+}
+
+/// No push parts them, and both would lose a third of their size until they are apart.
+TEST(Clearing, OfLimbsThatCrossTheSmallerPieceGoesBeforeTheOtherHasShrunk) {
+  const ContactShape shape = make_contact_shape(test::make_test_shape("bar", bar(100, 8)));
+  std::vector<RelaxedPiece> pieces;
+  for (const float scale_px : {60.f, 50.f}) {
+    const float angle_rad = scale_px > 55 ? 0.f : 1.57f;
+    pieces.push_back({&shape, pose(scale_px, angle_rad, {150, 150}), {10, 500, {}}});
+  }
+  EXPECT_EQ(make_clear(pieces, {0, 1}, rectangle(300), {}, do_not_look), std::vector<std::size_t>{1});
+  EXPECT_GT(pieces[0].canvas_from_shape.scale(), 0.98f * 60);
+}
+
 /// Steps of shrinking are coarse, and of several that made way for each other the last did so for nothing.
 TEST(Clearing, APieceIsAsLargeAsTheOutlinesAllow) {
   const PieceSettings settings;

@@ -5,6 +5,7 @@
 #include "core/relax/contacts.h"
 #include "core/relax/piece_neighbours.h"
 #include "core/relax/schedules.h"
+#include "core/tuning.h"
 
 namespace tessera {
 namespace {
@@ -12,13 +13,19 @@ namespace {
 /// A piece that conflicts gives way so often before it is given up; now and then all that stand round such pieces make
 /// way for them, so that not one of them pays for all.
 constexpr int kPasses = 48;
-constexpr int kPassesToMakingWay = 8;
+constexpr int kPassesToMakingWay = 4;
+/// Limbs that cross each other are not parted by pushing: after so many passes the smaller piece goes, before all round
+/// it have shrunk for nothing.
+constexpr int kPassesToGivingUp = 4;
+constexpr float kHopeless = 0.9f;  // of kHopelessDepth_px, beyond which nobody asks how deep
 /// Of the scale, in each pass but those after making way. Smaller costs passes, larger costs area.
-constexpr float kShrink = 0.995f;
+constexpr float kShrink = 0.998f;
 /// Of a piece out of a neighbour: it has others on its other sides.
 constexpr float kMostPush_px = 0.5f;
 /// Stiff, as nothing grows meanwhile; a conflict that is left is about so many times smaller than that before.
 constexpr RelaxationSchedule kMakingWay{12, 20, 20, 1, 0.3f, 0, false};
+/// Of the scale: as area is worth nothing meanwhile, two that cross would shrink until they are apart.
+constexpr float kLeastMakingWay = 0.99f;
 /// Farther apart than what is hard while pieces grow, so that few are left between which outlines still see a conflict;
 /// nobody feels more than that.
 constexpr float kClearer_px = 0.15f;
@@ -40,6 +47,8 @@ class Clearing {
       : pieces_(pieces),
         period_(free.grid().period()),
         reach_px_(rule_alone(settings).reach_px()),
+        hopeless_px_(kHopeless * kHopelessDepth_px +
+                     (settings.padding_px > 0 ? settings.padding_px : -settings.overlap_px)),
         making_way_(free, rule_alone(settings)),
         outlines_(free, settings),
         laid_(pieces.size()),
@@ -56,21 +65,23 @@ class Clearing {
   std::vector<std::size_t> run(const std::function<void()>& look) {
     for (int pass = 0; pass < kPasses; ++pass) {
       look();
-      if (pass % kPassesToMakingWay == 0) make_way(look);
-      const bool shrinking = pass % kPassesToMakingWay > 0;
-      std::erase_if(unsure_, [&](std::size_t i) { return !gives_way(i, shrinking); });
+      const bool making_way = pass % kPassesToMakingWay == 0;
+      if (making_way) make_way(look);
+      if (making_way && pass >= kPassesToGivingUp) give_up(hopeless_px_);
+      std::erase_if(unsure_, [&](std::size_t i) { return !gives_way(i, !making_way); });
       if (unsure_.empty()) break;
     }
-    const std::vector<std::size_t> lost = give_up();
-    grow_again(lost, look);
-    return lost;
+    give_up(0);
+    grow_again(look);
+    std::sort(lost_.begin(), lost_.end());
+    return lost_;
   }
 
  private:
   /// Pieces made way for others that did so, too.
-  void grow_again(const std::vector<std::size_t>& lost, const std::function<void()>& look) {
+  void grow_again(const std::function<void()>& look) {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (!may_move_[i] || std::binary_search(lost.begin(), lost.end(), i)) continue;
+      if (!may_move_[i]) continue;
       look();
       float growth = kFirstRegrowth;
       for (int step = 0; step < kRegrowthSteps; ++step) {
@@ -120,19 +131,22 @@ class Clearing {
     return true;
   }
 
-  /// The smallest first, as of two pieces only one need go.
-  std::vector<std::size_t> give_up() {
-    std::stable_sort(unsure_.begin(), unsure_.end(),
+  /// Those that would have to go so far out of another: the smallest first, as of two pieces only one need go.
+  void give_up(float least_px) {
+    std::vector<std::size_t> smallest_first = unsure_;
+    std::stable_sort(smallest_first.begin(), smallest_first.end(),
                      [&](std::size_t a, std::size_t b) { return laid_[a].scale_px < laid_[b].scale_px; });
-    std::vector<std::size_t> given_up;
-    for (const std::size_t i : unsure_) {
-      if (conflicts_of(i).empty()) continue;
+    for (const std::size_t i : smallest_first) {
+      const std::vector<Vec2> ways = conflicts_of(i);
+      if (std::none_of(ways.begin(), ways.end(), [&](Vec2 way) { return norm(way) >= least_px; })) continue;
       outlines_.take_out(i);
-      given_up.push_back(i);
+      may_move_[i] = false;
+      lost_.push_back(i);
+      std::erase(unsure_, i);
     }
-    std::sort(given_up.begin(), given_up.end());
-    return given_up;
   }
+
+  bool is_lost(std::size_t i) const { return std::find(lost_.begin(), lost_.end(), i) != lost_.end(); }
 
   std::vector<Vec2> conflicts_of(std::size_t i) const {
     return outlines_.conflicts_of(i, [this](std::size_t piece, Vec2 p) { return laid_[piece].distance(p).value; });
@@ -148,13 +162,23 @@ class Clearing {
   void make_way(const std::function<void()>& look) {
     std::erase_if(unsure_, [&](std::size_t i) { return conflicts_of(i).empty(); });
     const std::vector<std::size_t> movable = with_neighbours(unsure_);
-    std::vector<RelaxedPiece> before = pieces_;
-    making_way_.relax(pieces_, movable, kMakingWay, look);
+    std::vector<RelaxedPiece> standing;
+    std::vector<std::size_t> active;  // of `standing`: the movable ones, in their order
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (std::binary_search(movable.begin(), movable.end(), i)) active.push_back(standing.size());
+      if (is_lost(i)) continue;
+      standing.push_back(pieces_[i]);
+      float& least_px = standing.back().poses.min_scale_px;
+      least_px = std::max(least_px, kLeastMakingWay * laid_[i].scale_px);
+    }
+    making_way_.relax(standing, active, kMakingWay, look);
     std::vector<std::size_t> unsure;
-    for (const std::size_t i : movable) {
+    for (std::size_t k = 0; k < movable.size(); ++k) {
+      const std::size_t i = movable[k];
+      const Similarity& now = standing[active[k]].canvas_from_shape;
       const bool was_unsure = std::binary_search(unsure_.begin(), unsure_.end(), i);
-      const bool moved = pieces_[i].canvas_from_shape != before[i].canvas_from_shape;
-      if (moved) place(i, pieces_[i].canvas_from_shape);
+      const bool moved = now != pieces_[i].canvas_from_shape;
+      if (moved) place(i, now);
       if (moved || was_unsure) unsure.push_back(i);
     }
     unsure_ = std::move(unsure);
@@ -179,12 +203,14 @@ class Clearing {
   std::vector<RelaxedPiece>& pieces_;
   Period period_;
   float reach_px_;
+  float hopeless_px_;  // the way out of what is hopeless
   Relaxation making_way_;
   PlacedOutlines outlines_;
   std::vector<LaidPiece> laid_;
   std::vector<float> relaxed_scale_px_;
   std::vector<bool> may_move_;
   std::vector<std::size_t> unsure_;  // ascending: who may have a conflict
+  std::vector<std::size_t> lost_;    // as they were given up
 };
 
 }  // namespace
