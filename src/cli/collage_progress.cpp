@@ -18,7 +18,7 @@ CollageProgress::CollageProgress(const CollageSettings& settings, bool quiet, co
 }
 
 void CollageProgress::progressed(const master::Progress& progress) {
-  history_.add(progress.seconds, progress.coverage);
+  history_.add(progress.seconds, progress.exchanging ? std::nullopt : std::optional(progress.coverage));
   if (!bar_) return;
   const std::optional<double> left_s = estimate_.left_s(progress);
   const double share = left_s && progress.seconds > 0 ? progress.seconds / (progress.seconds + *left_s) : 0;

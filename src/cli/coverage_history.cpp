@@ -10,7 +10,7 @@ constexpr std::size_t kFewestMoments = 10;  // of a whole run; fewer are steps, 
 
 }  // namespace
 
-void CoverageHistory::add(double seconds, double coverage) {
+void CoverageHistory::add(double seconds, std::optional<double> coverage) {
   latest_ = {seconds, coverage};
   if (added_++ % every_ != 0) return;
   moments_.push_back(latest_);
@@ -26,7 +26,9 @@ std::optional<double> CoverageHistory::gained_in_last_tenth(double total_s) cons
   const auto after =
       std::find_if(moments_.begin(), moments_.end(), [&](const Moment& m) { return m.seconds > then_s; });
   if (after == moments_.begin()) return {};
-  return latest_.coverage - (after - 1)->coverage;
+  const std::optional<double> then = (after - 1)->coverage;
+  if (!then || !latest_.coverage) return {};
+  return *latest_.coverage - *then;
 }
 
 }  // namespace tessera::cli

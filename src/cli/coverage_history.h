@@ -9,17 +9,17 @@ namespace tessera::cli {
 
 class CoverageHistory {
  public:
-  /// `seconds` do not fall from call to call; `coverage` is a fraction of the canvas.
-  void add(double seconds, double coverage);
+  /// `seconds` do not fall from call to call; `coverage` is a fraction of the canvas; nothing: not known then.
+  void add(double seconds, std::optional<double> coverage);
 
   /// What was covered more at the end than at nine tenths of `total_s`; negative where pieces were taken out. Nothing
-  /// where the run is known from a later time on only, as it was resumed, or too short to tell.
+  /// where one of both is not known, also as the run was resumed later, or where it is too short to tell.
   std::optional<double> gained_in_last_tenth(double total_s) const;
 
  private:
   struct Moment {
     double seconds;
-    double coverage;
+    std::optional<double> coverage;
   };
   /// Of a long run every 2nd, 4th, .. moment is kept, and the latest.
   std::vector<Moment> moments_;

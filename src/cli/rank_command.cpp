@@ -14,12 +14,12 @@ constexpr const char* kExamples =
     "  tessera rank out/campaign --weight balance=0.1 --weight dwarfs=-0.1    where large and small are to have a "
     "part\n"
     "The score is the sum of weight times measure, in percent. By default coverage counts 1, overlap and outside -2,\n"
-    "shared_boundary 0.1, variety (different shapes by pieces) 0.05. Those that count 0 until asked for: balance (1:\n"
-    "small to large pieces cover alike), dwarfs (their part of the pieces' area), copies_apart (how far off the "
-    "nearest\n"
-    "copy of a piece is, by the canvas' diagonal), alone (pieces without another within 2 px). Equal scores share a\n"
-    "rank and stand in the order of their folders' names. The table is written as ranking.csv and ranking.json, the\n"
-    "pictures, best first, as ranking.png.";
+    "shared_boundary and variety (effective_shapes by pieces: 1 where each shows another shape of one size) 0.1. "
+    "Those\n"
+    "that count 0 until asked for: balance (1: small to large pieces cover alike), dwarfs (their part of the pieces'\n"
+    "area), copies_apart (how far off the nearest copy of a piece is, by the canvas' diagonal), alone (pieces without\n"
+    "another within 2 px). Equal scores share a rank and stand in the order of their folders' names. The table is\n"
+    "written as ranking.csv and ranking.json, the pictures, best first, as ranking.png.";
 
 }  // namespace
 

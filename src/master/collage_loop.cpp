@@ -297,8 +297,8 @@ class Run {
 
   void after_step() {
     observer_.progressed({collage().placements().size(), collage().covered_px2() / canvas_.area_px2, seconds(),
-                          collage().open_samples(), statistics_.trials, std::uint64_t(settings_.improve.trials),
-                          attempt_ + 1});
+                          !moving_.empty(), collage().open_samples(), statistics_.trials,
+                          std::uint64_t(settings_.improve.trials), attempt_ + 1});
     if (keeper_ && keeper_->due()) keeper_->keep(state());
   }
 

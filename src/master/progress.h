@@ -10,6 +10,7 @@ struct Progress {
   std::size_t pieces = 0;
   double coverage = 0;            // fraction of the canvas, from the pieces' areas
   double seconds = 0;             // since the loop started
+  bool exchanging = false;        // other pieces than these are worked on, that lie in each other: not in `coverage`
   std::size_t open_samples = 0;   // target samples left on the free region's boundary
   std::uint64_t trials = 0;       // of improving
   std::uint64_t most_trials = 0;  // 0: no limit

@@ -34,6 +34,19 @@ TEST(CoverageHistory, does_not_say_what_it_does_not_know) {
   EXPECT_FALSE(two.gained_in_last_tenth(10)) << "a collage of two pieces is no curve";
 }
 
+TEST(CoverageHistory, what_was_not_known_then_was_no_gain) {
+  CoverageHistory until_late, early, at_the_end;
+  for (int s = 1; s <= 100; ++s) {
+    const auto unless = [&](bool exchanging) { return exchanging ? std::nullopt : std::optional(0.01 * s); };
+    until_late.add(s, unless(s > 20 && s <= 95));
+    early.add(s, unless(s > 20 && s < 90));
+    at_the_end.add(s, unless(s > 98));
+  }
+  EXPECT_FALSE(until_late.gained_in_last_tenth(100));
+  EXPECT_NEAR(early.gained_in_last_tenth(100).value(), 0.1, 1e-12);
+  EXPECT_FALSE(at_the_end.gained_in_last_tenth(100));
+}
+
 RC_GTEST_PROP(CoverageHistory, of_any_length_is_right_to_a_thousandth_of_its_time, ()) {
   const int moments = *rc::gen::inRange(1000, 60000);
   CoverageHistory history;

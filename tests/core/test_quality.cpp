@@ -6,6 +6,7 @@
 
 #include "core/base/processor_time.h"
 #include "core/collage/quality.h"
+#include "core/collage/variety.h"
 #include "core/geometry/rasterise.h"
 #include "support/synthetic_shapes.h"
 
@@ -140,11 +141,28 @@ TEST(Quality, ScaleQuantilesAndDistinctShapes) {
   for (int i = 0; i <= 10; ++i) placements.push_back(at(i % 2 ? kDisc : kSquare, float(10 + i), {50, 50}));
   const Quality q = measure(make_rectangle_canvas(100, 100), placements);
   EXPECT_EQ(q.distinct_shapes, 2u);
+  ASSERT_TRUE(q.effective_shapes);
+  EXPECT_NEAR(*q.effective_shapes, 2, 0.02) << "half of the area each, nearly";
   EXPECT_DOUBLE_EQ(q.scale_px_quantiles[0], 10);
   EXPECT_NEAR(q.scale_px_quantiles[1], 11, 1e-6);
   EXPECT_NEAR(q.scale_px_quantiles[2], 15, 1e-6);
   EXPECT_NEAR(q.scale_px_quantiles[3], 19, 1e-6);
   EXPECT_NEAR(q.scale_px_quantiles[4], 20, 1e-6);
+}
+
+JudgedPiece judged(const std::string& shape, double scale_px) {
+  return {test::rectangle_outline(1, 1), shape, {0, 0}, scale_px};
+}
+
+TEST(EffectiveShapes, AreAsManyAsHaveEqualSharesOfTheArea) {
+  EXPECT_FALSE(effective_shapes({}));
+  EXPECT_FALSE(effective_shapes({judged("", 10)}));
+  EXPECT_DOUBLE_EQ(*effective_shapes({judged("a", 10), judged("a", 40)}), 1);
+  EXPECT_NEAR(*effective_shapes({judged("a", 10), judged("b", 10), judged("c", 10)}), 3, 1e-12);
+  EXPECT_NEAR(*effective_shapes({judged("a", 10), judged("b", std::sqrt(50)), judged("b", std::sqrt(50))}), 2, 1e-12)
+      << "two small copies are one large piece";
+  EXPECT_LT(*effective_shapes({judged("a", 100), judged("b", 1), judged("c", 1)}), 1.01) << "to the eye one";
+  EXPECT_NEAR(*effective_shapes({judged("a", 10), judged("b", 10), judged("", 1000)}), 2, 1e-12);
 }
 
 TEST(Quality, ThreeHundredPiecesTakeLessThanASecond) {

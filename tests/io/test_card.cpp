@@ -17,6 +17,7 @@ Quality sample_quality() {
   q.shared_boundary = 0.683;
   q.pieces = 1234;
   q.distinct_shapes = 118;
+  q.effective_shapes = 64.25;
   q.scale_px_quantiles = {20, 24.5, 48.25, 110, 160};
   q.largest_gap_px = 9.75;
   q.size_range_px = {20, 160};
@@ -53,6 +54,7 @@ TEST(Card, JsonHasEveryMeasureWithItsUnit) {
   EXPECT_EQ(quality["outside_fraction"], 0.0001);
   EXPECT_EQ(quality["pieces"], 1234);
   EXPECT_EQ(quality["distinct_shapes"], 118);
+  EXPECT_EQ(quality["effective_shapes"], 64.25);
   EXPECT_EQ(quality["shared_boundary_fraction"], 0.683);
   EXPECT_EQ(quality["scale_px"]["median"], 48.25);
   EXPECT_EQ(quality["largest_gap_radius_px"], 9.75);
@@ -69,8 +71,8 @@ TEST(Card, WhatIsNotKnownIsNull) {
   Quality quality;
   quality.pieces = 1;
   const auto card = nlohmann::json::parse(card_json(quality, {}, {}));
-  for (const char* key :
-       {"size_balance", "dwarfs_fraction", "nearest_copy_px", "nearest_copy_fraction", "between_pieces_px"}) {
+  for (const char* key : {"effective_shapes", "size_balance", "dwarfs_fraction", "nearest_copy_px",
+                          "nearest_copy_fraction", "between_pieces_px"}) {
     EXPECT_TRUE(card["quality"].at(key).is_null()) << key;
   }
   EXPECT_TRUE(card["run"].at("last_tenth_percent").is_null());
@@ -82,7 +84,9 @@ TEST(Card, OfAnybodysPiecesIsTheQualityAlone) {
   EXPECT_EQ(nlohmann::json::parse(score_json(quality)).size(), 1u);
   EXPECT_EQ(nlohmann::json::parse(score_json(quality))["quality"]["distinct_shapes"], 118);
   EXPECT_EQ(score_text(quality).find("Run"), std::string::npos);
+  EXPECT_NE(score_text(quality).find("that of 64.2 shapes with equal shares of the area"), std::string::npos);
   quality.distinct_shapes = 0;
+  quality.effective_shapes = std::nullopt;
   quality.copies_px = quality.copies_apart = std::nullopt;
   EXPECT_TRUE(nlohmann::json::parse(score_json(quality))["quality"]["distinct_shapes"].is_null());
   EXPECT_NE(score_text(quality).find("1,234, of shapes without a name"), std::string::npos);

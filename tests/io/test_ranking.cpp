@@ -24,7 +24,8 @@ ResultCard card(const std::string& folder, double coverage, double overlap = 0) 
   result.quality.coverage = coverage;
   result.quality.overlap = overlap;
   result.quality.pieces = 4;
-  result.quality.distinct_shapes = 1;
+  result.quality.distinct_shapes = 2;
+  result.quality.effective_shapes = 1;
   result.stopped_by = "full";
   return result;
 }
@@ -39,7 +40,7 @@ TEST(Ranking, best_first_and_equal_ones_by_folder) {
   const auto results =
       ranked({card("b", 0.9), card("worse", 0.8), card("a", 0.9), card("laps", 0.91, 0.1)}, ranking_weights({}));
   EXPECT_EQ(order_of(results), (std::vector<std::string>{"a", "b", "worse", "laps"}));
-  EXPECT_NEAR(results.front().score, 90 + 0.05 * 25, 1e-9);
+  EXPECT_NEAR(results.front().score, 90 + 0.1 * 25, 1e-9);
 }
 
 TEST(Ranking, equal_scores_share_a_rank) {
@@ -48,8 +49,8 @@ TEST(Ranking, equal_scores_share_a_rank) {
   std::vector<std::size_t> ranks;
   for (const RankedResult& result : results) ranks.push_back(result.rank);
   EXPECT_EQ(ranks, (std::vector<std::size_t>{1, 2, 2, 4}));
-  EXPECT_NE(ranking_csv(results).find("\n2,a,91.250,"), std::string::npos) << ranking_csv(results);
-  EXPECT_NE(ranking_csv(results).find("\n2,c,91.250,"), std::string::npos);
+  EXPECT_NE(ranking_csv(results).find("\n2,a,92.500,"), std::string::npos) << ranking_csv(results);
+  EXPECT_NE(ranking_csv(results).find("\n2,c,92.500,"), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(ranking_json(results, weights))["ranking"][2]["rank"], 2);
 }
 
@@ -57,7 +58,7 @@ TEST(Ranking, weights_change_the_order) {
   const RankingWeights weights = ranking_weights({"overlap=0", "coverage=-1"});
   EXPECT_EQ(order_of(ranked({card("high", 0.9), card("low", 0.1)}, weights)),
             (std::vector<std::string>{"low", "high"}));
-  EXPECT_EQ(score_formula(weights), "score = - coverage - 2 outside + 0.1 shared_boundary + 0.05 variety, in percent");
+  EXPECT_EQ(score_formula(weights), "score = - coverage - 2 outside + 0.1 shared_boundary + 0.1 variety, in percent");
 }
 
 TEST(Ranking, a_wrong_weight_is_named_with_what_is_allowed) {
@@ -111,14 +112,23 @@ TEST(Ranking, a_collage_without_pieces_does_not_lead) {
 TEST(Ranking, older_cards_count_nothing_of_what_they_lack_and_it_is_said) {
   ResultCard older = card("older", 0.9);
   older.older = true;
+  older.quality.effective_shapes = std::nullopt;
   const RankingWeights weights = ranking_weights({"alone=0.1", "copies_apart=1"});
   const auto results = ranked({older, seen_card("new", 0.9, 0.5, 0.1, 0)}, weights);
   EXPECT_EQ(order_of(results), (std::vector<std::string>{"new", "older"}));
-  EXPECT_EQ(lacking_measures(results, weights),
-            std::vector<std::string>{"older/card.json: from before there was copies_apart, alone: counts as 0"});
-  EXPECT_TRUE(lacking_measures(results, ranking_weights({})).empty());
+  EXPECT_EQ(
+      lacking_measures(results, weights),
+      std::vector<std::string>{"older/card.json: from before there was variety, copies_apart, alone: counts as 0"});
+  EXPECT_TRUE(lacking_measures(results, ranking_weights({"variety=0"})).empty());
   EXPECT_TRUE(nlohmann::json::parse(ranking_json(results, weights))["ranking"][1]["alone_fraction"].is_null());
-  EXPECT_NE(ranking_csv(results).find(",0.000,,,,,,,0.000,full\n"), std::string::npos) << ranking_csv(results);
+  EXPECT_NE(ranking_csv(results).find(",0.000,,,,,,,,0.000,full\n"), std::string::npos) << ranking_csv(results);
+}
+
+TEST(Ranking, a_tenth_of_variety_by_area_speaks_between_collages_that_cover_alike) {
+  ResultCard rich = card("rich", 0.89), copies = card("copies", 0.9);
+  rich.quality.effective_shapes = 2;
+  EXPECT_EQ(order_of(ranked({copies, rich}, ranking_weights({}))), (std::vector<std::string>{"rich", "copies"}));
+  EXPECT_EQ(order_of(ranked({copies, rich}, ranking_weights({"variety=0.01"}))).front(), "copies");
 }
 
 RC_GTEST_PROP(Ranking, scores_never_rise, ()) {
@@ -134,7 +144,7 @@ RC_GTEST_PROP(Ranking, scores_never_rise, ()) {
 
 TEST(Ranking, csv_quotes_what_would_break_it) {
   const std::string csv = ranking_csv(ranked({card("a, \"b\"", 0.5)}, ranking_weights({})));
-  EXPECT_NE(csv.find("\n1,\"a, \"\"b\"\"\",51.250,0.500000,0.000000,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\n1,\"a, \"\"b\"\"\",52.500,0.500000,0.000000,"), std::string::npos) << csv;
 }
 
 class ResultFolders : public testing::Test {
@@ -145,6 +155,7 @@ class ResultFolders : public testing::Test {
     quality.coverage = coverage;
     quality.pieces = 10;
     quality.distinct_shapes = 5;
+    quality.effective_shapes = 4.25;
     quality.largest_gap_px = 3.5;
     quality.balance = SizeBalance{0.75, 0.125};
     quality.copies_px = 50;
@@ -178,6 +189,7 @@ TEST_F(ResultFolders, a_card_is_read_as_it_was_written) {
   EXPECT_EQ(card.quality.coverage, 0.93);
   EXPECT_EQ(card.quality.pieces, 10u);
   EXPECT_EQ(card.quality.distinct_shapes, 5u);
+  EXPECT_EQ(card.quality.effective_shapes, 4.25);
   EXPECT_EQ(card.quality.largest_gap_px, 3.5);
   EXPECT_FALSE(card.older);
   EXPECT_EQ(card.quality.balance.value().evenness, 0.75);

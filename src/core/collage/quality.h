@@ -26,6 +26,7 @@ struct Quality {
   double shared_boundary = 0;  // share of the pieces' boundary within 2 px of another's boundary or the canvas' edge
   std::size_t pieces = 0;
   std::size_t distinct_shapes = 0;             // 0 with pieces: nobody says which they show
+  std::optional<double> effective_shapes;      // variety.h
   std::array<double, 5> scale_px_quantiles{};  // minimum, 10 %, median, 90 %, maximum
   double largest_gap_px = 0;                   // radius of the largest disc that still fits into the free region
   SizeRange size_range_px;                     // that balance is judged in

@@ -35,6 +35,7 @@ Json quality_json(const Quality& q) {
           {"outside_fraction", fraction(q.outside)},
           {"pieces", q.pieces},
           {"distinct_shapes", q.distinct_shapes},
+          {"effective_shapes", q.effective_shapes ? Json(rounded(*q.effective_shapes, 3)) : Json()},
           {"shared_boundary_fraction", fraction(q.shared_boundary)},
           {"scale_px",
            {{"min", px(q.scale_px_quantiles[0])},
@@ -150,6 +151,11 @@ std::string dwarfs_text(const Quality& q) {
          fixed(dwarfs_below_px(q.size_range_px), 1) + " px)";
 }
 
+std::string variety_text(const Quality& q) {
+  if (!q.effective_shapes) return q.pieces > 0 ? "not known, shapes have no names" : kNoPieces;
+  return "that of " + fixed(*q.effective_shapes, 1) + " shapes with equal shares of the area";
+}
+
 std::string copies_text(const Quality& q) {
   if (q.pieces == 0) return kNoPieces;
   if (!q.copies_px) return q.distinct_shapes > 0 ? "none of half of the pieces" : "not known, shapes have no names";
@@ -163,8 +169,9 @@ std::string between_text(const Quality& q) {
 std::string quality_text(const Quality& q, const PieceSettings& pieces) {
   return std::string("Quality\n") + line("coverage", percent_text(q.coverage)) +
          line("overlap", percent_text(q.overlap, 3)) + line("outside", percent_text(q.outside, 3)) +
-         line("pieces", pieces_text(q)) + line("shared boundary", shared_boundary_text(q, pieces)) +
-         line("scale", scales_text(q)) + line("", "(min / 10 % / median / 90 % / max)") +
+         line("pieces", pieces_text(q)) + line("variety", variety_text(q)) +
+         line("shared boundary", shared_boundary_text(q, pieces)) + line("scale", scales_text(q)) +
+         line("", "(min / 10 % / median / 90 % / max)") +
          line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)") + line("balance of sizes", balance_text(q)) +
          line("dwarfs", dwarfs_text(q)) + line("nearest copy", copies_text(q)) +
          line("between pieces", between_text(q)) +

@@ -19,7 +19,7 @@ struct RankingTerm {
 
 inline constexpr std::size_t kRankingTerms = 9;
 
-/// coverage, overlap, outside, shared_boundary, variety (different shapes by pieces), balance (of sizes) and dwarfs,
+/// coverage, overlap, outside, shared_boundary, variety (effective_shapes by pieces), balance (of sizes) and dwarfs,
 /// both 0 where all sizes are alike, copies_apart (by the canvas' diagonal; 1 where most shapes stand once), alone.
 /// Without pieces dwarfs is 1, and copies_apart 0.
 const std::array<RankingTerm, kRankingTerms>& ranking_terms();
