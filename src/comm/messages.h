@@ -46,7 +46,6 @@ TESSERA_SENT_AS_IT_LIES(tessera::Box)
 TESSERA_SENT_AS_IT_LIES(tessera::ContactDistances)
 TESSERA_SENT_AS_IT_LIES(tessera::WindowPiece)
 TESSERA_SENT_AS_IT_LIES(tessera::IncomingShape)
-TESSERA_SENT_AS_IT_LIES(tessera::DrawingUses)
 TESSERA_SENT_AS_IT_LIES(tessera::ReplacedPiece)
 TESSERA_SENT_AS_IT_LIES(tessera::WorkerTimes)
 
@@ -65,6 +64,7 @@ TESSERA_SENT_BY_MEMBERS(tessera::DockReply)
 TESSERA_SENT_BY_MEMBERS(tessera::Grid<float>)
 TESSERA_SENT_BY_MEMBERS(tessera::CanvasField)
 TESSERA_SENT_BY_MEMBERS(tessera::EdgeField)
+TESSERA_SENT_BY_MEMBERS(tessera::DrawingArea)
 TESSERA_SENT_BY_MEMBERS(tessera::ReplacementWindow)
 TESSERA_SENT_BY_MEMBERS(tessera::ReplacementOutcome)
 TESSERA_SENT_BY_MEMBERS(tessera::DeviceDescription)
@@ -124,11 +124,16 @@ void serialize(Archive& archive, tessera::EdgeField& edge, unsigned) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, tessera::DrawingArea& drawn, unsigned) {
+  archive& drawn.drawing& drawn.area_px2;
+}
+
+template <class Archive>
 void serialize(Archive& archive, tessera::ReplacementWindow& window, unsigned) {
   // By all its members: one that is left out here would differ from rank to rank, so then this does not compile.
-  auto& [box, edge, distances, least_px, most_px, repetition, moving, still, incoming, uses, random, trials, first_px2,
+  auto& [box, edge, distances, least_px, most_px, repetition, moving, still, incoming, drawn, random, trials, first_px2,
          last_px2] = window;
-  archive& box& edge& distances& least_px& most_px& repetition& moving& still& incoming& uses& random& trials;
+  archive& box& edge& distances& least_px& most_px& repetition& moving& still& incoming& drawn& random& trials;
   archive& first_px2& last_px2;
 }
 

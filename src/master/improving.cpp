@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <map>
 
 #include "core/base/interrupted.h"
 #include "core/base/portable_math.h"
 #include "core/collage/objective.h"
 #include "core/relax/schedules.h"
+#include "core/replacing/repetition.h"
 #include "core/tuning.h"
+#include "master/replacing.h"
 
 namespace tessera::master {
 namespace {
@@ -57,11 +60,13 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
                      ShapeSource& shapes)
     : collage_(collage),
       filling_(filling),
+      shapes_(shapes),
       relaxing_(collage.free(), settings, shapes, [&collage](const Placement& p) { return collage.poses_of(p); }),
       relax_(pays_to_relax(settings)),
       trials_per_relaxation_(trials_per_relaxation(area_px2, settings.pieces)),
       pieces_(settings.pieces),
       dwarf_loss_(kDwarfLoss * double(balance_of(settings.objective))),
+      repetition_cost_(pays_to_replace(settings) ? double(repetition_cost(settings.objective)) : 0),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
                                              : kRuinedScale * settings.pieces.min_scale_px),
@@ -110,11 +115,24 @@ void Improving::fill(const Look& look) {
   while (collage_.placements().size() < most_pieces_ && filling_.place_one());
 }
 
-/// What is free, what is covered twice, and some of what dwarfs cover.
+/// What is free, what is covered twice, some of what dwarfs cover, and what it costs that drawings repeat themselves.
 std::int64_t Improving::loss_256ths_px2() const {
   const std::int64_t free = collage_.free().free_256ths_px2();
   const std::int64_t loss = relax_ ? 2 * free + area_256ths_px2(collage_.placements()) : free;
-  return loss + dwarfs_256ths_px2();
+  return loss + dwarfs_256ths_px2() + repeated_256ths_px2();
+}
+
+std::int64_t Improving::repeated_256ths_px2() const {
+  if (repetition_cost_ == 0) return 0;
+  std::map<ShapeId, double> area_px2;
+  for (const Placement& p : collage_.placements()) {
+    const double scale_px = double(p.canvas_from_shape.scale());
+    area_px2[shapes_.drawing(p.shape)] += scale_px * scale_px;
+  }
+  const double middle_px2 = double(pieces_.min_scale_px) * double(pieces_.max_scale_px);
+  double sum_px2 = 0;
+  for (const auto& [drawing, of_drawing_px2] : area_px2) sum_px2 += repeated_px2(of_drawing_px2, middle_px2);
+  return std::int64_t(256 * repetition_cost_ * sum_px2);
 }
 
 std::int64_t Improving::dwarfs_256ths_px2() const {

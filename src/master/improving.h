@@ -1,6 +1,6 @@
 // Beyond greedy, which the paper names as its limit (section 6). A trial of ruin and recreate takes a few small pieces
 // beside a gap out and fills the hole again; now and then all pieces move, turn and grow together instead. The result
-// is kept where more of the canvas is covered, and not by dwarfs alone.
+// is kept where more of the canvas is covered, and not by dwarfs or by copies of a few drawings alone.
 #pragma once
 
 #include <cstdint>
@@ -43,14 +43,17 @@ class Improving {
   void fill(const Look& look);
   std::int64_t loss_256ths_px2() const;
   std::int64_t dwarfs_256ths_px2() const;
+  std::int64_t repeated_256ths_px2() const;
 
   Collage& collage_;
   Filling& filling_;
+  ShapeSource& shapes_;
   Relaxing relaxing_;
   bool relax_;
   std::uint32_t trials_per_relaxation_;
   PieceSettings pieces_;
-  double dwarf_loss_;  // of a dwarf's area
+  double dwarf_loss_;       // of a dwarf's area
+  double repetition_cost_;  // core/replacing/repetition.h
   std::uint64_t seed_;
   float most_scale_px_;
   std::size_t most_pieces_;

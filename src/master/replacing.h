@@ -21,6 +21,9 @@ namespace tessera::master {
 /// neighbours, by the number of pieces, or by growth outward.
 bool pays_to_replace(const CollageSettings& settings);
 
+/// Of an area, what each e-fold of what its drawing covers costs (core/replacing/repetition.h).
+float repetition_cost(const ObjectiveSettings& objective);
+
 /// Of all trials of improving this part are replacements, so many for one: they take about as long, on two cores.
 inline constexpr double kPartReplaced = 5.0 / 6;
 /// Of a question, for each that works on them: enough to share them out evenly.
@@ -71,8 +74,7 @@ class Replacing {
                                         const std::vector<IncomingShape>& incoming, const std::function<void()>& look);
   EdgeField edge_around(const Box& box) const;
   std::vector<IncomingShape> drawn_shapes(std::uint64_t random) const;
-  std::vector<DrawingUses> uses_beside(const ReplacementWindow& window,
-                                       const std::map<ShapeId, std::uint32_t>& all) const;
+  std::vector<DrawingArea> drawn_in(const ReplacementWindow& window, const std::map<ShapeId, double>& all_px2) const;
   void plan(std::vector<Cut>& cuts, ReplacementProgress& progress) const;
   std::vector<Placement> joined(const std::vector<Placement>& placements, const std::vector<Cut>& cuts,
                                 const std::vector<ReplacementOutcome>& outcomes) const;

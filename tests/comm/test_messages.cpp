@@ -134,7 +134,7 @@ ReplacementWindow any_window() {
   window.incoming = any_vector([] {
     return IncomingShape{ShapeId{any_index()}, ShapeId{any_index()}, any_poses(), any_float()};
   });
-  window.uses = any_vector([] { return DrawingUses{ShapeId{any_index()}, any_index()}; });
+  window.drawn = any_vector([] { return DrawingArea{ShapeId{any_index()}, double(any_index()) / 7}; });
   window.random = *rc::gen::arbitrary<std::uint64_t>();
   window.trials = any_index();
   window.first_temperature_px2 = any_float();
@@ -156,7 +156,7 @@ bool same_bits(const ReplacementWindow& a, const ReplacementWindow& b) {
   };
   return same_bits(std::vector{a.box.low, a.box.high}, std::vector{b.box.low, b.box.high}) &&
          same_bits(a.edge, b.edge) && same_bits(numbers(a), numbers(b)) && same_bits(a.moving, b.moving) &&
-         same_bits(a.still, b.still) && same_bits(a.incoming, b.incoming) && same_bits(a.uses, b.uses) &&
+         same_bits(a.still, b.still) && same_bits(a.incoming, b.incoming) && a.drawn == b.drawn &&
          a.random == b.random && a.trials == b.trials;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "core/replacing/hole_shape.h"
@@ -72,6 +73,17 @@ inline WindowPiece window_piece(std::size_t shape, const Similarity& where, cons
 }
 
 /// The whole of a square canvas, without pieces: trials are cold, and every shape may come in.
+/// As if the canvas held the window's pieces alone.
+inline void count_drawn(ReplacementWindow& window) {
+  std::map<ShapeId, double> area_px2;
+  for (const IncomingShape& in : window.incoming) area_px2[in.drawing];
+  for (const auto* pieces : {&window.moving, &window.still}) {
+    for (const WindowPiece& p : *pieces) area_px2[p.drawing] += std::pow(double(p.canvas_from_shape.scale()), 2);
+  }
+  window.drawn.clear();
+  for (const auto& [drawing, of_drawing_px2] : area_px2) window.drawn.push_back({drawing, of_drawing_px2});
+}
+
 inline ReplacementWindow empty_window(int canvas_px = kCanvas_px) {
   ReplacementWindow window;
   const float size_px = float(canvas_px);
@@ -82,8 +94,8 @@ inline ReplacementWindow empty_window(int canvas_px = kCanvas_px) {
   window.most_scale_px = 60;
   for (std::size_t i = 0; i < hole_shapes().size(); ++i) {
     window.incoming.push_back({ShapeId(i), ShapeId(i), {20, 60, {}}, 1});
-    window.uses.push_back({ShapeId(i), 0});
   }
+  count_drawn(window);
   window.random = 7;
   window.trials = 20;
   return window;

@@ -174,6 +174,13 @@ TEST(PortableExp2, IsCloseToTheTruth) {
   for (float x = -8; x < 8; x += 0.013f) EXPECT_NEAR(portable_exp2(x) / std::exp2(x), 1, 2e-6f);
 }
 
+TEST(PortableLog, IsCloseToTheTruth) {
+  for (double x = 1e-6; x < 1e9; x *= 1.037) {
+    EXPECT_NEAR(portable_log(x), std::log(x), 1e-9 * std::abs(std::log(x)) + 1e-12) << x;
+  }
+  EXPECT_EQ(portable_log(1), 0);
+}
+
 TEST(DockingKey, PrefersThePoseThatFits) {
   const Shape shape = test::make_library_shape("bean", test::bean_outline());
   const MatchingContext context = make_matching_context(settings(), 1);

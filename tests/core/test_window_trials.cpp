@@ -47,6 +47,7 @@ ReplacementWindow any_window() {
     (window.still.size() < still ? window.still : window.moving).push_back(piece);
   }
   for (IncomingShape& in : window.incoming) in.poses = poses;
+  count_drawn(window);
   window.repetition_cost = *rc::gen::element(0.f, 0.05f);
   window.random = *rc::gen::arbitrary<std::uint64_t>();
   window.trials = 12;
@@ -192,12 +193,18 @@ TEST(WindowTrials, PiecesThatAreNotWhollyInTheWindowStayAsTheyAre) {
 TEST(WindowTrials, ColdTrialsNeverRaiseTheEnergyOfTheWhole) {
   EXPECT_TRUE(rc::check([] {
     ReplacementWindow window = any_window();
-    window.repetition_cost = 0;
     window.first_temperature_px2 = 0;
     const SceneRelaxation relaxation(window);
-    const double old_px2 = relaxation.energy_px2(scene_of(window, before(window)));
+    const auto energy_px2 = [&](const std::vector<ReplacedPiece>& pieces) {
+      Repetition repetition(window);
+      const double start_px2 = repetition.energy_px2();
+      for (const WindowPiece& p : window.moving) repetition.remove(p.drawing, double(p.canvas_from_shape.scale()));
+      for (const ReplacedPiece& p : pieces) repetition.add(p.shape, double(p.canvas_from_shape.scale()));
+      return relaxation.energy_px2(scene_of(window, pieces)) + repetition.energy_px2() - start_px2;
+    };
+    const double old_px2 = energy_px2(before(window));
     const ReplacementOutcome outcome = outcome_of(window);
-    const double new_px2 = relaxation.energy_px2(scene_of(window, outcome.pieces));
+    const double new_px2 = energy_px2(outcome.pieces);
     RC_LOG() << old_px2 << " to " << new_px2 << " by " << outcome.kept << " trials\n";
     RC_ASSERT(new_px2 <= old_px2 + 1e-4 * std::abs(old_px2));
     if (outcome.kept > 0) RC_ASSERT(new_px2 < old_px2);
@@ -308,12 +315,13 @@ TEST(WindowTrials, WhereRepetitionCostsMuchOtherDrawingsComeIn) {
     }
     return times;
   };
+  count_drawn(window);
   const std::ptrdiff_t discs_cheap = times_of(kDisc);
   window.repetition_cost = 0.3f;
   EXPECT_LT(times_of(kDisc), discs_cheap);
   ASSERT_GT(times_of(1), 0);
   window.repetition_cost = 0.5f;
-  window.uses[1].elsewhere = 100;
+  window.drawn[1].area_px2 = 1e6;
   EXPECT_EQ(times_of(1), 0) << "worth nothing";
 }
 
@@ -321,36 +329,63 @@ TEST(WindowTrials, WhereRepetitionCostsMuchOtherDrawingsComeIn) {
 TEST(WindowTrials, ShapesOfOneDrawingAreRepetitionsOfEachOther) {
   ReplacementWindow window = empty_window();
   window.moving = discs_round_a_hole();
+  count_drawn(window);
   window.trials = 60;
   window.repetition_cost = 0.4f;
   ASSERT_NE(outcome_of(window).pieces, before(window));
-  window.uses = {{ShapeId{kDisc}, 0}};
   for (IncomingShape& in : window.incoming) in.drawing = ShapeId{kDisc};
+  count_drawn(window);
   for (const ReplacedPiece& p : outcome_of(window).pieces) {
     EXPECT_EQ(index_of(p.shape), kDisc) << "nothing is gained by another shape of as many pieces";
     if (p.from == ReplacedPiece::kNew) break;
   }
 }
 
-TEST(Repetition, CostsTheLogarithmOfTheCopies) {
+constexpr double kMiddle_px2 = 30 * 120;
+
+ReplacementWindow window_of_drawings(const std::vector<DrawingArea>& drawn) {
   ReplacementWindow window = empty_window();
+  window.least_scale_px = 30;
+  window.most_scale_px = 120;
   window.repetition_cost = 0.5f;
-  window.moving = {window_piece(0, pose(30, 0, {50, 50})), window_piece(0, pose(30, 0, {90, 50})),
-                   window_piece(1, pose(30, 0, {50, 90}))};
-  window.still = {window_piece(3, pose(30, 0, {90, 90}))};
-  window.uses[0].elsewhere = 3;
-  window.uses[2].elsewhere = 40;
-  Repetition repetition(window);
-  const auto cost = [&](std::uint32_t drawing) { return repetition.cost(ShapeId{drawing}); };
-  EXPECT_NEAR(cost(0), 0.5 * std::log(6), 1e-6) << "a sixth, by three elsewhere and two that move";
-  EXPECT_NEAR(cost(1), 0.5 * std::log(2), 1e-6);
-  EXPECT_NEAR(cost(2), 0.5 * std::log(16), 1e-6) << "no more than that";
-  EXPECT_EQ(cost(3), 0) << "the first; whoever stands still is counted elsewhere";
-  EXPECT_EQ(cost(99), 0);
-  repetition.add(ShapeId{1});
-  EXPECT_NEAR(cost(1), 0.5 * std::log(3), 1e-6);
-  repetition.remove(ShapeId{1});
-  EXPECT_NEAR(cost(1), 0.5 * std::log(2), 1e-6);
+  window.drawn = drawn;
+  return window;
+}
+
+TEST(Repetition, EachEFoldOfWhatADrawingCoversCostsAPartOfIt) {
+  EXPECT_NEAR(repeated_px2(100 * std::exp(1), 100), 0, 1e-6);
+  EXPECT_NEAR(repeated_px2(100 * std::exp(3), 100), 2 * 100 * std::exp(3), 1e-5);
+  EXPECT_NEAR(repeated_px2(101, 100), repeated_px2(99, 100), 1e-3) << "neutral at the middle size";
+  EXPECT_EQ(repeated_px2(0, 100), 0);
+  const Repetition repetition(window_of_drawings({{ShapeId{0}, kMiddle_px2}, {ShapeId{2}, 4 * kMiddle_px2}}));
+  const auto cost = [&](std::uint32_t drawing, double scale_px) {
+    return repetition.cost_px2(ShapeId{drawing}, scale_px);
+  };
+  EXPECT_NEAR(cost(0, 60), 0.5 * kMiddle_px2 * (2 * std::log(2) - 1), 1e-3) << "the integral of ln x from 1 to 2";
+  EXPECT_NEAR(cost(1, 60), -0.5 * kMiddle_px2, 1e-3) << "not listed: it covers nothing";
+  EXPECT_GT(cost(2, 60), cost(0, 60)) << "of one that covers more";
+  EXPECT_GT(cost(0, 120) / (120 * 120), cost(0, 60) / (60 * 60)) << "the eye goes by large copies";
+  EXPECT_NEAR(cost(0, 40) + Repetition(window_of_drawings({{ShapeId{0}, kMiddle_px2 + 1600}})).cost_px2({}, 50),
+              cost(0, std::sqrt(1600 + 2500)), 1e-3)
+      << "two small ones cost as much as one that covers both";
+}
+
+TEST(Repetition, ItsEnergyIsThatOfAllDrawings) {
+  EXPECT_TRUE(rc::check([] {
+    const auto shape = [] { return ShapeId{*rc::gen::inRange(0u, 5u)}; };
+    Repetition repetition(window_of_drawings({{ShapeId{1}, 5000}, {ShapeId{3}, 900}}));
+    const double start_px2 = repetition.energy_px2();
+    std::vector<std::pair<ShapeId, double>> added;
+    double cost_px2 = 0;
+    for (int k = *rc::gen::inRange(0, 8); k > 0; --k) {
+      added.emplace_back(shape(), any_number(20, 160));
+      cost_px2 += repetition.cost_px2(added.back().first, added.back().second);
+      repetition.add(added.back().first, added.back().second);
+    }
+    RC_ASSERT(std::abs(repetition.energy_px2() - start_px2 - cost_px2) < 1e-3);
+    for (const auto& [drawing, scale_px] : added) repetition.remove(drawing, scale_px);
+    RC_ASSERT(std::abs(repetition.energy_px2() - start_px2) < 1e-3);
+  }));
 }
 
 /// Discs of a fixed size have smaller stars come in for them: always a loss.

@@ -436,32 +436,30 @@ TEST(Replacing, ShapesComeInAsTheyMayStandAndAsOftenAsTheyAreWishedFor) {
   for (const IncomingShape& in : incoming) EXPECT_NE(in.shape, ShapeId{2});
 }
 
-TEST(Replacing, UsesElsewhereAreThoseOfAllPiecesThatDoNotMoveInTheWindow) {
+TEST(Replacing, WhatADrawingCoversIsThatOfAllItsPieces) {
   CollageSettings s = settings_40_to_80();
   s.objective.repetition_exponent = 0.5f;
   Batches batches(large_canvas(), s);
   test::AskedReplacer replacer;
   batches.batch(replacer, 10);
   for (const ReplacementWindow& w : replacer.windows()) {
-    ASSERT_EQ(w.uses.size(), 6u) << "drawings";
-    std::size_t elsewhere = 0;
-    for (std::size_t i = 0; i < w.uses.size(); ++i) {
-      EXPECT_EQ(w.uses[i].drawing, ShapeId(std::uint32_t(2 * i))) << "ascending";
-      const auto moving = std::count_if(w.moving.begin(), w.moving.end(),
-                                        [&](const WindowPiece& p) { return p.drawing == w.uses[i].drawing; });
-      const auto all = std::count_if(batches.placements.begin(), batches.placements.end(), [&](const Placement& p) {
-        return (index_of(p.shape) & ~1u) == index_of(w.uses[i].drawing);
-      });
-      EXPECT_EQ(w.uses[i].elsewhere, std::uint32_t(all - moving));
-      elsewhere += w.uses[i].elsewhere;
+    ASSERT_EQ(w.drawn.size(), 6u) << "drawings";
+    for (std::size_t i = 0; i < w.drawn.size(); ++i) {
+      EXPECT_EQ(w.drawn[i].drawing, ShapeId(std::uint32_t(2 * i))) << "ascending";
+      double area_px2 = 0;
+      for (const Placement& p : batches.placements) {
+        const bool shows_it = (index_of(p.shape) & ~1u) == index_of(w.drawn[i].drawing);
+        if (shows_it) area_px2 += std::pow(double(p.canvas_from_shape.scale()), 2);
+      }
+      EXPECT_GT(area_px2, 0);
+      EXPECT_NEAR(w.drawn[i].area_px2, area_px2, 1e-6 * area_px2);
     }
-    EXPECT_EQ(elsewhere, batches.placements.size() - w.moving.size());
-    EXPECT_NEAR(w.repetition_cost, 0.07 * 0.5, 1e-6);
+    EXPECT_NEAR(w.repetition_cost, 0.14 * 0.5, 1e-6);
   }
 }
 
 /// A drawing that neither moves in the window nor may come in is none of its business.
-TEST(Replacing, UsesOfOtherDrawingsAreLeftOut) {
+TEST(Replacing, WhatOtherDrawingsCoverIsLeftOut) {
   CollageSettings s = settings_40_to_80();
   s.wishes.classes.resize(2);
   s.wishes.classes[1].weight = 0;
@@ -473,8 +471,8 @@ TEST(Replacing, UsesOfOtherDrawingsAreLeftOut) {
   const ReplacementWindow& w = replacer.windows()[0];
   ASSERT_EQ(w.moving.size(), 1u);
   std::set<ShapeId> expected = {ShapeId{0}, w.moving[0].drawing};
-  ASSERT_EQ(w.uses.size(), expected.size());
-  for (const DrawingUses& uses : w.uses) EXPECT_TRUE(expected.count(uses.drawing));
+  ASSERT_EQ(w.drawn.size(), expected.size());
+  for (const DrawingArea& drawn : w.drawn) EXPECT_TRUE(expected.count(drawn.drawing));
 }
 
 TEST(Replacing, DistancesAndSizesAreThoseOfTheJob) {

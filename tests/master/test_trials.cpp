@@ -220,6 +220,34 @@ TEST_F(RelaxingTest, AnInterruptedRelaxationIsPutBack) {
   EXPECT_GT(interrupted, 20);
 }
 
+/// Of repetition as the job says: the largest cost that it may have, or none.
+class RepetitionTest : public TrialsTest {
+ protected:
+  static CollageSettings with(float repetition_exponent) {
+    CollageSettings s = unsettled();
+    s.improve.relax = true;
+    s.objective.repetition_exponent = repetition_exponent;
+    return s;
+  }
+  explicit RepetitionTest(float repetition_exponent = 4) : TrialsTest(with(repetition_exponent)) {
+    collage_.replace_placements({piece(0, 60, {45, 70}), piece(1, 60, {150, 70})});
+  }
+  /// Nothing hinders them from growing to the largest size.
+  Trial settles_to(std::uint32_t a, std::uint32_t b) {
+    matcher_.offers = {};
+    return improving_.settle({piece(a, 60, {45, 70}), piece(b, 60, {150, 70})}, 9, [] { return false; });
+  }
+};
+
+class WithoutCostTest : public RepetitionTest {
+ protected:
+  WithoutCostTest() : RepetitionTest(0) {}
+};
+
+TEST_F(RepetitionTest, CopiesOfOneDrawingThatCoverMoreArePutBack) { EXPECT_EQ(settles_to(2, 2), Trial::put_back); }
+TEST_F(RepetitionTest, DifferentDrawingsThatCoverMoreAreKept) { EXPECT_EQ(settles_to(2, 3), Trial::kept); }
+TEST_F(WithoutCostTest, CopiesThatCoverMoreAreKept) { EXPECT_EQ(settles_to(2, 2), Trial::kept); }
+
 /// Pieces that moved or grew may have come too near to their like.
 class ApartTest : public test::OfferedFilling {
  protected:

@@ -75,7 +75,7 @@ inline ReplacementWindow any_window(std::uint64_t number, std::uint32_t first = 
   for (std::uint32_t k = 0; k < 4; ++k) {
     const ShapeId shape{first + k};
     window.incoming.push_back({shape, shape, kPoses, 1 - 0.2f * float(k)});
-    window.uses.push_back({shape, std::uint32_t(draws.below(3))});
+    window.drawn.push_back({shape, double(1000 * draws.below(8))});
   }
   window.random = number;
   window.trials = std::uint32_t(4 + draws.below(9));

@@ -1,5 +1,5 @@
 // Functions that must give the same bits on every host and device: they are made of +, -, *, / and sqrt only, which
-// IEEE 754 fixes, in the order written. kernels/portable_math.cl is the same in OpenCL C.
+// IEEE 754 fixes, in the order written. What kernels need is the same in kernels/portable_math.cl.
 #pragma once
 
 #include <cmath>
@@ -24,6 +24,22 @@ inline float portable_exp2(float x) {
   for (int k = int(whole); k > 0; --k) p = p * 2.f;
   for (int k = int(whole); k < 0; ++k) p = p * 0.5f;
   return p;
+}
+
+/// The natural logarithm of a positive number, relative error below 1e-9.
+inline double portable_log(double x) {
+  constexpr double kLog2 = 0.6931471805599453;
+  int exponent = 0;
+  double m = std::frexp(x, &exponent);  // exact
+  if (m < 0.7071067811865476) {
+    m *= 2;
+    --exponent;
+  }
+  // ln m = 2 atanh t, and |t| < 0.172.
+  const double t = (m - 1) / (m + 1);
+  const double t2 = t * t;
+  const double series = 1 + t2 * (1.0 / 3 + t2 * (1.0 / 5 + t2 * (1.0 / 7 + t2 * (1.0 / 9 + t2 * (1.0 / 11)))));
+  return exponent * kLog2 + 2 * t * series;
 }
 
 /// Counter-based random bits: a good mix (splitmix64's finaliser) of a key. The same key gives the same bits anywhere.

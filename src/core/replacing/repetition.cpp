@@ -1,27 +1,46 @@
 #include "core/replacing/repetition.h"
 
 #include <algorithm>
-#include <array>
+
+#include "core/base/portable_math.h"
 
 namespace tessera {
 namespace {
 
-/// The natural logarithm of 1, 2, ...; more copies cost no more.
-constexpr std::array<float, 16> kLog = {0,          0.6931472f, 1.0986123f, 1.3862944f, 1.6094379f, 1.7917595f,
-                                        1.9459101f, 2.0794415f, 2.1972246f, 2.3025851f, 2.3978953f, 2.4849066f,
-                                        2.5649494f, 2.6390573f, 2.7080502f, 2.7725887f};
+template <class Areas>
+auto place_of(Areas& drawn, ShapeId drawing) {
+  return std::lower_bound(drawn.begin(), drawn.end(), drawing,
+                          [](const DrawingArea& a, ShapeId id) { return a.drawing < id; });
+}
 
 }  // namespace
 
-Repetition::Repetition(const ReplacementWindow& window) : cost_(window.repetition_cost) {
-  for (const DrawingUses& uses : window.uses) copies_[uses.drawing] = uses.elsewhere;
-  for (const WindowPiece& piece : window.moving) add(piece.drawing);
+double repeated_px2(double area_px2, double middle_px2) {
+  return area_px2 > 0 ? area_px2 * (portable_log(area_px2 / middle_px2) - 1) : 0;
 }
 
-float Repetition::cost(ShapeId drawing) const {
-  const auto found = copies_.find(drawing);
-  const std::uint32_t copies = found == copies_.end() ? 0 : found->second;
-  return cost_ * kLog[std::min<std::size_t>(copies, kLog.size() - 1)];
+Repetition::Repetition(const ReplacementWindow& window)
+    : cost_(double(window.repetition_cost)),
+      middle_px2_(double(window.least_scale_px) * double(window.most_scale_px)),
+      drawn_(window.drawn) {}
+
+double Repetition::area_px2(ShapeId drawing) const {
+  const auto found = place_of(drawn_, drawing);
+  return found == drawn_.end() || found->drawing != drawing ? 0 : found->area_px2;
+}
+
+double Repetition::cost_px2(ShapeId drawing, double scale_px) const {
+  const double before_px2 = area_px2(drawing);
+  const double after_px2 = before_px2 + scale_px * scale_px;
+  return cost_ * (repeated_px2(after_px2, middle_px2_) - repeated_px2(before_px2, middle_px2_));
+}
+
+void Repetition::change(ShapeId drawing, double by_px2) {
+  auto found = place_of(drawn_, drawing);
+  if (found == drawn_.end() || found->drawing != drawing) found = drawn_.insert(found, {drawing, 0});
+  const double before_px2 = found->area_px2;
+  found->area_px2 += by_px2;
+  energy_px2_ += cost_ * (repeated_px2(found->area_px2, middle_px2_) - repeated_px2(before_px2, middle_px2_));
 }
 
 }  // namespace tessera

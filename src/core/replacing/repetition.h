@@ -1,26 +1,38 @@
-// What it costs that drawings repeat themselves: of n pieces of one drawing each is worth less by the logarithm of n.
+// What it costs that drawings repeat themselves: as the eye goes by large copies, an area costs a part of itself for each
+// e-fold of what its drawing covers already. Summed over all drawings that is the entropy of their shares of the area,
+// but for what depends on how much all of them cover.
 #pragma once
 
-#include <cstdint>
-#include <map>
+#include <vector>
 
 #include "core/replacing/replacement.h"
 
 namespace tessera {
 
+/// What the area that one drawing covers costs, if each e-fold costs all of it: the integral of ln x, x in units of the
+/// middle size's area, of which more neither costs nor gains.
+double repeated_px2(double area_px2, double middle_px2);
+
 class Repetition {
  public:
   explicit Repetition(const ReplacementWindow& window);
 
-  /// Of its area, what one more piece of the drawing costs.
-  float cost(ShapeId drawing) const;
+  /// What one more piece of the drawing costs.
+  double cost_px2(ShapeId drawing, double scale_px) const;
+  /// Of all pieces, but for a constant.
+  double energy_px2() const { return energy_px2_; }
 
-  void add(ShapeId drawing) { ++copies_[drawing]; }
-  void remove(ShapeId drawing) { --copies_[drawing]; }
+  void add(ShapeId drawing, double scale_px) { change(drawing, scale_px * scale_px); }
+  void remove(ShapeId drawing, double scale_px) { change(drawing, -scale_px * scale_px); }
 
  private:
-  float cost_;
-  std::map<ShapeId, std::uint32_t> copies_;  // on the whole canvas
+  double area_px2(ShapeId drawing) const;
+  void change(ShapeId drawing, double by_px2);
+
+  double cost_;
+  double middle_px2_;
+  double energy_px2_ = 0;
+  std::vector<DrawingArea> drawn_;  // ascending
 };
 
 }  // namespace tessera

@@ -34,11 +34,11 @@ struct IncomingShape {
   friend bool operator==(const IncomingShape&, const IncomingShape&) = default;
 };
 
-struct DrawingUses {
+struct DrawingArea {
   ShapeId drawing{};
-  std::uint32_t elsewhere = 0;  // pieces beside those that move in the window
+  double area_px2 = 0;  // of its pieces on the whole canvas
 
-  friend bool operator==(const DrawingUses&, const DrawingUses&) = default;
+  friend bool operator==(const DrawingArea&, const DrawingArea&) = default;
 };
 
 /// Distance to the canvas' edge, px, positive inside: at node (i, j), which lies at (origin + (i, j)) times node_px.
@@ -55,12 +55,12 @@ struct ReplacementWindow {
   ContactDistances distances;
   float least_scale_px = 0;  // of all pieces of the job
   float most_scale_px = 0;
-  float repetition_cost = 0;  // of a piece's area, for each e-fold of copies
+  float repetition_cost = 0;  // of an area, for each e-fold of what its drawing covers
   std::vector<WindowPiece> moving;
   std::vector<WindowPiece> still;  // that reach into the window, or nearly
   std::vector<IncomingShape> incoming;
-  std::vector<DrawingUses> uses;  // of every drawing of `moving` and `incoming`, ascending
-  std::uint64_t random = 0;       // what the draws follow from
+  std::vector<DrawingArea> drawn;  // every drawing of `moving` and `incoming`, ascending
+  std::uint64_t random = 0;        // what the draws follow from
   std::uint32_t trials = 0;
   float first_temperature_px2 = 0;  // falls evenly to the last: what a loss of so much energy is worth a risk of 1 in e
   float last_temperature_px2 = 0;

@@ -34,7 +34,6 @@ std::size_t drawn_count(Draws& draws) {
 struct Attempt {
   Scene scene;
   std::vector<HoleCandidate> incoming;  // the scene's last pieces, as they came in
-  double repetition_px2 = 0;
   double energy_px2 = 0;
 };
 
@@ -118,30 +117,45 @@ class WindowTrials {
     if (!draw(trial)) return false;
     std::vector<std::size_t> before = trial.ring;
     before.insert(before.end(), trial.out.begin(), trial.out.end());
-    double old_energy_px2 = relaxation_.energy_px2(pieces_.scene_of(before, {}, {}));
-    for (const std::size_t i : trial.out) old_energy_px2 += taken_out_px2(i);
+    const double old_energy_px2 = relaxation_.energy_px2(pieces_.scene_of(before, {}, {})) + repetition_.energy_px2();
     const Attempt best = best_attempt(trial, old_energy_px2);
-    if (!best.incoming.empty() && accepts(best.energy_px2 - old_energy_px2) && pieces_.stays_inside(best.scene)) {
-      take(best, trial);
-      return true;
+    if (best.incoming.empty() || !accepts(best.energy_px2 - old_energy_px2) || !pieces_.stays_inside(best.scene)) {
+      return false;
     }
-    for (const std::size_t i : trial.out) repetition_.add(pieces_[i].piece.drawing);
-    return false;
+    take(best, trial);
+    return true;
   }
 
-  /// What the piece cost as a copy of others.
-  double taken_out_px2(std::size_t i) {
-    const ShapeId drawing = pieces_[i].piece.drawing;
-    const float scale_px = pieces_[i].laid.scale_px;
-    repetition_.remove(drawing);
-    return double(scale_px * scale_px * repetition_.cost(drawing));
+  Repetition without(const std::vector<std::size_t>& out) const {
+    Repetition left = repetition_;
+    for (const std::size_t i : out) left.remove(pieces_[i].piece.drawing, double(pieces_[i].laid.scale_px));
+    return left;
+  }
+
+  /// Of all pieces, once those of the trial lie as in the scene.
+  Repetition repetition_of(const Attempt& attempt, const Trial& trial) const {
+    Repetition now = without(trial.out);
+    for (std::size_t k = 0; k < trial.ring.size(); ++k) {
+      const WindowPieces::Standing& old = pieces_[trial.ring[k]];
+      now.remove(old.piece.drawing, double(old.laid.scale_px));
+      now.add(old.piece.drawing, double(attempt.scene.pieces[k].canvas_from_shape.scale()));
+    }
+    const std::size_t old = attempt.scene.pieces.size() - attempt.incoming.size();
+    for (std::size_t k = 0; k < attempt.incoming.size(); ++k) {
+      now.add(incoming(attempt.incoming[k]).drawing, double(attempt.scene.pieces[old + k].canvas_from_shape.scale()));
+    }
+    return now;
+  }
+
+  double energy_px2(const Attempt& attempt, const Trial& trial) const {
+    return relaxation_.energy_px2(attempt.scene) + repetition_of(attempt, trial).energy_px2();
   }
 
   Attempt best_attempt(const Trial& trial, double old_energy_px2) {
     const Hole hole = pieces_.hole_of(trial.centre_px, trial.out, trial.reach_px + kBeyondReach_px);
     const float softness = kSoftness * (0.6f + 0.8f * draws_.unit());
     const std::vector<HoleCandidate> candidates =
-        best_candidates(hole, trial.reach_px, guests(repetition_), softness, draws_, tasks_);
+        best_candidates(hole, trial.reach_px, guests(without(trial.out), trial), softness, draws_, tasks_);
     if (candidates.empty()) return {};
     const std::uint64_t key = draws_.bits();
     std::vector<Attempt> attempts(candidates.size());
@@ -152,32 +166,34 @@ class WindowTrials {
     const double most_px2 = old_energy_px2 + double(kGiveUp * window_.least_scale_px * window_.most_scale_px);
     if (best.energy_px2 > most_px2) return {};
     relaxation_.come_to_rest(best.scene);
-    best.energy_px2 = relaxation_.energy_px2(best.scene) + best.repetition_px2;
+    best.energy_px2 = energy_px2(best, trial);
     return std::move(best);
   }
 
   /// The candidate in the hole, as many more as went out, and room made for them.
   Attempt attempt(const Trial& trial, Hole hole, float softness, const HoleCandidate& first, Draws draws) const {
     Attempt made;
-    Repetition repetition = repetition_;
+    Repetition repetition = without(trial.out);
     add(first, repetition, made);
     while (made.incoming.size() < trial.out.size()) {
       hole.add(laid(made.incoming.back()));
-      const auto more = best_candidates(hole, trial.reach_px, guests(repetition), softness, draws, tasks_);
+      const auto more = best_candidates(hole, trial.reach_px, guests(repetition, trial), softness, draws, tasks_);
       if (more.empty()) break;
       add(more.front(), repetition, made);
     }
     made.scene = scene_of(trial, made.incoming);
     relaxation_.soften(made.scene);
-    made.energy_px2 = relaxation_.energy_px2(made.scene) + made.repetition_px2;
+    made.energy_px2 = energy_px2(made, trial);
     return made;
   }
 
-  /// In the order of the window's incoming shapes.
-  std::vector<HoleGuest> guests(const Repetition& repetition) const {
+  /// In the order of the window's incoming shapes; as copies they cost what one as large as the hole would.
+  std::vector<HoleGuest> guests(const Repetition& repetition, const Trial& trial) const {
+    const double scale_px = double(trial.reach_px);
     std::vector<HoleGuest> all;
     for (const IncomingShape& in : window_.incoming) {
-      all.push_back({shapes_.at(in.shape), in.poses, in.weight, 1 - repetition.cost(in.drawing)});
+      const double cost = repetition.cost_px2(in.drawing, scale_px) / (scale_px * scale_px);
+      all.push_back({shapes_.at(in.shape), in.poses, in.weight, float(1 - cost)});
     }
     return all;
   }
@@ -185,11 +201,8 @@ class WindowTrials {
   const IncomingShape& incoming(const HoleCandidate& candidate) const { return window_.incoming[candidate.incoming]; }
 
   void add(const HoleCandidate& candidate, Repetition& repetition, Attempt& attempt) const {
-    const IncomingShape& in = incoming(candidate);
-    const float scale_px = candidate.canvas_from_shape.scale();
     attempt.incoming.push_back(candidate);
-    attempt.repetition_px2 += double(scale_px * scale_px * repetition.cost(in.drawing));
-    repetition.add(in.drawing);
+    repetition.add(incoming(candidate).drawing, double(candidate.canvas_from_shape.scale()));
   }
 
   LaidPiece laid(const HoleCandidate& candidate) const {
@@ -218,15 +231,14 @@ class WindowTrials {
   }
 
   void take(const Attempt& attempt, const Trial& trial) {
+    repetition_ = repetition_of(attempt, trial);
     for (std::size_t k = 0; k < trial.ring.size(); ++k) {
       pieces_.move(trial.ring[k], attempt.scene.pieces[k].canvas_from_shape);
     }
     pieces_.take_out(trial.out);
     const std::size_t old = attempt.scene.pieces.size() - attempt.incoming.size();
     for (std::size_t k = 0; k < attempt.incoming.size(); ++k) {
-      const IncomingShape& in = incoming(attempt.incoming[k]);
-      pieces_.add(in, attempt.scene.pieces[old + k].canvas_from_shape);
-      repetition_.add(in.drawing);
+      pieces_.add(incoming(attempt.incoming[k]), attempt.scene.pieces[old + k].canvas_from_shape);
     }
   }
 
