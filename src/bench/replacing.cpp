@@ -140,7 +140,7 @@ ReplacingCase measured_batch(const Canvas& canvas, const CollageSettings& settin
   MeasuringReplacer replacer(shapes);
   master::ReplacementProgress progress{0, 20 * pieces.size()};
   master::Replacing replacing(
-      free, stances, settings, shapes, [&](const Placement&) { return poses; }, replacer);
+      free, stances, settings, canvas.area_px2, shapes, [&](const Placement&) { return poses; }, replacer);
   const double began_s = replacer.since_s();
   replacing.batch(pieces, 0, progress);
   if (replacer.found.windows.empty()) {

@@ -40,8 +40,8 @@ std::string table_text(const std::vector<io::RankedResult>& results) {
                percent(q.outside, 3), percent(q.shared_boundary, 1), std::to_string(q.pieces),
                std::to_string(q.distinct_shapes), io::fixed(q.largest_gap_px, 1),
                q.balance ? io::fixed(q.balance->evenness, 2) : "-", q.balance ? percent(q.balance->dwarfs, 1) : "-",
-               q.copies_px ? io::fixed(*q.copies_px, 0) : "-", result.card.older ? "-" : percent(q.alone, 1),
-               io::fixed(result.card.total_s, 1)});
+               q.copies_px ? io::fixed(*q.copies_px, 0) : "-",
+               result.card.age < io::CardAge::picture ? "-" : percent(q.alone, 1), io::fixed(result.card.total_s, 1)});
   }
   return table.text();
 }

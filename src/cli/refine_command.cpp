@@ -19,11 +19,12 @@ constexpr const char* kExamples =
     "  mpirun -n 3 tessera refine out/animals --relax     rank 0 is the master, the others are workers\n"
     "RESULT stays as it is. Its job is run again from its pieces, which may move but for those of [[given]] and those\n"
     "that were locked. What still fits is placed before and after, so there may be more pieces; a job with a limit of\n"
-    "[stop] gets none beyond it, or beyond those of RESULT, and exchanges none. What comes of a trial is kept where it "
-    "covers more, what\n"
-    "pieces cover twice taken off; else pieces stay where they are. --relax brings something where sizes may change,\n"
-    "the largest is at most five times the smallest, and neither colour.image nor pieces.size_map is given; elsewhere\n"
-    "a warning says why not. [[regions]] relax one after the other, each in a trial of its own.\n"
+    "[stop] gets none beyond it, or beyond those of RESULT, and exchanges none. What comes of a trial is kept where "
+    "it\n"
+    "covers more, what pieces cover twice and what copies cost (objective.repetition_exponent) taken off; else pieces\n"
+    "stay where they are. --relax brings something where sizes may change, the largest is at most five times the\n"
+    "smallest, and neither colour.image nor pieces.size_map is given; elsewhere a warning says why not. [[regions]]\n"
+    "relax one after the other, each in a trial of its own.\n"
     "The library and the canvas must be those that RESULT was made from. --resume, --time-limit, signals and exit\n"
     "codes are as in tessera collage.";
 

@@ -58,9 +58,10 @@ struct ObjectiveSettings {
   float gap_weight = 1;
   float length_exponent = 0.5f;
   float scale_exponent = 0.7f;
-  float balance = 0;                 // of sizes, 0 (contrast) to 1 (even); scale_aware alone
-  float repetition_exponent = 0.3f;  // score times (1 + uses)^-exponent
-  float near_twin_factor = 0.7f;     // score times this for each near copy
+  float balance = 0;  // of sizes, 0 (contrast) to 1 (even); scale_aware alone
+  float repetition_exponent =
+      0.3f;                       // score times (1 + uses)^-exponent, and what copies cost where pieces are exchanged
+  float near_twin_factor = 0.7f;  // score times this for each near copy
 };
 
 struct StopSettings {

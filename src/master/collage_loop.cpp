@@ -264,7 +264,8 @@ class Run {
 
   void replace(std::uint64_t all) {
     const auto poses_of = [this](const Placement& p) { return collage().poses_of(p); };
-    Replacing replacing(collage().free(), collage().stances(), settings_, shapes_, poses_of, replacer_);
+    Replacing replacing(collage().free(), collage().stances(), settings_, budget_.area_px2(region()), shapes_, poses_of,
+                        replacer_);
     ReplacementProgress progress{replaced_, all};
     const Stopwatch asked;
     moving_ = replacing.batch(moving_, collage().given(), progress, [this] { look(); });

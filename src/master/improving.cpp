@@ -67,6 +67,7 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
       pieces_(settings.pieces),
       dwarf_loss_(kDwarfLoss * double(balance_of(settings.objective))),
       repetition_cost_(pays_to_replace(settings) ? double(repetition_cost(settings.objective)) : 0),
+      even_share_px2_(even_share_px2(collage.stances(), shapes, settings.pieces, area_px2)),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
                                              : kRuinedScale * settings.pieces.min_scale_px),
@@ -127,11 +128,10 @@ std::int64_t Improving::repeated_256ths_px2() const {
   std::map<ShapeId, double> area_px2;
   for (const Placement& p : collage_.placements()) {
     const double scale_px = double(p.canvas_from_shape.scale());
-    area_px2[shapes_.drawing(p.shape)] += scale_px * scale_px;
+    area_px2[shapes_.silhouette(p.shape)] += scale_px * scale_px;
   }
-  const double middle_px2 = double(pieces_.min_scale_px) * double(pieces_.max_scale_px);
   double sum_px2 = 0;
-  for (const auto& [drawing, of_drawing_px2] : area_px2) sum_px2 += repeated_px2(of_drawing_px2, middle_px2);
+  for (const auto& [drawing, of_drawing_px2] : area_px2) sum_px2 += repeated_px2(of_drawing_px2, even_share_px2_);
   return std::int64_t(256 * repetition_cost_ * sum_px2);
 }
 

@@ -26,8 +26,8 @@ constexpr float kLeastEdgeNode_px = 2;
 constexpr float kEdgeNodesPerScale = 32;    // of the least: the edge of large pieces needs no more
 constexpr float kFarFromEdge_px = 64;       // holes look no farther; contacts do where pieces keep away from it
 constexpr float kFirstTemperature = 0.03f;  // of the product of least and most scale
-/// Of repetition_exponent: at its default, 0.3, a quarter more shapes, by area, than by ruin and recreate.
-constexpr float kRepetition = 0.14f;
+/// Of repetition_exponent: at its default, 0.3, there are more shapes by area than by ruin and recreate alone.
+constexpr float kRepetition = 0.1f;
 constexpr std::size_t kMostIncoming = 400;  // shapes, of a larger library
 
 float middle_px(const PieceSettings& p) { return std::sqrt(p.min_scale_px * p.max_scale_px); }
@@ -82,15 +82,24 @@ bool pays_to_replace(const CollageSettings& s) {
 
 float repetition_cost(const ObjectiveSettings& objective) { return kRepetition * objective.repetition_exponent; }
 
+double even_share_px2(const StanceTable& stances, const ShapeSource& shapes, const PieceSettings& pieces,
+                      double area_px2) {
+  std::set<ShapeId> drawings;
+  for (std::uint32_t i = 0; i < stances.open_shapes(); ++i) drawings.insert(shapes.silhouette(stances.open_shape(i)));
+  const double middle_px2 = double(pieces.min_scale_px) * double(pieces.max_scale_px);
+  return drawings.empty() ? middle_px2 : std::max(middle_px2, area_px2 / double(drawings.size()));
+}
+
 float least_window_px(const PieceSettings& pieces) {
   return std::max(kWindowSizes * middle_px(pieces), kWindowLargest * pieces.max_scale_px);
 }
 
 Replacing::Replacing(const FreeField& free, const StanceTable& stances, const CollageSettings& settings,
-                     ShapeSource& shapes, PosesOf poses_of, Replacer& replacer)
+                     double area_px2, ShapeSource& shapes, PosesOf poses_of, Replacer& replacer)
     : free_(free),
       stances_(stances),
       settings_(settings),
+      even_share_px2_(even_share_px2(stances, shapes, settings.pieces, area_px2)),
       shapes_(shapes),
       poses_of_(std::move(poses_of)),
       replacer_(replacer) {}
@@ -102,7 +111,7 @@ std::vector<Replacing::Lying> Replacing::lying(const std::vector<Placement>& pla
     look();
     std::vector<Vec2> points;
     for (const Vec2 point : shapes_.model(p.shape).boundary) points.push_back(p.canvas_from_shape.apply(point));
-    all.push_back({{p.shape, shapes_.drawing(p.shape), p.canvas_from_shape, poses_of_(p)}, bounding_box(points)});
+    all.push_back({{p.shape, shapes_.silhouette(p.shape), p.canvas_from_shape, poses_of_(p)}, bounding_box(points)});
   }
   return all;
 }
@@ -133,7 +142,7 @@ std::vector<IncomingShape> Replacing::drawn_shapes(std::uint64_t random) const {
   for (std::size_t k = 0; k < count; ++k) {
     const ShapeId shape = stances_.open_shape(std::uint32_t(open > kMostIncoming ? draws.below(open) : k));
     for (const Stance& stance : stances_.of(stances_.list(shape))) {
-      all.push_back({shape, shapes_.drawing(shape), stance.poses, stance.weight});
+      all.push_back({shape, shapes_.silhouette(shape), stance.poses, stance.weight});
       most_weight = std::max(most_weight, stance.weight);
     }
   }
@@ -162,6 +171,7 @@ void Replacing::complete(ReplacementWindow& window) const {
   window.least_scale_px = settings_.pieces.min_scale_px;
   window.most_scale_px = settings_.pieces.max_scale_px;
   window.repetition_cost = repetition_cost(settings_.objective);
+  window.even_share_px2 = even_share_px2_;
 }
 
 /// All pieces that lie in the window as a whole may move, but for the given ones.

@@ -21,8 +21,12 @@ namespace tessera::master {
 /// neighbours, by the number of pieces, or by growth outward.
 bool pays_to_replace(const CollageSettings& settings);
 
-/// Of an area, what each e-fold of what its drawing covers costs (core/replacing/repetition.h).
+/// Of an area, what each e-fold costs by which its drawing covers more than an even share
+/// (core/replacing/repetition.h).
 float repetition_cost(const ObjectiveSettings& objective);
+/// What each drawing that may stand would cover if all covered alike; no less than a piece of the middle size.
+double even_share_px2(const StanceTable& stances, const ShapeSource& shapes, const PieceSettings& pieces,
+                      double area_px2);
 
 /// Of all trials of improving this part are replacements, so many for one: they take about as long, on two cores.
 inline constexpr double kPartReplaced = 5.0 / 6;
@@ -43,9 +47,10 @@ class Replacing {
  public:
   using PosesOf = std::function<PoseRange(const Placement&)>;
 
-  /// On the canvas of `free`, whatever lies in it. `stances`: of what may come in. All but the settings outlive it.
-  Replacing(const FreeField& free, const StanceTable& stances, const CollageSettings& settings, ShapeSource& shapes,
-            PosesOf poses_of, Replacer& replacer);
+  /// On the canvas of `free`, whatever lies in it. `stances`: of what may come in; `area_px2`: of what is to be filled.
+  /// All but the settings outlive it.
+  Replacing(const FreeField& free, const StanceTable& stances, const CollageSettings& settings, double area_px2,
+            ShapeSource& shapes, PosesOf poses_of, Replacer& replacer);
 
   /// `placements` after one more batch of trials, about two for each piece; all but the first `given` may be gone. Adds
   /// to `progress.done`. What follows from the arguments and the settings is the same whoever works on it.
@@ -82,6 +87,7 @@ class Replacing {
   const FreeField& free_;
   const StanceTable& stances_;
   CollageSettings settings_;
+  double even_share_px2_;
   ShapeSource& shapes_;
   PosesOf poses_of_;
   Replacer& replacer_;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "cli/coverage_history.h"
+#include "cli/collage_progress.h"
 
 namespace tessera::cli {
 namespace {
@@ -45,6 +45,20 @@ TEST(CoverageHistory, what_was_not_known_then_was_no_gain) {
   EXPECT_FALSE(until_late.gained_in_last_tenth(100));
   EXPECT_NEAR(early.gained_in_last_tenth(100).value(), 0.1, 1e-12);
   EXPECT_FALSE(at_the_end.gained_in_last_tenth(100));
+}
+
+TEST(CoverageHistory, of_a_run_knows_nothing_while_pieces_are_exchanged) {
+  for (const bool exchanging : {false, true}) {
+    CollageProgress run({}, true);
+    for (int s = 1; s <= 100; ++s) {
+      master::Progress now;
+      now.seconds = s;
+      now.coverage = 0.01 * s;
+      now.exchanging = exchanging && s < 98;
+      run.progressed(now);
+    }
+    EXPECT_EQ(run.history().gained_in_last_tenth(100).has_value(), !exchanging);
+  }
 }
 
 RC_GTEST_PROP(CoverageHistory, of_any_length_is_right_to_a_thousandth_of_its_time, ()) {

@@ -129,6 +129,7 @@ ReplacementWindow any_window() {
   window.least_scale_px = any_float();
   window.most_scale_px = any_float();
   window.repetition_cost = any_float();
+  window.even_share_px2 = double(any_index()) / 3;
   window.moving = any_vector(any_piece);
   window.still = any_vector(any_piece);
   window.incoming = any_vector([] {
@@ -157,7 +158,7 @@ bool same_bits(const ReplacementWindow& a, const ReplacementWindow& b) {
   return same_bits(std::vector{a.box.low, a.box.high}, std::vector{b.box.low, b.box.high}) &&
          same_bits(a.edge, b.edge) && same_bits(numbers(a), numbers(b)) && same_bits(a.moving, b.moving) &&
          same_bits(a.still, b.still) && same_bits(a.incoming, b.incoming) && a.drawn == b.drawn &&
-         a.random == b.random && a.trials == b.trials;
+         a.even_share_px2 == b.even_share_px2 && a.random == b.random && a.trials == b.trials;
 }
 
 TEST(Messages, ReplacementWindows) {

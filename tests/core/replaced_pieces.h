@@ -72,7 +72,6 @@ inline WindowPiece window_piece(std::size_t shape, const Similarity& where, cons
   return {ShapeId(shape), ShapeId(shape), where, poses};
 }
 
-/// The whole of a square canvas, without pieces: trials are cold, and every shape may come in.
 /// As if the canvas held the window's pieces alone.
 inline void count_drawn(ReplacementWindow& window) {
   std::map<ShapeId, double> area_px2;
@@ -84,6 +83,7 @@ inline void count_drawn(ReplacementWindow& window) {
   for (const auto& [drawing, of_drawing_px2] : area_px2) window.drawn.push_back({drawing, of_drawing_px2});
 }
 
+/// The whole of a square canvas, without pieces: trials are cold, and every shape may come in.
 inline ReplacementWindow empty_window(int canvas_px = kCanvas_px) {
   ReplacementWindow window;
   const float size_px = float(canvas_px);
@@ -92,6 +92,7 @@ inline ReplacementWindow empty_window(int canvas_px = kCanvas_px) {
   window.distances = {0, -1};
   window.least_scale_px = 20;
   window.most_scale_px = 60;
+  window.even_share_px2 = 1200;
   for (std::size_t i = 0; i < hole_shapes().size(); ++i) {
     window.incoming.push_back({ShapeId(i), ShapeId(i), {20, 60, {}}, 1});
   }

@@ -94,6 +94,35 @@ TEST(Clearing, OfLimbsThatCrossTheSmallerPieceGoesBeforeTheOtherHasShrunk) {
   EXPECT_GT(pieces[0].canvas_from_shape.scale(), 0.98f * 60);
 }
 
+/// Who was given up hinders nobody any more, and stays where it was; a third piece, a little too near, is pushed clear.
+TEST(Clearing, WhoWasGivenUpIsNotFelt) {
+  const ContactShape shape = make_contact_shape(test::make_test_shape("bar", bar(100, 8)));
+  std::vector<RelaxedPiece> pieces{{&shape, pose(60, 0, {150, 150}), {10, 500, {}}},
+                                   {&shape, pose(50, 1.57f, {150, 150}), {10, 500, {}}}};
+  for (const float y_px : {166.f, 180.f}) pieces.push_back({&shape, pose(60, 0, {150, y_px}), {59, 500, {}}});
+  const std::vector<std::size_t> lost = make_clear(pieces, {0, 1, 2, 3}, rectangle(300), {}, do_not_look);
+  EXPECT_EQ(lost, std::vector<std::size_t>{1}) << "it crosses all three";
+  for (const std::size_t i : {0u, 2u, 3u}) EXPECT_GT(pieces[i].canvas_from_shape.scale(), 58.9f);
+}
+
+/// With padding pieces that are a little too near are as far from crossing as without.
+TEST(Clearing, PiecesThatAreOnlyTooNearAreNotGivenUp) {
+  PieceSettings settings;
+  settings.padding_px = 6;
+  std::vector<RelaxedPiece> pieces;
+  for (const float x_px : {60.f, 91.f}) pieces.push_back(piece(kDisc, pose(50, 0, {x_px, 75}), {49, 500, {}}));
+  EXPECT_EQ(make_clear(pieces, {0, 1}, {make_rectangle_canvas(150, 150), settings}, settings, do_not_look),
+            std::vector<std::size_t>{});
+}
+
+/// A piece that is alone, and too large for the canvas, has only to shrink.
+TEST(Clearing, NobodyIsGivenUpForTheCanvasEdge) {
+  const PieceSettings settings;
+  const float largest_px = (50 + settings.overlap_px) / kDiscRadius;
+  std::vector<RelaxedPiece> pieces{piece(kDisc, pose(1.06f * largest_px, 0, {50, 50}), {10, 500, {}})};
+  EXPECT_EQ(make_clear(pieces, {0}, rectangle(100), settings, do_not_look), std::vector<std::size_t>{});
+}
+
 /// Steps of shrinking are coarse, and of several that made way for each other the last did so for nothing.
 TEST(Clearing, APieceIsAsLargeAsTheOutlinesAllow) {
   const PieceSettings settings;

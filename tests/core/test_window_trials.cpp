@@ -341,31 +341,30 @@ TEST(WindowTrials, ShapesOfOneDrawingAreRepetitionsOfEachOther) {
   }
 }
 
-constexpr double kMiddle_px2 = 30 * 120;
+constexpr double kShare_px2 = 3600;
 
 ReplacementWindow window_of_drawings(const std::vector<DrawingArea>& drawn) {
   ReplacementWindow window = empty_window();
-  window.least_scale_px = 30;
-  window.most_scale_px = 120;
+  window.even_share_px2 = kShare_px2;
   window.repetition_cost = 0.5f;
   window.drawn = drawn;
   return window;
 }
 
-TEST(Repetition, EachEFoldOfWhatADrawingCoversCostsAPartOfIt) {
+TEST(Repetition, EachEFoldOfEvenSharesCostsAPartOfTheArea) {
   EXPECT_NEAR(repeated_px2(100 * std::exp(1), 100), 0, 1e-6);
   EXPECT_NEAR(repeated_px2(100 * std::exp(3), 100), 2 * 100 * std::exp(3), 1e-5);
-  EXPECT_NEAR(repeated_px2(101, 100), repeated_px2(99, 100), 1e-3) << "neutral at the middle size";
+  EXPECT_NEAR(repeated_px2(101, 100), repeated_px2(99, 100), 1e-3) << "neutral at an even share";
   EXPECT_EQ(repeated_px2(0, 100), 0);
-  const Repetition repetition(window_of_drawings({{ShapeId{0}, kMiddle_px2}, {ShapeId{2}, 4 * kMiddle_px2}}));
+  const Repetition repetition(window_of_drawings({{ShapeId{0}, kShare_px2}, {ShapeId{2}, 4 * kShare_px2}}));
   const auto cost = [&](std::uint32_t drawing, double scale_px) {
     return repetition.cost_px2(ShapeId{drawing}, scale_px);
   };
-  EXPECT_NEAR(cost(0, 60), 0.5 * kMiddle_px2 * (2 * std::log(2) - 1), 1e-3) << "the integral of ln x from 1 to 2";
-  EXPECT_NEAR(cost(1, 60), -0.5 * kMiddle_px2, 1e-3) << "not listed: it covers nothing";
+  EXPECT_NEAR(cost(0, 60), 0.5 * kShare_px2 * (2 * std::log(2) - 1), 1e-3) << "the integral of ln x from 1 to 2";
+  EXPECT_NEAR(cost(1, 60), -0.5 * kShare_px2, 1e-3) << "not listed: it covers nothing";
   EXPECT_GT(cost(2, 60), cost(0, 60)) << "of one that covers more";
   EXPECT_GT(cost(0, 120) / (120 * 120), cost(0, 60) / (60 * 60)) << "the eye goes by large copies";
-  EXPECT_NEAR(cost(0, 40) + Repetition(window_of_drawings({{ShapeId{0}, kMiddle_px2 + 1600}})).cost_px2({}, 50),
+  EXPECT_NEAR(cost(0, 40) + Repetition(window_of_drawings({{ShapeId{0}, kShare_px2 + 1600}})).cost_px2({}, 50),
               cost(0, std::sqrt(1600 + 2500)), 1e-3)
       << "two small ones cost as much as one that covers both";
 }

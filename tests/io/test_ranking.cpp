@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -111,7 +112,7 @@ TEST(Ranking, a_collage_without_pieces_does_not_lead) {
 
 TEST(Ranking, older_cards_count_nothing_of_what_they_lack_and_it_is_said) {
   ResultCard older = card("older", 0.9);
-  older.older = true;
+  older.age = CardAge::first;
   older.quality.effective_shapes = std::nullopt;
   const RankingWeights weights = ranking_weights({"alone=0.1", "copies_apart=1"});
   const auto results = ranked({older, seen_card("new", 0.9, 0.5, 0.1, 0)}, weights);
@@ -122,6 +123,16 @@ TEST(Ranking, older_cards_count_nothing_of_what_they_lack_and_it_is_said) {
   EXPECT_TRUE(lacking_measures(results, ranking_weights({"variety=0"})).empty());
   EXPECT_TRUE(nlohmann::json::parse(ranking_json(results, weights))["ranking"][1]["alone_fraction"].is_null());
   EXPECT_NE(ranking_csv(results).find(",0.000,,,,,,,,0.000,full\n"), std::string::npos) << ranking_csv(results);
+}
+
+TEST(Ranking, of_what_a_card_lacks_only_that_counts_nothing) {
+  ResultCard mid = seen_card("mid", 0.9, 0.5, 0.1, 0);
+  mid.age = CardAge::picture;
+  const RankingWeights weights = ranking_weights({"balance=1"});
+  const auto results = ranked({mid}, weights);
+  EXPECT_NEAR(results[0].score, 90 + 90, 1e-9) << "no variety";
+  EXPECT_EQ(lacking_measures(results, weights),
+            std::vector<std::string>{"mid/card.json: from before there was variety: counts as 0"});
 }
 
 TEST(Ranking, a_tenth_of_variety_by_area_speaks_between_collages_that_cover_alike) {
@@ -191,7 +202,7 @@ TEST_F(ResultFolders, a_card_is_read_as_it_was_written) {
   EXPECT_EQ(card.quality.distinct_shapes, 5u);
   EXPECT_EQ(card.quality.effective_shapes, 4.25);
   EXPECT_EQ(card.quality.largest_gap_px, 3.5);
-  EXPECT_FALSE(card.older);
+  EXPECT_EQ(card.age, CardAge::variety);
   EXPECT_EQ(card.quality.balance.value().evenness, 0.75);
   EXPECT_EQ(card.quality.balance.value().dwarfs, 0.125);
   EXPECT_EQ(card.quality.copies_px, 50);
@@ -207,9 +218,20 @@ TEST_F(ResultFolders, older_cards_are_read) {
       "pieces": 3, "distinct_shapes": 2, "shared_boundary_fraction": 0.5, "largest_gap_radius_px": 4},
       "run": {"total_s": 1, "stopped_by": "full"}})");
   const ResultCard card = read_card(scratch_.path(""));
-  EXPECT_TRUE(card.older);
+  EXPECT_EQ(card.age, CardAge::first);
   EXPECT_EQ(card.quality.pieces, 3u);
   EXPECT_FALSE(card.quality.balance);
+}
+
+TEST_F(ResultFolders, cards_from_before_variety_keep_what_they_tell) {
+  make_result("a", 0.93);
+  auto card = nlohmann::json::parse(std::ifstream(scratch_.path("a/card.json")));
+  card["quality"].erase("effective_shapes");
+  scratch_.write("a/card.json", card.dump());
+  const ResultCard read = read_card(scratch_.path("a"));
+  EXPECT_EQ(read.age, CardAge::picture);
+  EXPECT_EQ(read.quality.balance.value().evenness, 0.75);
+  EXPECT_FALSE(read.quality.effective_shapes);
 }
 
 TEST_F(ResultFolders, what_is_wrong_with_a_card_is_said) {

@@ -29,6 +29,25 @@ TEST(ReplacementPhase, CoversMoreAndKeepsTheRules) {
   EXPECT_FALSE(with.unfinished);
 }
 
+/// What is worked on meanwhile is not the collage that stands.
+TEST(ReplacementPhase, ItIsSaidWhilePiecesAreExchanged) {
+  class Steps : public SilentObserver {
+   public:
+    void progressed(const Progress& now) override { steps.push_back(now); }
+    std::vector<Progress> steps;
+  } observer;
+  test::AskedReplacer trying(test::real_trials(library()));
+  run(make_rectangle_canvas(240, 160), settings(10), &trying, observer);
+  std::size_t exchanging = 0;
+  for (std::size_t i = 1; i < observer.steps.size(); ++i) {
+    const Progress &now = observer.steps[i], &before = observer.steps[i - 1];
+    exchanging += now.exchanging;
+    EXPECT_TRUE(!now.exchanging || now.coverage == before.coverage);
+  }
+  EXPECT_EQ(exchanging, trying.batches.size());
+  EXPECT_FALSE(observer.steps.back().exchanging);
+}
+
 /// This thread's own replacer does the same as one that is given.
 TEST(ReplacementPhase, DoesNotDependOnWhoTries) {
   const Canvas canvas = make_rectangle_canvas(240, 160);

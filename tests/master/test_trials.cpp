@@ -230,12 +230,12 @@ class RepetitionTest : public TrialsTest {
     return s;
   }
   explicit RepetitionTest(float repetition_exponent = 4) : TrialsTest(with(repetition_exponent)) {
-    collage_.replace_placements({piece(0, 60, {45, 70}), piece(1, 60, {150, 70})});
+    collage_.replace_placements({piece(0, 80, {45, 70}), piece(1, 80, {150, 70})});
   }
   /// Nothing hinders them from growing to the largest size.
   Trial settles_to(std::uint32_t a, std::uint32_t b) {
     matcher_.offers = {};
-    return improving_.settle({piece(a, 60, {45, 70}), piece(b, 60, {150, 70})}, 9, [] { return false; });
+    return improving_.settle({piece(a, 88, {50, 70}), piece(b, 88, {150, 70})}, 9, [] { return false; });
   }
 };
 
@@ -244,9 +244,9 @@ class WithoutCostTest : public RepetitionTest {
   WithoutCostTest() : RepetitionTest(0) {}
 };
 
-TEST_F(RepetitionTest, CopiesOfOneDrawingThatCoverMoreArePutBack) { EXPECT_EQ(settles_to(2, 2), Trial::put_back); }
-TEST_F(RepetitionTest, DifferentDrawingsThatCoverMoreAreKept) { EXPECT_EQ(settles_to(2, 3), Trial::kept); }
-TEST_F(WithoutCostTest, CopiesThatCoverMoreAreKept) { EXPECT_EQ(settles_to(2, 2), Trial::kept); }
+TEST_F(RepetitionTest, CopiesOfOneDrawingThatCoverMoreArePutBack) { EXPECT_EQ(settles_to(3, 3), Trial::put_back); }
+TEST_F(RepetitionTest, DifferentDrawingsThatCoverMoreAreKept) { EXPECT_EQ(settles_to(3, 1), Trial::kept); }
+TEST_F(WithoutCostTest, CopiesThatCoverMoreAreKept) { EXPECT_EQ(settles_to(3, 3), Trial::kept); }
 
 /// Pieces that moved or grew may have come too near to their like.
 class ApartTest : public test::OfferedFilling {

@@ -17,14 +17,15 @@ constexpr int kPassesToMakingWay = 4;
 /// Limbs that cross each other are not parted by pushing: after so many passes the smaller piece goes, before all round
 /// it have shrunk for nothing.
 constexpr int kPassesToGivingUp = 4;
-constexpr float kHopeless = 0.9f;  // of kHopelessDepth_px, beyond which nobody asks how deep
+constexpr float kHopeless = 0.9f;          // of kHopelessDepth_px, beyond which nobody asks how deep
+constexpr float kLeastHopelessWay_px = 1;  // some pushes lead so far, whatever depth is allowed
 /// Of the scale, in each pass but those after making way. Smaller costs passes, larger costs area.
 constexpr float kShrink = 0.998f;
 /// Of a piece out of a neighbour: it has others on its other sides.
 constexpr float kMostPush_px = 0.5f;
 /// Stiff, as nothing grows meanwhile; a conflict that is left is about so many times smaller than that before.
 constexpr RelaxationSchedule kMakingWay{12, 20, 20, 1, 0.3f, 0, false};
-/// Of the scale: as area is worth nothing meanwhile, two that cross would shrink until they are apart.
+/// Of the scale, each time: as area is worth nothing meanwhile, two that cross would shrink until they are apart.
 constexpr float kLeastMakingWay = 0.99f;
 /// Farther apart than what is hard while pieces grow, so that few are left between which outlines still see a conflict;
 /// nobody feels more than that.
@@ -47,8 +48,9 @@ class Clearing {
       : pieces_(pieces),
         period_(free.grid().period()),
         reach_px_(rule_alone(settings).reach_px()),
-        hopeless_px_(kHopeless * kHopelessDepth_px +
-                     (settings.padding_px > 0 ? settings.padding_px : -settings.overlap_px)),
+        hopeless_px_(std::max(
+            kLeastHopelessWay_px,
+            kHopeless * kHopelessDepth_px + (settings.padding_px > 0 ? settings.padding_px : -settings.overlap_px))),
         making_way_(free, rule_alone(settings)),
         outlines_(free, settings),
         laid_(pieces.size()),
@@ -67,11 +69,11 @@ class Clearing {
       look();
       const bool making_way = pass % kPassesToMakingWay == 0;
       if (making_way) make_way(look);
-      if (making_way && pass >= kPassesToGivingUp) give_up(hopeless_px_);
+      if (making_way && pass >= kPassesToGivingUp) give_up([this](std::size_t i) { return lies_too_deep(i); });
       std::erase_if(unsure_, [&](std::size_t i) { return !gives_way(i, !making_way); });
       if (unsure_.empty()) break;
     }
-    give_up(0);
+    give_up([this](std::size_t i) { return !conflicts_of(i).empty(); });
     grow_again(look);
     std::sort(lost_.begin(), lost_.end());
     return lost_;
@@ -131,14 +133,14 @@ class Clearing {
     return true;
   }
 
-  /// Those that would have to go so far out of another: the smallest first, as of two pieces only one need go.
-  void give_up(float least_px) {
+  /// Those without hope: the smallest first, as of two pieces only one need go.
+  template <class Hopeless>
+  void give_up(Hopeless hopeless) {
     std::vector<std::size_t> smallest_first = unsure_;
     std::stable_sort(smallest_first.begin(), smallest_first.end(),
                      [&](std::size_t a, std::size_t b) { return laid_[a].scale_px < laid_[b].scale_px; });
     for (const std::size_t i : smallest_first) {
-      const std::vector<Vec2> ways = conflicts_of(i);
-      if (std::none_of(ways.begin(), ways.end(), [&](Vec2 way) { return norm(way) >= least_px; })) continue;
+      if (!hopeless(i)) continue;
       outlines_.take_out(i);
       may_move_[i] = false;
       lost_.push_back(i);
@@ -146,10 +148,18 @@ class Clearing {
     }
   }
 
+  /// Whether it would have to go far out of another piece. Of the canvas' edge it is shrunk and pushed clear.
+  bool lies_too_deep(std::size_t i) const {
+    const std::vector<Vec2> ways = outlines_.conflicts_with_others(i, field_distance());
+    return std::any_of(ways.begin(), ways.end(), [&](Vec2 way) { return norm(way) >= hopeless_px_; });
+  }
+
   bool is_lost(std::size_t i) const { return std::find(lost_.begin(), lost_.end(), i) != lost_.end(); }
 
-  std::vector<Vec2> conflicts_of(std::size_t i) const {
-    return outlines_.conflicts_of(i, [this](std::size_t piece, Vec2 p) { return laid_[piece].distance(p).value; });
+  std::vector<Vec2> conflicts_of(std::size_t i) const { return outlines_.conflicts_of(i, field_distance()); }
+
+  PlacedOutlines::FieldDistance field_distance() const {
+    return [this](std::size_t piece, Vec2 p) { return laid_[piece].distance(p).value; };
   }
 
   void place(std::size_t i, const Similarity& pose) {

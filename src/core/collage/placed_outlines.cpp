@@ -247,6 +247,15 @@ std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity
 }
 
 std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index, const FieldDistance& distance_px) const {
+  std::vector<Vec2> ways = conflicts_with_others(index, distance_px);
+  const PolygonIndex& piece = *placed_[index].outline;
+  if (reaches_itself(piece.box())) ways.push_back({});
+  Vec2 way;
+  if (too_near_the_edge(piece, way)) ways.push_back(way);
+  return ways;
+}
+
+std::vector<Vec2> PlacedOutlines::conflicts_with_others(std::size_t index, const FieldDistance& distance_px) const {
   const PolygonIndex& piece = *placed_[index].outline;
   const float needed_px = seen_from_both_sides(needed_px_);
   const float reach_px = std::max(needed_px, 0.f);
@@ -264,9 +273,6 @@ std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index, const FieldDis
       add_ways(own_place ? piece : *image, in_piece, *placed_[i].outline, in_other, needed_px, ways);
     }
   }
-  if (reaches_itself(piece.box())) ways.push_back({});
-  Vec2 way;
-  if (too_near_the_edge(piece, way)) ways.push_back(way);
   return ways;
 }
 

@@ -42,6 +42,8 @@ class PlacedOutlines {
   /// conflicts() of a placed piece with all others, whatever the free field holds; where there are none, the others
   /// have none with it either.
   std::vector<Vec2> conflicts_of(std::size_t index, const FieldDistance& distance_px) const;
+  /// The same without the canvas' edge, and without pieces larger than the period.
+  std::vector<Vec2> conflicts_with_others(std::size_t index, const FieldDistance& distance_px) const;
 
  private:
   struct Placed {

@@ -1,6 +1,6 @@
-// What it costs that drawings repeat themselves: as the eye goes by large copies, an area costs a part of itself for each
-// e-fold of what its drawing covers already. Summed over all drawings that is the entropy of their shares of the area,
-// but for what depends on how much all of them cover.
+// What it costs that drawings repeat themselves: as the eye goes by large copies, an area costs a part of itself for
+// each e-fold by which its drawing covers more than an even share. Summed over all drawings that is how far their
+// shares' entropy is below that of even ones, on a canvas that is covered.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace tessera {
 
-/// What the area that one drawing covers costs, if each e-fold costs all of it: the integral of ln x, x in units of the
-/// middle size's area, of which more neither costs nor gains.
-double repeated_px2(double area_px2, double middle_px2);
+/// What the area that one drawing covers costs, if each e-fold costs all of it: the integral of ln x, x in even shares.
+/// At an even share more of it neither costs nor gains.
+double repeated_px2(double area_px2, double even_share_px2);
 
 class Repetition {
  public:
@@ -30,7 +30,7 @@ class Repetition {
   void change(ShapeId drawing, double by_px2);
 
   double cost_;
-  double middle_px2_;
+  double even_share_px2_;
   double energy_px2_ = 0;
   std::vector<DrawingArea> drawn_;  // ascending
 };

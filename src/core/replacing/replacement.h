@@ -17,7 +17,7 @@ namespace tessera {
 
 struct WindowPiece {
   ShapeId shape{};
-  ShapeId drawing{};  // pieces of one drawing repeat each other (ShapeSource::drawing)
+  ShapeId drawing{};  // pieces of one drawing repeat each other, mirrored or in other colours (ShapeSource::silhouette)
   Similarity canvas_from_shape;
   PoseRange poses;
 
@@ -56,6 +56,7 @@ struct ReplacementWindow {
   float least_scale_px = 0;  // of all pieces of the job
   float most_scale_px = 0;
   float repetition_cost = 0;  // of an area, for each e-fold of what its drawing covers
+  double even_share_px2 = 1;  // where that costs nothing
   std::vector<WindowPiece> moving;
   std::vector<WindowPiece> still;  // that reach into the window, or nearly
   std::vector<IncomingShape> incoming;

@@ -187,9 +187,9 @@ class WindowTrials {
     return made;
   }
 
-  /// In the order of the window's incoming shapes; as copies they cost what one as large as the hole would.
+  /// In the order of the window's incoming shapes; as copies they cost what one about as large as the hole would.
   std::vector<HoleGuest> guests(const Repetition& repetition, const Trial& trial) const {
-    const double scale_px = double(trial.reach_px);
+    const double scale_px = double(std::min(trial.reach_px, window_.most_scale_px));
     std::vector<HoleGuest> all;
     for (const IncomingShape& in : window_.incoming) {
       const double cost = repetition.cost_px2(in.drawing, scale_px) / (scale_px * scale_px);

@@ -204,7 +204,7 @@ void add_improve_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"improve", "trials", integer, "", 0, 1e7, {},
                               "when nothing fits any more: so often take a few small pieces beside a gap out and fill "
-                              "the hole anew, kept where it covers more; 0 = no limit if `seconds` is given, else none"},
+                              "the hole anew, kept where that is better; 0 = no limit if `seconds` is given, else none"},
                              FIELD(settings.improve.trials)));
   keys.push_back(with_number({"improve", "seconds", number, "s", 0, 1e7, {},
                               "end improving after this time, which makes the result depend on the machine; 0 = no limit"},

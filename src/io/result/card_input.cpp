@@ -46,7 +46,6 @@ void read_picture_measures(const json& card, const std::string& path, Quality& q
   const auto measure = [&](const char* key) { return number_or_null(card, path, "quality", key); };
   const auto evenness = measure("size_balance"), dwarfs = measure("dwarfs_fraction");
   if (evenness && dwarfs) quality.balance = SizeBalance{*evenness, *dwarfs};
-  quality.effective_shapes = measure("effective_shapes");
   quality.copies_px = measure("nearest_copy_px");
   quality.copies_apart = measure("nearest_copy_fraction");
   quality.between_px = measure("between_pieces_px");
@@ -80,8 +79,12 @@ ResultCard read_card(const std::string& folder) {
   result.quality.pieces = std::size_t(measure("pieces"));
   result.quality.distinct_shapes = std::size_t(measure("distinct_shapes"));
   result.quality.largest_gap_px = measure("largest_gap_radius_px");
-  result.older = !card.at("quality").contains("effective_shapes");
-  if (!result.older) read_picture_measures(card, path, result.quality);
+  const auto tells = [&](const char* key) { return card.at("quality").contains(key); };
+  result.age = tells("effective_shapes") ? CardAge::variety : tells("size_balance") ? CardAge::picture : CardAge::first;
+  if (result.age >= CardAge::picture) read_picture_measures(card, path, result.quality);
+  if (result.age >= CardAge::variety) {
+    result.quality.effective_shapes = number_or_null(card, path, "quality", "effective_shapes");
+  }
   result.total_s = number(card, path, "run", "total_s");
   result.stopped_by = text(card, path, "run", "stopped_by");
   return result;

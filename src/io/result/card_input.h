@@ -7,10 +7,17 @@
 
 namespace tessera::io {
 
+/// What a card tells of, by when it was made; each tells all that earlier ones do.
+enum class CardAge {
+  first,    // nothing of these
+  picture,  // balance, dwarfs, copies, and the gaps between pieces
+  variety,  // effective_shapes
+};
+
 struct ResultCard {
   std::string folder;  // of the result
   Quality quality;     // but for the quantiles of the scales, and the range of sizes
-  bool older = false;  // made before cards told of balance, dwarfs, copies, and the gaps between pieces
+  CardAge age = CardAge::variety;
   double total_s = 0;
   std::string stopped_by;
 };

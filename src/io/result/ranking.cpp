@@ -73,7 +73,7 @@ std::vector<PictureMeasure> picture_measures(const ResultCard& card) {
           {"nearest_copy_px", q.copies_px, 3},
           {"nearest_copy_fraction", q.copies_apart, 6},
           {"between_pieces_px", q.between_px, 3},
-          {"alone_fraction", card.older ? std::nullopt : std::optional(q.alone), 6}};
+          {"alone_fraction", card.age < CardAge::picture ? std::nullopt : std::optional(q.alone), 6}};
 }
 
 nlohmann::ordered_json result_json(const RankedResult& result) {
@@ -127,9 +127,8 @@ void take(const std::string& folder, FoundResults& found) {
 }  // namespace
 
 // Coverage leads. A hundredth of overlap is seen where it lies, hence costs twice what a hundredth of holes does; so
-// does paint outside the canvas. From seed to seed of one job coverage moves by 0.3 points, shared boundary and variety by
-// 3 or so (docs/measurements.md): with a tenth they speak between collages that cover nearly alike. An eye that did not
-// know which is which took more variety for a point of coverage.
+// does paint outside the canvas. From seed to seed of one job coverage moves by 0.3 points, shared boundary and variety
+// by 3 or so: with a tenth they speak between collages that cover nearly alike.
 // How sizes and copies should lie is a matter of taste: they count where somebody asks for it.
 const std::array<RankingTerm, kRankingTerms>& ranking_terms() {
   static constexpr std::array<RankingTerm, kRankingTerms> terms = {{
@@ -137,11 +136,11 @@ const std::array<RankingTerm, kRankingTerms>& ranking_terms() {
       {"overlap", -2, [](const Quality& q) { return q.overlap; }},
       {"outside", -2, [](const Quality& q) { return q.outside; }},
       {"shared_boundary", 0.1, [](const Quality& q) { return q.shared_boundary; }},
-      {"variety", 0.1, variety, false},
-      {"balance", 0, balance, false},
-      {"dwarfs", 0, dwarfs, false},
-      {"copies_apart", 0, copies_apart, false},
-      {"alone", 0, [](const Quality& q) { return q.alone; }, false},
+      {"variety", 0.1, variety, CardAge::variety},
+      {"balance", 0, balance, CardAge::picture},
+      {"dwarfs", 0, dwarfs, CardAge::picture},
+      {"copies_apart", 0, copies_apart, CardAge::picture},
+      {"alone", 0, [](const Quality& q) { return q.alone; }, CardAge::picture},
   }};
   return terms;
 }
@@ -167,7 +166,7 @@ std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWei
     double score = 0;
     for (std::size_t i = 0; i < kRankingTerms; ++i) {
       const RankingTerm& term = ranking_terms()[i];
-      if (term.on_older_cards || !card.older) score += 100 * weights[i] * term.value(card.quality);
+      if (card.age >= term.since) score += 100 * weights[i] * term.value(card.quality);
     }
     results.push_back({std::move(card), score, 0});
   }
@@ -182,14 +181,15 @@ std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWei
 }
 
 std::vector<std::string> lacking_measures(const std::vector<RankedResult>& results, const RankingWeights& weights) {
-  std::string names;
-  for (std::size_t i = 0; i < kRankingTerms; ++i) {
-    const RankingTerm& term = ranking_terms()[i];
-    if (weights[i] != 0 && !term.on_older_cards) names += (names.empty() ? "" : ", ") + std::string(term.name);
-  }
   std::vector<std::string> lines;
   for (const RankedResult& result : results) {
-    if (names.empty() || !result.card.older) continue;
+    std::string names;
+    for (std::size_t i = 0; i < kRankingTerms; ++i) {
+      const RankingTerm& term = ranking_terms()[i];
+      if (weights[i] != 0 && result.card.age < term.since)
+        names += (names.empty() ? "" : ", ") + std::string(term.name);
+    }
+    if (names.empty()) continue;
     lines.push_back(path_in_result(result.card.folder, "card.json") + ": from before there was " + names +
                     ": counts as 0");
   }

@@ -14,7 +14,7 @@ struct RankingTerm {
   const char* name;
   double default_weight;
   double (*value)(const Quality&);
-  bool on_older_cards = true;  // else it is 0 of these
+  CardAge since = CardAge::first;  // of older cards it is 0
 };
 
 inline constexpr std::size_t kRankingTerms = 9;
