@@ -105,14 +105,17 @@ TEST(Clearing, WhoWasGivenUpIsNotFelt) {
   for (const std::size_t i : {0u, 2u, 3u}) EXPECT_GT(pieces[i].canvas_from_shape.scale(), 58.9f);
 }
 
-/// With padding pieces that are a little too near are as far from crossing as without.
+/// With padding pieces that are too near are far from crossing: two that fill a slit shrink until they have their distance.
 TEST(Clearing, PiecesThatAreOnlyTooNearAreNotGivenUp) {
   PieceSettings settings;
   settings.padding_px = 6;
+  const float width_px = 2 * 2 * kDiscRadius * 50 + 3 * settings.padding_px;
+  const Canvas slit = make_rectangle_canvas(int(width_px) - 10, 75);
   std::vector<RelaxedPiece> pieces;
-  for (const float x_px : {60.f, 91.f}) pieces.push_back(piece(kDisc, pose(50, 0, {x_px, 75}), {49, 500, {}}));
-  EXPECT_EQ(make_clear(pieces, {0, 1}, {make_rectangle_canvas(150, 150), settings}, settings, do_not_look),
-            std::vector<std::size_t>{});
+  for (const float x : {0.27f, 0.73f}) {
+    pieces.push_back(piece(kDisc, pose(50, 0, {x * float(slit.width_px), 37}), {30, 500, {}}));
+  }
+  EXPECT_EQ(make_clear(pieces, {0, 1}, {slit, settings}, settings, do_not_look), std::vector<std::size_t>{});
 }
 
 /// A piece that is alone, and too large for the canvas, has only to shrink.
