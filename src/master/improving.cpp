@@ -67,7 +67,7 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
       pieces_(settings.pieces),
       dwarf_loss_(kDwarfLoss * double(balance_of(settings.objective))),
       repetition_cost_(pays_to_replace(settings) ? double(repetition_cost(settings.objective)) : 0),
-      even_share_px2_(even_share_px2(collage.stances(), shapes, settings.pieces, area_px2)),
+      even_share_px2_(repetition_cost_ > 0 ? even_share_px2(collage.stances(), shapes, settings.pieces, area_px2) : 0),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
                                              : kRuinedScale * settings.pieces.min_scale_px),

@@ -54,7 +54,7 @@ class Improving {
   PieceSettings pieces_;
   double dwarf_loss_;       // of a dwarf's area
   double repetition_cost_;  // core/replacing/repetition.h; 0 where pieces are never exchanged
-  double even_share_px2_;
+  double even_share_px2_;   // the same
   std::uint64_t seed_;
   float most_scale_px_;
   std::size_t most_pieces_;

@@ -84,10 +84,13 @@ float repetition_cost(const ObjectiveSettings& objective) { return kRepetition *
 
 double even_share_px2(const StanceTable& stances, const ShapeSource& shapes, const PieceSettings& pieces,
                       double area_px2) {
-  std::set<ShapeId> drawings;
-  for (std::uint32_t i = 0; i < stances.open_shapes(); ++i) drawings.insert(shapes.silhouette(stances.open_shape(i)));
+  std::vector<ShapeId> drawings;
+  for (std::uint32_t i = 0; i < stances.open_shapes(); ++i)
+    drawings.push_back(shapes.silhouette(stances.open_shape(i)));
+  std::sort(drawings.begin(), drawings.end());
+  const auto count = std::unique(drawings.begin(), drawings.end()) - drawings.begin();
   const double middle_px2 = double(pieces.min_scale_px) * double(pieces.max_scale_px);
-  return drawings.empty() ? middle_px2 : std::max(middle_px2, area_px2 / double(drawings.size()));
+  return std::max(middle_px2, count > 0 ? area_px2 / double(count) : 0);
 }
 
 float least_window_px(const PieceSettings& pieces) {

@@ -55,8 +55,8 @@ struct ReplacementWindow {
   ContactDistances distances;
   float least_scale_px = 0;  // of all pieces of the job
   float most_scale_px = 0;
-  float repetition_cost = 0;  // of an area, for each e-fold of what its drawing covers
-  double even_share_px2 = 1;  // where that costs nothing
+  float repetition_cost = 0;  // of an area, for each e-fold by which its drawing covers more than
+  double even_share_px2 = 1;  // so much
   std::vector<WindowPiece> moving;
   std::vector<WindowPiece> still;  // that reach into the window, or nearly
   std::vector<IncomingShape> incoming;

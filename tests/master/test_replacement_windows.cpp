@@ -1,0 +1,189 @@
+// What a window of replacement trials is told of the job, the canvas and the other pieces.
+#include "master/replacing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "replacing_batches.h"
+
+namespace tessera::master {
+namespace {
+
+using namespace replacing_batches;
+
+TEST(ReplacementWindows, AllShapesOfASmallLibraryMayComeIn) {
+  Batches batches(large_canvas());
+  test::AskedReplacer replacer;
+  batches.batch(replacer);
+  for (const ReplacementWindow& w : replacer.windows()) {
+    ASSERT_EQ(w.incoming.size(), 12u);
+    for (std::uint32_t i = 0; i < 12; ++i) {
+      EXPECT_EQ(w.incoming[i].shape, ShapeId{i});
+      EXPECT_EQ(w.incoming[i].drawing, ShapeId(i & ~1u));
+      EXPECT_EQ(w.incoming[i].weight, 1);
+      EXPECT_EQ(w.incoming[i].poses.min_scale_px, 40);
+      EXPECT_EQ(w.incoming[i].poses.max_scale_px, 80);
+    }
+  }
+}
+
+TEST(ReplacementWindows, OfALargeLibraryAsManyMayComeInAsCanBeLookedAt) {
+  for (const std::uint32_t shapes : {400u, 401u, 5000u}) {
+    Batches batches(large_canvas(), settings_40_to_80(), shapes);
+    test::AskedReplacer replacer;
+    std::set<ShapeId> different;
+    for (int batch = 1; batch <= 2; ++batch) {
+      batches.batch(replacer, 0, {std::uint64_t(batch), 100'000});
+      for (const ReplacementWindow& w : replacer.windows()) {
+        EXPECT_EQ(w.incoming.size(), 400u);
+        for (const IncomingShape& in : w.incoming) different.insert(in.shape);
+      }
+      EXPECT_LE(different.size(), std::size_t(400 * batch)) << "the same in all windows of a batch";
+    }
+    EXPECT_LT(index_of(*different.rbegin()), shapes);
+    if (shapes == 5000) {
+      EXPECT_GT(different.size(), 600u) << "others in each batch";
+      EXPECT_GT(index_of(*different.rbegin()), 4500u) << "of all of it";
+    }
+  }
+}
+
+TEST(ReplacementWindows, ShapesComeInAsTheyMayStandAndAsOftenAsTheyAreWishedFor) {
+  CollageSettings s = settings_40_to_80();
+  s.wishes.classes.resize(3);
+  s.wishes.classes[0].weight = 4;
+  s.wishes.classes[0].poses.scale_px = {{40, 50}, {70, 80}};
+  s.wishes.classes[1].weight = 1;
+  s.wishes.classes[2].weight = 0;
+  s.wishes.class_of_shape = {0, 1, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+  Batches batches(make_rectangle_canvas(300, 220), s);
+  test::AskedReplacer replacer;
+  batches.batch(replacer);
+  const std::vector<IncomingShape>& incoming = replacer.windows().at(0).incoming;
+  ASSERT_EQ(incoming.size(), 12u) << "the first in two stances, and not the third";
+  EXPECT_EQ(incoming[0].shape, incoming[1].shape);
+  EXPECT_EQ(incoming[0].poses.max_scale_px, 50);
+  EXPECT_EQ(incoming[1].poses.min_scale_px, 70);
+  EXPECT_EQ(incoming[1].weight, 1);
+  EXPECT_EQ(incoming[2].shape, ShapeId{1});
+  EXPECT_EQ(incoming[2].weight, 0.25f) << "of that of the most wished for";
+  for (const IncomingShape& in : incoming) EXPECT_NE(in.shape, ShapeId{2});
+}
+
+TEST(ReplacementWindows, WhatADrawingCoversIsThatOfAllItsPieces) {
+  CollageSettings s = settings_40_to_80();
+  s.objective.repetition_exponent = 0.5f;
+  Batches batches(large_canvas(), s);
+  test::AskedReplacer replacer;
+  batches.batch(replacer, 10);
+  for (const ReplacementWindow& w : replacer.windows()) {
+    ASSERT_EQ(w.drawn.size(), 6u) << "drawings";
+    for (std::size_t i = 0; i < w.drawn.size(); ++i) {
+      EXPECT_EQ(w.drawn[i].drawing, ShapeId(std::uint32_t(2 * i))) << "ascending";
+      double area_px2 = 0;
+      for (const Placement& p : batches.placements) {
+        const bool shows_it = (index_of(p.shape) & ~1u) == index_of(w.drawn[i].drawing);
+        if (shows_it) area_px2 += std::pow(double(p.canvas_from_shape.scale()), 2);
+      }
+      EXPECT_GT(area_px2, 0);
+      EXPECT_NEAR(w.drawn[i].area_px2, area_px2, 1e-6 * area_px2);
+    }
+    EXPECT_NEAR(w.repetition_cost, 0.1 * 0.5, 1e-6);
+  }
+}
+
+/// By drawings: each of the six is there as it is and mirrored.
+TEST(ReplacementWindows, AnEvenShareIsThatOfAllDrawingsOrAPieceOfTheMiddleSize) {
+  test::AskedReplacer replacer;
+  Batches(large_canvas()).batch(replacer);
+  EXPECT_DOUBLE_EQ(replacer.windows().at(0).even_share_px2, 800. * 700 / 6);
+  Batches(large_canvas(), settings_40_to_80(), 2000).batch(replacer);
+  EXPECT_DOUBLE_EQ(replacer.windows().at(0).even_share_px2, 40. * 80);
+}
+
+/// A drawing that neither moves in the window nor may come in is none of its business.
+TEST(ReplacementWindows, WhatOtherDrawingsCoverIsLeftOut) {
+  CollageSettings s = settings_40_to_80();
+  s.wishes.classes.resize(2);
+  s.wishes.classes[1].weight = 0;
+  s.wishes.class_of_shape = {0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+  Batches batches(large_canvas(), s);
+  test::AskedReplacer replacer;
+  batches.batch(replacer, batches.placements.size() - 1);  // one may move
+  ASSERT_EQ(replacer.windows().size(), 1u);
+  const ReplacementWindow& w = replacer.windows()[0];
+  ASSERT_EQ(w.moving.size(), 1u);
+  std::set<ShapeId> expected = {ShapeId{0}, w.moving[0].drawing};
+  ASSERT_EQ(w.drawn.size(), expected.size());
+  for (const DrawingArea& drawn : w.drawn) EXPECT_TRUE(expected.count(drawn.drawing));
+}
+
+TEST(ReplacementWindows, DistancesAndSizesAreThoseOfTheJob) {
+  CollageSettings s = settings_40_to_80();
+  s.pieces.padding_px = 3;
+  Batches batches(make_rectangle_canvas(300, 220), s);
+  test::AskedReplacer replacer;
+  batches.batch(replacer);
+  const ReplacementWindow& w = replacer.windows().at(0);
+  EXPECT_NEAR(w.distances.soft_px, 3.3, 1e-5);
+  EXPECT_NEAR(w.distances.hard_px, 3.1, 1e-5);
+  EXPECT_EQ(w.least_scale_px, 40);
+  EXPECT_EQ(w.most_scale_px, 80);
+}
+
+/// So far windows know of the canvas' edge, or as far as pieces are kept away from it.
+constexpr float kFar_px = 64;
+
+/// As far as pieces of a window may feel it, with the edge's own place, padding or not.
+TEST(ReplacementWindows, TheEdgeIsThatOfTheCanvas) {
+  for (const float padding_px : {0.f, 3.f, 100.f}) {
+    CollageSettings s = settings_40_to_80();
+    s.pieces.padding_px = padding_px;
+    for (const Canvas& canvas : {large_canvas(), make_seamless_canvas(800, 700, true, false)}) {
+      Batches batches(canvas, s);
+      test::AskedReplacer replacer;
+      batches.batch(replacer);
+      for (const ReplacementWindow& w : replacer.windows()) {
+        const CanvasEdge edge(w.edge.distance, w.edge.node_px);
+        for (float y = w.box.low.y - 70; y < w.box.high.y + 70; y += 13.3f) {
+          for (float x = w.box.low.x - 70; x < w.box.high.x + 70; x += 17.7f) {
+            const float to_top = std::min(y, 700 - y);
+            const float to_side = canvas.period.x_px > 0 ? to_top : std::min(x, 800 - x);
+            if (std::min(to_top, to_side) < 0) continue;
+            const float felt_px = std::max(kFar_px, padding_px);
+            EXPECT_NEAR(std::min(edge.at({x, y}).value, felt_px), std::min({to_top, to_side, felt_px}), 1.1f)
+                << x << ", " << y;
+          }
+        }
+      }
+    }
+  }
+}
+
+/// Windows far from the edge have no raster of it; nothing in them would feel one.
+TEST(ReplacementWindows, FarFromTheEdgeThereIsNone) {
+  Batches batches(make_rectangle_canvas(1500, 1300));
+  test::AskedReplacer replacer;
+  float least_far_px = 1e6f;
+  for (std::uint64_t done = 0; done < 8; ++done) {
+    batches.batch(replacer, 0, {done, 100'000});
+    for (const ReplacementWindow& w : replacer.windows()) {
+      const float nearest_px = std::min({w.box.low.x, w.box.low.y, 1500 - w.box.high.x, 1300 - w.box.high.y}) - 80;
+      const bool none = w.edge.distance.value.width() == 3;
+      EXPECT_TRUE(none ? nearest_px > kFar_px : nearest_px < kFar_px + 4) << nearest_px;
+      if (!none) continue;
+      least_far_px = std::min(least_far_px, nearest_px);
+      const CanvasEdge edge(w.edge.distance, w.edge.node_px);
+      for (float y = w.box.low.y - 79; y < w.box.high.y + 79; y += 58) {
+        for (float x = w.box.low.x - 79; x < w.box.high.x + 79; x += 62) EXPECT_GE(edge.at({x, y}).value, 1000);
+      }
+    }
+  }
+  EXPECT_LT(least_far_px, 200) << "such windows were looked at";
+}
+
+}  // namespace
+}  // namespace tessera::master
