@@ -50,6 +50,8 @@ expect_word 'tessera: unfinished: go on with the same command and --resume inste
 run 0 rank long result --out ranked
 grep -q '^ *long (unfinished) ' output || fail "the ranking does not mark what is unfinished"
 grep -q 'result (unfinished)' output && fail "the ranking marks what is finished"
+by_area=$(sed -n 's/.*"effective_shapes": \([0-9.]*\),*/\1/p' result/card.json)
+grep '^ *result ' output | grep -qF " $(printf %.1f "$by_area") " || fail "the ranking does not show the shapes by area, $by_area"
 run 2 collage job.toml --out result --time-limit ""
 expect_word 'tessera: --time-limit: found an empty text, allowed: seconds'
 echo "ok unfinished"
