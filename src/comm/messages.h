@@ -129,13 +129,22 @@ void serialize(Archive& archive, tessera::DrawingArea& drawn, unsigned) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, tessera::RepetitionCosts& costs, unsigned) {
+  archive& costs.area& costs.even_share_px2& costs.nearness& costs.reach_sizes;
+}
+
+template <class Archive>
+void serialize(Archive& archive, tessera::DrawnPiece& piece, unsigned) {
+  archive& piece.drawing& piece.centre_px& piece.scale_px;
+}
+
+template <class Archive>
 void serialize(Archive& archive, tessera::ReplacementWindow& window, unsigned) {
   // By all its members: one that is left out here would differ from rank to rank, so then this does not compile.
-  auto& [box, edge, distances, least_px, most_px, repetition, even_share_px2, moving, still, incoming, drawn, random,
-         trials, first_px2, last_px2] = window;
-  archive& box& edge& distances& least_px& most_px& repetition& even_share_px2& moving& still& incoming& drawn& random&
-      trials;
-  archive& first_px2& last_px2;
+  auto& [box, edge, distances, least_px, most_px, repetition, moving, still, incoming, drawn, elsewhere, random, trials,
+         first_px2, last_px2] = window;
+  archive& box& edge& distances& least_px& most_px& repetition& moving& still& incoming& drawn& elsewhere;
+  archive& random& trials& first_px2& last_px2;
 }
 
 template <class Archive>

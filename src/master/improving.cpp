@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <map>
+#include <utility>
 
 #include "core/base/interrupted.h"
 #include "core/base/portable_math.h"
@@ -66,8 +66,9 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
       trials_per_relaxation_(trials_per_relaxation(area_px2, settings.pieces)),
       pieces_(settings.pieces),
       dwarf_loss_(kDwarfLoss * double(balance_of(settings.objective))),
-      repetition_cost_(pays_to_replace(settings) ? double(repetition_cost(settings.objective)) : 0),
-      even_share_px2_(repetition_cost_ > 0 ? even_share_px2(collage.stances(), shapes, settings.pieces, area_px2) : 0),
+      repetition_(pays_to_replace(settings)
+                      ? repetition_costs(settings, drawings_of(collage.stances(), shapes), area_px2)
+                      : RepetitionCosts{}),
       seed_(settings.seed),
       most_scale_px_(settings.pieces.fit_all ? std::numeric_limits<float>::infinity()
                                              : kRuinedScale * settings.pieces.min_scale_px),
@@ -124,15 +125,12 @@ std::int64_t Improving::loss_256ths_px2() const {
 }
 
 std::int64_t Improving::repeated_256ths_px2() const {
-  if (repetition_cost_ == 0) return 0;
-  std::map<ShapeId, double> area_px2;
+  if (repetition_ == RepetitionCosts{}) return 0;
+  std::vector<DrawnPiece> pieces;
   for (const Placement& p : collage_.placements()) {
-    const double scale_px = double(p.canvas_from_shape.scale());
-    area_px2[shapes_.silhouette(p.shape)] += scale_px * scale_px;
+    pieces.push_back(drawn_piece(shapes_.silhouette(p.shape), p.canvas_from_shape));
   }
-  double sum_px2 = 0;
-  for (const auto& [drawing, of_drawing_px2] : area_px2) sum_px2 += repeated_px2(of_drawing_px2, even_share_px2_);
-  return std::int64_t(256 * repetition_cost_ * sum_px2);
+  return std::int64_t(256 * repetition_px2(std::move(pieces), repetition_, collage_.free().grid().period()));
 }
 
 std::int64_t Improving::dwarfs_256ths_px2() const {

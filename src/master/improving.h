@@ -7,6 +7,7 @@
 #include <functional>
 #include <span>
 
+#include "core/replacing/replacement.h"
 #include "master/collage.h"
 #include "master/filling.h"
 #include "master/relaxing.h"
@@ -52,9 +53,8 @@ class Improving {
   bool relax_;
   std::uint32_t trials_per_relaxation_;
   PieceSettings pieces_;
-  double dwarf_loss_;       // of a dwarf's area
-  double repetition_cost_;  // core/replacing/repetition.h; 0 where pieces are never exchanged
-  double even_share_px2_;   // the same
+  double dwarf_loss_;           // of a dwarf's area
+  RepetitionCosts repetition_;  // none where pieces are never exchanged
   std::uint64_t seed_;
   float most_scale_px_;
   std::size_t most_pieces_;

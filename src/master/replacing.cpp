@@ -27,7 +27,9 @@ constexpr float kEdgeNodesPerScale = 32;    // of the least: the edge of large p
 constexpr float kFarFromEdge_px = 64;       // holes look no farther; contacts do where pieces keep away from it
 constexpr float kFirstTemperature = 0.03f;  // of the product of least and most scale
 /// Of repetition_exponent: at its default, 0.3, there are more shapes by area than by ruin and recreate alone.
-constexpr float kRepetition = 0.1f;
+constexpr double kRepetition = 0.1;
+constexpr double kNearness = 1;             // likewise: hardly two large copies lie within three of their sizes
+constexpr float kMostNearSizes = 5;         // away nobody sees copies together
 constexpr std::size_t kMostIncoming = 400;  // shapes, of a larger library
 
 float middle_px(const PieceSettings& p) { return std::sqrt(p.min_scale_px * p.max_scale_px); }
@@ -80,17 +82,24 @@ bool pays_to_replace(const CollageSettings& s) {
          s.stop.pieces == 0 && !s.start.grow_outward;
 }
 
-float repetition_cost(const ObjectiveSettings& objective) { return kRepetition * objective.repetition_exponent; }
-
-double even_share_px2(const StanceTable& stances, const ShapeSource& shapes, const PieceSettings& pieces,
-                      double area_px2) {
+std::size_t drawings_of(const StanceTable& stances, const ShapeSource& shapes) {
   std::vector<ShapeId> drawings;
   for (std::uint32_t i = 0; i < stances.open_shapes(); ++i)
     drawings.push_back(shapes.silhouette(stances.open_shape(i)));
   std::sort(drawings.begin(), drawings.end());
-  const auto count = std::unique(drawings.begin(), drawings.end()) - drawings.begin();
+  return std::size_t(std::unique(drawings.begin(), drawings.end()) - drawings.begin());
+}
+
+RepetitionCosts repetition_costs(const CollageSettings& settings, std::size_t drawings, double area_px2) {
+  const PieceSettings& pieces = settings.pieces;
   const double middle_px2 = double(pieces.min_scale_px) * double(pieces.max_scale_px);
-  return std::max(middle_px2, count > 0 ? area_px2 / double(count) : 0);
+  const double exponent = double(settings.objective.repetition_exponent);
+  RepetitionCosts costs;
+  costs.area = kRepetition * exponent;
+  costs.even_share_px2 = std::max(middle_px2, drawings > 0 ? area_px2 / double(drawings) : 0);
+  costs.nearness = kNearness * exponent;
+  costs.reach_sizes = std::min(kMostNearSizes, 0.5f * std::sqrt(float(drawings)));
+  return costs;
 }
 
 float least_window_px(const PieceSettings& pieces) {
@@ -102,7 +111,7 @@ Replacing::Replacing(const FreeField& free, const StanceTable& stances, const Co
     : free_(free),
       stances_(stances),
       settings_(settings),
-      even_share_px2_(even_share_px2(stances, shapes, settings.pieces, area_px2)),
+      repetition_(repetition_costs(settings, drawings_of(stances, shapes), area_px2)),
       shapes_(shapes),
       poses_of_(std::move(poses_of)),
       replacer_(replacer) {}
@@ -173,8 +182,28 @@ void Replacing::complete(ReplacementWindow& window) const {
   window.distances = contact_distances(settings_.pieces);
   window.least_scale_px = settings_.pieces.min_scale_px;
   window.most_scale_px = settings_.pieces.max_scale_px;
-  window.repetition_cost = repetition_cost(settings_.objective);
-  window.even_share_px2 = even_share_px2_;
+  window.repetition = repetition_;
+}
+
+/// The pieces but for some that may be felt as copies in the box, and their images on a seamless canvas.
+std::vector<DrawnPiece> Replacing::copies_around(const Box& box, const std::vector<Lying>& all,
+                                                 const std::vector<std::size_t>& but) const {
+  const float reach_px = repetition_.reach_sizes * settings_.pieces.max_scale_px;
+  const std::vector<Vec2> offsets = free_.grid().period().offsets();
+  std::vector<DrawnPiece> around;
+  auto skipped = but.begin();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (skipped != but.end() && *skipped == i) {
+      ++skipped;
+      continue;
+    }
+    for (const Vec2 offset : offsets) {
+      DrawnPiece piece = drawn_piece(all[i].piece.drawing, all[i].piece.canvas_from_shape);
+      piece.centre_px = piece.centre_px + offset;
+      if (within_reach(box, {piece.centre_px, piece.centre_px}, reach_px)) around.push_back(piece);
+    }
+  }
+  return around;
 }
 
 /// All pieces that lie in the window as a whole may move, but for the given ones.
@@ -196,6 +225,7 @@ Replacing::Cut Replacing::cut(const Box& box, const std::vector<Lying>& all, std
       }
     }
   }
+  made.window.elsewhere = copies_around(box, all, made.moving);
   made.window.trials = std::uint32_t(std::ceil(kTrialsPerPiece * float(made.moving.size())));
   return made;
 }

@@ -21,12 +21,12 @@ namespace tessera::master {
 /// neighbours, by the number of pieces, or by growth outward.
 bool pays_to_replace(const CollageSettings& settings);
 
-/// Of an area, what each e-fold costs by which its drawing covers more than an even share
-/// (core/replacing/repetition.h).
-float repetition_cost(const ObjectiveSettings& objective);
-/// What each drawing that may stand would cover if all covered alike; no less than a piece of the middle size.
-double even_share_px2(const StanceTable& stances, const ShapeSource& shapes, const PieceSettings& pieces,
-                      double area_px2);
+/// How many drawings may stand: mirror images and other colours are one.
+std::size_t drawings_of(const StanceTable& stances, const ShapeSource& shapes);
+/// On `area_px2` of canvas. An even share is what each drawing would cover if all covered alike, no less than a piece of
+/// the middle size. Copies reach each other half as far as they would lie apart if all drawings took turns: as many of
+/// few drawings lie near each other wherever they lie.
+RepetitionCosts repetition_costs(const CollageSettings& settings, std::size_t drawings, double area_px2);
 
 /// Of all trials of improving this part are replacements, so many for one: they take about as long, on two cores.
 inline constexpr double kPartReplaced = 5.0 / 6;
@@ -74,6 +74,8 @@ class Replacing {
   std::vector<Cut> cut_all(const std::vector<Lying>& all, std::size_t given, std::uint64_t key,
                            const std::function<void()>& look) const;
   Cut cut(const Box& box, const std::vector<Lying>& all, std::size_t given) const;
+  std::vector<DrawnPiece> copies_around(const Box& box, const std::vector<Lying>& all,
+                                        const std::vector<std::size_t>& but) const;
   void complete(ReplacementWindow& window) const;
   std::vector<ReplacementOutcome> asked(std::vector<Cut>& cuts, const std::vector<Lying>& all,
                                         const std::vector<IncomingShape>& incoming, const std::function<void()>& look);
@@ -87,7 +89,7 @@ class Replacing {
   const FreeField& free_;
   const StanceTable& stances_;
   CollageSettings settings_;
-  double even_share_px2_;
+  RepetitionCosts repetition_;
   ShapeSource& shapes_;
   PosesOf poses_of_;
   Replacer& replacer_;

@@ -128,14 +128,14 @@ ReplacementWindow any_window() {
   window.distances = {any_float(), any_float()};
   window.least_scale_px = any_float();
   window.most_scale_px = any_float();
-  window.repetition_cost = any_float();
-  window.even_share_px2 = double(any_index()) / 3;
+  window.repetition = {double(any_index()) / 3, double(any_index()) / 5, double(any_index()) / 7, any_float()};
   window.moving = any_vector(any_piece);
   window.still = any_vector(any_piece);
   window.incoming = any_vector([] {
     return IncomingShape{ShapeId{any_index()}, ShapeId{any_index()}, any_poses(), any_float()};
   });
   window.drawn = any_vector([] { return DrawingArea{ShapeId{any_index()}, double(any_index()) / 7}; });
+  window.elsewhere = any_vector([] { return DrawnPiece{ShapeId{any_index()}, any_vec2(), any_float()}; });
   window.random = *rc::gen::arbitrary<std::uint64_t>();
   window.trials = any_index();
   window.first_temperature_px2 = any_float();
@@ -152,13 +152,14 @@ bool same_bits(const EdgeField& a, const EdgeField& b) {
 
 bool same_bits(const ReplacementWindow& a, const ReplacementWindow& b) {
   const auto numbers = [](const ReplacementWindow& w) {
-    return std::vector{w.least_scale_px,       w.most_scale_px,     w.repetition_cost,  w.first_temperature_px2,
+    return std::vector{w.least_scale_px,       w.most_scale_px,     w.first_temperature_px2,
                        w.last_temperature_px2, w.distances.soft_px, w.distances.hard_px};
   };
   return same_bits(std::vector{a.box.low, a.box.high}, std::vector{b.box.low, b.box.high}) &&
          same_bits(a.edge, b.edge) && same_bits(numbers(a), numbers(b)) && same_bits(a.moving, b.moving) &&
          same_bits(a.still, b.still) && same_bits(a.incoming, b.incoming) && a.drawn == b.drawn &&
-         a.even_share_px2 == b.even_share_px2 && a.random == b.random && a.trials == b.trials;
+         same_bits(a.elsewhere, b.elsewhere) && a.repetition == b.repetition && a.random == b.random &&
+         a.trials == b.trials;
 }
 
 TEST(Messages, ReplacementWindows) {

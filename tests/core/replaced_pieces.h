@@ -92,7 +92,7 @@ inline ReplacementWindow empty_window(int canvas_px = kCanvas_px) {
   window.distances = {0, -1};
   window.least_scale_px = 20;
   window.most_scale_px = 60;
-  window.even_share_px2 = 1200;
+  window.repetition.even_share_px2 = 1200;
   for (std::size_t i = 0; i < hole_shapes().size(); ++i) {
     window.incoming.push_back({ShapeId(i), ShapeId(i), {20, 60, {}}, 1});
   }

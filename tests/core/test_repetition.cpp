@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace tessera {
@@ -15,10 +15,13 @@ constexpr double kShare_px2 = 3600;
 
 ReplacementWindow window_of_drawings(const std::vector<DrawingArea>& drawn) {
   ReplacementWindow window;
-  window.even_share_px2 = kShare_px2;
-  window.repetition_cost = 0.5f;
+  window.repetition = {0.5, kShare_px2, 0, 3};
   window.drawn = drawn;
   return window;
+}
+
+DrawnPiece copy_at(float x, float y, float scale_px, std::uint32_t drawing = 0) {
+  return {ShapeId{drawing}, {x, y}, scale_px};
 }
 
 TEST(Repetition, EachEFoldOfEvenSharesCostsAPartOfTheArea) {
@@ -27,33 +30,83 @@ TEST(Repetition, EachEFoldOfEvenSharesCostsAPartOfTheArea) {
   EXPECT_NEAR(repeated_px2(101, 100), repeated_px2(99, 100), 1e-3) << "neutral at an even share";
   EXPECT_EQ(repeated_px2(0, 100), 0);
   const Repetition repetition(window_of_drawings({{ShapeId{0}, kShare_px2}, {ShapeId{2}, 4 * kShare_px2}}));
-  const auto cost = [&](std::uint32_t drawing, double scale_px) {
-    return repetition.cost_px2(ShapeId{drawing}, scale_px);
+  const auto cost = [&](std::uint32_t drawing, float scale_px) {
+    return repetition.cost_px2(copy_at(0, 0, scale_px, drawing));
   };
   EXPECT_NEAR(cost(0, 60), 0.5 * kShare_px2 * (2 * std::log(2) - 1), 1e-3) << "the integral of ln x from 1 to 2";
   EXPECT_NEAR(cost(1, 60), -0.5 * kShare_px2, 1e-3) << "not listed: it covers nothing";
   EXPECT_GT(cost(2, 60), cost(0, 60)) << "of one that covers more";
   EXPECT_GT(cost(0, 120) / (120 * 120), cost(0, 60) / (60 * 60)) << "the eye goes by large copies";
-  EXPECT_NEAR(cost(0, 40) + Repetition(window_of_drawings({{ShapeId{0}, kShare_px2 + 1600}})).cost_px2({}, 50),
-              cost(0, std::sqrt(1600 + 2500)), 1e-3)
+  const Repetition with_more(window_of_drawings({{ShapeId{0}, kShare_px2 + 1600}}));
+  EXPECT_NEAR(cost(0, 40) + with_more.cost_px2(copy_at(0, 0, 50)), cost(0, std::sqrt(1600.f + 2500.f)), 1e-2)
       << "two small ones cost as much as one that covers both";
 }
 
-TEST(Repetition, ItsEnergyIsThatOfAllDrawings) {
+TEST(Repetition, OfTwoCopiesTheSmallerOneCostsByHowNearTheyAre) {
+  EXPECT_NEAR(near_px2(copy_at(0, 0, 90), copy_at(0, 0, 40), 5), 1600, 1e-3);
+  EXPECT_NEAR(near_px2(copy_at(0, 0, 40), copy_at(90, 120, 90), 5), 1600 * (1 - 150. / (5 * 60)), 1e-2);
+  EXPECT_EQ(near_px2(copy_at(0, 0, 40), copy_at(301, 0, 90), 5), 0);
+  EXPECT_GT(near_px2(copy_at(0, 0, 40), copy_at(299, 0, 90), 5), 0);
+  EXPECT_EQ(near_px2(copy_at(0, 0, 40), copy_at(121, 0, 90), 2), 0);
+}
+
+TEST(Repetition, NearCopiesCostMoreThanFarOnes) {
+  ReplacementWindow window = window_of_drawings({});
+  window.repetition = {0, kShare_px2, 2, 5};
+  window.moving = {{ShapeId{7}, ShapeId{3}, {50, 0, 100, 100}, {}}};
+  window.elsewhere = {copy_at(500, 100, 50, 3), copy_at(100, 100, 50, 2)};
+  const Repetition repetition(window);
+  EXPECT_NEAR(repetition.cost_px2(copy_at(150, 100, 50, 3)), 2 * 2500 * (1 - 50. / 250), 1e-2) << "of what moves";
+  EXPECT_NEAR(repetition.cost_px2(copy_at(450, 100, 50, 3)), 2 * 2500 * (1 - 50. / 250), 1e-2) << "of what does not";
+  EXPECT_EQ(repetition.cost_px2(copy_at(150, 100, 50, 4)), 0);
+}
+
+TEST(Repetition, OnASeamlessCanvasCopiesAreNearAcrossItsEdge) {
+  const RepetitionCosts costs{0, 1, 1, 5};
+  const std::vector<DrawnPiece> pieces = {copy_at(10, 50, 20), copy_at(390, 50, 20)};
+  EXPECT_EQ(repetition_px2(pieces, costs, {}), 0);
+  EXPECT_NEAR(repetition_px2(pieces, costs, {400, 0}), 400 * (1 - 20. / 100), 1e-3);
+}
+
+std::vector<DrawnPiece> any_pieces() {
+  std::vector<DrawnPiece> pieces;
+  for (int k = *rc::gen::inRange(0, 12); k > 0; --k) {
+    const auto any = [](int low, int high) { return 0.01f * float(*rc::gen::inRange(100 * low, 100 * high)); };
+    pieces.push_back(copy_at(any(0, 600), any(0, 600), any(20, 160), *rc::gen::inRange(0u, 4u)));
+  }
+  return pieces;
+}
+
+/// What a window's pieces cost changes as that of all the canvas' pieces does.
+TEST(Repetition, ItsEnergyIsThatOfAllPieces) {
   EXPECT_TRUE(rc::check([] {
-    const auto shape = [] { return ShapeId{*rc::gen::inRange(0u, 5u)}; };
-    Repetition repetition(window_of_drawings({{ShapeId{1}, 5000}, {ShapeId{3}, 900}}));
-    const double start_px2 = repetition.energy_px2();
-    std::vector<std::pair<ShapeId, double>> added;
-    double cost_px2 = 0;
-    for (int k = *rc::gen::inRange(0, 8); k > 0; --k) {
-      added.emplace_back(shape(), 0.01 * *rc::gen::inRange(2000, 16000));
-      cost_px2 += repetition.cost_px2(added.back().first, added.back().second);
-      repetition.add(added.back().first, added.back().second);
+    const std::vector<DrawnPiece> stand = any_pieces();
+    ReplacementWindow window = window_of_drawings({});
+    window.repetition.nearness = 0.7;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      double area_px2 = 0;
+      for (const DrawnPiece& p : stand) area_px2 += index_of(p.drawing) == i ? double(p.scale_px) * p.scale_px : 0;
+      window.drawn.push_back({ShapeId{i}, area_px2});
     }
-    RC_ASSERT(std::abs(repetition.energy_px2() - start_px2 - cost_px2) < 1e-3);
-    for (const auto& [drawing, scale_px] : added) repetition.remove(drawing, scale_px);
-    RC_ASSERT(std::abs(repetition.energy_px2() - start_px2) < 1e-3);
+    window.elsewhere = stand;
+    Repetition repetition(window);
+    const auto of_all_px2 = [&](const std::vector<DrawnPiece>& all) {
+      return repetition_px2(all, window.repetition, {});
+    };
+    const std::vector<DrawnPiece> added = any_pieces();
+    std::vector<DrawnPiece> all = stand;
+    double cost_px2 = 0;
+    for (const DrawnPiece& piece : added) {
+      cost_px2 += repetition.cost_px2(piece);
+      repetition.add(piece);
+      all.push_back(piece);
+    }
+    RC_ASSERT(std::abs(repetition.energy_px2() - cost_px2) < 0.1);
+    RC_ASSERT(std::abs(of_all_px2(all) - of_all_px2(stand) - cost_px2) < 0.1);
+    std::reverse(all.begin(), all.end());
+    RC_ASSERT(std::abs(of_all_px2(all) - of_all_px2(stand) - cost_px2) < 0.1);
+    for (const DrawnPiece& piece : added) repetition.remove(piece);
+    RC_ASSERT(std::abs(repetition.energy_px2()) < 0.1);
   }));
 }
 

@@ -48,7 +48,9 @@ ReplacementWindow any_window() {
   }
   for (IncomingShape& in : window.incoming) in.poses = poses;
   count_drawn(window);
-  window.repetition_cost = *rc::gen::element(0.f, 0.05f);
+  window.repetition.area = *rc::gen::element(0., 0.05);
+  window.repetition.nearness = *rc::gen::element(0., 0.3);
+  window.repetition.reach_sizes = 2;
   window.random = *rc::gen::arbitrary<std::uint64_t>();
   window.trials = 12;
   window.first_temperature_px2 = *rc::gen::element(0.f, 100.f);
@@ -198,8 +200,8 @@ TEST(WindowTrials, ColdTrialsNeverRaiseTheEnergyOfTheWhole) {
     const auto energy_px2 = [&](const std::vector<ReplacedPiece>& pieces) {
       Repetition repetition(window);
       const double start_px2 = repetition.energy_px2();
-      for (const WindowPiece& p : window.moving) repetition.remove(p.drawing, double(p.canvas_from_shape.scale()));
-      for (const ReplacedPiece& p : pieces) repetition.add(p.shape, double(p.canvas_from_shape.scale()));
+      for (const WindowPiece& p : window.moving) repetition.remove(drawn_piece(p.drawing, p.canvas_from_shape));
+      for (const ReplacedPiece& p : pieces) repetition.add(drawn_piece(p.shape, p.canvas_from_shape));
       return relaxation.energy_px2(scene_of(window, pieces)) + repetition.energy_px2() - start_px2;
     };
     const double old_px2 = energy_px2(before(window));
@@ -217,7 +219,7 @@ TEST(WindowTrials, ColdTrialsCoverMoreAndNotTwice) {
     ReplacementWindow window = any_window();
     window.distances = {0, -1};
     window.box = empty_window().box;
-    window.repetition_cost = 0;
+    window.repetition = {};
     window.first_temperature_px2 = 0;
     window.trials = 15;
     const Quality old = quality_of(window, before(window));
@@ -317,12 +319,35 @@ TEST(WindowTrials, WhereRepetitionCostsMuchOtherDrawingsComeIn) {
   };
   count_drawn(window);
   const std::ptrdiff_t discs_cheap = times_of(kDisc);
-  window.repetition_cost = 0.3f;
+  window.repetition.area = 0.3;
   EXPECT_LT(times_of(kDisc), discs_cheap);
   ASSERT_GT(times_of(1), 0);
-  window.repetition_cost = 0.5f;
+  window.repetition.area = 0.5;
   window.drawn[1].area_px2 = 1e6;
   EXPECT_EQ(times_of(1), 0) << "worth nothing";
+}
+
+/// Copies that lie elsewhere count, as far as they are near.
+TEST(WindowTrials, NextToACopyOtherDrawingsComeIn) {
+  ReplacementWindow window = empty_window();
+  window.moving = discs_round_a_hole();
+  count_drawn(window);
+  window.trials = 30;
+  window.repetition.nearness = 1;
+  window.repetition.reach_sizes = 5;
+  const auto stars = [&] {
+    std::ptrdiff_t count = 0;
+    for (window.random = 0; window.random < 3; ++window.random) {
+      const std::vector<ReplacedPiece> pieces = outcome_of(window).pieces;
+      count += std::count_if(pieces.begin(), pieces.end(), [](const auto& p) { return index_of(p.shape) == 1; });
+    }
+    return count;
+  };
+  window.elsewhere = {{ShapeId{1}, kMiddle + Vec2{5000, 0}, 60}};
+  const std::ptrdiff_t far = stars();
+  ASSERT_GT(far, 0);
+  window.elsewhere = std::vector<DrawnPiece>(6, {ShapeId{1}, kMiddle, 60});
+  EXPECT_LT(stars(), far);
 }
 
 /// Mirror images, for one: they are used as one.
@@ -331,7 +356,7 @@ TEST(WindowTrials, ShapesOfOneDrawingAreRepetitionsOfEachOther) {
   window.moving = discs_round_a_hole();
   count_drawn(window);
   window.trials = 60;
-  window.repetition_cost = 0.4f;
+  window.repetition.area = 0.4;
   ASSERT_NE(outcome_of(window).pieces, before(window));
   for (IncomingShape& in : window.incoming) in.drawing = ShapeId{kDisc};
   count_drawn(window);

@@ -91,17 +91,33 @@ TEST(ReplacementWindows, WhatADrawingCoversIsThatOfAllItsPieces) {
       EXPECT_GT(area_px2, 0);
       EXPECT_NEAR(w.drawn[i].area_px2, area_px2, 1e-6 * area_px2);
     }
-    EXPECT_NEAR(w.repetition_cost, 0.1 * 0.5, 1e-6);
+    EXPECT_DOUBLE_EQ(w.repetition.area, 0.1 * 0.5);
+    EXPECT_DOUBLE_EQ(w.repetition.nearness, 0.5);
   }
 }
 
-/// By drawings: each of the six is there as it is and mirrored.
-TEST(ReplacementWindows, AnEvenShareIsThatOfAllDrawingsOrAPieceOfTheMiddleSize) {
+TEST(ReplacementWindows, MirrorImagesAreOneDrawing) {
   test::AskedReplacer replacer;
   Batches(large_canvas()).batch(replacer);
-  EXPECT_DOUBLE_EQ(replacer.windows().at(0).even_share_px2, 800. * 700 / 6);
-  Batches(large_canvas(), settings_40_to_80(), 2000).batch(replacer);
-  EXPECT_DOUBLE_EQ(replacer.windows().at(0).even_share_px2, 40. * 80);
+  EXPECT_EQ(replacer.windows().at(0).repetition, repetition_costs(settings_40_to_80(), 6, 800. * 700));
+}
+
+TEST(ReplacementWindows, AnEvenShareIsThatOfAllDrawingsOrAPieceOfTheMiddleSize) {
+  const CollageSettings s = settings_40_to_80();
+  EXPECT_DOUBLE_EQ(repetition_costs(s, 6, 800. * 700).even_share_px2, 800. * 700 / 6);
+  EXPECT_DOUBLE_EQ(repetition_costs(s, 1000, 800. * 700).even_share_px2, 40. * 80);
+  EXPECT_DOUBLE_EQ(repetition_costs(s, 0, 800. * 700).even_share_px2, 40. * 80);
+}
+
+/// A copy in each area of as many pieces as there are drawings: of few drawings as many lie near each other.
+TEST(ReplacementWindows, CopiesReachFartherTheMoreDrawingsThereAre) {
+  const auto reach_sizes = [](std::size_t drawings) {
+    return repetition_costs(settings_40_to_80(), drawings, 1).reach_sizes;
+  };
+  EXPECT_EQ(reach_sizes(1), 0.5f) << "not even neighbours";
+  EXPECT_EQ(reach_sizes(36), 3);
+  EXPECT_EQ(reach_sizes(100), 5);
+  EXPECT_EQ(reach_sizes(5000), 5);
 }
 
 /// A drawing that neither moves in the window nor may come in is none of its business.
@@ -119,6 +135,56 @@ TEST(ReplacementWindows, WhatOtherDrawingsCoverIsLeftOut) {
   std::set<ShapeId> expected = {ShapeId{0}, w.moving[0].drawing};
   ASSERT_EQ(w.drawn.size(), expected.size());
   for (const DrawingArea& drawn : w.drawn) EXPECT_TRUE(expected.count(drawn.drawing));
+}
+
+/// So far away a copy of a piece of the largest size is felt: of six drawings.
+const float kNearness_px = 0.5f * std::sqrt(6.f) * 80;
+
+float beyond_px(const Box& box, Vec2 p) {
+  return std::max({box.low.x - p.x, p.x - box.high.x, box.low.y - p.y, p.y - box.high.y, 0.f});
+}
+
+/// The pieces with all their images that may be felt in a window as copies.
+std::vector<DrawnPiece> near_to(const ReplacementWindow& w, const std::vector<Placement>& all, const Period& period) {
+  std::vector<DrawnPiece> near;
+  for (const Placement& p : all) {
+    for (const Vec2 offset : period.offsets()) {
+      near.push_back(drawn_piece(ShapeId(index_of(p.shape) & ~1u), moved(p.canvas_from_shape, offset)));
+      if (beyond_px(w.box, near.back().centre_px) > kNearness_px) near.pop_back();
+    }
+  }
+  return near;
+}
+
+TEST(ReplacementWindows, CopiesThatMayBeFeltAreThoseThatMoveAndTheOthers) {
+  Batches batches(make_rectangle_canvas(1500, 1300));
+  test::AskedReplacer replacer;
+  batches.batch(replacer, 3);
+  ASSERT_GT(replacer.windows().size(), 3u);
+  for (const ReplacementWindow& w : replacer.windows()) {
+    std::vector<DrawnPiece> felt = w.elsewhere;
+    for (const WindowPiece& p : w.moving) felt.push_back(drawn_piece(p.drawing, p.canvas_from_shape));
+    const std::vector<DrawnPiece> near = near_to(w, batches.placements, {});
+    EXPECT_LT(near.size(), batches.placements.size());
+    EXPECT_TRUE(std::is_permutation(felt.begin(), felt.end(), near.begin(), near.end()));
+  }
+}
+
+TEST(ReplacementWindows, OnASeamlessCanvasCopiesAreFeltAcrossItsEdge) {
+  const Canvas canvas = make_seamless_canvas(1500, 1300, true, false);
+  Batches batches(canvas);
+  test::AskedReplacer replacer;
+  batches.batch(replacer, 3);
+  std::size_t across = 0;
+  for (const ReplacementWindow& w : replacer.windows()) {
+    const std::vector<DrawnPiece> near = near_to(w, batches.placements, canvas.period);
+    for (const DrawnPiece& piece : w.elsewhere) {
+      EXPECT_EQ(std::count(near.begin(), near.end(), piece), 1);
+      across += piece.centre_px.x < 0 || piece.centre_px.x > 1500;
+    }
+    EXPECT_GE(w.elsewhere.size() + 2 * w.moving.size(), near.size()) << "all but images of what moves in it";
+  }
+  EXPECT_GT(across, 10u);
 }
 
 TEST(ReplacementWindows, DistancesAndSizesAreThoseOfTheJob) {

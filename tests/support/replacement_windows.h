@@ -62,8 +62,7 @@ inline ReplacementWindow any_window(std::uint64_t number, std::uint32_t first = 
   window.distances = {0.5f, -1.4f};
   window.least_scale_px = kPoses.min_scale_px;
   window.most_scale_px = kPoses.max_scale_px;
-  window.repetition_cost = 0.1f;
-  window.even_share_px2 = 2000;
+  window.repetition = {0.1, 2000, 0.2, 2};
   const auto any_shape = [&] { return ShapeId{first + std::uint32_t(draws.below(4))}; };
   for (int cell = 0; cell < kCells * kCells; ++cell) {
     const ShapeId shape = any_shape();
@@ -78,6 +77,7 @@ inline ReplacementWindow any_window(std::uint64_t number, std::uint32_t first = 
     window.incoming.push_back({shape, shape, kPoses, 1 - 0.2f * float(k)});
     window.drawn.push_back({shape, double(20'000 + 1000 * draws.below(8))});
   }
+  window.elsewhere = {{any_shape(), low - Vec2{30, 30}, 40}};
   window.random = number;
   window.trials = std::uint32_t(4 + draws.below(9));
   window.first_temperature_px2 = 20;

@@ -34,12 +34,35 @@ struct IncomingShape {
   friend bool operator==(const IncomingShape&, const IncomingShape&) = default;
 };
 
+/// What it costs that drawings repeat themselves (core/replacing/repetition.h); nothing as it is.
+struct RepetitionCosts {
+  double area = 0;            // of an area, for each e-fold by which its drawing covers more than
+  double even_share_px2 = 1;  // so much
+  double nearness = 0;        // of the smaller one's area, for two copies at one place, falling to nothing
+  float reach_sizes = 0;      // so many of their mean sizes (geometric) apart
+
+  friend bool operator==(const RepetitionCosts&, const RepetitionCosts&) = default;
+};
+
 struct DrawingArea {
   ShapeId drawing{};
   double area_px2 = 0;  // of its pieces on the whole canvas
 
   friend bool operator==(const DrawingArea&, const DrawingArea&) = default;
 };
+
+/// What the eye sees of a piece that repeats another: which drawing it is, where and how large.
+struct DrawnPiece {
+  ShapeId drawing{};
+  Vec2 centre_px;
+  float scale_px = 0;
+
+  friend bool operator==(const DrawnPiece&, const DrawnPiece&) = default;
+};
+
+inline DrawnPiece drawn_piece(ShapeId drawing, const Similarity& canvas_from_shape) {
+  return {drawing, canvas_from_shape.translation(), canvas_from_shape.scale()};
+}
 
 /// Distance to the canvas' edge, px, positive inside: at node (i, j), which lies at (origin + (i, j)) times node_px.
 /// Beyond the nodes it falls with the way there. What is farther away than anything in the window may feel has any
@@ -55,13 +78,13 @@ struct ReplacementWindow {
   ContactDistances distances;
   float least_scale_px = 0;  // of all pieces of the job
   float most_scale_px = 0;
-  float repetition_cost = 0;  // of an area, for each e-fold by which its drawing covers more than
-  double even_share_px2 = 1;  // so much
+  RepetitionCosts repetition;
   std::vector<WindowPiece> moving;
   std::vector<WindowPiece> still;  // that reach into the window, or nearly
   std::vector<IncomingShape> incoming;
-  std::vector<DrawingArea> drawn;  // every drawing of `moving` and `incoming`, ascending
-  std::uint64_t random = 0;        // what the draws follow from
+  std::vector<DrawingArea> drawn;     // every drawing of `moving` and `incoming`, ascending
+  std::vector<DrawnPiece> elsewhere;  // pieces that do not move in it, of any drawing, as far as copies are felt
+  std::uint64_t random = 0;           // what the draws follow from
   std::uint32_t trials = 0;
   float first_temperature_px2 = 0;  // falls evenly to the last: what a loss of so much energy is worth a risk of 1 in e
   float last_temperature_px2 = 0;

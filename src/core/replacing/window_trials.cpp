@@ -126,9 +126,13 @@ class WindowTrials {
     return true;
   }
 
+  DrawnPiece standing(std::size_t i) const {
+    return drawn_piece(pieces_[i].piece.drawing, pieces_[i].piece.canvas_from_shape);
+  }
+
   Repetition without(const std::vector<std::size_t>& out) const {
     Repetition left = repetition_;
-    for (const std::size_t i : out) left.remove(pieces_[i].piece.drawing, double(pieces_[i].laid.scale_px));
+    for (const std::size_t i : out) left.remove(standing(i));
     return left;
   }
 
@@ -136,13 +140,12 @@ class WindowTrials {
   Repetition repetition_of(const Attempt& attempt, const Trial& trial) const {
     Repetition now = without(trial.out);
     for (std::size_t k = 0; k < trial.ring.size(); ++k) {
-      const WindowPieces::Standing& old = pieces_[trial.ring[k]];
-      now.remove(old.piece.drawing, double(old.laid.scale_px));
-      now.add(old.piece.drawing, double(attempt.scene.pieces[k].canvas_from_shape.scale()));
+      now.remove(standing(trial.ring[k]));
+      now.add(drawn_piece(pieces_[trial.ring[k]].piece.drawing, attempt.scene.pieces[k].canvas_from_shape));
     }
     const std::size_t old = attempt.scene.pieces.size() - attempt.incoming.size();
     for (std::size_t k = 0; k < attempt.incoming.size(); ++k) {
-      now.add(incoming(attempt.incoming[k]).drawing, double(attempt.scene.pieces[old + k].canvas_from_shape.scale()));
+      now.add(drawn_piece(incoming(attempt.incoming[k]).drawing, attempt.scene.pieces[old + k].canvas_from_shape));
     }
     return now;
   }
@@ -189,10 +192,10 @@ class WindowTrials {
 
   /// In the order of the window's incoming shapes; as copies they cost what one about as large as the hole would.
   std::vector<HoleGuest> guests(const Repetition& repetition, const Trial& trial) const {
-    const double scale_px = double(std::min(trial.reach_px, window_.most_scale_px));
+    const float scale_px = std::min(trial.reach_px, window_.most_scale_px);
     std::vector<HoleGuest> all;
     for (const IncomingShape& in : window_.incoming) {
-      const double cost = repetition.cost_px2(in.drawing, scale_px) / (scale_px * scale_px);
+      const double cost = repetition.cost_px2({in.drawing, trial.centre_px, scale_px}) / double(scale_px * scale_px);
       all.push_back({shapes_.at(in.shape), in.poses, in.weight, float(1 - cost)});
     }
     return all;
@@ -202,7 +205,7 @@ class WindowTrials {
 
   void add(const HoleCandidate& candidate, Repetition& repetition, Attempt& attempt) const {
     attempt.incoming.push_back(candidate);
-    repetition.add(incoming(candidate).drawing, double(candidate.canvas_from_shape.scale()));
+    repetition.add(drawn_piece(incoming(candidate).drawing, candidate.canvas_from_shape));
   }
 
   LaidPiece laid(const HoleCandidate& candidate) const {
