@@ -11,8 +11,10 @@ constexpr const char* kExamples =
     "  tessera card theirs.geojson --size 1000,800                        on a rectangle\n"
     "  tessera card theirs.geojson --canvas heart.svg --size 1200,1200    in a silhouette, scaled into that box\n"
     "  tessera card theirs.geojson --canvas mask.png --sizes 20,160 --json\n"
-    "  tessera card out/animals/pieces.geojson --canvas out/animals/job.toml\n"
-    "RESULT is a FeatureCollection of Polygons and MultiPolygons, a feature a piece, in px of the canvas with y down;\n"
+    "  tessera card out/animals                                           a result, in its own canvas\n"
+    "RESULT is a result's folder, or a FeatureCollection of Polygons and MultiPolygons, a feature a piece, in px of "
+    "the\n"
+    "canvas with y down;\n"
     "its property shape, where there is one, names what the piece shows. Nothing is asked about who made it and how:\n"
     "coverage, overlap, sizes, copies and contact are those of a quality card (docs/result-format.md).";
 
@@ -22,7 +24,9 @@ void add_card_command(CLI::App& app, Command& selected) {
   const auto arguments = std::make_shared<CardArguments>();
   CLI::App* card = app.add_subcommand("card", "Measure anybody's collage as a quality card does");
   card->footer(kExamples);
-  card->add_option("RESULT", arguments->pieces, "The pieces as polygons")->required()->type_name("FILE.geojson");
+  card->add_option("RESULT", arguments->pieces, "The pieces as polygons, or the folder of a result")
+      ->required()
+      ->type_name("FILE.geojson");
   card->add_option("--canvas", arguments->canvas, "What was to be filled: an SVG or image, or the job.toml of a result")
       ->type_name("FILE");
   card->add_option("--size", arguments->size_px,
@@ -30,9 +34,10 @@ void add_card_command(CLI::App& app, Command& selected) {
       ->type_name("W,H")
       ->delimiter(',')
       ->expected(2);
-  card->add_option("--sizes", arguments->sizes_px,
-                   "Sizes that pieces might have had, for the balance; default: the job's where they hold for all pieces, "
-                   "else the smallest and the largest")
+  card->add_option(
+          "--sizes", arguments->sizes_px,
+          "Sizes that pieces might have had, for the balance; default: the job's where they hold for all pieces, "
+          "else the smallest and the largest")
       ->type_name("MIN,MAX")
       ->delimiter(',')
       ->expected(2);

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 #include "core/base/error.h"
@@ -87,9 +88,21 @@ SizeRange checked_sizes(const std::vector<double>& sizes_px) {
                    ", allowed: MIN,MAX from " + io::fixed(kSmallest_px, 2) + " to " + io::fixed(scale.max, 0) + " px");
 }
 
+/// The folder of a result says what was to be filled, too.
+CardArguments of_folder(CardArguments arguments) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path folder = arguments.pieces;
+  if (!fs::is_directory(folder, error)) return arguments;
+  arguments.pieces = (folder / "pieces.geojson").string();
+  if (arguments.canvas.empty() && arguments.size_px.empty()) arguments.canvas = (folder / "job.toml").string();
+  return arguments;
+}
+
 }  // namespace
 
-int run_card(const CardArguments& arguments) {
+int run_card(const CardArguments& given) {
+  const CardArguments arguments = of_folder(given);
   Frame frame = frame_of(arguments);
   if (!arguments.sizes_px.empty()) frame.sizes = checked_sizes(arguments.sizes_px);
   const std::vector<JudgedPiece> pieces = io::read_polygon_pieces(arguments.pieces, frame.canvas);

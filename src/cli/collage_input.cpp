@@ -1,7 +1,12 @@
 #include "cli/collage_input.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <utility>
 
+#include "cli/refined_result.h"
+#include "core/field/room.h"
 #include "core/matching/sized_settings.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
@@ -20,6 +25,30 @@ Start start_of(const CollageArguments& arguments, const io::EarlierResult& earli
   if (arguments.resume.empty()) return Start::fresh;
   if (arguments.resume == "auto") return automatic_start(earlier);
   return arguments.resume == "previous" ? Start::resume_previous : Start::resume;
+}
+
+io::Job job_of(const CollageArguments& arguments) {
+  io::Job job = io::load_job(arguments.job, arguments.overrides);
+  return arguments.refined ? with_pieces_of(*arguments.refined, std::move(job)) : job;
+}
+
+/// Where pieces are removed only their room is filled, and as far round it as a gap may be that nothing fits into. Which
+/// part of the canvas that is.
+double limit_to_room(const io::ShapeLibrary& library, const io::Job& job, Canvas& canvas) {
+  if (job.start.removed.empty()) return 1;
+  constexpr io::LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
+  std::map<ShapeId, Outline> outlines;
+  std::vector<PieceThatLay> lay;
+  for (const GivenPiece& piece : job.start.removed) {
+    const auto [at, is_new] = outlines.try_emplace(piece.shape);
+    const std::uint32_t i = index_of(piece.shape);
+    if (is_new) at->second = std::move(library.read(i, i + 1, kOutlines).front().outline);
+    lay.push_back({&at->second, piece.canvas_from_shape});
+  }
+  fill_only_where_they_lay(lay, job.settings.pieces.min_scale_px, canvas);
+  double area_px2 = 0;
+  for (const CanvasRegion& region : canvas.regions) area_px2 += region.area_px2;
+  return std::min(1., area_px2 / canvas.area_px2);
 }
 
 /// Whose names the job's wishes are about.
@@ -70,7 +99,7 @@ std::string output_folder(const CollageArguments& arguments) {
 }
 
 CollageInput::CollageInput(const CollageArguments& arguments)
-    : job(io::load_job(arguments.job, arguments.overrides)),
+    : job(job_of(arguments)),
       folder(output_folder(arguments)),
       earlier{.folder = folder, .whole = {}, .damage = {}},  // what is in a folder counts when it is locked
       start(start_of(arguments, earlier)),
@@ -80,6 +109,7 @@ CollageInput::CollageInput(const CollageArguments& arguments)
       canvas(checked_canvas(library, job)),
       origin(checked_origin(arguments, job, library, canvas)),
       lock(locked_folder(folder), folder) {
+  room_part = limit_to_room(library, job, canvas);
   io::check_start_is_elsewhere(job, folder);
   io::check_nothing_foreign_is_replaced(folder, arguments.job);
   io::prepare_output_directory(folder);

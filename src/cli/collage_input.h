@@ -31,6 +31,8 @@ struct CollageInput {
   io::LibraryView library;
   std::vector<std::string> palette;  // of silhouettes, "#rrggbb"
   Canvas canvas;
+  double room_part =
+      1;  // of the canvas, that is filled: where pieces lay that are removed (start.remove), or all of it
   io::CheckpointOrigin origin;
   io::OutputLock lock;                  // of the folder; what is in it counts as it is from then on
   bool finished = false;                // --resume found the finished collage: nothing is left to compute

@@ -1,5 +1,6 @@
 #include "cli/collage_run.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -81,17 +82,29 @@ StopReason watch_waits(comm::Communicator& ranks, const io::Job& job, const Time
   return stop_reason;
 }
 
+/// As of the room that is filled: improving it takes as large a part.
+CollageSettings settings_of(const CollageInput& input) {
+  CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
+  settings.improve.trials = int(std::ceil(double(settings.improve.trials) * input.room_part));
+  settings.improve.seconds *= input.room_part;
+  return settings;
+}
+
 master::CollageResult run_loop(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                                Matcher& matcher, Replacer& replacer, ShapeSource& shapes,
                                CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
   if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
-  CollageProgress progress(input.job.settings, arguments.quiet, limit);
-  const CollageSettings settings = with_sizes_times(input.job.size_factor, input.job.settings);
+  const CollageSettings settings = settings_of(input);
+  CollageProgress progress(settings, arguments.quiet, limit);
   master::CollageResult result =
       master::make_collage(input.canvas, settings, matcher, shapes, progress, {from, &checkpoints}, &replacer);
   result.statistics.last_tenth = progress.history().gained_in_last_tenth(result.statistics.total_s);
   return result;
+}
+
+bool relaxes(const CollageArguments& arguments, const CollageInput& input) {
+  return arguments.refined && input.job.start.remove.empty();
 }
 
 std::string standing_warning_of(const CollageInput& input) {
@@ -117,8 +130,8 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   journal->warn(replaced_result_warning(input.earlier, input.job));
   journal->warn(idle_keys_warning(input.job));
   journal->warn(unable_library_warning_of(input));
-  journal->warn(standing_warning_of(input));
-  if (arguments.refined) journal->warn(idle_relaxing_warning(input.job));
+  if (!arguments.refined) journal->warn(standing_warning_of(input));  // a result's pieces lie as it put them
+  if (relaxes(arguments, input)) journal->warn(idle_relaxing_warning(input.job));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
@@ -141,7 +154,8 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   const RankStatistics times = times_of(clock, result);
   journal->warn(empty_result_warning(input.folder, input.job, result));
   journal->warn(used_up_warning(input.job, input.canvas, result));
-  if (arguments.refined) journal->warn(nothing_gained_warning(input.job, result));
+  if (relaxes(arguments, input)) journal->warn(nothing_gained_warning(input.job, result));
+  journal->warn(empty_room_warning(input.job, result));
   journal->keep_warning(checkpoints.warning());
   const io::RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
   if (leaves_older_result(input, result)) {

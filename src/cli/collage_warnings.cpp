@@ -67,7 +67,7 @@ std::string text_of(master::NoRelaxing reason, const io::Job& job) {
   }
   char text[200];
   std::snprintf(text, sizeof text,
-                "sizes from %g to %g px are allowed (pieces.scale_px), and the largest may be %g times the smallest",
+                "sizes from %g to %g px are allowed (pieces.scale_px), and for that the largest is %g times the smallest at most",
                 double(pieces.min_scale_px), double(pieces.max_scale_px), double(master::kMostRelaxedSizeRatio));
   return text;
 }
@@ -172,6 +172,13 @@ std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool 
 std::string idle_relaxing_warning(const io::Job& job) {
   const std::optional<master::NoRelaxing> reason = master::why_not_relaxed(job.settings);
   return reason ? "the pieces are not relaxed, as " + text_of(*reason, job) : "";
+}
+
+std::string empty_room_warning(const io::Job& job, const master::CollageResult& result) {
+  const std::size_t removed = job.start.removed.size();
+  if (removed == 0 || result.unfinished || result.placements.size() > job.settings.wishes.given.size()) return "";
+  return "nothing came in for the " + std::to_string(removed) + (removed == 1 ? " piece" : " pieces") +
+         " of start.remove: no shape that may stand there fits, or a limit of [stop] was reached";
 }
 
 std::string nothing_gained_warning(const io::Job& job, const master::CollageResult& result) {

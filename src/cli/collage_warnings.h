@@ -48,6 +48,9 @@ std::string idle_relaxing_warning(const io::Job& job);
 /// Where none of the trials that were to relax covered more. Empty where pieces were not relaxed at all: that was told.
 std::string nothing_gained_warning(const io::Job& job, const master::CollageResult& result);
 
+/// Where pieces were removed and none came in for them. Empty else, and where the run may still go on.
+std::string empty_room_warning(const io::Job& job, const master::CollageResult& result);
+
 /// Those that say something, with semicolons between them.
 std::string joined_warnings(const std::vector<std::string>& warnings);
 

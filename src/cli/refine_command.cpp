@@ -1,12 +1,20 @@
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
+#include "cli/erased_choice.h"
+#include "cli/ranking_run.h"
 #include "cli/refined_result.h"
+#include "core/base/error.h"
 #include "io/job/job_keys.h"
+#include "io/result/collage_sheet.h"
+#include "io/result/placed_pieces.h"
 
 namespace tessera::cli {
 namespace {
@@ -16,9 +24,21 @@ constexpr const char* kExamples =
     "  tessera refine out/animals --relax                 all pieces move once: out/animals-relaxed\n"
     "  tessera refine out/animals --relax --trials 300    then pieces are exchanged, go out and others come in\n"
     "  tessera refine out/animals --relax --out denser --set pieces.padding_px=0\n"
+    "  tessera refine out/animals --pieces 3,17           these two go, others come in: out/animals-erased\n"
+    "  tessera refine out/animals --box 200,300,150,100   all pieces with their centre in it\n"
+    "  tessera refine out/animals --erase scribble.png    all that it touches, drawn over collage.png\n"
+    "  tessera refine out/animals --swap 12 --set seed=7  another drawing: out/animals-swapped\n"
+    "  tessera refine out/animals --box 200,300,150,100 --variants 8\n"
+    "                                                     out/animals-variants/seed_1 and so on, and a sheet of them\n"
     "  mpirun -n 3 tessera refine out/animals --relax     rank 0 is the master, the others are workers\n"
-    "RESULT stays as it is. Its job is run again from its pieces, which may move but for those of [[given]] and those\n"
-    "that were locked. What still fits is placed before and after, so there may be more pieces; a job with a limit of\n"
+    "RESULT stays as it is, and is the way back. Pieces are counted as \"index\" in pieces.geojson does, from 0;\n"
+    "output.labels draws a map of them. Those that were locked ([[given]], --lock) stay where they are.\n"
+    "Where pieces go, all others stay exactly where they are, and only the room where these lay is filled; another "
+    "seed\n"
+    "gives another filling. It is improved by the part of improve.trials that the room is of the canvas.\n"
+    "--relax: the job is run again from the pieces, which may move. What still fits is placed before and after, so "
+    "there\n"
+    "may be more pieces; a job with a limit of\n"
     "[stop] gets none beyond it, or beyond those of RESULT, and exchanges none. What comes of a trial is kept where "
     "it\n"
     "covers more, what pieces cover twice and what copies cost (objective.repetition_exponent) taken off; else pieces\n"
@@ -31,7 +51,10 @@ constexpr const char* kExamples =
 struct RefineArguments {
   std::string result;
   bool relax = false;
-  int trials = 0;  // 0: as few as the action needs
+  EraseArguments erase;
+  std::vector<int> locked;
+  int trials = 0;    // 0: as few as the action needs
+  int variants = 0;  // 0: one result
   CollageArguments collage;
 };
 
@@ -41,33 +64,102 @@ struct Action {
   std::vector<std::string> keys;
 };
 
-Action action_of(const RefineArguments& arguments, const RefinedResult& result) {
-  return {"-relaxed", relaxing_keys(result, arguments.trials)};
+std::vector<std::string> names_of(const std::vector<int>& pieces, const std::vector<io::PlacedPiece>& all) {
+  std::set<std::string> names;
+  for (const int i : pieces) names.insert(all[std::size_t(i)].shape);
+  return {names.begin(), names.end()};
+}
+
+/// What is done to single pieces is noted in `result`.
+Action action_of(const RefineArguments& arguments, const std::string& job, RefinedResult& result) {
+  const std::vector<io::PlacedPiece> all = io::read_placed_pieces(result.folder);
+  result.locked = piece_numbers("--lock", arguments.locked, all.size());
+  if (arguments.relax) return {"-relaxed", relaxing_keys(result, arguments.trials)};
+  check_can_be_erased(result, all);
+  const EraseArguments& erase = arguments.erase;
+  result.erased = erased_pieces(erase, result.folder, io::load_job(job, arguments.collage.overrides), all);
+  if (!erase.swapped.empty()) result.not_anew = names_of(result.erased, all);
+  return {erase.swapped.empty() ? "-erased" : "-swapped", erasing_keys()};
 }
 
 /// The result's job, run again. What the command line sets wins, but not over where it starts.
 CollageArguments collage_of(const RefineArguments& arguments) {
   check_overrides(arguments.collage.overrides);
-  const auto result = std::make_shared<const RefinedResult>(read_refined_result(arguments.result));
-  const Action action = action_of(arguments, *result);
+  const auto result = std::make_shared<RefinedResult>(read_refined_result(arguments.result));
   CollageArguments collage = arguments.collage;
-  collage.refined = result;
   collage.job = (std::filesystem::path(result->folder) / "job.toml").string();
-  if (collage.out.empty()) collage.out = folder_beside(result->folder, action.suffix);
+  const Action action = action_of(arguments, collage.job, *result);
+  collage.refined = result;
+  const char* suffix = arguments.variants > 0 ? "-variants" : action.suffix;
+  if (collage.out.empty()) collage.out = folder_beside(result->folder, suffix);
   check_other_folder(*result, collage.out);
-  std::vector<std::string>& keys = collage.overrides;
-  keys.insert(keys.begin(), action.keys.begin(), action.keys.end());
-  for (const std::string& key : starting_keys(*result)) keys.push_back(key);
+  std::vector<std::string> keys = starting_keys(*result);
+  keys.insert(keys.end(), action.keys.begin(), action.keys.end());
+  collage.overrides.insert(collage.overrides.begin(), keys.begin(), keys.end());
   return collage;
+}
+
+/// One after the other with the job's seed and those after it, each in a folder of its own; then they are ranked. What
+/// was left unfinished goes on. Workers serve one run, so that there are none.
+int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
+  if (ranks.size() > 1) {
+    throw InputError(
+        "--variants: found " + std::to_string(ranks.size()) +
+        " ranks, allowed: 1; over more ranks refine without it, then slurm/campaign.sh with the job.toml of " +
+        "the new result makes an array of jobs");
+  }
+  const CollageArguments all = collage_of(arguments);
+  const std::uint64_t first_seed = io::load_job(all.job, all.overrides).settings.seed;
+  RankingArguments ranking{.folders = {}, .out = all.out, .weights = {}};
+  for (int k = 0; k < arguments.variants; ++k) {
+    const std::string seed = std::to_string(first_seed + std::uint64_t(k));
+    CollageArguments one = all;
+    one.quiet = true;
+    one.out = (std::filesystem::path(all.out) / ("seed_" + seed)).string();
+    one.overrides.push_back("seed=" + seed);
+    if (one.resume.empty() && !one.restart) one.resume = "auto";
+    ranking.folders.push_back(one.out);
+    if (run_collage(one, ranks) == CollageEnd::finished) continue;
+    std::fprintf(stderr, "tessera: unfinished: the same command%s goes on where this one was\n",
+                 one.restart ? " without --restart" : "");
+    return kUnfinishedExitCode;
+  }
+  return run_ranking(ranking);
 }
 
 /// Rank 0 alone reads the result; the workers get its job from there as of any collage.
 int run(const RefineArguments& arguments, comm::Communicator& ranks) {
+  if (arguments.variants > 0) return ranks.rank() == 0 ? make_variants(arguments, ranks) : 0;
   return collage_exit_code(ranks.rank() == 0 ? collage_of(arguments) : arguments.collage, ranks);
 }
 
 void check_has_action(const RefineArguments& arguments) {
-  if (!arguments.relax) throw CLI::RequiredError("What to do with RESULT (--relax)");
+  if (arguments.relax || arguments.erase.any()) return;
+  throw CLI::RequiredError("What to do with RESULT (--relax, --pieces, --box, --erase or --swap)");
+}
+
+/// One of them at a time.
+void add_actions(CLI::App& refine, RefineArguments& arguments) {
+  CLI::Option_group* actions = refine.add_option_group("Actions");
+  actions->require_option(0, 1);
+  actions->add_flag("--relax", arguments.relax, "All pieces move, turn and grow together into the gaps");
+  actions->add_option("--pieces", arguments.erase.pieces, "These go, and the room where they lay is filled anew")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("N,N..");
+  actions
+      ->add_option("--box", arguments.erase.box_px, "Pieces whose centre lies in this rectangle go, px of the canvas")
+      ->delimiter(',')
+      ->expected(4)
+      ->type_name("X,Y,W,H");
+  actions
+      ->add_option("--erase", arguments.erase.mask,
+                   "Pieces go that this drawing touches, which is laid over the canvas: SVG, or an image")
+      ->type_name("MASK");
+  actions->add_option("--swap", arguments.erase.swapped, "These go, and none of their drawings comes in for them")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("N,N..");
 }
 
 }  // namespace
@@ -77,16 +169,24 @@ void add_refine_command(CLI::App& app, Command& selected) {
   CLI::App* refine = app.add_subcommand("refine", "Improve a finished result without making it anew");
   refine->footer(kExamples);
   refine->add_option("RESULT", arguments->result, "The folder of the result")->required()->type_name("DIR");
-  CLI::Option* relax =
-      refine->add_flag("--relax", arguments->relax, "All pieces move, turn and grow together into the gaps");
+  add_actions(*refine, *arguments);
+  refine->add_option("--lock", arguments->locked, "These stay where they are, now and in later refinements")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("N,N..");
   const io::JobKey& trials = *io::find_job_key("improve", "trials");
   refine
       ->add_option("--trials", arguments->trials,
                    "Of improving, the first of which relaxes (improve.trials); default: 1, or one for each region")
       ->type_name("N")
       ->check(CLI::Range(1, int(trials.max)))
-      ->needs(relax);
-  add_collage_options(*refine, arguments->collage, "<RESULT>-relaxed");
+      ->needs(refine->get_option("--relax"));
+  refine
+      ->add_option("--variants", arguments->variants,
+                   "So many results with as many seeds, from the job's on, in folders of DIR, ranked (tessera rank)")
+      ->type_name("N")
+      ->check(CLI::Range(2, int(io::kMaxSheetCollages)));
+  add_collage_options(*refine, arguments->collage, "<RESULT>-relaxed, -erased, -swapped or -variants");
   refine->callback([arguments, &selected] {
     check_has_action(*arguments);
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };

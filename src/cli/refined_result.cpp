@@ -63,8 +63,9 @@ void check_overrides(const std::vector<std::string>& overrides) {
     if (key == "quality") {
       throw InputError("--set " + override + ": allowed where a result is refined: --trials N");
     }
-    if (key != "start.pieces" && key != "start.keep") continue;
-    throw InputError("--set " + override + ": allowed: any key but start.pieces and start.keep: RESULT is refined");
+    if (!key.starts_with("start.") || key == "start.grow") continue;
+    throw InputError("--set " + override +
+                     ": allowed: any key but those of [start] other than start.grow: RESULT is refined");
   }
 }
 
@@ -79,7 +80,28 @@ std::vector<std::string> relaxing_keys(const RefinedResult& result, int trials) 
 }
 
 std::vector<std::string> starting_keys(const RefinedResult& result) {
-  return {"start.pieces=" + io::toml_text(result.folder), "start.keep=free"};
+  return {"start.pieces=" + io::toml_text(result.folder), "start.keep=free", "start.remove=[]", "start.lock=[]",
+          "start.not_anew=[]"};
+}
+
+std::vector<std::string> erasing_keys() { return {"start.keep=standing", "stop.coverage=1"}; }
+
+void check_can_be_erased(const RefinedResult& result, const std::vector<io::PlacedPiece>& all) {
+  if (result.whole.job.settings.pieces.fit_all) {
+    throw InputError(result.folder + ": its job has pieces.fit = \"all\", with sizes that follow from all pieces; " +
+                     "allowed: --relax");
+  }
+  if (std::all_of(all.begin(), all.end(), [](const io::PlacedPiece& piece) { return piece.exact; })) return;
+  throw InputError(result.folder + ": pieces.geojson does not say exactly where pieces lie: found no " +
+                   "\"canvas_from_shape\", as of an earlier version; tessera collage " + result.folder +
+                   "/job.toml --out DIR makes one that does");
+}
+
+io::Job with_pieces_of(const RefinedResult& result, io::Job job) {
+  job.start.remove = result.erased;
+  job.start.lock = result.locked;
+  job.start.not_anew = result.not_anew;
+  return io::checked_job(job);
 }
 
 void check_is_the_same_collage(const RefinedResult& result, const io::CheckpointOrigin& now) {
@@ -92,8 +114,11 @@ void check_is_the_same_collage(const RefinedResult& result, const io::Checkpoint
     throw InputError(result.folder + ": made from something else" + differences +
                      "; give what it was then (--set library.file=FILE where it has moved)");
   }
-  const bool locks = !then.start.pieces.empty() && !then.start.free;
-  if (locks && now.job->settings.wishes.locked() == io::rows_of(then, "given").size()) {
+  const bool locks = !then.start.pieces.empty() && then.start.keep == io::StartKeep::locked;
+  const std::vector<GivenPiece>& given = now.job->settings.wishes.given;
+  const auto for_good =
+      std::count_if(given.begin(), given.end(), [](const GivenPiece& piece) { return piece.locked && piece.for_good; });
+  if (locks && std::size_t(for_good) == io::rows_of(then, "given").size()) {
     throw InputError(result.folder + ": pieces.geojson does not say which pieces are locked, as start.pieces of its " +
                      "job wants: found no \"locked\", as of an earlier version; tessera collage " + result.folder +
                      "/job.toml --out DIR makes one that does");

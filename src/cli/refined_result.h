@@ -8,12 +8,16 @@
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/job/job_file.h"
 #include "io/result/finished_result.h"
+#include "io/result/placed_pieces.h"
 
 namespace tessera::cli {
 
 struct RefinedResult {
   std::string folder;
   io::WholeResult whole;
+  std::vector<int> erased = {};            // pieces that go
+  std::vector<int> locked = {};            // that are locked from now on
+  std::vector<std::string> not_anew = {};  // shapes that do not come in
 };
 
 /// Throws InputError where the folder holds no finished result that is whole, or work that is unfinished;
@@ -35,6 +39,16 @@ std::vector<std::string> relaxing_keys(const RefinedResult& result, int trials);
 
 /// To begin with the result's pieces.
 std::vector<std::string> starting_keys(const RefinedResult& result);
+
+/// To fill the room of the pieces that go, which a limit of what is covered in all is not to prevent.
+std::vector<std::string> erasing_keys();
+
+/// Throws InputError where the result cannot say exactly where its pieces lie, or their sizes follow from all of them.
+void check_can_be_erased(const RefinedResult& result, const std::vector<io::PlacedPiece>& all);
+
+/// The job's pieces are those of the result, with what is said of them here: lists may be longer than an override. Throws
+/// InputError where the job would be too long for its file.
+io::Job with_pieces_of(const RefinedResult& result, io::Job job);
 
 /// Of the job `now.job`, whose pieces were read. Throws InputError where its library, canvas or pictures are others
 /// than the result was made from, and where the result does not say which pieces are locked.

@@ -59,7 +59,10 @@ struct RegionWish {
 struct GivenPiece {
   ShapeId shape{};
   Similarity canvas_from_shape;
-  bool locked = true;  // stands to the end; else improving may take it out
+  bool locked = true;    // stands to the end; else improving may take it out
+  bool for_good = true;  // what is locked is so in the result, too: later runs leave it where it is
+  float score = 0;       // of an earlier collage in which it was placed, as in Placement
+  float matched_px = 0;
 
   friend bool operator==(const GivenPiece&, const GivenPiece&) = default;
 };

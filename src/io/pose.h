@@ -5,6 +5,9 @@
 
 namespace tessera::io {
 
+/// Of lengths, and of a turn's degrees.
+inline constexpr int kPixelDecimals = 3;
+
 /// canvas_from_shape of a piece of that size, turned clockwise on the picture, with its centre at (x, y).
 Similarity pose_of(double scale_px, double rotation_deg, double x_px, double y_px);
 

@@ -174,8 +174,11 @@ class Run {
     Digest digest;
     for (const GivenPiece& piece : settings_.wishes.given) {
       const Similarity& pose = piece.canvas_from_shape;
-      digest.add(std::uint64_t(index_of(piece.shape)) << 1 | std::uint64_t(piece.locked));
-      for (const float number : {pose.a, pose.b, pose.tx, pose.ty}) digest.add(std::bit_cast<std::uint32_t>(number));
+      digest.add(std::uint64_t(index_of(piece.shape)) << 2 | std::uint64_t(piece.for_good) << 1 |
+                 std::uint64_t(piece.locked));
+      for (const float number : {pose.a, pose.b, pose.tx, pose.ty, piece.score, piece.matched_px}) {
+        digest.add(std::bit_cast<std::uint32_t>(number));
+      }
     }
     return digest.value();
   }

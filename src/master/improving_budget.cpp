@@ -39,14 +39,16 @@ std::uint64_t ImprovingBudget::replacements(std::uint32_t region, std::size_t pi
   return std::uint64_t(in_time < kMostReplacements ? std::max(0., in_time) : kMostReplacements);
 }
 
-/// By area; but each region has one, where there are as many: with it all its pieces move.
+/// By area; but each region with any has one, where there are as many: with it all its pieces move.
 std::uint64_t ImprovingBudget::trials_below(std::uint32_t end) const {
-  const std::uint64_t regions = canvas_.regions.size();
+  const auto has_area = [](const CanvasRegion& region) { return region.area_px2 > 0; };
+  auto left = std::uint64_t(std::count_if(canvas_.regions.begin(), canvas_.regions.end(), has_area));
   const auto trials = std::uint64_t(settings_.improve.trials);
-  if (regions < 2 || trials < regions) return share_below(end);
+  if (left < 2 || trials < left) return share_below(end);
   std::uint64_t below = 0;
   for (std::uint32_t r = 1; r <= end; ++r) {
-    below = std::min(std::max(share_below(r), below + 1), trials - (regions - r));
+    if (!has_area(canvas_.regions[r - 1])) continue;
+    below = std::min(std::max(share_below(r), below + 1), trials - --left);
   }
   return below;
 }

@@ -12,7 +12,7 @@ GivenPieces::GivenPieces(const Canvas& canvas, const Wishes& wishes, ShapeSource
     : locked_(wishes.locked()),
       free_in_(std::max<std::size_t>(1, canvas.regions.size())) {
   for (const GivenPiece& piece : wishes.given) {
-    all_.push_back({piece.shape, canvas.period.wrapped(piece.canvas_from_shape), 0, 0});
+    all_.push_back({piece.shape, canvas.period.wrapped(piece.canvas_from_shape), piece.score, piece.matched_px});
   }
   for (std::size_t i = locked_; i < all_.size(); ++i) {
     const Placement& p = all_[i];

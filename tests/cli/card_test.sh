@@ -70,6 +70,10 @@ grep -q '^  coverage  *5.00 %$' output || fail "a quarter of that: $(cat output)
 run 0 draw result --background none --png --to mask
 run 0 card result/pieces.geojson --canvas mask/collage.png
 grep -q '^  coverage  *\(9[5-9]\..*\|100.00\) %$' output || fail "not all of its own silhouette: $(cat output)"
+run 0 card result/pieces.geojson --canvas result/job.toml
+mv output by_files
+run 0 card result/
+cmp output by_files || fail "another card of the folder"
 echo "ok anybody's card"
 
 # One line each, and exit code 2.
@@ -82,7 +86,8 @@ mkfifo pipe
 echo '{"features":[{"geometry":{"type":"Polygon","coordinates":[[[NaN,1]]]}}]}' >nan.geojson
 expect_refusal 'pipe: not a readable file: found a pipe' pipe --size 100,80
 expect_refusal 'pipe: not a readable file: found a pipe' theirs.geojson --canvas pipe
-expect_refusal 'result: not a readable file: found a folder' result --size 100,80
+mkdir empty
+expect_refusal 'empty/job.toml' empty
 expect_refusal 'tessera: nan.geojson: feature 0: no JSON' nan.geojson --size 100,80
 expect_refusal 'feature 1: geometry.coordinates: found a piece from [33.000, 10.000] to [53.000, 30.000], far from' \
   theirs.geojson --size 20,20

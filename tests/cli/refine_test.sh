@@ -95,7 +95,7 @@ refused() {
 mkdir empty
 refused 'empty/manifest.json: not found; allowed: the folder of a result' empty --relax
 refused '--out: found ./first/, the result itself' first --relax --out ./first/
-refused '--set start.keep=locked: allowed: any key but start.pieces and start.keep' first --relax \
+refused '--set start.keep=locked: allowed: any key but those of [start] other than start.grow' first --relax \
   --set start.keep=locked
 refused '--trials: found 1, allowed: 2 or more, one for each of the [[regions]]' parts --relax --trials 1
 refused 'first: made from something else; canvas.size_px: then [240, 180], now [400, 300]' first --relax \

@@ -53,6 +53,49 @@ TEST(RefinedResult, ItsFolderIsOneTextWhateverItsName) {
   EXPECT_EQ(key(starting_keys(result_of({}, 9)), "start.keep"), "free");
 }
 
+/// What an earlier refinement removed is not to go again: by then others have its number.
+TEST(RefinedResult, NothingOfAnEarlierRefinementIsLeft) {
+  const std::vector<std::string> keys = starting_keys(result_of({}, 9));
+  for (const char* list : {"start.remove", "start.lock", "start.not_anew"}) EXPECT_EQ(key(keys, list), "[]") << list;
+}
+
+TEST(RefinedResult, NoLimitOfWhatIsCoveredLeavesAHole) {
+  EXPECT_EQ(key(erasing_keys(), "start.keep"), "standing");
+  EXPECT_EQ(key(erasing_keys(), "stop.coverage"), "1");
+  EXPECT_EQ(key(erasing_keys(), "stop.pieces"), "missing") << "other limits count as they did";
+}
+
+TEST(RefinedResult, WhatGoesMayBeMoreThanAnOverrideHolds) {
+  RefinedResult result = result_of({}, 9);
+  for (int i = 0; i < 30'000; ++i) result.erased.push_back(i);
+  result.locked = {30'000};
+  result.not_anew = {"a*[b]"};
+  io::Job job;
+  job.path = "job.toml";
+  job.library = "/own.h5";
+  job.start.pieces = "/old";
+  job.start.keep = io::StartKeep::standing;
+  const io::Job made = with_pieces_of(result, job);
+  EXPECT_EQ(made.start.remove, result.erased);
+  EXPECT_EQ(made.start.lock, result.locked);
+  EXPECT_EQ(made.start.not_anew, result.not_anew);
+  result.not_anew.assign(1000, std::string(2000, 'a'));
+  EXPECT_NE(test::message_of([&] { with_pieces_of(result, job); }).find("larger than"), std::string::npos);
+}
+
+TEST(RefinedResult, ThoseWhosePiecesLieAboutSomewhereAreNotErased) {
+  RefinedResult result = result_of({}, 2);
+  const auto mistake = [&](bool exact) {
+    const std::vector<io::PlacedPiece> all = {{"a", {}, false, true}, {"b", {}, false, exact}};
+    return test::message_of([&] { check_can_be_erased(result, all); });
+  };
+  EXPECT_EQ(mistake(true), "");
+  EXPECT_NE(mistake(false).find("out/a b: pieces.geojson does not say exactly where pieces lie"), std::string::npos);
+  result.whole.job.settings.pieces.fit_all = true;
+  EXPECT_EQ(mistake(true),
+            "out/a b: its job has pieces.fit = \"all\", with sizes that follow from all pieces; allowed: --relax");
+}
+
 TEST(RefinedResult, GoesBesideIt) {
   EXPECT_EQ(folder_beside("out/animals", "-relaxed"), "out/animals-relaxed");
   EXPECT_EQ(folder_beside("out/animals//", "-relaxed"), "out/animals-relaxed");
@@ -63,8 +106,12 @@ TEST(RefinedResult, GoesBesideIt) {
 
 TEST(RefinedResult, ItsPiecesAreNotToBeOthers) {
   EXPECT_EQ(test::message_of([] { check_overrides({"seed=3", "start.grow=outward"}); }), "");
-  EXPECT_EQ(test::message_of([] { check_overrides({"start.pieces = other"}); }),
-            "--set start.pieces = other: allowed: any key but start.pieces and start.keep: RESULT is refined");
+  EXPECT_EQ(
+      test::message_of([] { check_overrides({"start.pieces = other"}); }),
+      "--set start.pieces = other: allowed: any key but those of [start] other than start.grow: RESULT is refined");
+  for (const char* key : {"start.keep=free", "start.remove=[1]", "start.lock=[]"}) {
+    EXPECT_NE(test::message_of([&] { check_overrides({key}); }), "") << key;
+  }
   EXPECT_EQ(test::message_of([] { check_overrides({"quality=good"}); }),
             "--set quality=good: allowed where a result is refined: --trials N");
 }
@@ -80,7 +127,7 @@ TEST(RefinedResult, SaysWhichPiecesAreLocked) {
   EXPECT_EQ(mistake(), "");
   now.settings.wishes.given[1].locked = false;
   EXPECT_EQ(mistake().substr(0, 62), "out/a b: pieces.geojson does not say which pieces are locked, ");
-  result.whole.job.start.free = true;
+  result.whole.job.start.keep = io::StartKeep::free;
   EXPECT_EQ(mistake(), "") << "only those of [[given]] are";
 }
 

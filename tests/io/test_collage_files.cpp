@@ -112,14 +112,15 @@ TEST(CollageFiles, PiecesAreReadBackAsTheyWereWritten) {
   const test::ScratchFolder folder;
   const test::SampleCollage sample;
   publish_result(folder.path(""), sample.report, sample.origin(), true);
-  const std::vector<Similarity> pieces = read_placed_pieces(folder.path(""));
+  const std::vector<PlacedPiece> pieces = read_placed_pieces(folder.path(""));
   ASSERT_EQ(pieces.size(), sample.report.placements.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Similarity& placed = sample.report.placements[i].canvas_from_shape;
-    EXPECT_NEAR(pieces[i].a, placed.a, 0.002);
-    EXPECT_NEAR(pieces[i].b, placed.b, 0.002);
-    EXPECT_EQ(pieces[i].tx, placed.tx);
-    EXPECT_EQ(pieces[i].ty, placed.ty);
+    EXPECT_NEAR(pieces[i].canvas_from_shape.a, placed.a, 0.002);
+    EXPECT_NEAR(pieces[i].canvas_from_shape.b, placed.b, 0.002);
+    EXPECT_EQ(pieces[i].canvas_from_shape.translation(), placed.translation());
+    EXPECT_EQ(pieces[i].shape,
+              sample.report.shapes.names()[sample.report.shapes.slot_of(sample.report.placements[i].shape)]);
   }
 }
 

@@ -49,6 +49,10 @@ TEST(GeoJson, OneFeatureAPlacementWithItsProperties) {
   EXPECT_EQ(properties["mirrored"], false);
   EXPECT_EQ(properties["score"], 0.75);
   EXPECT_EQ(properties["matched_px"], 12.5);
+  const Similarity& pose = sample.report.placements[0].canvas_from_shape;
+  const json& exact = properties["canvas_from_shape"];
+  ASSERT_EQ(exact.size(), 4u);
+  EXPECT_EQ((Similarity{exact[0], exact[1], exact[2], exact[3]}), pose) << "to the last bit";
 }
 
 TEST(GeoJson, SaysWhichPiecesAreMirroredAndWhichGroupTheyAreOf) {
@@ -71,6 +75,10 @@ TEST(GeoJson, SaysWhichPiecesAreLocked) {
   const json features = json::parse(geojson_text(sample.report))["features"];
   EXPECT_EQ(features[0]["properties"]["locked"], true);
   EXPECT_FALSE(features[1]["properties"].contains("locked"));
+  sample.job.settings.wishes.given = {{ShapeId{7}, pose, true, false}, {ShapeId{7}, pose}};
+  const json now = json::parse(geojson_text(sample.report))["features"];
+  EXPECT_FALSE(now[0]["properties"].contains("locked")) << "in that run alone";
+  EXPECT_EQ(now[1]["properties"]["locked"], true);
 }
 
 TEST(GeoJson, RingsAreClosedAndTurnAsTheStandardSays) {

@@ -31,7 +31,8 @@ void expect_readable(const std::string& message) {
 /// Of what is known only when all is read: no word of its line, but of its key.
 bool is_of_the_whole_job(const std::string& message) {
   return has(message, ": both are given; ") || has(message, ": library.wishes: ") ||
-         has(message, ": library.colours: ") || has(message, ": canvas.size_");
+         has(message, ": library.colours: ") || has(message, ": canvas.size_") || has(message, ": start.remove: ") ||
+         has(message, ": start.lock: ");
 }
 
 void expect_says_what_is_allowed(const std::string& message, const std::string& where) {

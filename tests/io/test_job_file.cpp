@@ -275,12 +275,37 @@ TEST_F(JobFile, reads_zones_to_keep_out_of) {
 TEST_F(JobFile, reads_where_to_start_from) {
   const Job job = load(minimal_ + "[start]\npieces = \"../out/old\"\nkeep = \"free\"\ngrow = \"outward\"\n");
   EXPECT_EQ(job.start.pieces, (std::filesystem::path(folder_.path("")) / "../out/old").lexically_normal().string());
-  EXPECT_TRUE(job.start.free);
+  EXPECT_EQ(job.start.keep, StartKeep::free);
   EXPECT_TRUE(job.settings.start.grow_outward);
   const Job plain = load(minimal_);
   EXPECT_TRUE(plain.start.pieces.empty());
-  EXPECT_FALSE(plain.start.free);
+  EXPECT_EQ(plain.start.keep, StartKeep::locked);
   EXPECT_FALSE(plain.settings.start.grow_outward);
+}
+
+TEST_F(JobFile, reads_which_pieces_go_and_which_are_locked) {
+  const std::string start = minimal_ + "[start]\npieces = \"old\"\nkeep = \"standing\"\n";
+  const Job job = load(start + "remove = [17, 3]\nlock = 5\nnot_anew = [\"a*b\"]\n");
+  EXPECT_EQ(job.start.keep, StartKeep::standing);
+  EXPECT_EQ(job.start.remove, (std::vector<int>{17, 3}));
+  EXPECT_EQ(job.start.lock, std::vector<int>{5});
+  const Job again = job_from_toml(to_toml(job), "job.toml");
+  EXPECT_EQ(again.start.remove, job.start.remove);
+  EXPECT_EQ(again.start.lock, job.start.lock);
+  EXPECT_EQ(again.start.not_anew, std::vector<std::string>{"a*b"});
+  EXPECT_TRUE(load(start + "remove = []\n").start.remove.empty());
+  const std::string allowed = ", allowed: a list of distinct whole numbers from 0 to 99999";
+  for (const std::string wrong : {"[3, 3]", "[-1]", "[100000]", "[0.5]", "\"a\"", "true"}) {
+    const std::string said = mistake(start + "remove = " + wrong + "\n");
+    EXPECT_NE(said.find("start.remove"), std::string::npos) << said;
+    EXPECT_NE(said.find(allowed), std::string::npos) << said;
+  }
+  EXPECT_EQ(mistake(minimal_ + "[start]\nremove = [1]\n"),
+            "job.toml: start.remove: found pieces, allowed without start.pieces: []");
+  EXPECT_EQ(mistake(start + "remove = [1, 2]\nlock = [2]\n"),
+            "job.toml: start.lock: found 2, which start.remove has, too");
+  EXPECT_EQ(mistake(minimal_ + "[start]\npieces = \"old\"\nkeep = \"free\"\nremove = [1]\n"),
+            "job.toml: start.remove: found with start.keep = \"free\", allowed: \"standing\" or \"locked\"");
 }
 
 TEST_F(JobFile, what_has_no_edges_does_not_grow_outward) {

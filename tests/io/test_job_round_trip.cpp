@@ -47,6 +47,7 @@ JobValue random_value(const JobKey& key) {
               *rc::gen::elementOf(
                   std::vector<std::vector<std::string>>{{"#012345"}, {"forest"}, {"/p.gpl"}, {"#0a0b0c", "#ffffff"}})};
     case JobKind::colour: return {{}, *rc::gen::element<std::string>("#000000", "#12abcf", "#ffffff")};
+    case JobKind::indices: return {key.name == "lock" ? std::vector{7.} : std::vector{3., 0., 17.}, {}};
     case JobKind::devices: return {{}, *rc::gen::element<std::string>("all", "gpu", "3", "5,0,63")};
   }
   return {};
@@ -69,6 +70,7 @@ RC_GTEST_FIXTURE_PROP(JobFile, comes_back_from_toml_bit_by_bit, ()) {
     key.set(job, value);
   }
   for (const JobTable& table : job_tables()) job.tables[table.name] = {random_row(table), random_row(table)};
+  if (job.start.keep == StartKeep::free) job.start.remove.clear();
   job.wishes.clear();                            // no such file
   job.quality = QualityWord::none;               // improve.trials has what it says
   job.library_colours = {"#012345", "#ffffff"};  // of a palette the colours themselves come back

@@ -45,6 +45,19 @@ TEST(ResultManifest, keeps_the_colours_of_silhouettes) {
   }
 }
 
+TEST(ResultManifest, keeps_what_the_collage_began_from) {
+  const test::ScratchFolder scratch;
+  test::SampleCollage sample;
+  const std::string dir = scratch.path("");
+  publish_result(dir, sample.report, sample.origin(), true);
+  EXPECT_TRUE(read_manifest(dir).start.empty());
+  sample.job.start.pieces = scratch.path("old.geojson");
+  sample.job.start.digest = 0x0123456789abcdef;
+  publish_result(dir, sample.report, sample.origin(), true);
+  EXPECT_EQ(read_manifest(dir).start, scratch.path("old.geojson"));
+  EXPECT_EQ(read_manifest(dir).start_digest, 0x0123456789abcdefu);
+}
+
 TEST(ResultManifest, keeps_what_was_drawn_and_reads_what_earlier_versions_said) {
   const test::ScratchFolder scratch;
   const test::SampleCollage sample;

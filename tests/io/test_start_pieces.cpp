@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "io/pose.h"
 #include "io/result/geojson_output.h"
 #include "sample_collage.h"
@@ -56,18 +58,115 @@ class StartPieces : public testing::Test {
   test::ScratchFolder folder_;
 };
 
+/// To the last bit, so that what stays where it is has the same polygon.
 TEST_F(StartPieces, AreThoseThatAResultHas) {
-  const test::SampleCollage collage;
+  test::SampleCollage collage;
+  collage.report.placements[0].canvas_from_shape = {12.345678f, -34.56789f, 50.0001f, 0.1f};
   const std::vector<GivenPiece> pieces = pieces_in(geojson_text(collage.report));
   ASSERT_EQ(pieces.size(), 2u);
   EXPECT_EQ(pieces[0].shape, ShapeId{1});
   EXPECT_EQ(pieces[1].shape, ShapeId{2});
   for (std::size_t i = 0; i < 2; ++i) {
-    const Similarity& then = collage.report.placements[i].canvas_from_shape;
-    EXPECT_NEAR(pieces[i].canvas_from_shape.a, then.a, 0.001f);
-    EXPECT_NEAR(pieces[i].canvas_from_shape.b, then.b, 0.001f);
-    EXPECT_EQ(pieces[i].canvas_from_shape.translation(), then.translation());
+    const Placement& then = collage.report.placements[i];
+    EXPECT_EQ(pieces[i].canvas_from_shape, then.canvas_from_shape);
+    EXPECT_EQ(pieces[i].score, then.score);
+    EXPECT_EQ(pieces[i].matched_px, then.matched_px);
   }
+}
+
+/// As they read and change it: an exact pose that says something else is of before.
+TEST_F(StartPieces, WhatPeopleChangeCounts) {
+  const std::string before = R"(,"canvas_from_shape":[0.0,40.0,50.5,-20.00049],"score":0.5,"matched_px":3})";
+  const auto piece = [&](const std::string& numbers) {
+    return pieces_in(collection(feature(R"({"shape":"disc",)" + numbers + before))).at(0);
+  };
+  const GivenPiece same = piece(R"("scale":40,"rotation_deg":90,"x_px":50.5,"y_px":-20)");
+  EXPECT_EQ(same.canvas_from_shape, (Similarity{0, 40, 50.5f, -20.00049f}));
+  EXPECT_EQ(same.score, 0.5f);
+  EXPECT_EQ(same.matched_px, 3);
+  const std::array changed = {R"("scale":40.001,"rotation_deg":90,"x_px":50.5,"y_px":-20)",
+                              R"("scale":40,"rotation_deg":90.001,"x_px":50.5,"y_px":-20)",
+                              R"("scale":40,"rotation_deg":90,"x_px":50.501,"y_px":-20)",
+                              R"("scale":40,"rotation_deg":90,"x_px":50.5,"y_px":-20.001)"};
+  for (const char* numbers : changed) {
+    const GivenPiece other = piece(numbers);
+    EXPECT_NE(other.canvas_from_shape, same.canvas_from_shape);
+    EXPECT_EQ(other.score, 0) << "of a piece that stood elsewhere";
+    EXPECT_EQ(other.matched_px, 0);
+  }
+  expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":0,"x_px":0,"y_px":0,"canvas_from_shape":[1,2,3]})",
+                 "canvas_from_shape: found [1,2,3], allowed: four numbers from -40000 to 40000");
+  expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":0,"x_px":0,"y_px":0,"canvas_from_shape":[1,2,3,1e9]})",
+                 "canvas_from_shape: found [1,2,3,1000000000.0], allowed: four numbers");
+  expect_mistake(R"({"shape":"disc","scale":40,"rotation_deg":0,"x_px":0,"y_px":0,"canvas_from_shape":"a"})",
+                 "canvas_from_shape: found \"a\", allowed: four numbers");
+}
+
+std::string any_piece(int x_px, bool locked = false) {
+  return feature(R"({"shape":"disc","scale":9,"rotation_deg":0,"x_px":)" + std::to_string(x_px) + R"(,"y_px":2)" +
+                 (locked ? R"(,"locked":true})" : "}"));
+}
+
+TEST_F(StartPieces, StandingOnesStayAndAreNoMoreLockedThanBefore) {
+  Job job;
+  job.start.keep = StartKeep::standing;
+  job.start.pieces = folder_.write("pieces.geojson", collection(any_piece(0) + "," + any_piece(1, true)));
+  const std::vector<GivenPiece> pieces = added(job);
+  ASSERT_EQ(pieces.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(pieces[i].locked);
+    EXPECT_EQ(pieces[i].canvas_from_shape.tx, float(i)) << "in their order";
+    EXPECT_EQ(pieces[i].for_good, i == 1);
+  }
+}
+
+TEST_F(StartPieces, SomeAreRemovedAndSomeLocked) {
+  Job job;
+  job.start.keep = StartKeep::standing;
+  job.start.remove = {2, 0};
+  job.start.lock = {3};
+  job.start.pieces = folder_.write(
+      "pieces.geojson", collection(any_piece(0) + "," + any_piece(1) + "," + any_piece(2) + "," + any_piece(3)));
+  const std::vector<GivenPiece> pieces = added(job);
+  ASSERT_EQ(pieces.size(), 2u);
+  EXPECT_EQ(pieces[0].canvas_from_shape.tx, 1);
+  EXPECT_FALSE(pieces[0].for_good);
+  EXPECT_EQ(pieces[1].canvas_from_shape.tx, 3);
+  EXPECT_TRUE(pieces[1].locked && pieces[1].for_good);
+  ASSERT_EQ(job.start.removed.size(), 2u);
+  EXPECT_EQ(job.start.removed[0].canvas_from_shape.tx, 0);
+  EXPECT_EQ(job.start.removed[1].canvas_from_shape.tx, 2);
+  job.start.keep = StartKeep::free;
+  job.start.remove = {};
+  job.settings.wishes.given = {};
+  EXPECT_EQ(added(job)[0].canvas_from_shape.tx, 3) << "the locked one first";
+  EXPECT_EQ(job.settings.wishes.locked(), 1u);
+}
+
+TEST_F(StartPieces, TheBytesThatTheyAreOfAreTold) {
+  Job one, same, other;
+  one.start.pieces = folder_.write("one.geojson", collection(any_piece(0)));
+  same.start.pieces = folder_.write("same.geojson", collection(any_piece(0)));
+  other.start.pieces = folder_.write("other.geojson", collection(any_piece(1)));
+  for (Job* job : {&one, &same, &other}) added(*job);
+  EXPECT_EQ(one.start.digest, same.start.digest);
+  EXPECT_NE(one.start.digest, other.start.digest);
+}
+
+TEST_F(StartPieces, NobodyRemovesWhatIsNotThereOrLocked) {
+  const std::string file = folder_.write("pieces.geojson", collection(any_piece(0) + "," + any_piece(1, true)));
+  const auto mistake_of = [&](const std::vector<int>& remove, const std::vector<int>& lock) {
+    Job job;
+    job.start.pieces = file;
+    job.start.remove = remove;
+    job.start.lock = lock;
+    return test::message_of([&] { added(job); });
+  };
+  const std::string where = "job.toml: start.pieces: " + file + ": ";
+  EXPECT_EQ(mistake_of({2}, {}), where + "start.remove: found 2, allowed: 0 to 1, the pieces of the file");
+  EXPECT_EQ(mistake_of({}, {9}), where + "start.lock: found 9, allowed: 0 to 1, the pieces of the file");
+  EXPECT_EQ(mistake_of({1}, {}), where + "start.remove: found 1, which is locked");
+  EXPECT_EQ(mistake_of({0}, {1}), "");
 }
 
 TEST_F(StartPieces, ComeAfterThoseThatAreGiven) {
@@ -78,7 +177,7 @@ TEST_F(StartPieces, ComeAfterThoseThatAreGiven) {
   EXPECT_EQ(job.settings.wishes.given[0].shape, ShapeId{0});
   EXPECT_TRUE(job.settings.wishes.given[1].locked);
   job.settings.wishes.given.resize(1);
-  job.start.free = true;
+  job.start.keep = StartKeep::free;
   EXPECT_FALSE(added(job)[1].locked);
   EXPECT_TRUE(job.settings.wishes.given[0].locked);
 }
@@ -87,7 +186,7 @@ TEST_F(StartPieces, ThoseThatTheFileLocksStandThoughOthersAreFree) {
   const std::string locked = R"({"shape":"ring","scale":9,"rotation_deg":0,"x_px":1,"y_px":2,"locked":true})";
   const std::string loose = R"({"shape":"bear","scale":9,"rotation_deg":0,"x_px":1,"y_px":2,"locked":false})";
   Job job;
-  job.start.free = true;
+  job.start.keep = StartKeep::free;
   job.start.pieces =
       folder_.write("pieces.geojson", collection(feature(kGood) + "," + feature(locked) + "," + feature(loose)));
   const std::vector<GivenPiece> pieces = added(job);

@@ -58,6 +58,22 @@ TEST_F(WishResolution, LaterTablesWinKeyByKey) {
   EXPECT_TRUE(of(3).poses.rotation_rad.empty());
 }
 
+/// Whatever else is said of them, and by their very names.
+TEST_F(WishResolution, WhatIsNotToComeInHasNoWeight) {
+  const std::string start = "[start]\npieces = 'old'\nnot_anew = ['owl']\n";
+  const Job job = resolved(start + "[[shapes]]\nnames = 'o*'\nweight = 2\n");
+  EXPECT_TRUE(has_shape_wishes(job));
+  const Wishes& wishes = job.settings.wishes;
+  ASSERT_EQ(wishes.class_of_shape.size(), 4u);
+  const auto weight = [&](std::size_t shape) { return wishes.classes[wishes.class_of_shape[shape]].weight; };
+  EXPECT_EQ(weight(0), 1);
+  EXPECT_EQ(weight(2), 0);
+  EXPECT_EQ(weight(3), 2);
+  EXPECT_TRUE(has_shape_wishes(resolved(start)));
+  EXPECT_NE(mistake("[start]\nnot_anew = ['o*']\n").find("start.not_anew: the library has no shape \"o*\""),
+            std::string::npos);
+}
+
 /// What tables say one after the other, of each shape alone.
 TEST_F(WishResolution, ClassesAreOfTheShapesThatTheSameTablesAreAbout) {
   const std::vector<std::vector<std::string>> names = {{"*"}, {"owl*"}, {"cat", "owl"}, {"c*"}, {"owl_2"}, {"?o?"}};

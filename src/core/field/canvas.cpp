@@ -76,4 +76,15 @@ Canvas make_mask_canvas(const Grid<float>& coverage, int cells_per_px) {
   return canvas;
 }
 
+double area_px2(const CanvasField& distance, int width_px, int height_px) {
+  double area = 0;
+  for (int y = 0; y < height_px; ++y) {
+    for (int x = 0; x < width_px; ++x) {
+      const float inside_px = distance.value(x + kCanvasMargin, y + kCanvasMargin);
+      area += double(std::clamp(inside_px + 0.5f, 0.f, 1.f));
+    }
+  }
+  return area;
+}
+
 }  // namespace tessera

@@ -50,4 +50,7 @@ Canvas make_seamless_canvas(int width_px, int height_px, bool in_x, bool in_y);
 /// both ways: 2, with which the edge is true to a quarter of a px, or 1, to half a px, where memory counts.
 Canvas make_mask_canvas(const Grid<float>& coverage, int cells_per_px = 2);
 
+/// Of the positive part of a signed distance at a canvas' nodes, by how much of each px lies inside.
+double area_px2(const CanvasField& distance, int width_px, int height_px);
+
 }  // namespace tessera

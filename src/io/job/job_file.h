@@ -34,10 +34,21 @@ struct CanvasSpec {
   std::vector<KeepOutRectangle> keep_out_rectangles = {};
 };
 
+/// What becomes of the pieces of an earlier result: they stand to the end and are locked in the result, too; improving
+/// may take them out; or they stand to the end, and are as free or locked as they were.
+enum class StartKeep { locked, free, standing };
+
 /// What stands before the first piece is placed (start_pieces.h); CollageSettings::start has the rest.
 struct StartSpec {
   std::string pieces;  // pieces.geojson of an earlier result, or its folder, absolute path; empty = none
-  bool free = false;   // improving may take them out
+  StartKeep keep = StartKeep::locked;
+  std::vector<int> remove;  // of them, from 0: they do not stand, and only the room where they lay is filled
+  std::vector<int> lock;    // of them, from 0: locked whatever `keep` says
+  std::vector<std::string> not_anew = {};  // names of shapes that are not placed any more
+
+  // Once the file is read; no keys.
+  std::vector<GivenPiece> removed = {};  // as they lay
+  std::uint64_t digest = 0;              // of its bytes
 };
 
 /// What "none" says of a colour.
@@ -132,6 +143,9 @@ struct Job {
 /// the file are relative to its folder, those in `overrides` to the working directory.
 /// Throws InputError that names file and line (or the override), key, what was found and what is allowed.
 Job load_job(const std::string& path, const std::vector<std::string>& overrides);
+
+/// The same job, once it is checked as one that is read: its lists may have been made elsewhere. Throws InputError.
+Job checked_job(const Job& job);
 
 /// Sets keys of the sections [output] and [colour] alone, which may be others than when the collage was made. Returns
 /// whether one of them is of [colour]. Throws InputError as load_job does, and where the key is of another section.

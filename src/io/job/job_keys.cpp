@@ -88,9 +88,20 @@ void add_start_keys(std::vector<JobKey>& keys) {
                             "`pieces.geojson` of an earlier result, or the result's folder: its pieces stand first; "
                             "empty = none"},
                            FIELD(start.pieces)));
-  keys.push_back(with_word({"start", "keep", word, "", 0, 0, {"locked", "free"},
-                            "those pieces: `locked` stand to the end, `free` ones may be taken out by [improve]"},
-                           FIELD(start.free)));
+  keys.push_back(with_word({"start", "keep", word, "", 0, 0, {"locked", "free", "standing"},
+                            "those pieces: `locked` stand to the end, `free` ones may be taken out by [improve], "
+                            "`standing` ones stand to the end and are not locked by that in the result"},
+                           FIELD(start.keep)));
+  keys.push_back(with_indices({"start", "remove", indices, "", 0, kMostStartPieces - 1, {},
+                               "of those pieces, by `index`: they do not stand, and only the room where they lay is "
+                               "filled"},
+                              FIELD(start.remove)));
+  keys.push_back(with_indices({"start", "lock", indices, "", 0, kMostStartPieces - 1, {},
+                               "of those pieces, by `index`: locked, whatever `keep` says"},
+                              FIELD(start.lock)));
+  keys.push_back(with_texts({"start", "not_anew", texts, "", 0, 0, {},
+                             "names of shapes of which only pieces stand that were there; empty = none"},
+                            FIELD(start.not_anew)));
   keys.push_back(with_word({"start", "grow", word, "", 0, 0, {"inward", "outward"},
                             "`inward`: pieces dock to the canvas' edge, too; `outward`: only to what stands, so that the "
                             "collage grows from there"},

@@ -28,6 +28,7 @@ enum class JobKind {
   palette,     // one of JobKey::words, a path, or a list of colours
   colour,      // "#rrggbb" or one of JobKey::words
   devices,     // "all", "cpu", "gpu", indices
+  indices,     // a list of distinct whole numbers
 };
 
 inline constexpr std::size_t kMostIntervals = 16;
@@ -64,5 +65,7 @@ const JobKey* find_job_key(const std::string& section, const std::string& name);
 /// A canvas of more px than this is refused: its fields alone would take gigabytes.
 inline constexpr double kMaxCanvas_px2 = 100e6;
 inline constexpr int kMaxDeviceIndex = 63;
+/// Of the file of start.pieces.
+inline constexpr int kMostStartPieces = 100'000;
 
 }  // namespace tessera::io

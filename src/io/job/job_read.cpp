@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -260,6 +261,24 @@ KeepOutRectangle keep_out_rectangle(const JobRow& row) {
           .corner_px = float(number("corner_px"))};
 }
 
+/// Pieces are listed of an earlier result, and each once. Free ones could not lie outside the room that is filled.
+void check_start_lists(const Job& job) {
+  const StartSpec& start = job.start;
+  for (const auto& [key, list] : {std::pair("start.remove", &start.remove), std::pair("start.lock", &start.lock)}) {
+    if (list->empty() || !start.pieces.empty()) continue;
+    throw InputError(job.path + ": " + key + ": found pieces, allowed without start.pieces: []");
+  }
+  if (!start.remove.empty() && start.keep == StartKeep::free) {
+    throw InputError(job.path +
+                     ": start.remove: found with start.keep = \"free\", allowed: \"standing\" or \"locked\"");
+  }
+  const std::set<int> removed(start.remove.begin(), start.remove.end());
+  for (const int index : start.lock) {
+    if (!removed.contains(index)) continue;
+    throw InputError(job.path + ": start.lock: found " + std::to_string(index) + ", which start.remove has, too");
+  }
+}
+
 /// What keys say together.
 void check_together(const Job& job) {
   if (job.canvas.keep_out_rectangles.size() > kMostZones) {
@@ -270,6 +289,7 @@ void check_together(const Job& job) {
     throw InputError(job.path +
                      ": [[regions]] are parts of canvas.file, which is missing; needed: an SVG or image with them");
   }
+  check_start_lists(job);
   if (job.settings.start.grow_outward && job.canvas.seamless != Seamless::none) {
     throw InputError(job.path + ": start.grow: found \"outward\" with canvas.seamless, allowed with it: \"inward\"");
   }
@@ -326,5 +346,7 @@ bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
 }
 
 Job job_from_toml(const std::string& text, const std::string& path) { return read_job(text, path, {}); }
+
+Job checked_job(const Job& job) { return job_from_toml(to_toml(job), job.path); }
 
 }  // namespace tessera::io

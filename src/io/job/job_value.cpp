@@ -196,6 +196,14 @@ Result read_devices(const JobKey& key, const toml::node& node) {
   return indices ? join_indices(key, *indices) : Result();
 }
 
+/// One number alone is a list of one.
+Result read_distinct_indices(const JobKey& key, const toml::node& node) {
+  if (node.is_array() && node.as_array()->empty()) return JobValue{};
+  const auto indices = read_indices(key, node);
+  if (!indices || !join_indices(key, *indices)) return {};
+  return JobValue{*indices, {}};
+}
+
 Result read_text(const JobKey& key, const toml::node& node) {
   const auto* text = node.as_string();
   if (!text) return {};
@@ -267,6 +275,11 @@ std::string value_text(const JobKey& key, const JobValue& value, Number number) 
   if (key.kind == JobKind::palette)
     return is_colour_list(value.texts) ? quoted_list(value.texts) : toml_text(value.texts[0]);
   if (key.kind == JobKind::flag) return value.text;
+  if (key.kind == JobKind::indices) {
+    std::vector<std::string> indices;
+    for (const double index : value.numbers) indices.push_back(number_text(index));
+    return listed(indices);
+  }
   if (value.numbers.empty()) return toml_text(value.text);
   if (value.numbers.size() == 1) return number(0);
   if (key.kind == JobKind::uses && value.numbers[0] == 0) return number(1);
@@ -288,6 +301,7 @@ std::optional<JobValue> read_job_value(const JobKey& key, const toml::node& node
     case JobKind::paper_size: return read_paper_size(key, node);
     case JobKind::uses: return read_uses(key, node);
     case JobKind::devices: return read_devices(key, node);
+    case JobKind::indices: return read_distinct_indices(key, node);
     case JobKind::texts:
     case JobKind::files: return read_texts(node);
     case JobKind::palette: return read_palette(node);
@@ -326,6 +340,7 @@ std::string allowed_values(const JobKey& key) {
     case JobKind::colour: return "\"#rrggbb\"" + (key.words.empty() ? "" : " or " + quoted_words(key, " or "));
     case JobKind::devices:
       return quoted_words(key, ", ") + " or distinct indices from " + min + " to " + max + " like \"0,2\" or [0, 2]";
+    case JobKind::indices: return "a list of distinct whole numbers from " + min + " to " + max;
   }
   return {};
 }

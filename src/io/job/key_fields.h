@@ -87,4 +87,14 @@ JobKey with_texts(JobKey key, Field field) {
   return key;
 }
 
+template <class Field>
+JobKey with_indices(JobKey key, Field field) {
+  key.get = [field](const Job& job) {
+    const std::vector<int>& indices = field(job);
+    return JobValue{{indices.begin(), indices.end()}, {}};
+  };
+  key.set = [field](Job& job, const JobValue& value) { field(job).assign(value.numbers.begin(), value.numbers.end()); };
+  return key;
+}
+
 }  // namespace tessera::io

@@ -6,11 +6,15 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 #include <unordered_map>
 
+#include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/geometry/period.h"
 #include "io/job/job_entry.h"
+#include "io/job/job_keys.h"
 #include "io/nearest_name.h"
 #include "io/number_text.h"
 #include "io/pose.h"
@@ -23,8 +27,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMostBytes = std::size_t(512) << 20;  // of the file: some 50,000 pieces with their polygons
-constexpr std::size_t kMostPieces = 100'000;
-constexpr int kDeepest = 32;  // of what is nested in what
+constexpr int kDeepest = 32;                                // of what is nested in what
 
 /// As the columns of [[given]] allow.
 struct Range {
@@ -36,6 +39,9 @@ constexpr Range kScale{"scale", 0.01, 20000};  // fit = "all" may make pieces of
 constexpr Range kRotation{"rotation_deg", -360, 360};
 constexpr Range kX{"x_px", -20000, 40000};
 constexpr Range kY{"y_px", -20000, 40000};
+constexpr Range kScore{"score", -1e9, 1e9};
+constexpr Range kMatched{"matched_px", 0, 1e9};
+constexpr const char* kPose = "canvas_from_shape";
 
 /// Hands out one feature after the other and keeps none, nor of any what is not read: polygons, and whatever else the
 /// file holds, take no memory, and no time for looking through what came before.
@@ -45,7 +51,9 @@ class Filter {
 
   bool operator()(int depth, json::parse_event_t event, const json& parsed) {
     if (depth == kFeature && (event == json::parse_event_t::object_end || event == json::parse_event_t::value)) {
-      if (++features_ > kMostPieces) throw InputError("more than " + std::to_string(kMostPieces) + " features");
+      if (++features_ > std::size_t(kMostStartPieces)) {
+        throw InputError("more than " + std::to_string(kMostStartPieces) + " features");
+      }
       take_(parsed);
       return false;
     }
@@ -61,8 +69,9 @@ class Filter {
   static bool is_read(int depth, const json& key) {
     if (depth == kCollection) return key == "features";
     if (depth == kProperties) return key == "properties";
-    return depth == kProperty && (key == "shape" || key == kScale.key || key == kRotation.key || key == kX.key ||
-                                  key == kY.key || key == "mirrored" || key == "locked");
+    return depth == kProperty &&
+           (key == "shape" || key == kScale.key || key == kRotation.key || key == kX.key || key == kY.key ||
+            key == kScore.key || key == kMatched.key || key == "mirrored" || key == "locked" || key == kPose);
   }
 
   std::function<void(const json& feature)> take_;
@@ -128,21 +137,49 @@ class Names {
   std::array<std::unordered_map<std::string, std::uint32_t>, 2> index_;  // of the drawings, and of their mirror images
 };
 
-GivenPiece piece_of(const json& feature, const Names& names, bool all_locked) {
+/// Nothing where the feature does not say.
+std::optional<Similarity> exact_pose(const json& properties) {
+  if (!properties.contains(kPose)) return {};
+  const json& value = properties.at(kPose);
+  std::array<float, 4> numbers{};
+  bool right = value.is_array() && value.size() == numbers.size();
+  for (std::size_t i = 0; right && i < numbers.size(); ++i) {
+    right = value[i].is_number() && std::abs(value[i].get<double>()) <= kY.max;
+    if (right) numbers[i] = float(value[i].get<double>());
+  }
+  if (!right) fail(kPose, found_text(value), "four numbers from " + fixed(-kY.max, 0) + " to " + fixed(kY.max, 0));
+  return Similarity{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+/// What people read and change says the same, to its last decimal.
+bool is_written_as(const Similarity& pose, double scale_px, double rotated_deg, double x_px, double y_px) {
+  const auto same = [](double a, double b) { return fixed(a, kPixelDecimals) == fixed(b, kPixelDecimals); };
+  return same(pose.scale(), scale_px) && same(rotation_deg(pose), rotated_deg) && same(pose.tx, x_px) &&
+         same(pose.ty, y_px);
+}
+
+GivenPiece piece_of(const json& feature, const Names& names) {
   const json& properties = member(feature, "properties", "an object with shape, scale, rotation_deg, x_px and y_px");
-  const ShapeId shape = names.id(properties);
+  GivenPiece piece;
+  piece.shape = names.id(properties);
+  piece.locked = flag(properties, "locked");
   const double scale_px = number(properties, kScale);
   const double rotation_deg = number(properties, kRotation);
   const double x_px = number(properties, kX), y_px = number(properties, kY);
-  const bool locked = flag(properties, "locked") || all_locked;
-  return {shape, pose_of(scale_px, rotation_deg, x_px, y_px), locked};
+  piece.canvas_from_shape = pose_of(scale_px, rotation_deg, x_px, y_px);
+  const std::optional<Similarity> exact = exact_pose(properties);
+  if (!exact || !is_written_as(*exact, scale_px, rotation_deg, x_px, y_px)) return piece;
+  piece.canvas_from_shape = *exact;
+  if (properties.contains(kScore.key)) piece.score = float(number(properties, kScore));
+  if (properties.contains(kMatched.key)) piece.matched_px = float(number(properties, kMatched));
+  return piece;
 }
 
-std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const Names& names, bool all_locked) {
+std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const Names& names) {
   std::vector<GivenPiece> pieces;
   const auto take = [&](const json& feature) {
     try {
-      pieces.push_back(piece_of(feature, names, all_locked));
+      pieces.push_back(piece_of(feature, names));
     } catch (const InputError& error) {
       throw InputError("feature " + std::to_string(pieces.size()) + ": " + error.what());
     }
@@ -151,6 +188,44 @@ std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const 
   const json& features = member(collection, "features", "a list of features, as in pieces.geojson");
   if (!features.is_array()) fail("features", found_text(features), "a list of features, as in pieces.geojson");
   return pieces;
+}
+
+std::uint64_t digest_of(const std::vector<std::uint8_t>& bytes) {
+  Digest digest;
+  digest.add_all(std::span(bytes));
+  return digest.value();
+}
+
+/// Of a list of the job's, by place.
+std::vector<bool> marked(const std::vector<int>& indices, std::size_t pieces, const std::string& key) {
+  std::vector<bool> marks(pieces, false);
+  for (const int index : indices) {
+    if (std::size_t(index) >= pieces) {
+      throw InputError(key + ": found " + std::to_string(index) + ", allowed: " +
+                       (pieces > 0 ? "0 to " + std::to_string(pieces - 1) : "nothing") + ", the pieces of the file");
+    }
+    marks[std::size_t(index)] = true;
+  }
+  return marks;
+}
+
+/// What is to be removed goes to `start.removed`; the others are locked or free as the job says.
+std::vector<GivenPiece> kept(const std::vector<GivenPiece>& pieces, StartSpec& start) {
+  const std::vector<bool> removed = marked(start.remove, pieces.size(), "start.remove");
+  const std::vector<bool> locked = marked(start.lock, pieces.size(), "start.lock");
+  std::vector<GivenPiece> left;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    GivenPiece piece = pieces[i];
+    if (removed[i]) {
+      if (piece.locked) throw InputError("start.remove: found " + std::to_string(i) + ", which is locked");
+      start.removed.push_back(piece);
+      continue;
+    }
+    piece.for_good = piece.locked || locked[i] || start.keep == StartKeep::locked;
+    piece.locked = piece.for_good || start.keep == StartKeep::standing;
+    left.push_back(piece);
+  }
+  return left;
 }
 
 /// In the file a pose is rounded to three decimals, px and degrees.
@@ -210,7 +285,9 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
   const std::string where = job.path + ": start.pieces: ";
   try {
     check_is_there(job.start.pieces, file);
-    std::vector<GivenPiece> pieces = pieces_in(read_regular_file(file, kMostBytes), Names(shapes), !job.start.free);
+    const std::vector<std::uint8_t> bytes = read_regular_file(file, kMostBytes);
+    job.start.digest = digest_of(bytes);
+    std::vector<GivenPiece> pieces = kept(pieces_in(bytes, Names(shapes)), job.start);
     std::vector<GivenPiece>& given = job.settings.wishes.given;
     remove_given_again(given, period_of(job.canvas), pieces);
     std::stable_partition(pieces.begin(), pieces.end(), [](const GivenPiece& piece) { return piece.locked; });

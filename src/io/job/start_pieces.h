@@ -14,7 +14,7 @@ namespace tessera::io {
 std::string start_file(const Job& job);
 
 /// Adds the pieces of that file to those that the job gives (Wishes::given), after them, those that are locked first;
-/// pieces that the job gives already are left out. `shapes`: of the library, in its order. Throws InputError that names
+/// pieces that the job gives already are left out, and those that are to be removed become StartSpec::removed. `shapes`: of the library, in its order. Throws InputError that names
 /// the file, the feature, what was found and what is allowed.
 void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job);
 

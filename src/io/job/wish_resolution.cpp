@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "core/base/error.h"
@@ -53,7 +54,7 @@ class Resolution {
       fail("pieces.fit: found \"all\" where there are [[regions]], allowed: \"free\"");
     }
     for (const JobRow& row : region_rows_) add_region(row);
-    if (!shape_rows_.empty() || job_.drawn_sizes) add_classes();
+    if (!shape_rows_.empty() || job_.drawn_sizes || !job_.start.not_anew.empty()) add_classes();
     for (const JobRow& row : given_rows_) wishes_.given.push_back(given_piece(row));
     return std::move(wishes_);
   }
@@ -74,6 +75,22 @@ class Resolution {
     } catch (const NamesNotFound& error) {
       fail_in_row(row, "names: " + error.reason());
     }
+  }
+
+  /// By name, with their mirror images.
+  std::vector<std::uint32_t> not_anew() const {
+    std::set<std::string> names(job_.start.not_anew.begin(), job_.start.not_anew.end());
+    std::set<std::string> known;
+    std::vector<std::uint32_t> shapes;
+    for (std::uint32_t i = 0; i < shapes_.size(); ++i) {
+      if (!names.contains(shapes_[i].name)) continue;
+      known.insert(shapes_[i].name);
+      shapes.push_back(i);
+    }
+    for (const std::string& name : names) {
+      if (!known.contains(name)) fail("start.not_anew: the library has no shape \"" + name + "\"");
+    }
+    return shapes;
   }
 
   [[noreturn]] void fail_no_shape(const std::string& name) const {
@@ -123,6 +140,7 @@ class Resolution {
     for (std::size_t row = 0; row < shape_rows_.size(); ++row) {
       parts.add_row(chosen_by(row), [&](ShapeWish& wish) { read_row(row, wish); });
     }
+    if (!job_.start.not_anew.empty()) parts.add_row(not_anew(), [](ShapeWish& wish) { wish.weight = 0; });
     std::map<std::pair<std::uint32_t, float>, std::uint32_t> class_of;  // of a part and a size as drawn
     for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
       const std::uint32_t part = parts.part_of(shape);
@@ -191,7 +209,8 @@ void widen_scales(PieceSettings& pieces, const Wishes& wishes, bool drawn_sizes)
 }  // namespace
 
 bool has_shape_wishes(const Job& job) {
-  return job.drawn_sizes || !rows_of(job, "shapes").empty() || !rows_of(job, "given").empty();
+  return job.drawn_sizes || !job.start.not_anew.empty() || !rows_of(job, "shapes").empty() ||
+         !rows_of(job, "given").empty();
 }
 
 void resolve_wishes(const std::vector<NamedShape>& shapes, Job& job) {

@@ -8,6 +8,7 @@
 #include "core/collage/quality.h"
 #include "io/atomic_file.h"
 #include "io/job/job_library.h"
+#include "io/job/start_pieces.h"
 #include "io/job/wished_sizes.h"
 #include "io/result/card_output.h"
 #include "io/result/geojson_output.h"
@@ -51,6 +52,8 @@ ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& 
   manifest.library_digest = origin.library_digest;
   manifest.canvas_digest = origin.canvas_digest;
   manifest.overlay_digest = origin.overlay_digest;
+  manifest.start = start_file(*report.job);
+  manifest.start_digest = report.job->start.digest;
   for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
   manifest.colours = report.colours;
   manifest.covered = report.covered;

@@ -50,8 +50,10 @@ bool is_finished_result_of(const EarlierResult& earlier, const Job& job) {
 
 void check_finished_result(const EarlierResult& earlier, const CheckpointOrigin& now) {
   const ResultManifest& manifest = earlier.whole->manifest;
-  const std::string differences = origin_differences(
+  std::string differences = origin_differences(
       {&earlier.whole->job, manifest.library_digest, manifest.canvas_digest, manifest.overlay_digest}, now);
+  const bool same_start = manifest.start.empty() || manifest.start_digest == now.job->start.digest;
+  if (!same_start) differences += "; start.pieces: another content";
   if (differences.empty()) return;
   throw InputError(another_job(earlier.folder, differences) + "or leave --resume out to replace it");
 }

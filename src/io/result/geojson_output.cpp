@@ -1,5 +1,7 @@
 #include "io/result/geojson_output.h"
 
+#include <charconv>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -54,6 +56,17 @@ void append_property(const char* key, const std::string& value, std::string& tex
   text += value;
 }
 
+/// With as few digits as give the same numbers back.
+std::string numbers_text(std::initializer_list<float> numbers) {
+  std::string text;
+  for (const float number : numbers) {
+    char digits[32];
+    text += text.empty() ? '[' : ',';
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, number + 0.f).ptr);  // -0 would come back as 0
+  }
+  return text + ']';
+}
+
 /// Of a piece, beside what its placement says.
 struct Feature {
   std::size_t index;
@@ -74,6 +87,7 @@ void append_properties(const Placement& placement, const Feature& feature, const
   append_property("y_px", fixed(t.ty, kPixelDecimals), text);
   append_property("mirrored", shape.artwork.mirrored ? "true" : "false", text);
   if (feature.locked) append_property("locked", "true", text);
+  append_property("canvas_from_shape", numbers_text({t.a, t.b, t.tx, t.ty}), text);
   append_property("score", fixed(placement.score, kScoreDecimals), text);
   append_property("matched_px", fixed(placement.matched_px, kPixelDecimals), text);
   text += '}';
@@ -92,12 +106,13 @@ void append_feature(const Placement& placement, const Feature& feature, const Sh
 std::string geojson_text(const CollageReport& report) {
   std::string text = R"({"type":"FeatureCollection","features":[)";
   const std::vector<std::string> groups = shape_groups(*report.job, report.shapes.names());
-  const std::size_t locked = report.job->settings.wishes.locked();
+  const Wishes& wishes = report.job->settings.wishes;
+  const std::size_t locked = wishes.locked();  // the first of the placements
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
     const Placement& placement = report.placements[i];
     text += i ? ",\n" : "\n";
     const std::size_t slot = report.shapes.slot_of(placement.shape);
-    append_feature(placement, {i, groups[slot], i < locked}, report.shapes[slot], text);
+    append_feature(placement, {i, groups[slot], i < locked && wishes.given[i].for_good}, report.shapes[slot], text);
   }
   text += "\n]}\n";
   return text;

@@ -7,9 +7,6 @@
 
 namespace tessera::io {
 
-/// Of positions, sizes and angles.
-inline constexpr int kPixelDecimals = 3;
-
 /// A FeatureCollection of one Polygon per placement, in order of placement. Coordinates are canvas px, y down. Rings
 /// are closed; the outer one has positive, holes have negative shoelace area (RFC 7946's right-hand rule in the
 /// numbers). All numbers have fixed decimals, so that equal collages give equal bytes.

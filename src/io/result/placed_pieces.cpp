@@ -19,12 +19,16 @@ bool keep(int, json::parse_event_t event, json& parsed) {
   return event != json::parse_event_t::key || parsed != "geometry";
 }
 
-Similarity transform_of(const json& feature) {
-  const json& properties = feature.at("properties");
+Similarity transform_of(const json& properties) {
   const double scale = properties.at("scale");
   const Similarity t = pose_of(scale, properties.at("rotation_deg"), properties.at("x_px"), properties.at("y_px"));
   if (!(scale > 0) || !std::isfinite(t.a + t.b + t.tx + t.ty)) throw InputError("a piece without a size or place");
   return t;
+}
+
+PlacedPiece piece_of(const json& properties) {
+  return {properties.at("shape"), transform_of(properties), properties.value("locked", false),
+          properties.contains("canvas_from_shape")};
 }
 
 /// With the decimals of the file.
@@ -32,13 +36,13 @@ double written(double value) { return std::stod(fixed(value, kPixelDecimals)); }
 
 }  // namespace
 
-std::vector<Similarity> read_placed_pieces(const std::string& dir) {
+std::vector<PlacedPiece> read_placed_pieces(const std::string& dir) {
   const std::string bytes = read_result_file(dir, "pieces.geojson");
   const std::string path = path_in_result(dir, "pieces.geojson");
-  std::vector<Similarity> pieces;
+  std::vector<PlacedPiece> pieces;
   try {
     const json collection = json::parse(bytes, keep);
-    for (const json& feature : collection.at("features")) pieces.push_back(transform_of(feature));
+    for (const json& feature : collection.at("features")) pieces.push_back(piece_of(feature.at("properties")));
   } catch (const json::exception& error) {
     throw InputError(path + ": not a pieces.geojson of tessera collage: " + error.what());
   } catch (const InputError& error) {

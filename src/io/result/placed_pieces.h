@@ -1,4 +1,4 @@
-// pieces.geojson read back, as far as drawing needs it.
+// pieces.geojson of a result read back, without its polygons.
 #pragma once
 
 #include <string>
@@ -9,9 +9,15 @@
 
 namespace tessera::io {
 
-/// canvas_from_shape of each piece in order of placement, within the file's decimals. Throws InputError that names the
-/// file and what is wrong with it.
-std::vector<Similarity> read_placed_pieces(const std::string& dir);
+struct PlacedPiece {
+  std::string shape;             // its name
+  Similarity canvas_from_shape;  // within the file's decimals
+  bool locked = false;
+  bool exact = false;  // the file says its pose exactly, too (start_pieces.h)
+};
+
+/// In order of placement. Throws InputError that names the file and what is wrong with it.
+std::vector<PlacedPiece> read_placed_pieces(const std::string& dir);
 
 /// The poses as they are read back from pieces.geojson.
 std::vector<Placement> as_written(std::vector<Placement> placements);

@@ -121,7 +121,7 @@ DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, 
 }
 
 std::vector<Placement> placements_of(const std::string& dir, const ResultManifest& manifest, std::size_t shapes) {
-  const std::vector<Similarity> pieces = read_placed_pieces(dir);
+  const std::vector<PlacedPiece> pieces = read_placed_pieces(dir);
   if (pieces.size() != manifest.shapes.size()) {
     throw InputError(path_in_result(dir, kManifestName) + ": not as many shapes as pieces.geojson has pieces");
   }
@@ -131,7 +131,7 @@ std::vector<Placement> placements_of(const std::string& dir, const ResultManifes
       throw InputError(path_in_result(dir, kManifestName) + ": a shape that the library lacks");
     }
     placements[i].shape = manifest.shapes[i];
-    placements[i].canvas_from_shape = pieces[i];
+    placements[i].canvas_from_shape = pieces[i].canvas_from_shape;
   }
   return placements;
 }

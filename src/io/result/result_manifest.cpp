@@ -100,6 +100,10 @@ ResultManifest from_json(const Json& json) {
   manifest.library_digest = number(json.at("library").at("digest"));
   manifest.canvas_digest = number(json.at("canvas").at("digest"));
   if (json.contains("overlays")) manifest.overlay_digest = number(json.at("overlays").at("digest"));
+  if (json.contains("start")) {
+    manifest.start = json.at("start").at("pieces");
+    manifest.start_digest = number(json.at("start").at("digest"));
+  }
   if (json.contains("colours")) manifest.colours = json.at("colours").get<std::vector<std::string>>();
   if (json.contains("covered")) manifest.covered = json.at("covered").get<std::vector<std::string>>();
   check_colours(manifest.colours, manifest.shapes.size(), false);
@@ -152,6 +156,7 @@ void write_manifest(const std::string& dir, const ResultManifest& manifest) {
             {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
             {"pictures", pictures}};
   if (manifest.overlay_digest != 0) json["overlays"] = {{"digest", hex(manifest.overlay_digest)}};
+  if (!manifest.start.empty()) json["start"] = {{"pieces", manifest.start}, {"digest", hex(manifest.start_digest)}};
   if (!manifest.colours.empty()) json["colours"] = manifest.colours;
   if (!manifest.covered.empty()) json["covered"] = manifest.covered;
   write_file_atomically(path_in_result(dir, kManifestName),

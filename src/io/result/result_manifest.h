@@ -36,6 +36,8 @@ struct ResultManifest {
   std::uint64_t library_digest = 0;
   std::uint64_t canvas_digest = 0;
   std::uint64_t overlay_digest = 0;  // of the pictures that lie over the canvas; 0: none
+  std::string start;                 // the file that it began from (start.pieces); empty: none
+  std::uint64_t start_digest = 0;    // of that file's bytes, as pieces_digest
   std::vector<ShapeId> shapes;       // of the pieces, in order of placement
   std::vector<std::string> colours;  // of the pieces, "#rrggbb"; empty: they are drawn as their artwork
   std::vector<std::string> covered;  // what each piece covers of colour.image, "#rrggbb" or ""; empty: there is none

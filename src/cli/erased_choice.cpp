@@ -1,0 +1,78 @@
+#include "cli/erased_choice.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "io/job/canvas_file.h"
+#include "io/number_text.h"
+#include "io/result/erased_pieces.h"
+#include "io/result/polygon_pieces.h"
+#include "io/result/result_file.h"
+
+namespace tessera::cli {
+namespace {
+
+/// As the command line has it.
+std::string text_of(const std::vector<float>& numbers) {
+  std::string text;
+  for (const float number : numbers) text += (text.empty() ? "" : ",") + io::fixed(number, 1);
+  return text;
+}
+
+std::vector<int> numbered(const std::string& option, const std::vector<int>& given,
+                          const std::vector<io::PlacedPiece>& all) {
+  const std::vector<int> pieces = piece_numbers(option, given, all.size());
+  for (const int i : pieces) {
+    const io::PlacedPiece& piece = all[std::size_t(i)];
+    if (!piece.locked) continue;
+    throw InputError(option + ": found " + std::to_string(i) + ", \"" + piece.shape +
+                     "\", which is locked; allowed: pieces without \"locked\" in pieces.geojson");
+  }
+  return pieces;
+}
+
+/// Locked ones stay, wherever they lie.
+std::vector<int> loose(const std::string& option, std::vector<int> pieces, const std::vector<io::PlacedPiece>& all) {
+  const bool any = !pieces.empty();
+  std::erase_if(pieces, [&](int i) { return all[std::size_t(i)].locked; });
+  if (!pieces.empty()) return pieces;
+  throw InputError(option + (any ? ": found locked pieces only" : ": found no piece") +
+                   ", needed: one at least that is not locked");
+}
+
+std::vector<int> in_box(const std::vector<float>& px, const std::vector<io::PlacedPiece>& all) {
+  return io::pieces_in({{px[0], px[1]}, {px[0] + px[2], px[1] + px[3]}}, all);
+}
+
+std::vector<int> under_mask(const std::string& mask, const std::string& folder, const io::Job& job) {
+  const Canvas canvas = io::canvas_of(job);
+  const Grid<float> marked = io::erasing_mask(mask, "--erase", canvas);
+  const std::string file = io::path_in_result(folder, "pieces.geojson");
+  return io::pieces_under(marked, io::read_polygon_pieces(file, canvas), canvas);
+}
+
+}  // namespace
+
+std::vector<int> piece_numbers(const std::string& option, std::vector<int> pieces, std::size_t count) {
+  std::sort(pieces.begin(), pieces.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  for (const int i : pieces) {
+    if (i >= 0 && std::size_t(i) < count) continue;
+    throw InputError(option + ": found " + std::to_string(i) +
+                     ", allowed: " + (count > 0 ? "0 to " + std::to_string(count - 1) : "nothing") +
+                     ", \"index\" of a piece in pieces.geojson");
+  }
+  return pieces;
+}
+
+std::vector<int> erased_pieces(const EraseArguments& arguments, const std::string& folder, const io::Job& job,
+                               const std::vector<io::PlacedPiece>& all) {
+  if (!arguments.pieces.empty()) return numbered("--pieces", arguments.pieces, all);
+  if (!arguments.swapped.empty()) return numbered("--swap", arguments.swapped, all);
+  if (!arguments.box_px.empty()) {
+    return loose("--box " + text_of(arguments.box_px), in_box(arguments.box_px, all), all);
+  }
+  return loose("--erase " + arguments.mask, under_mask(arguments.mask, folder, job), all);
+}
+
+}  // namespace tessera::cli
