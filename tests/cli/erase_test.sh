@@ -77,7 +77,7 @@ expect_all_but first another 3 5
 cmp -s erased/pieces.geojson another/pieces.geojson && fail "another seed fills as the first did"
 echo "ok numbers"
 
-long=(refine first --pieces 3,5 --set improve.trials=1500 --set checkpoint.every_s=0.01 --quiet)
+long=(refine first --pieces '3,5' --set improve.trials=1500 --set checkpoint.every_s=0.01 --quiet)
 run 0 "${long[@]}" --out whole
 "$tessera" "${long[@]}" --out broken >output 2>errors &
 started=$!

@@ -131,8 +131,9 @@ TEST(CollageWarnings, WhyPiecesAreNotRelaxed) {
   const std::string not_relaxed = "the pieces are not relaxed, as ";
   EXPECT_EQ(warning(20, 100, nothing), "");
   EXPECT_EQ(warning(20, 101, nothing),
-            not_relaxed + "sizes from 20 to 101 px are allowed (pieces.scale_px), and the largest may be 5 times the " +
-                "smallest");
+            not_relaxed +
+                "sizes from 20 to 101 px are allowed (pieces.scale_px), and for that the largest is 5 times the " +
+                "smallest at most");
   EXPECT_EQ(warning(50, 50, nothing),
             not_relaxed + "their sizes are fixed (pieces.scale_px, pieces.sizes, [[shapes]])");
   EXPECT_EQ(warning(20, 100, [](CollageSettings& s) { s.improve.relax = false; }),
