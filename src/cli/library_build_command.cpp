@@ -128,6 +128,8 @@ void add_library_build_command(CLI::App& library, Command& selected) {
                     "Only files of the folders whose name matches this pattern, e.g. '*.svg'");
   build->add_flag("--embed", settings.embed, "Keep the artwork files themselves in the library");
   build->add_flag("--strict", settings.strict, "Write nothing where a file cannot be used; exit code 2");
+  build->add_flag("--keep-rectangles", settings.tracing.keep_rectangles,
+                  "Plain rectangles are shapes, too, not a drawing's background");
   build->add_option("--processes", settings.files_at_a_time, "How many files are traced at a time; default: all cores")
       ->check(CLI::Range(1, 1024));
   build

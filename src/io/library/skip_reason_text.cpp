@@ -11,7 +11,8 @@ std::string skip_reason_text(SkipReason reason) {
       return "several large parts that do not touch; save each as a file of its own, or join them; a photo is for "
              "tessera "
              "library extract";
-    case SkipReason::plain_rectangle: return "a plain rectangle; take the background away, if that is what it is";
+    case SkipReason::plain_rectangle:
+      return "a plain rectangle; take the background away, if that is what it is, or keep it (--keep-rectangles)";
     case SkipReason::hairlines: return "thin lines alone; fill what they enclose, or make them thicker";
   }
   return "unknown";

@@ -1,0 +1,29 @@
+// Lays the pieces of a puzzle beside each other, each once, as they were cut. Paper, section 5 ("Puzzle Solving"), whose
+// greedy choice ends in local optima where pieces are not unique; here what is surest comes first, and several
+// arrangements are followed at a time.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/geometry/similarity.h"
+#include "core/geometry/vec2.h"
+
+namespace tessera {
+
+struct PuzzleInput {
+  std::vector<std::vector<Vec2>> pieces;  // polygons in one unit, interior on the left
+  std::vector<Vec2> frame;                // the same, in that unit; empty: none
+};
+
+struct PuzzleSolution {
+  std::vector<std::optional<Similarity>> poses;  // puzzle_from_piece, of each piece; nothing: no place was found
+  int placed = 0;
+  bool in_frame = false;  // in the frame's coordinates; else in those of the piece that was laid first
+  double gaps = 0;        // part of the boundary of all that is beside a narrow gap: 0 where pieces fit
+};
+
+/// The best arrangement that was found, which need not hold all pieces. The same input gives the same solution.
+PuzzleSolution solve_puzzle(const PuzzleInput& input);
+
+}  // namespace tessera

@@ -1,0 +1,133 @@
+#include "io/puzzle/puzzle_making.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/base/portable_math.h"
+#include "core/geometry/polygon.h"
+#include "io/atomic_file.h"
+#include "io/elements/cut_outs.h"
+#include "io/elements/photo_extraction.h"
+#include "io/puzzle/puzzle_geojson.h"
+#include "io/regular_file.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kRim_px = 3;        // transparent, round each piece
+constexpr int kSubpixels = 8;     // each way, of an edge's coverage
+constexpr int kSubpixelBits = 8;  // of cv::fillPoly's coordinates
+
+void check(const PuzzleRequest& request) {
+  if (request.pieces < kFewestPuzzlePieces || request.pieces > kMostPuzzlePieces) {
+    throw InputError("--pieces: found " + std::to_string(request.pieces) + ", allowed: from " +
+                     std::to_string(kFewestPuzzlePieces) + " to " + std::to_string(kMostPuzzlePieces));
+  }
+  std::error_code error;
+  if (fs::exists(request.folder) && !(fs::is_directory(request.folder) && fs::is_empty(request.folder, error)))
+    throw InputError(request.folder + ": is there already, and holds something; allowed: a new folder (--out DIR)");
+}
+
+void check_size(const PuzzleRequest& request, const cv::Size& size) {
+  const double piece_px = std::sqrt(double(size.width) * size.height / request.pieces);
+  if (piece_px >= kSmallestPuzzlePiece_px) return;
+  throw InputError(request.picture + ": found " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                   " px, which gives pieces of " + std::to_string(int(piece_px)) +
+                   " px; allowed: " + std::to_string(kSmallestPuzzlePiece_px) +
+                   " px or more, with fewer pieces (--pieces) or a larger picture");
+}
+
+float unit_draw(std::uint64_t seed, std::uint64_t name) {
+  return unit_float(std::uint32_t(mix_bits(mix_bits(seed) ^ mix_bits(name)) >> 32));
+}
+
+/// Which piece comes at which place.
+std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t k = count; k > 1; --k) {
+    const std::size_t other = std::min(k - 1, std::size_t(unit_draw(seed, 1'000'000 + k) * float(k)));
+    std::swap(order[k - 1], order[other]);
+  }
+  return order;
+}
+
+std::string name_of(std::size_t place) {
+  char name[32];
+  std::snprintf(name, sizeof name, "piece_%03zu", place + 1);
+  return name;
+}
+
+/// Part of each pixel that lies in the polygon, 0 to 255.
+cv::Mat coverage(const std::vector<Vec2>& polygon, const cv::Size& size) {
+  cv::Mat fine = cv::Mat::zeros(size * kSubpixels, CV_8UC1);
+  std::vector<cv::Point> points;
+  for (const Vec2 p : polygon) {
+    const auto fixed = [](float x) {  // a pixel's centre has whole numbers there
+      return int(std::lround((double(x) * kSubpixels - 0.5) * (1 << kSubpixelBits)));
+    };
+    points.emplace_back(fixed(p.x), fixed(p.y));
+  }
+  cv::fillPoly(fine, std::vector<std::vector<cv::Point>>{points}, cv::Scalar(255), cv::LINE_8, kSubpixelBits);
+  cv::Mat mask;
+  cv::resize(fine, mask, size, 0, 0, cv::INTER_AREA);
+  return mask;
+}
+
+/// The piece, turned by that angle, on as small a picture as holds it.
+cv::Mat cut_out(const cv::Mat& picture, const std::vector<Vec2>& polygon, double turn_rad) {
+  const double c = std::cos(turn_rad), s = std::sin(turn_rad);
+  std::vector<Vec2> turned;
+  for (const Vec2 p : polygon) turned.push_back({float(c * p.x - s * p.y), float(s * p.x + c * p.y)});
+  const Box box = bounding_box(turned);
+  const Vec2 shift{float(kRim_px) - std::floor(box.low.x), float(kRim_px) - std::floor(box.low.y)};
+  for (Vec2& p : turned) p = p + shift;
+  const cv::Size size(int(std::ceil(box.width())) + 2 * kRim_px + 1, int(std::ceil(box.height())) + 2 * kRim_px + 1);
+  // Pixel centres of OpenCV have whole numbers, ours halves.
+  const cv::Matx23d out_from_picture(c, -s, 0.5 * (c - s) + shift.x - 0.5, s, c, 0.5 * (s + c) + shift.y - 0.5);
+  cv::Mat cut;
+  cv::warpAffine(picture, cut, out_from_picture, size, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  cv::insertChannel(coverage(turned, size), cut, 3);
+  return cut;
+}
+
+}  // namespace
+
+MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers) {
+  check(request);
+  const cv::Mat picture = drawers.photo(read_regular_file(request.picture, kMaxPhotoBytes), request.picture);
+  check_size(request, picture.size());
+  const std::vector<std::vector<Vec2>> polygons =
+      cut_puzzle({picture.cols, picture.rows, request.pieces, request.style, request.seed});
+  const fs::path folder(request.folder);
+  std::error_code error;
+  for (const char* part : {"pieces", "truth"}) {
+    fs::create_directories(folder / part, error);
+    if (error) throw EnvironmentError((folder / part).string() + ": " + error.message());
+  }
+  const std::vector<std::size_t> order = shuffled(polygons.size(), request.seed);
+  std::vector<LaidPuzzlePiece> truth;
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const std::vector<Vec2>& polygon = polygons[order[place]];
+    const double turn_rad = 2 * CV_PI * unit_draw(request.seed, place);
+    write_file_atomically((folder / "pieces" / (name_of(place) + ".png")).string(),
+                          png_of(cut_out(picture, polygon, turn_rad)));
+    const AreaMoment moment = area_moment(polygon);
+    const double scale = std::sqrt(moment.area);
+    truth.push_back({name_of(place),
+                     {float(scale * std::cos(turn_rad)), float(-scale * std::sin(turn_rad)),
+                      float(moment.x / moment.area), float(moment.y / moment.area)},
+                     polygon});
+  }
+  write_file_atomically((folder / "truth" / "pieces.geojson").string(), puzzle_geojson(truth));
+  return {int(order.size()), picture.cols, picture.rows};
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,36 @@
+// A picture cut into the pieces of a puzzle, each a picture of its own, turned; and beside them how they lay.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/puzzle/puzzle_cut.h"
+#include "io/drawing/drawers.h"
+
+namespace tessera::io {
+
+struct PuzzleRequest {
+  std::string picture;  // JPEG, PNG, TIFF, WebP or BMP
+  std::string folder;   // that is made; it may be there, empty
+  int pieces = 36;
+  CutStyle style = CutStyle::tabs;
+  std::uint64_t seed = 1;
+};
+
+struct MadePuzzle {
+  int pieces = 0;
+  int width_px = 0;
+  int height_px = 0;
+};
+
+/// Fewest and most pieces of a puzzle, and the smallest in px of the picture.
+inline constexpr int kFewestPuzzlePieces = 2;
+inline constexpr int kMostPuzzlePieces = 2'000;
+inline constexpr int kSmallestPuzzlePiece_px = 40;
+
+/// FOLDER/pieces/piece_001.png and so on, numbered in a random order, each turned by a random angle; and
+/// FOLDER/truth/pieces.geojson, which says where each lay, px of the picture. Throws InputError where the picture is of no
+/// use or too small for the pieces, and where the folder holds something; EnvironmentError.
+MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers);
+
+}  // namespace tessera::io

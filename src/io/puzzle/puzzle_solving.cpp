@@ -1,0 +1,208 @@
+#include "io/puzzle/puzzle_solving.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/geometry/polygon.h"
+#include "core/puzzle/puzzle_contact.h"
+#include "core/puzzle/puzzle_solver.h"
+#include "io/atomic_file.h"
+#include "io/job/toml_text.h"
+#include "io/library/library_view.h"
+#include "io/puzzle/puzzle_geojson.h"
+#include "io/regular_file.h"
+#include "io/result/placed_pieces.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kJobMark = "# A puzzle solved by tessera puzzle solve";
+constexpr std::size_t kMostOwnBytes = std::size_t(64) << 20;
+
+std::vector<Shape> shapes_of(const SolvingRequest& request) {
+  const LibraryView library({.files = {request.library}, .names = {}});
+  if (library.size() > kMostSolvedPieces) {
+    throw InputError(request.library + ": found " + std::to_string(library.size()) +
+                     " pieces, allowed: " + std::to_string(kMostSolvedPieces) + " or fewer");
+  }
+  std::vector<Shape> shapes =
+      library.read(0, library.size(), {.outline = true, .field = false, .levels = 0, .artwork = false});
+  for (const Shape& shape : shapes) {
+    if (shape.drawn_scale_px > 0) continue;
+    throw InputError(request.library + ": does not say how large \"" + shape.name +
+                     "\" was drawn, as of an earlier version; tessera library build makes one that does");
+  }
+  return shapes;
+}
+
+/// px as they were drawn.
+std::vector<std::vector<Vec2>> polygons_of(const std::vector<Shape>& shapes) {
+  std::vector<std::vector<Vec2>> polygons;
+  for (const Shape& shape : shapes) {
+    polygons.push_back(shape.outline.curves.front());
+    for (Vec2& p : polygons.back()) p = p * shape.drawn_scale_px;
+  }
+  return polygons;
+}
+
+double area_of(const std::vector<std::vector<Vec2>>& polygons) {
+  double area = 0;
+  for (const auto& polygon : polygons) area += signed_area(polygon);
+  return area;
+}
+
+std::vector<Vec2> rectangle(float width, float height) { return {{0, 0}, {width, 0}, {width, height}, {0, height}}; }
+
+/// What turns the pieces so that the smallest rectangle round them stands upright, at the origin; and its size.
+Similarity upright(const std::vector<cv::Point2f>& points, cv::Size2f& size) {
+  const cv::RotatedRect box = cv::minAreaRect(points);
+  const double angle = -double(box.angle) * CV_PI / 180;
+  size = box.size;
+  const Similarity turn{float(std::cos(angle)), float(std::sin(angle)), 0, 0};
+  const Vec2 centre = turn.apply({box.center.x, box.center.y});
+  return {turn.a, turn.b, size.width / 2 - centre.x, size.height / 2 - centre.y};
+}
+
+/// Poses of what was found for a canvas as large as it.
+void stand_upright(PuzzleSolution& solution, const std::vector<std::vector<Vec2>>& polygons, SolvedPuzzle& solved) {
+  std::vector<cv::Point2f> points;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (!solution.poses[i]) continue;
+    for (const Vec2 p : polygons[i]) {
+      const Vec2 q = solution.poses[i]->apply(p);
+      points.emplace_back(q.x, q.y);
+    }
+  }
+  cv::Size2f size;
+  const Similarity turned = upright(points, size);
+  for (auto& pose : solution.poses) {
+    if (pose) pose = followed_by(*pose, turned);
+  }
+  solved.width_px = int(std::ceil(size.width * solved.scale));
+  solved.height_px = int(std::ceil(size.height * solved.scale));
+}
+
+std::vector<LaidPuzzlePiece> laid_pieces(const std::vector<Shape>& shapes,
+                                         const std::vector<std::vector<Vec2>>& polygons, const PuzzleSolution& solution,
+                                         double scale) {
+  std::vector<LaidPuzzlePiece> laid;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (!solution.poses[i]) continue;
+    const Similarity canvas_from_piece = scaled(*solution.poses[i], float(scale));
+    std::vector<Vec2> outline;
+    for (const Vec2 p : polygons[i]) outline.push_back(canvas_from_piece.apply(p));
+    const float size = shapes[i].drawn_scale_px;
+    laid.push_back(
+        {shapes[i].name,
+         {canvas_from_piece.a * size, canvas_from_piece.b * size, canvas_from_piece.tx, canvas_from_piece.ty},
+         std::move(outline)});
+  }
+  return laid;
+}
+
+PuzzleAgreement agreement_with(const std::string& truth, const std::vector<Shape>& shapes,
+                               const std::vector<LaidPuzzlePiece>& laid) {
+  std::map<std::string, Similarity> found, right;
+  for (const LaidPuzzlePiece& piece : laid) found[piece.shape] = piece.canvas_from_shape;
+  for (const PlacedPiece& piece : read_placed_pieces(truth)) right[piece.shape] = piece.canvas_from_shape;
+  const auto of = [](const std::map<std::string, Similarity>& poses, const std::string& name) {
+    const auto at = poses.find(name);
+    return at == poses.end() ? std::nullopt : std::optional<Similarity>(at->second);
+  };
+  std::vector<std::optional<Similarity>> found_of, right_of;
+  for (const Shape& shape : shapes) {
+    found_of.push_back(of(found, shape.name));
+    right_of.push_back(of(right, shape.name));
+  }
+  return agreement(found_of, right_of);
+}
+
+std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) {
+  const fs::path folder = fs::absolute(request.job).lexically_normal().parent_path();
+  const std::string library = fs::absolute(request.library).lexically_normal().lexically_relative(folder).string();
+  return std::string(kJobMark) + ": " + std::to_string(solved.placed) + " of " + std::to_string(solved.pieces) +
+         " pieces.\n"
+         "# Every key of a job: docs/job-format.md\n"
+         "\n"
+         "[library]\n"
+         "file = " +
+         toml_text(library) +
+         "\n"
+         "\n"
+         "[canvas]\n"
+         "size_px = [" +
+         std::to_string(solved.width_px) + ", " + std::to_string(solved.height_px) +
+         "]\n"
+         "\n"
+         "[start]\n"
+         "# Where they lie.\n"
+         "pieces = " +
+         toml_text(fs::path(solution_path(request.job)).filename().string()) +
+         "\n"
+         "\n"
+         "[stop]\n"
+         "# No others.\n"
+         "pieces = " +
+         std::to_string(solved.placed) +
+         "\n"
+         "\n"
+         "[improve]\n"
+         "trials = 0\n";
+}
+
+void write(const SolvingRequest& request, const std::string& path, const std::string& text) {
+  if (fs::exists(path)) {
+    const std::vector<std::uint8_t> there = read_regular_file(path, kMostOwnBytes);
+    if (std::equal(there.begin(), there.end(), text.begin(), text.end())) return;
+    if (!request.replace)
+      throw InputError(path + ": is there already, with another content; --replace writes it anew, --job gives it " +
+                       "another name");
+  }
+  write_file_atomically(path, text);
+}
+
+}  // namespace
+
+std::string solution_path(const std::string& job) {
+  const fs::path path(job);
+  return (path.parent_path() / (path.stem().string() + "_pieces.geojson")).string();
+}
+
+SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
+  const std::vector<Shape> shapes = shapes_of(request);
+  const std::vector<std::vector<Vec2>> polygons = polygons_of(shapes);
+  SolvedPuzzle solved;
+  solved.pieces = shapes.size();
+  PuzzleInput input{.pieces = polygons, .frame = {}};
+  if (request.scale) solved.scale = *request.scale;
+  if (request.frame_px) {
+    solved.width_px = request.frame_px->at(0);
+    solved.height_px = request.frame_px->at(1);
+    if (!request.scale) solved.scale = std::sqrt(double(solved.width_px) * solved.height_px / area_of(polygons));
+    input.frame = rectangle(float(solved.width_px / solved.scale), float(solved.height_px / solved.scale));
+  }
+  PuzzleSolution solution = solve_puzzle(input);
+  if (solution.placed < 2) throw InputError(request.library + ": found no two pieces that fit beside each other");
+  if (!solution.in_frame) stand_upright(solution, polygons, solved);
+  const std::vector<LaidPuzzlePiece> laid = laid_pieces(shapes, polygons, solution, solved.scale);
+  solved.placed = laid.size();
+  solved.in_frame = solution.in_frame;
+  solved.gaps = solution.gaps;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (!solution.poses[i]) solved.left_over.push_back(shapes[i].name);
+  }
+  for (const LaidPuzzlePiece& piece : laid) solved.covered += signed_area(piece.outline_px);
+  solved.covered /= double(solved.width_px) * solved.height_px;
+  if (!request.truth.empty()) solved.agreement = agreement_with(request.truth, shapes, laid);
+  write(request, solution_path(request.job), puzzle_geojson(laid));
+  write(request, request.job, job_text(request, solved));
+  return solved;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,45 @@
+// From a library of puzzle pieces to where they lie, and to the job of a collage that shows them so.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/puzzle/puzzle_truth.h"
+
+namespace tessera::io {
+
+struct SolvingRequest {
+  std::string library;
+  std::optional<std::vector<int>> frame_px;  // width and height; none: as large as the pieces that were laid
+  std::optional<double> scale;  // px of the canvas for one px of the pieces; none: they fill the frame, or 1
+  std::string truth;            // folder with a pieces.geojson; empty: none
+  std::string job;              // the file to write
+  bool replace = false;         // another puzzle's files of these names
+};
+
+struct SolvedPuzzle {
+  int width_px = 0;
+  int height_px = 0;
+  double scale = 1;
+  std::size_t pieces = 0;
+  std::size_t placed = 0;
+  std::vector<std::string> left_over;  // names
+  bool in_frame = false;
+  double gaps = 0;                           // PuzzleSolution::gaps
+  double covered = 0;                        // area of the placed pieces, parts of the canvas
+  std::optional<PuzzleAgreement> agreement;  // with the truth, if there is one
+};
+
+inline constexpr std::size_t kMostSolvedPieces = 2'000;
+
+/// The file beside the job that says where the pieces lie.
+std::string solution_path(const std::string& job);
+
+/// Solves the puzzle and writes the job and the solution, each whole or not at all. Throws InputError where the library is
+/// of no use (too many pieces, holes, no known sizes), where none of its pieces fit each other, or where files of another
+/// kind are there; EnvironmentError.
+SolvedPuzzle write_solved_puzzle(const SolvingRequest& request);
+
+}  // namespace tessera::io
