@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <numeric>
 
 #include "core/geometry/polygon.h"
 #include "core/puzzle/piece_matches.h"
@@ -28,8 +28,10 @@ constexpr int kMostFollowed = 2'000;
 constexpr double kGapsAgainst = 10;
 /// Part of the boundaries beside narrow gaps up to which pieces count as fitting.
 constexpr double kMostGaps = 0.02;
-/// What a place must be worth, in sides of a piece: so much agrees by chance.
+/// What a place must be worth, in sides of a piece: so much agrees by chance. Or, for small pieces, in parts of what the
+/// place would be worth where all of the boundary touched.
 constexpr float kLeastWorth = 0.3f;
+constexpr float kLeastPart = 0.5f;
 /// Part of a piece's boundary, as it counts, that touches others in the end.
 constexpr float kLeastTouching = 0.2f;
 /// Steps in which a piece comes to rest when it is laid, and rounds in which all do in the end.
@@ -55,6 +57,7 @@ struct Arrangement {
   std::vector<bool> used;
   std::vector<Place> places;
   double worth = 0;
+  bool frame_is_open = false;  // pieces are looked for along the frame, too
 };
 
 class Solver {
@@ -261,6 +264,13 @@ class Solver {
                   kOfSides[std::min<std::size_t>(std::size_t(place.whole_sides), kOfSides.size() - 1)];
   }
 
+  bool is_worth_laying(const Place& place) const {
+    const PuzzlePiece& piece = pieces_[std::size_t(place.piece)];
+    const float all =
+        std::accumulate(piece.weights.begin(), piece.weights.end(), 0.f) * piece.point_length / scale_.piece;
+    return place.worth >= std::min(kLeastWorth, kLeastPart * all);
+  }
+
   bool same_place(const Place& a, const Place& b) const {
     if (a.piece != b.piece) return false;
     const Vec2 centre = pieces_[std::size_t(a.piece)].centre;
@@ -319,6 +329,13 @@ class Solver {
     }
   }
 
+  /// In the frame's corners a piece may lie that no neighbour's side leads to.
+  Arrangement with_open_frame(Arrangement one) const {
+    one.frame_is_open = true;
+    add_places_beside(one.laid.front(), one);
+    return one;
+  }
+
   /// The place that leads most over its rivals, and with it the best of those.
   void branch(const Arrangement& one, bool with_rivals, std::vector<Arrangement>& next) const {
     std::vector<float> rival(one.places.size(), 0);
@@ -332,10 +349,14 @@ class Solver {
     std::size_t surest = 0;
     const auto lead = [&](std::size_t i) { return one.places[i].worth - rival[i]; };
     for (std::size_t i = 1; i < one.places.size(); ++i) {
-      const bool counts = one.places[i].worth >= kLeastWorth, did = one.places[surest].worth >= kLeastWorth;
+      const bool counts = is_worth_laying(one.places[i]), did = is_worth_laying(one.places[surest]);
       if (counts != did ? counts : lead(i) > lead(surest)) surest = i;
     }
-    if (one.places.empty() || one.places[surest].worth < kLeastWorth) return;
+    if (one.places.empty() || !is_worth_laying(one.places[surest])) {
+      if (frame_ >= 0 && !one.frame_is_open && one.laid.front().piece == frame_)
+        branch(with_open_frame(one), with_rivals, next);
+      return;
+    }
     std::vector<std::size_t> options;
     for (std::size_t i = 0; with_rivals && i < one.places.size(); ++i) {
       if (i != surest && rivals(one.places[i], one.places[surest]) &&
