@@ -9,6 +9,7 @@
 #include "cli/collage_options.h"
 #include "cli/commands.h"
 #include "core/base/error.h"
+#include "core/puzzle/puzzle_solver.h"
 #include "io/puzzle/puzzle_making.h"
 #include "io/puzzle/puzzle_solving.h"
 #include "io/utf8_text.h"
@@ -19,7 +20,7 @@ namespace {
 constexpr const char* kExamples =
     "Examples:\n"
     "  tessera puzzle make photo.jpg --pieces 36 --out jigsaw      jigsaw/pieces/piece_001.png ..., jigsaw/truth\n"
-    "  tessera library build jigsaw/pieces -o jigsaw.h5\n"
+    "  tessera library build jigsaw/pieces -o jigsaw.h5 --keep-rectangles\n"
     "  tessera puzzle solve jigsaw.h5 --size 1200,900              out/jigsaw: where they belong";
 
 constexpr const char* kMakeExamples =
@@ -50,6 +51,8 @@ int make(MakeArguments arguments) {
   io::PuzzleRequest& request = arguments.request;
   request.style = arguments.cut == "tabs" ? CutStyle::tabs : CutStyle::polygons;
   if (request.folder.empty()) request.folder = std::filesystem::path(request.picture).stem().string() + "_puzzle";
+  if (!std::filesystem::path(request.folder).has_filename())  // a slash at its end
+    request.folder = std::filesystem::path(request.folder).parent_path().string();
   io::Drawers drawers(io::photo_drawer_settings(1));
   const io::MadePuzzle made = io::make_puzzle(request, drawers);
   const std::string folder = io::printable_utf8(request.folder);
@@ -75,10 +78,13 @@ std::string listed(const std::vector<std::string>& names) {
 
 /// What is not as it should be, beside pieces that are left over.
 std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
-  constexpr double kMostGaps = 0.02, kLeastCovered = 0.99;
-  if (solved.gaps > kMostGaps) return "there are narrow gaps between pieces: not all of them belong where they lie";
+  constexpr double kLeastCovered = 0.99;
+  if (solved.gaps > kMostPuzzleGaps)
+    return "there are narrow gaps between pieces: not all of them belong where they lie";
   if (arguments.request.frame_px && !solved.in_frame)
-    return "what was laid does not lie in the frame, the canvas is as large as it";
+    return "what was laid does not lie in the frame, the canvas is as large as it; where pieces are missing or "
+           "foreign, --scale says "
+           "how large the others are";
   if (solved.left_over.empty() && solved.in_frame && solved.covered < kLeastCovered)
     return "the frame is not full: pieces are missing";
   return "";

@@ -66,6 +66,19 @@ run 2 puzzle solve jigsaw.h5 --size 640,480 --job loose.toml --job-only
 expect_word 'is there already, with another content; --replace'
 run 0 puzzle solve jigsaw.h5 --size 640,480 --scale 1 --job loose.toml --job-only --replace
 grep -q '^size_px = \[640, 480\]' loose.toml || fail "not replaced"
+echo 'seed = 1' >mine.toml
+run 2 puzzle solve jigsaw.h5 --job mine.toml --job-only --replace
+expect_word 'mine.toml: is there and is not of tessera puzzle solve; give another name with --job'
+[[ $(cat mine.toml) == 'seed = 1' && ! -e mine_pieces.geojson ]] || fail "a foreign file was replaced"
+run 2 puzzle solve jigsaw.h5 --job jigsaw.h5 --job-only --replace
+expect_word 'jigsaw.h5: is there and is not of tessera puzzle solve'
+run 2 puzzle solve jigsaw.h5 --size 20000,20000 --scale 0.01 --job huge.toml --job-only
+expect_word 'times the area of all pieces, allowed: 100 times or less'
+run 2 puzzle solve jigsaw.h5 --scale 100 --job huge.toml --job-only
+expect_word 'allowed: from 16 to 20000 px (--scale K)'
+run 2 puzzle solve jigsaw.h5 --truth nowhere --job huge.toml --job-only
+expect_word 'nowhere'
+[[ ! -e huge.toml && ! -e huge_pieces.geojson ]] || fail "left something behind"
 echo "ok without a frame"
 
 rm jigsaw/pieces/piece_005.png
@@ -73,6 +86,9 @@ run 0 library build jigsaw/pieces -o gap.h5 --keep-rectangles
 run 0 puzzle solve gap.h5 --size 640,480 --scale 1 --truth jigsaw/truth --job-only
 expect_word 'the frame is not full: pieces are missing'
 grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "the others are not where they belong"
+run 0 puzzle solve gap.h5 --size 640,480 --truth jigsaw/truth --job unknown.toml --job-only
+expect_word 'does not lie in the frame, the canvas is as large as it; where pieces are missing or foreign, --scale'
+grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "a frame of another size spoils what fits"
 cp other/pieces/piece_001.png jigsaw/pieces/stranger.png
 run 0 library build jigsaw/pieces -o stranger.h5 --keep-rectangles
 run 0 puzzle solve stranger.h5 --size 640,480 --scale 1 --truth jigsaw/truth --job-only

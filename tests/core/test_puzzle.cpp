@@ -95,6 +95,27 @@ TEST(PuzzleCut, NoTwoTabsAreAlike) {
   EXPECT_EQ(std::adjacent_find(areas.begin(), areas.end()), areas.end());
 }
 
+/// Wherever the grid ends up with long or narrow pieces.
+TEST(PuzzleCut, TabsNeitherMeetNorLeaveTheFrame) {
+  for (int pieces = 2; pieces <= 20; ++pieces) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const std::vector<Polygon> cut = cut_puzzle(request_of(pieces, CutStyle::tabs, seed));
+      for (int y = 20; y < kHeight_px; y += 23) {
+        for (int x = 20; x < kWidth_px; x += 23) {
+          const auto holds = [&](const Polygon& piece) { return contains(piece, {float(x) + 0.3f, float(y) + 0.7f}); };
+          ASSERT_EQ(std::count_if(cut.begin(), cut.end(), holds), 1) << pieces << " pieces, seed " << seed;
+        }
+      }
+      for (const Polygon& piece : cut) {
+        const Box box = bounding_box(piece);
+        ASSERT_TRUE(box.low.x > -0.01f && box.low.y > -0.01f && box.high.x < kWidth_px + 0.01f &&
+                    box.high.y < kHeight_px + 0.01f)
+            << pieces << " pieces, seed " << seed;
+      }
+    }
+  }
+}
+
 class Puzzles : public testing::TestWithParam<int> {};
 
 TEST_P(Puzzles, TabsAreLaidAsTheyWereCut) {
@@ -167,6 +188,41 @@ TEST(Puzzle, FewOrShapelessPiecesAreNoError) {
     disc.push_back({40 * std::cos(0.0981748f * float(k)), 40 * std::sin(0.0981748f * float(k))});
   const PuzzleSolution solution = solve_puzzle({.pieces = {disc, disc, disc}, .frame = frame()});
   EXPECT_LE(solution.placed, 1) << "no corners, nothing to go by";
+}
+
+/// A corner's profiles are shorter than what others are compared by.
+TEST(Puzzle, ASpeckIsNoError) {
+  PuzzleInput input = shuffled(cut_puzzle(request_of(12, CutStyle::tabs, 1))).input;
+  Polygon drop = {{0, 30}};
+  for (int k = 0; k <= 20; ++k) {
+    const float angle = -0.6f + 0.2f * float(k);
+    drop.push_back({8 * std::cos(angle + 3.7f), 8 * std::sin(angle + 3.7f)});
+  }
+  if (signed_area(drop) < 0) std::reverse(drop.begin(), drop.end());
+  input.pieces.push_back(drop);
+  input.pieces.push_back({{0, 0}, {5, 0}, {5, 5}, {0, 5}});
+  EXPECT_GE(solve_puzzle(input).placed, 12);
+}
+
+/// Two large ones match longest of all, and nothing else fits them.
+TEST(Puzzle, StrangersThatFitEachOtherDoNotWin) {
+  Shuffled puzzle = shuffled(cut_puzzle(request_of(20, CutStyle::tabs, 1)));
+  for (const float x : {0.f, 5000.f}) {
+    puzzle.input.pieces.push_back(resampled_closed({{x, 0}, {x + 1500, 0}, {x + 1400, 300}, {x + 170, 210}}, 512));
+  }
+  const PuzzleSolution solution = solve_puzzle(puzzle.input);
+  puzzle.truth.resize(22);
+  EXPECT_EQ(right(solution, puzzle), 20);
+}
+
+/// The frame follows from the areas, and is too small for pieces of which one is missing.
+TEST(Puzzle, AFrameOfAnotherSizeDoesNotSpoilWhatFits) {
+  Shuffled puzzle = shuffled(cut_puzzle(request_of(12, CutStyle::tabs, 3)));
+  puzzle.input.frame = frame();
+  for (Vec2& p : puzzle.input.frame) p = p * 0.957f;
+  const PuzzleSolution solution = solve_puzzle(puzzle.input);
+  EXPECT_FALSE(solution.in_frame);
+  EXPECT_EQ(right(solution, puzzle), 12);
 }
 
 TEST(Agreement, DoesNotAskWhereThePuzzleLies) {

@@ -115,7 +115,8 @@ std::vector<std::vector<PieceMatch>> piece_matches(const std::vector<PuzzlePiece
       for (std::size_t j = 0; j < pieces.size(); ++j) {
         if (j == i) continue;
         for (const PuzzleCorner& there : pieces[j].corners) {
-          const int first = int(std::min({kFirstSteps, here.side_ahead, there.side_back}));
+          const std::size_t last = std::min(here.ahead.size(), there.back.size()) - 1;  // of a speck that is near
+          const int first = std::min(int(std::min({kFirstSteps, here.side_ahead, there.side_back})), int(last));
           if (first < kLeastSteps || !chords_agree(here.ahead, there.back, first, 1.5f * scale.tolerance)) continue;
           const Run run = run_alike(here.ahead, there.back, first, scale.tolerance);
           const bool whole_side = pieces[i].area > 0 && pieces[j].area > 0

@@ -33,8 +33,8 @@ bool overlap(const PosedPiece& a, const PosedPiece& b, const PuzzleScale& scale)
 void see_neighbour(const PosedPiece& piece, const PosedPiece& neighbour, const PuzzleScale& scale,
                    std::vector<Beside>& beside);
 
-/// The pose near by in which the boundary lies best along those of the neighbours: least squares of the distances, steps of
-/// Gauss and Newton. Along straight lines it stays.
+/// The pose near by in which the boundary lies best along those of the neighbours: least squares of the distances,
+/// steps of Gauss and Newton. Along straight lines it stays.
 Similarity settled(PosedPiece piece, const std::vector<PosedPiece>& neighbours, const PuzzleScale& scale, int steps);
 
 }  // namespace tessera

@@ -53,8 +53,8 @@ Vec2 bezier(const std::array<Vec2, 4>& p, float t) {
   return p[0] * (s * s * s) + p[1] * (3 * s * s * t) + p[2] * (3 * s * t * t) + p[3] * (t * t * t);
 }
 
-/// A side from (0, 0) to (1, 0) with a tab towards positive y, both ends included. Neck, head and shoulders vary, so that no
-/// two sides are alike.
+/// A side from (0, 0) to (1, 0) with a tab towards positive y, both ends included. Neck, head and shoulders vary, so
+/// that no two sides are alike.
 Curve unit_side(const NamedDraws& draws, std::uint64_t side) {
   constexpr int kSteps = 24;  // of each of its three curves
   const float head = draws.between(0.085f, 0.115f, side, 0);
@@ -109,7 +109,11 @@ class TabbedGrid {
     if (on_frame) return {from};
     const std::uint64_t name = (std::uint64_t(j) * 100'003 + std::uint64_t(i)) * 2 + (down ? 1 : 0);
     const float towards = draws_.between(0, 1, name, 32) < 0.5f ? -1.f : 1.f;
-    const Vec2 along = to - from, across = Vec2{-along.y, along.x} * towards;
+    const Vec2 along = to - from;
+    // Tabs of the long sides of narrow pieces would meet.
+    const float breadth =
+        down ? float(request_.width_px) / float(grid_.columns) : float(request_.height_px) / float(grid_.rows);
+    const Vec2 across = Vec2{-along.y, along.x} * (towards * std::min(1.f, breadth / norm(along)));
     Curve points;
     for (const Vec2 p : unit_side(draws_, name)) points.push_back(from + along * p.x + across * p.y);
     points.pop_back();

@@ -20,9 +20,9 @@ struct CutRequest {
   std::uint64_t seed = 1;
 };
 
-/// Polygons in the frame's coordinates, px, y down, each with its interior on the left (positive shoelace area). Together
-/// they cover the frame once. Of tabs there may be a few more or fewer than wished: rows times columns of about square
-/// pieces. The same request gives the same pieces.
+/// Polygons in the frame's coordinates, px, y down, each with its interior on the left (positive shoelace area).
+/// Together they cover the frame once. Of tabs there may be a few more or fewer than wished: rows times columns of
+/// about square pieces. The same request gives the same pieces.
 std::vector<std::vector<Vec2>> cut_puzzle(const CutRequest& request);
 
 }  // namespace tessera

@@ -14,6 +14,10 @@ constexpr int kCornerReach = 3;
 constexpr float kStraightest = 0.89f;
 /// Profiles end where so much of the boundary is behind them.
 constexpr float kLongestProfile = 0.6f;
+/// Or after so many steps, eight pieces long.
+constexpr int kMostSteps = 512;
+/// Of a piece, the sharpest; drawings that are no puzzle may have any number.
+constexpr std::size_t kMostCorners = 64;
 
 std::vector<Vec2> directions_of(const std::vector<Vec2>& points) {
   const std::size_t n = points.size();
@@ -44,6 +48,12 @@ std::vector<std::size_t> corner_points(const std::vector<Vec2>& points) {
     for (std::size_t d = 1; d <= kCornerReach && sharpest; ++d)
       sharpest = straight[k] < straight[(k + d) % n] && straight[k] <= straight[(k + n - d) % n];
     if (sharpest) corners.push_back(k);
+  }
+  if (corners.size() > kMostCorners) {
+    std::stable_sort(corners.begin(), corners.end(),
+                     [&](std::size_t a, std::size_t b) { return straight[a] < straight[b]; });
+    corners.resize(kMostCorners);
+    std::sort(corners.begin(), corners.end());
   }
   return corners;
 }
@@ -131,7 +141,7 @@ PuzzlePiece puzzle_piece(const std::vector<Vec2>& polygon, const PuzzleScale& sc
 
   std::vector<float> at;
   for (const std::size_t k : corner_points(piece.points)) at.push_back(exact_corner(piece.points, k));
-  const int longest = int(kLongestProfile * float(count));
+  const int longest = std::min(kMostSteps, int(kLongestProfile * float(count)));
   for (std::size_t i = 0; i < at.size(); ++i) {
     PuzzleCorner corner;
     for (int k = 0; k <= longest; ++k) {

@@ -20,8 +20,8 @@ struct PuzzleScale {
   static PuzzleScale of(std::vector<double> areas);
 };
 
-/// Where the boundary turns sharply, and how it goes on from there, PuzzleScale::step apart: `ahead` with the interior on
-/// its left, `back` with the interior on its right. Both begin with the corner itself.
+/// Where the boundary turns sharply, and how it goes on from there, PuzzleScale::step apart: `ahead` with the
+/// interior on its left, `back` with the interior on its right. Both begin with the corner itself.
 struct PuzzleCorner {
   std::vector<Vec2> ahead;
   std::vector<Vec2> back;
@@ -42,8 +42,8 @@ struct PuzzlePiece {
   Vec2 deepest = {};  // about the point that is farthest from the boundary
 };
 
-/// `polygon`: interior on its left. A frame, which is to be filled, is what lies round it: its polygon runs the other way,
-/// and its area is negative.
+/// `polygon`: interior on its left. A frame, which is to be filled, is what lies round it: its polygon runs the other
+/// way, and its area is negative.
 PuzzlePiece puzzle_piece(const std::vector<Vec2>& polygon, const PuzzleScale& scale);
 
 }  // namespace tessera

@@ -17,19 +17,19 @@ namespace {
 constexpr float kGapCost = 1;
 /// Of what is laid in one place: the best and so many others.
 constexpr std::size_t kMostBranches = 4;
-/// A place's contact is worth so much, by the neighbours with which it shares a side from corner to corner: one comes about by
-/// chance, two hardly.
+/// A place's contact is worth so much, by the neighbours with which it shares a side from corner to corner: one comes
+/// about by chance, two hardly.
 constexpr std::array<float, 4> kOfSides = {0.5f, 1, 2, 3};
+/// Beginnings without a frame, where most of the pieces do not go together.
+constexpr int kMostIslands = 4;
 /// Pieces that may lie in a corner of the frame.
 constexpr std::size_t kMostBeginnings = 16;
-/// Arrangements times pieces.
+/// Arrangements times pieces: more than 250 pieces are laid by greed alone.
 constexpr int kMostFollowed = 2'000;
 /// Coherence is nothing where a tenth of the boundaries is beside narrow gaps.
 constexpr double kGapsAgainst = 10;
-/// Part of the boundaries beside narrow gaps up to which pieces count as fitting.
-constexpr double kMostGaps = 0.02;
-/// What a place must be worth, in sides of a piece: so much agrees by chance. Or, for small pieces, in parts of what the
-/// place would be worth where all of the boundary touched.
+/// What a place must be worth, in sides of a piece: so much agrees by chance. Or, for small pieces, in parts of what
+/// the place would be worth where all of the boundary touched.
 constexpr float kLeastWorth = 0.3f;
 constexpr float kLeastPart = 0.5f;
 /// Part of a piece's boundary, as it counts, that touches others in the end.
@@ -75,10 +75,12 @@ class Solver {
   /// Pieces among themselves first: what fits a frame's straight edges is found by chance. What pieces alone do not
   /// decide, a frame may.
   PuzzleSolution solve() {
-    Arrangement best = solved({beginning(longest_match())});
+    Arrangement best = solved_alone();
     if (frame_ >= 0 && !(whole(best) && fit_into_frame(best))) {
       const std::vector<Arrangement> starts = beginnings_in_frame();
-      if (!starts.empty()) best = solved(starts);
+      if (starts.empty()) return solution_of(best);
+      Arrangement framed = solved(starts);
+      if (placed(framed) >= placed(best)) best = std::move(framed);  // else the frame is of another size
     }
     return solution_of(best);
   }
@@ -97,13 +99,26 @@ class Solver {
 
   PosedPiece posed(int piece, const Similarity& pose) const { return {&pieces_[std::size_t(piece)], pose}; }
 
-  /// The piece with the longest match but for the frame.
-  int longest_match() const {
+  /// Without the frame. What matches longest may be strangers that fit each other alone: then what is left over is
+  /// tried.
+  Arrangement solved_alone() const {
+    Arrangement best = solved({beginning(longest_match(std::vector<bool>(pieces_.size())))});
+    std::vector<bool> tried = best.used;
+    for (int k = 1; k < kMostIslands && 2 * placed(best) < pieces_count(); ++k) {
+      Arrangement other = solved({beginning(longest_match(tried))});
+      for (std::size_t i = 0; i < tried.size(); ++i) tried[i] = tried[i] || other.used[i];
+      if (coherence(other) > coherence(best)) best = std::move(other);
+    }
+    return best;
+  }
+
+  /// The piece with the longest match but for the frame, of those that were not tried.
+  int longest_match(const std::vector<bool>& tried) const {
     int longest = 0;
     float length = -1;
     for (std::size_t i = 0; i < pieces_count(); ++i) {
       for (const PieceMatch& match : matches_[i]) {
-        if (match.piece == frame_ || match.length <= length) continue;
+        if (match.piece == frame_ || tried[i] || match.length <= length) continue;
         length = match.length;
         longest = int(i);
       }
@@ -205,14 +220,18 @@ class Solver {
 
   /// What hardly touches the others does not belong to them: a straight side agrees with any other.
   void drop_loose(Arrangement& in) const {
-    for (std::size_t i = in.laid.size() - 1; i > 0; --i) {
-      if (touching(in.laid[i], in) >= kLeastTouching) continue;
-      in.used[std::size_t(in.laid[i].piece)] = false;
-      in.laid.erase(in.laid.begin() + std::ptrdiff_t(i));
+    for (bool dropped = true; dropped;) {
+      dropped = false;
+      for (std::size_t i = in.laid.size() - 1; i > 0; --i) {
+        if (touching(in.laid[i], in) >= kLeastTouching) continue;
+        in.used[std::size_t(in.laid[i].piece)] = false;
+        in.laid.erase(in.laid.begin() + std::ptrdiff_t(i));
+        dropped = true;
+      }
     }
   }
 
-  bool whole(const Arrangement& in) const { return placed(in) == pieces_count() && gaps(in) <= kMostGaps; }
+  bool whole(const Arrangement& in) const { return placed(in) == pieces_count() && gaps(in) <= kMostPuzzleGaps; }
 
   /// How much pieces have in common; what is beside narrow gaps counts against it more than what touches counts for it.
   double coherence(const Arrangement& in) const {
@@ -233,6 +252,11 @@ class Solver {
       moved.used = in.used;
       moved.laid.push_back({frame_, {}});
       for (const Laid& laid : in.laid) moved.laid.push_back({laid.piece, followed_by(laid.pose, frame_from_puzzle)});
+      const bool in_it = std::all_of(moved.laid.begin() + 1, moved.laid.end(), [&](const Laid& laid) {
+        const Vec2 centre = laid.pose.apply(pieces_[std::size_t(laid.piece)].centre);
+        return pieces_[std::size_t(frame_)].outline.contains(centre);
+      });
+      if (!in_it) continue;
       come_to_rest(moved);
       const bool inside = std::none_of(moved.laid.begin() + 1, moved.laid.end(), [&](const Laid& laid) {
         return overlap(posed(laid.piece, laid.pose), posed(frame_, {}), scale_);
@@ -373,7 +397,7 @@ class Solver {
     }
   }
 
-  /// The same pieces in the same places, whatever their order.
+  /// The same pieces, laid equally well: as a rule in the same places, whatever their order.
   bool same(const Arrangement& a, const Arrangement& b) const {
     return a.used == b.used && std::abs(a.worth - b.worth) < 1e-3;
   }

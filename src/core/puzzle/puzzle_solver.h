@@ -1,5 +1,5 @@
-// Lays the pieces of a puzzle beside each other, each once, as they were cut. Paper, section 5 ("Puzzle Solving"), whose
-// greedy choice ends in local optima where pieces are not unique; here what is surest comes first, and several
+// Lays the pieces of a puzzle beside each other, each once, as they were cut. Paper, section 5 ("Puzzle Solving"),
+// whose greedy choice ends in local optima where pieces are not unique; here what is surest comes first, and several
 // arrangements are followed at a time.
 #pragma once
 
@@ -12,9 +12,12 @@
 namespace tessera {
 
 struct PuzzleInput {
-  std::vector<std::vector<Vec2>> pieces;  // polygons in one unit, interior on the left
+  std::vector<std::vector<Vec2>> pieces;  // polygons in one unit, interior on the left, of some area
   std::vector<Vec2> frame;                // the same, in that unit; empty: none
 };
+
+/// Part of all boundaries beside narrow gaps up to which pieces count as fitting.
+inline constexpr double kMostPuzzleGaps = 0.02;
 
 struct PuzzleSolution {
   std::vector<std::optional<Similarity>> poses;  // puzzle_from_piece, of each piece; nothing: no place was found

@@ -18,8 +18,9 @@ inline constexpr float kRightShift_px = 2;
 inline constexpr float kRightTurn_rad = 0.017453293f;  // 1 degree
 inline constexpr float kRightScale = 0.01f;            // part of the scale
 
-/// A puzzle may be laid anywhere, turned and at any scale: the solution is moved as a whole so that one piece lies where it
-/// lay, that one by which most are right. px: those of `truth`. Of pieces without a pose in either nothing is said.
+/// A puzzle may be laid anywhere, turned and at any scale: the solution is moved as a whole so that one piece lies
+/// where it lay, that one by which most are right. px: those of `truth`. Of pieces without a pose in either nothing
+/// is said.
 PuzzleAgreement agreement(const std::vector<std::optional<Similarity>>& found,
                           const std::vector<std::optional<Similarity>>& truth);
 

@@ -21,9 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kRim_px = 3;        // transparent, round each piece
-constexpr int kSubpixels = 8;     // each way, of an edge's coverage
-constexpr int kSubpixelBits = 8;  // of cv::fillPoly's coordinates
+constexpr int kLargestSide_px = 20'000;  // a turned piece is larger, and OpenCV warps up to 32,767
+constexpr int kRim_px = 3;               // transparent, round each piece
+constexpr int kSubpixels = 8;            // each way, of an edge's coverage
+constexpr int kSubpixelBits = 8;         // of cv::fillPoly's coordinates
 
 void check(const PuzzleRequest& request) {
   if (request.pieces < kFewestPuzzlePieces || request.pieces > kMostPuzzlePieces) {
@@ -36,6 +37,10 @@ void check(const PuzzleRequest& request) {
 }
 
 void check_size(const PuzzleRequest& request, const cv::Size& size) {
+  if (std::max(size.width, size.height) > kLargestSide_px) {
+    throw InputError(request.picture + ": found " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                     " px, allowed: " + std::to_string(kLargestSide_px) + " px a side or less");
+  }
   const double piece_px = std::sqrt(double(size.width) * size.height / request.pieces);
   if (piece_px >= kSmallestPuzzlePiece_px) return;
   throw InputError(request.picture + ": found " + std::to_string(size.width) + " x " + std::to_string(size.height) +
@@ -65,19 +70,23 @@ std::string name_of(std::size_t place) {
   return name;
 }
 
-/// Part of each pixel that lies in the polygon, 0 to 255.
+/// Part of each pixel that lies in the polygon, 0 to 255. By bands of rows, as subpixels take memory.
 cv::Mat coverage(const std::vector<Vec2>& polygon, const cv::Size& size) {
-  cv::Mat fine = cv::Mat::zeros(size * kSubpixels, CV_8UC1);
-  std::vector<cv::Point> points;
-  for (const Vec2 p : polygon) {
-    const auto fixed = [](float x) {  // a pixel's centre has whole numbers there
-      return int(std::lround((double(x) * kSubpixels - 0.5) * (1 << kSubpixelBits)));
-    };
-    points.emplace_back(fixed(p.x), fixed(p.y));
+  constexpr int kBand_px = 64;
+  cv::Mat mask(size, CV_8UC1);
+  for (int y = 0; y < size.height; y += kBand_px) {
+    const cv::Size band(size.width, std::min(kBand_px, size.height - y));
+    cv::Mat fine = cv::Mat::zeros(band * kSubpixels, CV_8UC1);
+    std::vector<cv::Point> points;
+    for (const Vec2 p : polygon) {
+      const auto fixed = [](double x) {  // a pixel's centre has whole numbers there
+        return int(std::lround((x * kSubpixels - 0.5) * (1 << kSubpixelBits)));
+      };
+      points.emplace_back(fixed(p.x), fixed(double(p.y) - y));
+    }
+    cv::fillPoly(fine, std::vector<std::vector<cv::Point>>{points}, cv::Scalar(255), cv::LINE_8, kSubpixelBits);
+    cv::resize(fine, mask.rowRange(y, y + band.height), band, 0, 0, cv::INTER_AREA);
   }
-  cv::fillPoly(fine, std::vector<std::vector<cv::Point>>{points}, cv::Scalar(255), cv::LINE_8, kSubpixelBits);
-  cv::Mat mask;
-  cv::resize(fine, mask, size, 0, 0, cv::INTER_AREA);
   return mask;
 }
 
@@ -116,7 +125,7 @@ MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers) {
   std::vector<LaidPuzzlePiece> truth;
   for (std::size_t place = 0; place < order.size(); ++place) {
     const std::vector<Vec2>& polygon = polygons[order[place]];
-    const double turn_rad = 2 * CV_PI * unit_draw(request.seed, place);
+    const double turn_rad = 2 * CV_PI * unit_draw(request.seed, 2'000'000 + place);
     write_file_atomically((folder / "pieces" / (name_of(place) + ".png")).string(),
                           png_of(cut_out(picture, polygon, turn_rad)));
     const AreaMoment moment = area_moment(polygon);

@@ -29,8 +29,8 @@ inline constexpr int kMostPuzzlePieces = 2'000;
 inline constexpr int kSmallestPuzzlePiece_px = 40;
 
 /// FOLDER/pieces/piece_001.png and so on, numbered in a random order, each turned by a random angle; and
-/// FOLDER/truth/pieces.geojson, which says where each lay, px of the picture. Throws InputError where the picture is of no
-/// use or too small for the pieces, and where the folder holds something; EnvironmentError.
+/// FOLDER/truth/pieces.geojson, which says where each lay, px of the picture. Throws InputError where the picture is
+/// of no use or too small for the pieces, and where the folder holds something; EnvironmentError.
 MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers);
 
 }  // namespace tessera::io

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/geometry/polygon.h"
@@ -13,9 +14,11 @@
 #include "io/atomic_file.h"
 #include "io/job/toml_text.h"
 #include "io/library/library_view.h"
+#include "io/number_text.h"
 #include "io/puzzle/puzzle_geojson.h"
 #include "io/regular_file.h"
 #include "io/result/placed_pieces.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
@@ -41,12 +44,29 @@ std::vector<Shape> shapes_of(const SolvingRequest& request) {
   return shapes;
 }
 
-/// px as they were drawn.
-std::vector<std::vector<Vec2>> polygons_of(const std::vector<Shape>& shapes) {
+/// px as they were drawn. Each has some area, and none is that of a whole other puzzle.
+std::vector<std::vector<Vec2>> polygons_of(const std::string& library, const std::vector<Shape>& shapes) {
+  constexpr double kMostTimes = 32;
   std::vector<std::vector<Vec2>> polygons;
+  std::vector<double> sizes;
   for (const Shape& shape : shapes) {
+    const auto refuse = [&](const std::string& what) {
+      throw InputError(library + ": \"" + printable_utf8(shape.name) + "\": found " + what);
+    };
+    if (shape.outline.curves.size() != 1) refuse("holes, allowed: pieces without");
     polygons.push_back(shape.outline.curves.front());
     for (Vec2& p : polygons.back()) p = p * shape.drawn_scale_px;
+    const double area = signed_area(polygons.back());
+    if (!(std::isfinite(area) && area > 0)) refuse("an outline that encloses nothing");
+    sizes.push_back(std::sqrt(area));
+  }
+  std::vector<double> sorted = sizes;
+  std::sort(sorted.begin(), sorted.end());
+  const double usual = sorted.empty() ? 0 : sorted[sorted.size() / 2];
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (sizes[i] <= usual * kMostTimes && sizes[i] >= usual / kMostTimes) continue;
+    throw InputError(library + ": \"" + printable_utf8(shapes[i].name) + "\": found a piece of " + fixed(sizes[i], 1) +
+                     " px where half are of " + fixed(usual, 1) + " px or more, allowed: 32 times larger or smaller");
   }
   return polygons;
 }
@@ -84,8 +104,9 @@ void stand_upright(PuzzleSolution& solution, const std::vector<std::vector<Vec2>
   for (auto& pose : solution.poses) {
     if (pose) pose = followed_by(*pose, turned);
   }
-  solved.width_px = int(std::ceil(size.width * solved.scale));
-  solved.height_px = int(std::ceil(size.height * solved.scale));
+  constexpr double kMost = 1e9;  // more is refused, too
+  solved.width_px = int(std::min(kMost, std::ceil(size.width * solved.scale)));
+  solved.height_px = int(std::min(kMost, std::ceil(size.height * solved.scale)));
 }
 
 std::vector<LaidPuzzlePiece> laid_pieces(const std::vector<Shape>& shapes,
@@ -156,15 +177,60 @@ std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) 
          "trials = 0\n";
 }
 
-void write(const SolvingRequest& request, const std::string& path, const std::string& text) {
-  if (fs::exists(path)) {
-    const std::vector<std::uint8_t> there = read_regular_file(path, kMostOwnBytes);
-    if (std::equal(there.begin(), there.end(), text.begin(), text.end())) return;
-    if (!request.replace)
-      throw InputError(path + ": is there already, with another content; --replace writes it anew, --job gives it " +
-                       "another name");
+struct Output {
+  std::string path;
+  std::string text;
+};
+
+bool holds(const std::string& path, const std::string& text) {
+  const std::vector<std::uint8_t> there = read_regular_file(path, kMostOwnBytes);
+  return std::equal(there.begin(), there.end(), text.begin(), text.end());
+}
+
+bool is_puzzle_job(const std::string& path) {
+  const std::string_view mark(kJobMark);
+  const std::vector<std::uint8_t> there = read_regular_file(path, kMostOwnBytes);
+  return there.size() >= mark.size() && std::equal(mark.begin(), mark.end(), there.begin());
+}
+
+/// Before time is spent. What is there may be anything; a solution is that of the job beside it.
+void check_may_be_written(const SolvingRequest& request) {
+  for (const std::string& path : {request.job, solution_path(request.job)}) {
+    if (!fs::exists(path)) continue;
+    std::error_code ignored;
+    const bool ours =
+        !fs::equivalent(path, request.library, ignored) && fs::exists(request.job) && is_puzzle_job(request.job);
+    if (!ours) throw InputError(path + ": is there and is not of tessera puzzle solve; give another name with --job");
   }
-  write_file_atomically(path, text);
+}
+
+/// All of them or none.
+void write(const SolvingRequest& request, const std::vector<Output>& outputs) {
+  for (const Output& output : outputs) {
+    if (request.replace || !fs::exists(output.path) || holds(output.path, output.text)) continue;
+    throw InputError(output.path + ": is there already, with another content; --replace writes it anew, --job gives " +
+                     "it another name");
+  }
+  for (const Output& output : outputs) write_file_atomically(output.path, output.text);
+}
+
+/// As a job may have it.
+void check_canvas(const SolvingRequest& request, const SolvedPuzzle& solved) {
+  constexpr int kLeast_px = 16, kMost_px = 20'000;
+  if (std::min(solved.width_px, solved.height_px) >= kLeast_px &&
+      std::max(solved.width_px, solved.height_px) <= kMost_px)
+    return;
+  throw InputError(request.library + ": what was laid would be a canvas of " + std::to_string(solved.width_px) + " x " +
+                   std::to_string(solved.height_px) + " px, allowed: from 16 to 20000 px (--scale K)");
+}
+
+/// A frame is walked along in steps of a piece's size.
+void check_frame(const SolvedPuzzle& solved, double pieces_area) {
+  constexpr double kMostTimes = 100;
+  const double frame = double(solved.width_px) * solved.height_px / (solved.scale * solved.scale);
+  if (frame <= kMostTimes * pieces_area) return;
+  throw InputError("--size, --scale: found a frame of " + fixed(frame / pieces_area, 0) +
+                   " times the area of all pieces, allowed: 100 times or less");
 }
 
 }  // namespace
@@ -175,8 +241,10 @@ std::string solution_path(const std::string& job) {
 }
 
 SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
+  check_may_be_written(request);
+  if (!request.truth.empty()) read_placed_pieces(request.truth);  // a slip of the pen costs no time
   const std::vector<Shape> shapes = shapes_of(request);
-  const std::vector<std::vector<Vec2>> polygons = polygons_of(shapes);
+  const std::vector<std::vector<Vec2>> polygons = polygons_of(request.library, shapes);
   SolvedPuzzle solved;
   solved.pieces = shapes.size();
   PuzzleInput input{.pieces = polygons, .frame = {}};
@@ -185,11 +253,13 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
     solved.width_px = request.frame_px->at(0);
     solved.height_px = request.frame_px->at(1);
     if (!request.scale) solved.scale = std::sqrt(double(solved.width_px) * solved.height_px / area_of(polygons));
+    check_frame(solved, area_of(polygons));
     input.frame = rectangle(float(solved.width_px / solved.scale), float(solved.height_px / solved.scale));
   }
   PuzzleSolution solution = solve_puzzle(input);
   if (solution.placed < 2) throw InputError(request.library + ": found no two pieces that fit beside each other");
   if (!solution.in_frame) stand_upright(solution, polygons, solved);
+  check_canvas(request, solved);
   const std::vector<LaidPuzzlePiece> laid = laid_pieces(shapes, polygons, solution, solved.scale);
   solved.placed = laid.size();
   solved.in_frame = solution.in_frame;
@@ -200,8 +270,7 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
   for (const LaidPuzzlePiece& piece : laid) solved.covered += signed_area(piece.outline_px);
   solved.covered /= double(solved.width_px) * solved.height_px;
   if (!request.truth.empty()) solved.agreement = agreement_with(request.truth, shapes, laid);
-  write(request, solution_path(request.job), puzzle_geojson(laid));
-  write(request, request.job, job_text(request, solved));
+  write(request, {{solution_path(request.job), puzzle_geojson(laid)}, {request.job, job_text(request, solved)}});
   return solved;
 }
 

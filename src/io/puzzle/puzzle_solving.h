@@ -37,9 +37,9 @@ inline constexpr std::size_t kMostSolvedPieces = 2'000;
 /// The file beside the job that says where the pieces lie.
 std::string solution_path(const std::string& job);
 
-/// Solves the puzzle and writes the job and the solution, each whole or not at all. Throws InputError where the library is
-/// of no use (too many pieces, holes, no known sizes), where none of its pieces fit each other, or where files of another
-/// kind are there; EnvironmentError.
+/// Solves the puzzle and writes the job and the solution, each whole or not at all. Throws InputError where the
+/// library is of no use (too many pieces, holes, no known sizes), where none of its pieces fit each other, or where
+/// files of another kind are there; EnvironmentError.
 SolvedPuzzle write_solved_puzzle(const SolvingRequest& request);
 
 }  // namespace tessera::io
