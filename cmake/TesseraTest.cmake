@@ -11,9 +11,30 @@ if(TESSERA_SANITIZE)
   set(TESSERA_TEST_TIMEOUT_S 1500)
 endif()
 
+# Half of a build is tests, each built once and run once: this takes a quarter less time than -O3.
+set(TESSERA_TEST_OPTIONS "")
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  set(TESSERA_TEST_OPTIONS -O1)
+endif()
+
+# One precompiled header for all tests.
+if(TESSERA_PRECOMPILED_HEADERS)
+  list(APPEND TESSERA_TEST_OPTIONS -fpch-preprocess)
+  file(TOUCH ${PROJECT_BINARY_DIR}/test_headers.cpp)
+  add_library(tessera_test_headers OBJECT ${PROJECT_BINARY_DIR}/test_headers.cpp)
+  target_link_libraries(tessera_test_headers PRIVATE tessera_options tessera_opencv GTest::gtest rapidcheck)
+  target_compile_options(tessera_test_headers PRIVATE ${TESSERA_TEST_OPTIONS})
+  target_precompile_headers(tessera_test_headers PRIVATE ${TESSERA_STANDARD_HEADERS} <gtest/gtest.h> <rapidcheck.h>
+                            <rapidcheck/gtest.h> <opencv2/imgproc.hpp>)
+endif()
+
 function(tessera_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;RANKS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  target_compile_options(${name} PRIVATE ${TESSERA_TEST_OPTIONS})
+  if(TESSERA_PRECOMPILED_HEADERS)
+    target_precompile_headers(${name} REUSE_FROM tessera_test_headers)
+  endif()
   # Tests do not lie beside the program that reads drawings.
   set(drawer_place ENVIRONMENT_MODIFICATION "TESSERA_DRAWER=set:${PROJECT_BINARY_DIR}/src/cli/tessera-drawer")
   if(ARG_RANKS)

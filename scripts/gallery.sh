@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs every job of jobs/ and makes docs/gallery anew: a picture of each, and README.md with what its card says;
-# of a seamless one four copies side by side, of one with pieces of an earlier collage these alone beside it.
+# of a seamless one four copies side by side, of one with pieces of an earlier collage these alone beside it, of a puzzle
+# its pieces, of one in one style the same in all styles, of a deformed one what was laid.
 #   scripts/gallery.sh [JOB...]    only these, by name: scripts/gallery.sh hero once
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -42,11 +43,49 @@ page() {
 # What is seamless is seen where copies meet.
 four_copies() { page "$1" 2 2 collage.png collage.png collage.png collage.png; }
 
+# two_pictures FOLDER PNG PNG: wide ones one above the other.
+two_pictures() {
+  local width height
+  read -r width height < <(viewbox_size "$1/collage.svg")
+  if ((width > height)); then page "$1" 1 2 "$2" "$3"; else page "$1" 2 1 "$2" "$3"; fi
+}
+
+# What is deformed is seen beside what was laid.
+undeformed_and_deformed() {
+  "$tessera" collage "$2" --set deform.kind=none --out "$1.before" --quiet
+  cp "$1.before/collage.png" "$1/before.png"
+  two_pictures "$1" before.png collage.png
+}
+
 # What was filled is seen beside what stood first.
 before_and_after() {
   "$tessera" collage "$2" --set stop.pieces=1 --out "$1.before" --quiet
   cp "$1.before/collage.png" "$1/before.png"
-  page "$1" 1 2 before.png collage.png
+  two_pictures "$1" before.png collage.png
+}
+
+# A puzzle is seen beside its pieces as they were mixed.
+pieces_and_puzzle() { # FOLDER LIBRARY
+  "$tessera" library info "$2" --sheet "$1/sheet.png" >/dev/null
+  two_pictures "$1" sheet.png collage.png
+}
+
+# One style is seen beside all of them.
+all_styles_and_one() {
+  "$tessera" collage "$2" --set style.weight=0 --out "$1.all" --quiet
+  cp "$1.all/collage.png" "$1/all.png"
+  page "$1" 2 1 all.png collage.png
+}
+
+# style_sheet LIBRARY: its drawings, sorted by style, as styles.jpg.
+style_sheet() {
+  local sheet=out/gallery/styles.png width height
+  "$tessera" library styles "$1" --sheet "$sheet"
+  read -r width height < <(od -An -tu4 --endian=big -j16 -N8 "$sheet")
+  echo "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 $width $height' width='$width' height='$height'>" \
+    "<image href='styles.png' width='$width' height='$height'/></svg>" >out/gallery/styles.svg
+  rsvg-convert -f pdf -o out/gallery/styles.pdf out/gallery/styles.svg
+  pdftocairo -jpeg -jpegopt quality=72 -singlefile -scale-to 1280 out/gallery/styles.pdf "$gallery/styles"
 }
 
 mapfile -t names < <(basename -s .toml jobs/*.toml)
@@ -61,12 +100,21 @@ for name in "${names[@]}"; do
   shifted=false  # tones and hues, which a PDF does not show
   if grep -qE '^(shift = [1-9]|harmony = )' "jobs/$name.toml"; then shifted=true; fi
   $shifted || "$tessera" draw "out/gallery/$name" --pdf --quiet
+  if grep -q '^#  *tessera library styles' "jobs/$name.toml"; then style_sheet "${make[-1]}"; fi
   # By way of the PDF: poppler is here for the tests anyway.
   shown=out/gallery/$name/collage.pdf
   if $shifted; then shown=$(page "out/gallery/$name" 1 1 collage.png); fi
   if grep -q '^seamless' "jobs/$name.toml"; then shown=$(four_copies "out/gallery/$name"); fi
-  if grep -q '^pieces = "pieces/' "jobs/$name.toml"; then
+  if grep -q '^\[deform\]' "jobs/$name.toml"; then
+    shown=$(undeformed_and_deformed "out/gallery/$name" "jobs/$name.toml")
+  fi
+  if [[ ${make[0]-} == scripts/puzzle-library.sh ]]; then
+    shown=$(pieces_and_puzzle "out/gallery/$name" "${make[-1]}")
+  elif grep -q '^pieces = "pieces/' "jobs/$name.toml"; then
     shown=$(before_and_after "out/gallery/$name" "jobs/$name.toml")
+  fi
+  if grep -q '^like = ' "jobs/$name.toml"; then
+    shown=$(all_styles_and_one "out/gallery/$name" "jobs/$name.toml")
   fi
   pdftocairo -jpeg -jpegopt quality=88 -singlefile -scale-to "$side_px" "$shown" "$gallery/$name"
 done
@@ -81,10 +129,21 @@ old_section() {
     END { sub(/\n+$/, "", lines); print lines }' "$gallery/README.md"
 }
 
-{
-  echo "# Gallery"
-  echo "Every job of [jobs](../../jobs), made by \`scripts/gallery.sh\` with Debian's openclipart (public domain) and photos."
-  echo "The numbers are those of each card; the times are of one run without MPI on the machine that made the gallery."
+# The paper's figures, and the jobs that are after them.
+readonly figures=(
+  "13|Australian animals in three sizes|australia"
+  "15|growing outward|outward"
+  "16|a collage without seams|seamless"
+  "17|pieces keep out of what is drawn|letters"
+  "18|a puzzle of 18 pieces with straight sides|shards"
+  "18|pieces that are alike: any exact cover|tangram"
+  "19|a puzzle of closely packed pieces|puzzle"
+  "21, 23|gaps closed by deforming|deformed"
+  "22|a mosaic of stones by their greys|stones"
+  "24|a place is erased and filled anew|changed"
+)
+
+sections() {
   for job in jobs/*.toml; do
     name=$(basename -s .toml "$job")
     card=out/gallery/$name/card.txt
@@ -99,5 +158,25 @@ old_section() {
     echo "$(value "$card" coverage) covered, overlap $(value "$card" overlap), $(value "$card" pieces)," \
       "$(value "$card" "total time"), stopped by $(value "$card" "stopped by")"
   done
+}
+
+# numbers NAME: the last line of that section of the standard input.
+numbers() {
+  awk -v title="## [$1](" 'index($0, "## [") == 1 { on = index($0, title) == 1 } on && /./ { last = $0 } END { print last }'
+}
+
+{
+  body=$(sections)
+  echo "# Gallery"
+  echo "Every job of [jobs](../../jobs), made by \`scripts/gallery.sh\` with Debian's openclipart (public domain) and photos."
+  echo "The numbers are those of each card; the times are of one run without MPI on the machine that made the gallery."
+  echo
+  echo "| the paper's figure | what it shows | here | numbers |"
+  echo "|---|---|---|---|"
+  for figure in "${figures[@]}"; do
+    IFS='|' read -r number what name <<<"$figure"
+    echo "| $number | $what | [$name](#$name) | $(numbers "$name" <<<"$body") |"
+  done
+  echo "$body"
 } >"$gallery/README.md.new"
 mv "$gallery/README.md.new" "$gallery/README.md"

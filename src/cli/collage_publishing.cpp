@@ -2,6 +2,7 @@
 
 #include "io/result/collage_files.h"
 #include "io/result/piece_colours.h"
+#include "io/result/piece_deformation.h"
 #include "io/result/placed_pieces.h"
 #include "io/result/tone_shift.h"
 
@@ -26,6 +27,9 @@ std::string publish(const CollageInput& input, const master::CollageResult& resu
   if (colour.target) report.covered = io::covered_colours(report, *colour.target);
   if (io::draws_palette(input.job.colour, input.library)) report.colours = io::piece_colours(report, input.palette);
   report.placements = result.placements;
+  const std::vector<StyleFeatures> styles = input.library.styles();
+  for (const Placement& placement : report.placements) report.styles.push_back(styles[index_of(placement.shape)]);
+  if (!result.unfinished && io::deforms(input.job)) io::deform_pieces(report);
   const std::string card = io::publish_result(input.folder, report, input.origin, !result.unfinished);
   if (result.unfinished) {
     checkpoints.require_one();

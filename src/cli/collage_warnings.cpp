@@ -66,10 +66,21 @@ std::string text_of(master::NoRelaxing reason, const io::Job& job) {
     case master::NoRelaxing::sizes_differ: break;
   }
   char text[200];
-  std::snprintf(text, sizeof text,
-                "sizes from %g to %g px are allowed (pieces.scale_px), and for that the largest is %g times the smallest at most",
-                double(pieces.min_scale_px), double(pieces.max_scale_px), double(master::kMostRelaxedSizeRatio));
+  std::snprintf(
+      text, sizeof text,
+      "sizes from %g to %g px are allowed (pieces.scale_px), and for that the largest is %g times the smallest at most",
+      double(pieces.min_scale_px), double(pieces.max_scale_px), double(master::kMostRelaxedSizeRatio));
   return text;
+}
+
+std::string idle_deform_warning(const io::Job& job) {
+  const DeformKind kind = job.settings.deform.kind;
+  if (kind == DeformKind::capped) return "";
+  for (const char* key : {"most_px", "most_part", "most_area", "most_pad"}) {
+    if (!is_default(job, "deform", key))
+      return with_value(job, "deform", key) + " means nothing without deform.kind = \"capped\"";
+  }
+  return "";
 }
 
 }  // namespace
@@ -154,6 +165,7 @@ std::string idle_keys_warning(const io::Job& job) {
     warnings.push_back(with_value(job, "colour", "weight") + " means nothing without colour.image");
   }
   warnings.push_back(idle_shift_warning(job));
+  warnings.push_back(idle_deform_warning(job));
   return joined_warnings(warnings);
 }
 

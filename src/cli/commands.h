@@ -20,6 +20,7 @@ void add_library_command(CLI::App& app, Command& selected);
 void add_collage_command(CLI::App& app, Command& selected);
 void add_mosaic_command(CLI::App& app, Command& selected);
 void add_puzzle_command(CLI::App& app, Command& selected);
+void add_nest_command(CLI::App& app, Command& selected);
 void add_refine_command(CLI::App& app, Command& selected);
 void add_draw_command(CLI::App& app, Command& selected);
 void add_campaign_command(CLI::App& app, Command& selected);

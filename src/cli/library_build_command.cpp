@@ -130,6 +130,9 @@ void add_library_build_command(CLI::App& library, Command& selected) {
   build->add_flag("--strict", settings.strict, "Write nothing where a file cannot be used; exit code 2");
   build->add_flag("--keep-rectangles", settings.tracing.keep_rectangles,
                   "Plain rectangles are shapes, too, not a drawing's background");
+  build->add_flag(
+      "--puzzle", [&settings](std::int64_t) { settings.tracing.keep_rectangles = settings.keep_twins = true; },
+      "Each file is a piece: plain rectangles and files that look alike are shapes, too");
   build->add_option("--processes", settings.files_at_a_time, "How many files are traced at a time; default: all cores")
       ->check(CLI::Range(1, 1024));
   build

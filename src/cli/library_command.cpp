@@ -2,6 +2,7 @@
 #include "cli/library_extract_command.h"
 #include "cli/library_info_command.h"
 #include "cli/library_merge_command.h"
+#include "cli/library_styles_command.h"
 #include "cli/library_subset_command.h"
 
 namespace tessera::cli {
@@ -15,6 +16,7 @@ void add_library_command(CLI::App& app, Command& selected) {
   add_library_info_command(*library, selected);
   add_library_merge_command(*library, selected);
   add_library_subset_command(*library, selected);
+  add_library_styles_command(*library, selected);
 }
 
 }  // namespace tessera::cli

@@ -73,12 +73,6 @@ void print_names(const io::LibraryFile& library) {
   }
 }
 
-/// A slip of the pen must not turn a library or a drawing into a picture.
-void check_sheet_name(const std::string& sheet) {
-  if (sheet.empty() || sheet.ends_with(".png")) return;
-  throw InputError("--sheet: found " + sheet + ", allowed: a name that ends in .png");
-}
-
 int run(const InfoArguments& arguments) {
   check_sheet_name(arguments.sheet);
   const io::LibraryFile library(arguments.library);
@@ -97,6 +91,11 @@ int run(const InfoArguments& arguments) {
 }
 
 }  // namespace
+
+void check_sheet_name(const std::string& sheet) {
+  if (sheet.empty() || sheet.ends_with(".png")) return;
+  throw InputError("--sheet: found " + sheet + ", allowed: a name that ends in .png");
+}
 
 void add_library_info_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<InfoArguments>();

@@ -12,7 +12,9 @@ namespace {
 constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library subset animals.h5 --include 'cat*' 'dog*' --exclude '*bird*' -o pets.h5\n"
+    "  tessera library subset clipart.h5 --style-like owl --closest 200 -o like_the_owl.h5\n"
     "  tessera library info animals.h5 --names                       what the names are\n"
+    "  tessera library styles clipart.h5 --sheet styles.png          what styles there are\n"
     "GLOB is a pattern as the shell has them, compared with the whole name, case told: * any characters, ? one, [ab] "
     "one\n"
     "of these. Quote it, or the shell takes it for files. A job can also choose by itself: library.include and\n"
@@ -24,8 +26,11 @@ struct CopyArguments {
 };
 
 int run(const CopyArguments& arguments) {
-  if (arguments.choice.names.empty())
-    throw InputError("library subset: nothing is chosen; needed: --include or --exclude");
+  const io::StyleChoice& style = arguments.choice.style;
+  if (arguments.choice.names.empty() && style.like.empty())
+    throw InputError("library subset: nothing is chosen; needed: --include, --exclude or --style-like");
+  if (!style.like.empty() && !style.closest && !style.within)
+    throw InputError("--style-like: found alone; needed: --closest or --style-within");
   copy_to_library(arguments.choice, arguments.output);
   return 0;
 }
@@ -43,6 +48,18 @@ void add_library_subset_command(CLI::App& library, Command& selected) {
   subset->add_option("--include", arguments->choice.names.include, "Shapes with such names; default: all")
       ->type_name("GLOB");
   subset->add_option("--exclude", arguments->choice.names.exclude, "But not those with such names")->type_name("GLOB");
+  io::StyleChoice& style = arguments->choice.style;
+  CLI::Option* like = subset->add_option(
+      "--style-like", style.like, "Shapes drawn like this one, or like several; auto: in the style that prevails");
+  like->type_name("GLOB");
+  subset->add_option("--closest", style.closest, "So many of them, the nearest in style")
+      ->needs(like)
+      ->check(CLI::Range(1, 4'000'000))
+      ->type_name("N");
+  subset->add_option("--style-within", style.within, "Those up to this style distance: 1 is alike, 4 unlike")
+      ->needs(like)
+      ->check(CLI::Range(0., 100.))
+      ->type_name("D");
   subset->add_option("-o,--output", arguments->output, "The library file to write, replaced if it exists")
       ->required()
       ->type_name("OUT.h5");

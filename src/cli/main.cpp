@@ -64,6 +64,7 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
       "  mpirun -n 3 tessera collage my_job.toml          the same on a master and two workers\n"
       "  tessera mosaic my_photo.jpg my.h5                a picture made of it: the job and the collage\n"
       "  tessera puzzle solve pieces.h5 --size 1200,900   a jigsaw's pieces laid together\n"
+      "  tessera nest parts.svg --strip 600               shapes of fixed sizes on the shortest strip\n"
       "  tessera refine out/my_job --relax                less room between its pieces: out/my_job-relaxed\n"
       "  tessera draw out/my_job --width 12000            its pictures again, larger\n"
       "  tessera campaign my_job.toml --seeds 1-8         eight of them, ranked by quality\n"
@@ -75,6 +76,7 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   add_mosaic_command(app, selected);
   add_refine_command(app, selected);
   add_puzzle_command(app, selected);
+  add_nest_command(app, selected);
   add_draw_command(app, selected);
   add_campaign_command(app, selected);
   add_plan_command(app, selected);

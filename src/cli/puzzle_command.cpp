@@ -1,14 +1,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
+#include "cli/progress_bar.h"
+#include "cli/time_limit.h"
+#include "comm/stop_signals.h"
 #include "core/base/error.h"
+#include "core/base/interrupted.h"
 #include "core/puzzle/puzzle_solver.h"
 #include "io/puzzle/puzzle_making.h"
 #include "io/puzzle/puzzle_solving.h"
@@ -20,13 +28,14 @@ namespace {
 constexpr const char* kExamples =
     "Examples:\n"
     "  tessera puzzle make photo.jpg --pieces 36 --out jigsaw      jigsaw/pieces/piece_001.png ..., jigsaw/truth\n"
-    "  tessera library build jigsaw/pieces -o jigsaw.h5 --keep-rectangles\n"
+    "  tessera library build jigsaw/pieces -o jigsaw.h5 --puzzle\n"
     "  tessera puzzle solve jigsaw.h5 --size 1200,900              out/jigsaw: where they belong";
 
 constexpr const char* kMakeExamples =
     "Examples:\n"
     "  tessera puzzle make photo.jpg --pieces 36 --out jigsaw\n"
     "  tessera puzzle make photo.jpg --pieces 18 --cut polygons --seed 3 --out shards\n"
+    "  tessera puzzle make heart.svg --pieces 24                   the heart itself is cut: heart_puzzle/frame.svg\n"
     "Each piece is a PNG with transparency, turned by a random angle; pieces are numbered in a random order.\n"
     "DIR/truth/pieces.geojson says where each lay, px of the picture. Of tabs there may be a few pieces more or\n"
     "fewer, rows times columns. What to type next is printed.";
@@ -35,12 +44,26 @@ constexpr const char* kSolveExamples =
     "Examples:\n"
     "  tessera puzzle solve jigsaw.h5 --size 1200,900              pieces of any scale fill a frame of that size\n"
     "  tessera puzzle solve jigsaw.h5 --size 1200,900 --scale 1    they are known to be as large as they were drawn\n"
+    "  tessera puzzle solve heart.h5 --frame heart.svg             a frame of any outline\n"
     "  tessera puzzle solve jigsaw.h5                              no frame: the canvas is as large as what comes out\n"
     "  tessera puzzle solve jigsaw.h5 --size 1200,900 --truth jigsaw/truth     how far from it\n"
     "LIB.h5 holds the pieces, each once, in one scale among themselves: as large as their pictures. What fits is\n"
-    "found by outlines alone, so a frame may come out upside down, and pieces need corners. jigsaw_pieces.geojson\n"
+    "found by outlines and by what is on both sides of them; pieces need corners. A frame may come out upside down. "
+    "jigsaw_pieces.geojson\n"
     "says where they lie, jigsaw.toml is a job that shows it, which is then run as by tessera collage. Pieces that\n"
     "found no place are named, and the others laid: the exit code is 0 all the same.";
+
+/// As a shell takes it, for commands to be typed next.
+std::string shell_word(const std::string& text) {
+  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+=,:@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+const std::map<std::string, CutStyle> kCuts = {
+    {"tabs", CutStyle::tabs}, {"polygons", CutStyle::polygons}, {"rectangles", CutStyle::rectangles}};
 
 struct MakeArguments {
   io::PuzzleRequest request;
@@ -49,7 +72,7 @@ struct MakeArguments {
 
 int make(MakeArguments arguments) {
   io::PuzzleRequest& request = arguments.request;
-  request.style = arguments.cut == "tabs" ? CutStyle::tabs : CutStyle::polygons;
+  request.style = kCuts.at(arguments.cut);
   if (request.folder.empty()) request.folder = std::filesystem::path(request.picture).stem().string() + "_puzzle";
   if (!std::filesystem::path(request.folder).has_filename())  // a slash at its end
     request.folder = std::filesystem::path(request.folder).parent_path().string();
@@ -57,8 +80,12 @@ int make(MakeArguments arguments) {
   const io::MadePuzzle made = io::make_puzzle(request, drawers);
   const std::string folder = io::printable_utf8(request.folder);
   std::printf("%s: %d pieces of a picture of %d x %d px\n", folder.c_str(), made.pieces, made.width_px, made.height_px);
-  std::printf("next: tessera library build %s/pieces -o %s.h5 --keep-rectangles\n", folder.c_str(), folder.c_str());
-  std::printf("      tessera puzzle solve %s.h5 --size %d,%d\n", folder.c_str(), made.width_px, made.height_px);
+  const std::string library = shell_word(folder + ".h5");
+  const std::string frame = made.frame.empty() ? "" : " --frame " + shell_word(io::printable_utf8(made.frame));
+  std::printf("next: tessera library build %s -o %s --puzzle\n", shell_word(folder + "/pieces").c_str(),
+              library.c_str());
+  std::printf("      tessera puzzle solve %s%s --size %d,%d\n", library.c_str(), frame.c_str(), made.width_px,
+              made.height_px);
   return 0;
 }
 
@@ -81,7 +108,7 @@ std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solve
   constexpr double kLeastCovered = 0.99;
   if (solved.gaps > kMostPuzzleGaps)
     return "there are narrow gaps between pieces: not all of them belong where they lie";
-  if (arguments.request.frame_px && !solved.in_frame)
+  if ((arguments.request.frame_px || !arguments.request.frame_file.empty()) && !solved.in_frame)
     return "what was laid does not lie in the frame, the canvas is as large as it; where pieces are missing or "
            "foreign, --scale says "
            "how large the others are";
@@ -97,17 +124,64 @@ void report(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
   }
   if (const std::string text = doubt(arguments, solved); !text.empty())
     std::fprintf(stderr, "tessera: warning: %s\n", text.c_str());
-  if (arguments.collage.quiet) return;
-  std::printf("%s: %zu of %zu pieces on %d x %d px, %.2f %% of it covered, scale %.4g\n",
-              io::printable_utf8(arguments.request.job).c_str(), solved.placed, solved.pieces, solved.width_px,
-              solved.height_px, 100 * solved.covered, solved.scale);
-  if (solved.agreement) {
+  if (!arguments.collage.quiet) {
+    std::printf("%s: %zu of %zu pieces on %d x %d px, %.2f %% of it covered, scale %.4g\n",
+                io::printable_utf8(arguments.request.job).c_str(), solved.placed, solved.pieces, solved.width_px,
+                solved.height_px, 100 * solved.covered, solved.scale);
+  }
+  if (solved.agreement) {  // who asks for it wants to know
+
     std::printf("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %.2f px off at most\n",
                 io::printable_utf8(arguments.request.truth).c_str(), solved.agreement->right, solved.pieces,
                 double(solved.agreement->worst_px));
   }
-  if (arguments.job_only) std::printf("next: tessera collage %s\n", io::printable_utf8(arguments.request.job).c_str());
+  if (arguments.job_only && !arguments.collage.quiet)
+    std::printf("next: tessera collage %s\n", shell_word(io::printable_utf8(arguments.request.job)).c_str());
   std::fflush(stdout);
+}
+
+/// How far it is, and whether it is time to end.
+class SolvingWatch {
+ public:
+  SolvingWatch(const CollageArguments& arguments, const comm::Communicator& ranks)
+      : quiet_(arguments.quiet),
+        leaving_s_(ranks.size() > 1 ? kLeaving_s : 0),
+        limit_(time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr)),
+                            leaving_s_)) {
+    comm::install_stop_handlers();
+  }
+
+  /// Throws Interrupted.
+  void look(const PuzzleProgress& at) {
+    if (comm::stop_signalled()) throw Interrupted{"signal"};
+    if (limit_.round_over(leaving_s_)) throw Interrupted{"time_limit"};
+    if (quiet_) return;
+    if (!bar_ || at.laying != laying_) bar_.emplace(at.laying ? "laying" : "matching", at.of);
+    laying_ = at.laying;
+    bar_->update(at.done, at.laying ? std::to_string(at.done) + " pieces" : "", std::nullopt);
+  }
+
+ private:
+  static constexpr double kLeaving_s = 4;  // of several ranks, as of a collage
+
+  bool quiet_;
+  double leaving_s_;
+  TimeLimit limit_;
+  std::optional<ProgressBar> bar_;
+  bool laying_ = false;
+};
+
+/// Whether it was not interrupted.
+bool solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks) {
+  try {
+    SolvingWatch watch(arguments.collage, ranks);
+    arguments.request.watch = [&](const PuzzleProgress& at) { watch.look(at); };
+    report(arguments, io::write_solved_puzzle(arguments.request));
+    return true;
+  } catch (const Interrupted&) {
+    std::fprintf(stderr, "tessera: unfinished, nothing was written: the same command starts again\n");
+    return false;
+  }
 }
 
 /// Rank 0 alone lays the pieces and writes the job; the workers get it from there as of any collage.
@@ -116,11 +190,7 @@ int solve(SolveArguments arguments, comm::Communicator& ranks) {
   if (request.job.empty()) request.job = std::filesystem::path(request.library).stem().string() + ".toml";
   if (request.scale && std::isnan(*request.scale)) throw InputError("--scale: found nan, allowed: a number");
   arguments.collage.job = request.job;
-  if (ranks.rank() == 0 && !arguments.collage.quiet) {
-    std::printf("laying pieces by their outlines; hundreds take a minute\n");
-    std::fflush(stdout);
-  }
-  if (ranks.rank() == 0) report(arguments, io::write_solved_puzzle(request));
+  if (ranks.rank() == 0 && !solve_and_report(arguments, ranks)) return kUnfinishedExitCode;
   return arguments.job_only ? 0 : collage_exit_code(arguments.collage, ranks);
 }
 
@@ -129,10 +199,12 @@ void add_make(CLI::App& puzzle, Command& selected) {
   io::PuzzleRequest& request = arguments->request;
   CLI::App* command = puzzle.add_subcommand("make", "Cut a picture into pieces that interlock, and mix them");
   command->footer(kMakeExamples);
-  command->add_option("IMAGE", request.picture, "JPEG, PNG, TIFF, WebP or BMP")->required()->type_name("FILE");
+  command->add_option("IMAGE", request.picture, "JPEG, PNG, TIFF, WebP or BMP; of an SVG its silhouette is cut")
+      ->required()
+      ->type_name("FILE");
   command->add_option("--pieces", request.pieces, "About so many, 2 to 2000")->capture_default_str();
-  command->add_option("--cut", arguments->cut, "tabs, or polygons with straight sides")
-      ->check(CLI::IsMember({"tabs", "polygons"}))
+  command->add_option("--cut", arguments->cut, "tabs, polygons with straight sides, or rectangles, all alike")
+      ->check(CLI::IsMember(kCuts))
       ->capture_default_str();
   command->add_option("--seed", request.seed, "Another seed, another cut")->capture_default_str();
   command->add_option("--out", request.folder, "A new folder; default: <name of the image>_puzzle")->type_name("DIR");
@@ -145,11 +217,15 @@ void add_solve(CLI::App& puzzle, Command& selected) {
   CLI::App* command = puzzle.add_subcommand("solve", "Lay a puzzle's pieces beside each other as they were cut");
   command->footer(kSolveExamples);
   command->add_option("LIB", request.library, "The pieces")->required()->type_name("LIB.h5");
-  command->add_option("--size", request.frame_px, "The frame, px of the canvas; default: none")
+  command->add_option("--size", request.frame_px, "The frame, px of the canvas, or the box of --frame; default: none")
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(64, 20'000))
       ->type_name("W,H");
+  command
+      ->add_option("--frame", request.frame_file,
+                   "The frame is what this file shows, as a canvas.file; without --size as large as the pieces want it")
+      ->type_name("FILE");
   command
       ->add_option("--scale", request.scale,
                    "px of the canvas for one px of the pieces; default: so that all of them fill the frame, or 1")
@@ -160,6 +236,7 @@ void add_solve(CLI::App& puzzle, Command& selected) {
       ->type_name("DIR");
   command->add_option("--job", request.job, "The job file to write; default: <name of the library>.toml")
       ->type_name("FILE.toml");
+  command->add_flag("--outlines-only", request.outlines_only, "Leave out what is on the pieces");
   command->add_flag("--job-only", arguments->job_only, "Write the job and where the pieces lie, and run nothing");
   command->add_flag("--replace", request.replace, "Write them anew where others are there");
   add_collage_options(*command, arguments->collage);

@@ -24,6 +24,7 @@ constexpr const char* kExamples =
     "  tessera refine out/animals --relax                 all pieces move once: out/animals-relaxed\n"
     "  tessera refine out/animals --relax --trials 300    then pieces are exchanged, go out and others come in\n"
     "  tessera refine out/animals --relax --out denser --set pieces.padding_px=0\n"
+    "  tessera refine out/animals --deform                gaps close: out/animals-deformed; limits: [deform] of a job\n"
     "  tessera refine out/animals --pieces 3,17           these two go, others come in: out/animals-erased\n"
     "  tessera refine out/animals --box 200,300,150,100   all pieces with their centre in it\n"
     "  tessera refine out/animals --erase scribble.png    all that it touches, drawn over collage.png\n"
@@ -51,6 +52,7 @@ constexpr const char* kExamples =
 struct RefineArguments {
   std::string result;
   bool relax = false;
+  std::string deform;  // how; empty: not
   EraseArguments erase;
   std::vector<int> locked;
   int trials = 0;    // 0: as few as the action needs
@@ -75,6 +77,9 @@ Action action_of(const RefineArguments& arguments, const std::string& job, Refin
   const std::vector<io::PlacedPiece> all = io::read_placed_pieces(result.folder);
   result.locked = piece_numbers("--lock", arguments.locked, all.size());
   if (arguments.relax) return {"-relaxed", relaxing_keys(result, arguments.trials)};
+  if (!arguments.deform.empty()) {
+    return {arguments.deform == "capped" ? "-deformed" : "-voronoi", deforming_keys(result, arguments.deform)};
+  }
   check_can_be_erased(result, all);
   const EraseArguments& erase = arguments.erase;
   result.erased = erased_pieces(erase, result.folder, io::load_job(job, arguments.collage.overrides), all);
@@ -134,8 +139,11 @@ int run(const RefineArguments& arguments, comm::Communicator& ranks) {
 }
 
 void check_has_action(const RefineArguments& arguments) {
-  if (arguments.relax || arguments.erase.any()) return;
-  throw CLI::RequiredError("What to do with RESULT (--relax, --pieces, --box, --erase or --swap)");
+  if (!arguments.deform.empty() && arguments.variants > 0)
+    throw CLI::ValidationError("--variants",
+                               "found with --deform, which no seed changes; allowed with the other actions");
+  if (arguments.relax || !arguments.deform.empty() || arguments.erase.any()) return;
+  throw CLI::RequiredError("What to do with RESULT (--relax, --deform, --pieces, --box, --erase or --swap)");
 }
 
 /// One of them at a time.
@@ -143,6 +151,12 @@ void add_actions(CLI::App& refine, RefineArguments& arguments) {
   CLI::Option_group* actions = refine.add_option_group("Actions");
   actions->require_option(0, 1);
   actions->add_flag("--relax", arguments.relax, "All pieces move, turn and grow together into the gaps");
+  actions
+      ->add_flag(
+          "--deform{capped}", arguments.deform,
+          "Outlines and drawings are deformed to close gaps and overlaps, a little; --deform=voronoi: as far as there "
+          "is something to fill")
+      ->check(CLI::IsMember({"capped", "voronoi"}));
   actions->add_option("--pieces", arguments.erase.pieces, "These go, and the room where they lay is filled anew")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -186,7 +200,8 @@ void add_refine_command(CLI::App& app, Command& selected) {
                    "So many results with as many seeds, from the job's on, in folders of DIR, ranked (tessera rank)")
       ->type_name("N")
       ->check(CLI::Range(2, int(io::kMaxSheetCollages)));
-  add_collage_options(*refine, arguments->collage, "<RESULT>-relaxed, -erased, -swapped or -variants");
+  add_collage_options(*refine, arguments->collage,
+                      "<RESULT>-relaxed, -deformed, -voronoi, -erased, -swapped or -variants");
   refine->callback([arguments, &selected] {
     check_has_action(*arguments);
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return run(*arguments, ranks); };

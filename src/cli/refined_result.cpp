@@ -79,6 +79,12 @@ std::vector<std::string> relaxing_keys(const RefinedResult& result, int trials) 
           "stop.coverage=1",    "stop.seconds=0",    "stop.pieces=" + std::to_string(most_pieces(result))};
 }
 
+std::vector<std::string> deforming_keys(const RefinedResult& result, const std::string& kind) {
+  return {"improve.seconds=0",   "improve.trials=0",
+          "stop.coverage=1",     "stop.seconds=0",
+          "deform.kind=" + kind, "stop.pieces=" + std::to_string(result.whole.manifest.shapes.size())};
+}
+
 std::vector<std::string> starting_keys(const RefinedResult& result) {
   return {"start.pieces=" + io::toml_text(result.folder), "start.keep=free", "start.remove=[]", "start.lock=[]",
           "start.not_anew=[]"};

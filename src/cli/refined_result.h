@@ -37,6 +37,9 @@ void check_overrides(const std::vector<std::string>& overrides);
 /// that may have ended the run of the result end no relaxing, but then no pieces are added.
 std::vector<std::string> relaxing_keys(const RefinedResult& result, int trials);
 
+/// To leave all pieces where they are and deform them, as `kind` says ("capped" or "voronoi").
+std::vector<std::string> deforming_keys(const RefinedResult& result, const std::string& kind);
+
 /// To begin with the result's pieces.
 std::vector<std::string> starting_keys(const RefinedResult& result);
 

@@ -33,13 +33,14 @@ enum class Tag : int {
   times_reply,
   broadcast,
   barrier,
-  site,       // worker -> rank 0: where it runs, on which devices
-  turn,       // worker -> worker of the same node: it is your turn
-  failure,    // any rank -> rank 0: this rank cannot go on
-  end,        // rank 0 -> all: leave
-  bye,        // any rank -> rank 0: nothing more comes from here
-  leave,      // rank 0 -> all: nothing more comes from anywhere
-  heartbeat,  // worker -> rank 0: it is alive
+  nest_layout,  // worker -> rank 0: the best layout of its chains of a nesting
+  site,         // worker -> rank 0: where it runs, on which devices
+  turn,         // worker -> worker of the same node: it is your turn
+  failure,      // any rank -> rank 0: this rank cannot go on
+  end,          // rank 0 -> all: leave
+  bye,          // any rank -> rank 0: nothing more comes from here
+  leave,        // rank 0 -> all: nothing more comes from anywhere
+  heartbeat,    // worker -> rank 0: it is alive
 };
 
 inline constexpr std::size_t kTags = std::size_t(Tag::heartbeat) + 1;
@@ -49,7 +50,7 @@ inline constexpr std::array<std::string_view, kTags> kTagNames = {
     "hello",          "breadth",       "start field",   "update field",    "limit",         "count request",
     "count reply",    "dock request",  "dock reply",    "refine request",  "refine reply",  "measure request",
     "measure reply",  "replace request", "replace reply", "times request", "times reply",   "broadcast",
-    "barrier",        "site",          "turn",          "failure",         "end",           "bye",
+    "barrier",        "nest layout",   "site",          "turn",          "failure",         "end",           "bye",
     "leave",          "heartbeat"};
 // clang-format on
 

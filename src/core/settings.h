@@ -77,6 +77,17 @@ struct ImproveSettings {
   bool relax = true;   // now and then, and at its beginning, all pieces move, turn and grow together
 };
 
+enum class DeformKind { none, capped, voronoi };
+
+/// Of a finished collage: boundaries move to close gaps and overlaps (core/deform).
+struct DeformSettings {
+  DeformKind kind = DeformKind::none;
+  float most_px = 4;  // that a boundary moves, and in parts of the piece's size; whichever is less
+  float most_part = 0.06f;
+  float most_area = 0.2f;  // by which a piece's area may change, parts of it
+  float most_pad = 0.2f;   // PAD distance of a piece to what it was, the mean along its outline
+};
+
 struct CollageSettings {
   std::uint64_t seed = 1;
   PieceSettings pieces;
@@ -86,6 +97,7 @@ struct CollageSettings {
   ObjectiveSettings objective;
   ImproveSettings improve;
   StopSettings stop;
+  DeformSettings deform;
   ColourWish colour;
   bool settle = true;  // chosen pieces are pushed clear and grown; off for comparisons (src/bench), no job key
 };

@@ -44,6 +44,7 @@ struct ShapeWish {
   std::optional<int> uses;              // at most so many of each shape; 0 = no limit; empty: as the job says
   std::optional<int> least_uses;        // at least so many of each, while there is room; empty: as the job says
   std::optional<ApartWish> apart;       // empty: those of one silhouette, as the job says
+  bool deforms = true;                  // its pieces may be deformed (core/deform)
   std::vector<std::uint8_t> in_region;  // per region: whether they may stand there; empty = everywhere
 
   friend bool operator==(const ShapeWish&, const ShapeWish&) = default;

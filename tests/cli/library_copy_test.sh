@@ -34,7 +34,7 @@ run 2 library subset all.h5 --include 'Star' -o none.h5
 grep -qF 'include: no shape of all.h5 has a name like "Star"; near it are: star, star_red' errors ||
   fail "no near names"
 run 2 library subset all.h5 -o none.h5
-grep -qF 'nothing is chosen; needed: --include or --exclude' errors || fail "a choice of nothing"
+grep -qF 'nothing is chosen; needed: --include, --exclude or --style-like' errors || fail "a choice of nothing"
 [[ ! -e none.h5 && ! -e none.left_out.txt ]] || fail "a library of nothing"
 echo "ok subset"
 

@@ -7,6 +7,10 @@ mpirun=$2
 folder=$3
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+photo=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../jobs/photos" && pwd)/chelsea.png
+
+# Where it takes long there is progress beside warnings.
+expect_no_warning() { ! grep -q warning errors || fail "$1"; }
 
 enter_folder
 echo "<svg xmlns='http://www.w3.org/2000/svg' width='640' height='480'><rect width='640' height='480' fill='#48c'/>
@@ -17,7 +21,7 @@ rsvg-convert sun.svg -o sun.png
 run 0 puzzle make sun.png --pieces 12 --out jigsaw
 expect_silence "a warning of a good picture"
 grep -qx 'jigsaw: 12 pieces of a picture of 640 x 480 px' output || fail "does not say what it made"
-grep -qx 'next: tessera library build jigsaw/pieces -o jigsaw.h5 --keep-rectangles' output || fail "does not say what is next"
+grep -qx 'next: tessera library build jigsaw/pieces -o jigsaw.h5 --puzzle' output || fail "does not say what is next"
 [[ $(find jigsaw/pieces -name 'piece_*.png' | wc -l) -eq 12 ]] || fail "not 12 pieces"
 run 0 puzzle make sun.png --pieces 12 --out again
 diff -r jigsaw again || fail "another cut of the same seed"
@@ -34,10 +38,10 @@ expect_word 'none.png: '
 [[ ! -e one && ! -e dust && ! -e none_puzzle ]] || fail "left something behind"
 echo "ok make"
 
-run 0 library build jigsaw/pieces -o jigsaw.h5 --keep-rectangles
+run 0 library build jigsaw/pieces -o jigsaw.h5 --puzzle
 # Larger than the pieces are: their scale is not known.
 run 0 puzzle solve jigsaw.h5 --size 960,720 --truth jigsaw/truth
-expect_silence "a warning of a puzzle that was solved"
+expect_no_warning "a warning of a puzzle that was solved"
 grep -q '^jigsaw.toml: 12 of 12 pieces on 960 x 720 px, ' output || fail "does not say what it laid"
 grep -q '^by jigsaw/truth: 12 of 12 right' output || fail "not as it was cut"
 grep -q '12 pieces' output || fail "no collage of all pieces"
@@ -76,13 +80,15 @@ run 2 puzzle solve jigsaw.h5 --size 20000,20000 --scale 0.01 --job huge.toml --j
 expect_word 'times the area of all pieces, allowed: 100 times or less'
 run 2 puzzle solve jigsaw.h5 --scale 100 --job huge.toml --job-only
 expect_word 'allowed: from 16 to 20000 px (--scale K)'
+run 0 puzzle solve jigsaw.h5 --truth jigsaw/truth --job loose.toml --job-only --replace --quiet
+[[ $(cat output) == 'by jigsaw/truth: 12 of 12 right'* ]] || fail "--quiet leaves out what --truth asks for, or says more"
 run 2 puzzle solve jigsaw.h5 --truth nowhere --job huge.toml --job-only
 expect_word 'nowhere'
 [[ ! -e huge.toml && ! -e huge_pieces.geojson ]] || fail "left something behind"
 echo "ok without a frame"
 
 rm jigsaw/pieces/piece_005.png
-run 0 library build jigsaw/pieces -o gap.h5 --keep-rectangles
+run 0 library build jigsaw/pieces -o gap.h5 --puzzle
 run 0 puzzle solve gap.h5 --size 640,480 --scale 1 --truth jigsaw/truth --job-only
 expect_word 'the frame is not full: pieces are missing'
 grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "the others are not where they belong"
@@ -90,10 +96,105 @@ run 0 puzzle solve gap.h5 --size 640,480 --truth jigsaw/truth --job unknown.toml
 expect_word 'does not lie in the frame, the canvas is as large as it; where pieces are missing or foreign, --scale'
 grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "a frame of another size spoils what fits"
 cp other/pieces/piece_001.png jigsaw/pieces/stranger.png
-run 0 library build jigsaw/pieces -o stranger.h5 --keep-rectangles
+run 0 library build jigsaw/pieces -o stranger.h5 --puzzle
 run 0 puzzle solve stranger.h5 --size 640,480 --scale 1 --truth jigsaw/truth --job-only
 expect_word '1 of 12 pieces found no place: stranger'
 echo "ok pieces missing or foreign"
+
+# A shape is cut along its outline, in its colours; it is the frame, too, at any size.
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='400' height='300'><path fill='#3a4'
+  d='M200 10C 290 10 390 80 390 170C 390 250 300 290 200 290C 100 290 10 250 10 190C 10 90 90 10 200 10Z'/>
+  <circle cx='150' cy='120' r='70' fill='#fc4'/></svg>" >island.svg
+run 0 puzzle make island.svg --pieces 10 --out 'an island'
+grep -q '^an island: [0-9]* pieces of a picture of 1600 x 1200 px$' output || fail "another size than is documented"
+grep -q "^next: tessera library build 'an island/pieces' -o 'an island.h5' --puzzle$" output ||
+  fail "the next command does not run as it is printed"
+grep -q "^      tessera puzzle solve 'an island.h5' --frame 'an island/frame.svg' --size 1600,1200$" output ||
+  fail "does not say what fills the frame"
+(PATH=$(dirname "$tessera"):$PATH && eval "$(sed -n 's/^next: //p' output)") >/dev/null || fail "its next command does not run"
+pieces=$(find 'an island/pieces' -name '*.png' | wc -l)
+run 0 puzzle solve 'an island.h5' --frame island.svg --size 400,500 --truth 'an island/truth' --job island.toml
+expect_no_warning "a warning of a shape that was solved"
+grep -q "^island.toml: $pieces of $pieces pieces on 400 x 300 px, \(99.9\|100.0\)" output || fail "the frame is not full"
+grep -q "^by an island/truth: $pieces of $pieces right" output || fail "the shape is not as it was cut"
+grep -q '^file = "island.svg"$' island.toml || fail "the job's canvas is not the frame"
+[[ -s out/island/collage.png ]] || fail "no picture of the shape"
+run 0 puzzle solve 'an island.h5' --frame island.svg --job large.toml --job-only
+grep -q "^large.toml: $pieces of $pieces pieces on 160[0-9] x 120[0-9] px" output || fail "a frame without a size is another"
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='99' height='99'><rect x='9' y='9' width='30' height='40'/>
+  <rect x='59' y='9' width='30' height='40'/></svg>" >two.svg
+run 2 puzzle make two.svg
+expect_word 'two.svg: found 2 outlines, of parts or holes; allowed: one silhouette without holes'
+run 2 puzzle solve 'an island.h5' --frame two.svg --job two.toml --job-only
+expect_word 'two.svg: found 2 outlines'
+[[ ! -e two_puzzle && ! -e two.toml ]] || fail "left something behind"
+echo "ok shapes"
+
+# Pieces that are alike: a tangram, whose seven pieces fill many frames, each in several ways.
+mkdir tangram
+python3 - <<'PYTHON'
+import math
+pieces = [[(0, 0), (4, 0), (2, 2)], [(0, 0), (2, 2), (0, 4)], [(4, 2), (4, 4), (2, 4)], [(4, 0), (4, 2), (3, 1)],
+          [(2, 2), (3, 3), (1, 3)], [(2, 2), (3, 1), (4, 2), (3, 3)], [(0, 4), (1, 3), (3, 3), (2, 4)]]
+def drawing(points):
+    x, y = min(p[0] for p in points), min(p[1] for p in points)
+    points = [(p[0] - x + 9, p[1] - y + 9) for p in points]
+    size = "width='%g' height='%g'" % (max(p[0] for p in points) + 9, max(p[1] for p in points) + 9)
+    return "<svg xmlns='http://www.w3.org/2000/svg' %s><path d='M%sZ'/></svg>" % (size, " ".join("%.4f,%.4f" % p for p in points))
+for k, piece in enumerate(pieces):
+    c, s = 100 * math.cos(0.7 * k), 100 * math.sin(0.7 * k)
+    open("tangram/piece_%d.svg" % k, "w").write(drawing([(c * x - s * y, s * x + c * y) for x, y in piece]))
+r = math.sqrt(2)
+house = [(-r, 0), (r, 0), (r, 2 * r), (2 * r, 2 * r), (0, 4 * r), (-2 * r, 2 * r), (-r, 2 * r)]
+open("house.svg", "w").write(drawing([(100 * x, 100 * y) for x, y in house]))
+PYTHON
+cp tangram/piece_0.svg tangram/piece_1.svg
+cp tangram/piece_3.svg tangram/piece_4.svg
+run 0 library build tangram -o tangram.h5 --puzzle
+grep -q '7 shapes$' output || fail "pieces that are alike are left out"
+run 0 puzzle solve tangram.h5 --size 400,400
+expect_no_warning "a warning of a tangram's square"
+grep -q '^tangram.toml: 7 of 7 pieces on 400 x 400 px, \(99.[5-9]\|100.[0-4]\)' output || fail "the square is not full"
+run 0 puzzle solve tangram.h5 --frame house.svg --job house.toml
+expect_no_warning "a warning of a tangram's house"
+grep -q '^house.toml: 7 of 7 pieces on [0-9]* x [0-9]* px, \(99.[5-9]\|100.[0-4]\)' output || fail "the house is not full"
+grep -q '^  coverage  *\(99.[0-9]*\|100.00\) %' output || fail "the collage does not cover the house"
+run 0 library build tangram -o fewer.h5
+grep -q '5 shapes, 2 merged' output || fail "without --puzzle the pieces that are alike are not left out"
+run 0 puzzle solve fewer.h5 --size 400,400 --scale 1 --job-only
+expect_word 'tessera: warning: there are narrow gaps between pieces'
+echo "ok pieces that are alike"
+
+# Rectangles of one size: what is on them says where they belong.
+run 0 puzzle make "$photo" --pieces 20 --cut rectangles --out grid
+run 0 library build grid/pieces -o grid.h5 --puzzle
+run 0 puzzle solve grid.h5 --size 902,600 --truth grid/truth --job-only
+expect_no_warning "a warning of a picture that was solved"
+grep -q '^by grid/truth: 20 of 20 right' output || fail "not as their pictures say"
+echo "ok pictures on the pieces"
+
+# Without them there is much to try: signals and the limit end it, and nothing is written.
+for ranks in 1 2; do
+  launch=()
+  [[ $ranks -eq 1 ]] || launch=("$mpirun" --oversubscribe -n "$ranks")
+  "${launch[@]}" "$tessera" puzzle solve grid.h5 --outlines-only --size 902,600 --job many.toml >output 2>errors &
+  solving=$!
+  sleep 2
+  kill -0 $solving 2>/dev/null || fail "it ended before it was interrupted"
+  before=$(date +%s%N)
+  kill -TERM $solving
+  wait $solving
+  code=$?
+  took_ms=$((($(date +%s%N) - before) / 1000000))
+  [[ $ranks -gt 1 || $code -eq 75 ]] || fail "exit code $code after SIGTERM"
+  ((took_ms < 4000)) || fail "it took $took_ms ms to end on $ranks ranks"
+  expect_word 'unfinished, nothing was written: the same command starts again'
+  [[ ! -e many.toml && ! -e many_pieces.geojson && ! -e out/many ]] || fail "left something behind"
+done
+run 75 puzzle solve grid.h5 --outlines-only --size 902,600 --job many.toml --time-limit 4
+expect_word 'unfinished, nothing was written'
+[[ ! -e many.toml ]] || fail "left a job behind"
+echo "ok interruption"
 
 run 2 puzzle solve none.h5
 expect_word 'none.h5'

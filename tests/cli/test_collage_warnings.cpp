@@ -84,6 +84,16 @@ TEST(CollageWarnings, KeysOfColourThatMeanNothingAreTold) {
   EXPECT_EQ(idle_shift_warning(job), "");
 }
 
+TEST(CollageWarnings, LimitsOfDeformingThatMeanNothingAreTold) {
+  io::Job job;
+  job.settings.deform.most_px = 2;
+  EXPECT_EQ(idle_keys_warning(job), "deform.most_px (now 2) means nothing without deform.kind = \"capped\"");
+  job.settings.deform.kind = DeformKind::voronoi;
+  EXPECT_NE(idle_keys_warning(job), "");
+  job.settings.deform.kind = DeformKind::capped;
+  EXPECT_EQ(idle_keys_warning(job), "");
+}
+
 TEST(CollageWarnings, ALibraryThatCannotShowAnImageIsTold) {
   io::Job job;
   EXPECT_EQ(unable_library_warning(job, 5, true), "") << "there is no image";

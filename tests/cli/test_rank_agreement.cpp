@@ -19,6 +19,7 @@ class NoLibrary : public ShapeLibrary {
   PadParameters pad_parameters() const override { return {}; }
   std::uint64_t content_digest() const override { return 1; }
   std::vector<std::uint32_t> variant_of() const override { return {}; }
+  std::vector<StyleFeatures> styles() const override { return {}; }
   std::vector<std::uint32_t> drawings() const override { return {}; }
   std::vector<Shape> read(std::size_t, std::size_t, const LibraryParts&) const override { return {}; }
 

@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/base/portable_math.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
+#include "core/puzzle/polygon_parts.h"
 #include "core/puzzle/puzzle_contact.h"
 #include "core/puzzle/puzzle_cut.h"
 #include "core/puzzle/puzzle_solver.h"
@@ -42,6 +44,33 @@ Shuffled shuffled(const std::vector<Polygon>& cut) {
     puzzle.truth.push_back(rigid_inverse(piece_from_puzzle));
   }
   return puzzle;
+}
+
+/// A scene, with something to see everywhere; x and y as the frame's.
+std::array<float, 3> scene(Vec2 p) {
+  const float x = p.x / 1200, y = p.y / 900;
+  return {127 + 60 * std::sin(9 * x + 4 * y) + 60 * std::sin(23 * y - 11 * x),
+          127 + 90 * std::sin(7 * y - 3 * x + 2) + 30 * std::sin(31 * x),
+          127 + 70 * std::sin(13 * x * y + 5) + 50 * std::sin(17 * x + 19 * y)};
+}
+
+/// Each piece as a picture of its own, transparent round it.
+void paint(Shuffled& puzzle) {
+  for (std::size_t i = 0; i < puzzle.input.pieces.size(); ++i) {
+    const Box box = bounding_box(puzzle.input.pieces[i]);
+    constexpr float kScale = 0.7f;  // px of one unit
+    const int width = int(box.width() * kScale) + 4, height = int(box.height() * kScale) + 4;
+    std::vector<std::uint8_t> bgra;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const Vec2 p = Vec2{float(x) - 1.5f, float(y) - 1.5f} * (1 / kScale) + box.low;
+        for (const float c : scene(puzzle.truth[i]->apply(p))) bgra.push_back(std::uint8_t(c));
+        bgra.push_back(contains(puzzle.input.pieces[i], p) ? 255 : 0);
+      }
+    }
+    puzzle.input.pictures.emplace_back(width, height, bgra,
+                                       Similarity{kScale, 0, 2 - kScale * box.low.x, 2 - kScale * box.low.y});
+  }
 }
 
 /// As shapes' poses: of the piece's centre, with its size. That is what agreement compares.
@@ -116,7 +145,91 @@ TEST(PuzzleCut, TabsNeitherMeetNorLeaveTheFrame) {
   }
 }
 
+/// A drop: round, with one corner, y from 100 to 800.
+Polygon drop() {
+  Polygon curve;
+  for (int k = 0; k < 240; ++k) {
+    const float t = 0.0261799f * float(k), narrow = std::sin(t / 2);
+    curve.push_back({600 + 420 * std::sin(t) * narrow * narrow, 450 - 350 * std::cos(t)});
+  }
+  if (signed_area(curve) < 0) std::reverse(curve.begin(), curve.end());
+  return curve;
+}
+
+/// Nowhere a corner, nor a turn by which it is the same.
+Polygon pebble() {
+  Polygon curve;
+  for (int k = 0; k < 240; ++k) {
+    const float t = 0.0261799f * float(k), r = 330 + 70 * std::cos(2 * t) + 30 * std::sin(3 * t);
+    curve.push_back({600 + r * std::cos(t), 450 + r * std::sin(t)});
+  }
+  return curve;
+}
+
+TEST(PolygonParts, OfACombAreItsTeeth) {
+  const Polygon comb = {{0, 0}, {90, 0}, {90, 50}, {70, 50}, {70, 10}, {20, 10}, {20, 50}, {0, 50}};
+  const Polygon above = {{-5, 30}, {95, 30}, {95, 60}, {-5, 60}}, below = {{-5, -5}, {95, -5}, {95, 30}, {-5, 30}};
+  const std::vector<Polygon> teeth = common_parts(above, comb), back = common_parts(below, comb);
+  ASSERT_EQ(teeth.size(), 2u);
+  ASSERT_EQ(back.size(), 1u);
+  EXPECT_NEAR(signed_area(teeth[0]) + signed_area(teeth[1]), 2 * 20 * 20, 1e-3);
+  EXPECT_NEAR(shared_length(teeth[0], back[0]), 20, 1e-4);
+  const std::optional<Polygon> longer = joined(teeth[0], back[0]);
+  ASSERT_TRUE(longer);
+  EXPECT_NEAR(signed_area(*longer), signed_area(teeth[0]) + signed_area(back[0]), 1e-3);
+  EXPECT_FALSE(joined(teeth[0], teeth[1])) << "they do not touch";
+  EXPECT_EQ(common_parts(comb, {{-9, -9}, {99, -9}, {99, 99}, {-9, 99}}), std::vector<Polygon>{comb});
+  EXPECT_TRUE(common_parts(comb, {{30, 20}, {50, 20}, {50, 40}, {30, 40}}).empty()) << "between the teeth";
+}
+
+RC_GTEST_PROP(PuzzleCut, PiecesCoverAShapeOnce, ()) {
+  CutRequest request = request_of(*rc::gen::inRange(2, 60), *rc::gen::element(CutStyle::tabs, CutStyle::polygons),
+                                  *rc::gen::inRange<std::uint64_t>(0, 1000));
+  request.outline = *rc::gen::element(drop(), pebble());
+  const std::vector<Polygon> cut = cut_puzzle(request);
+  double area = 0, least = INFINITY;
+  for (const Polygon& piece : cut) {
+    area += signed_area(piece);
+    least = std::min(least, signed_area(piece));
+  }
+  const double whole = signed_area(request.outline);
+  RC_ASSERT(std::abs(area / whole - 1) < 1e-4);
+  RC_ASSERT(least > 0.19 * whole / request.pieces);
+  RC_ASSERT(int(cut.size()) <= 2 * request.pieces + 4);
+  for (int k = 0; k < 20; ++k) {
+    const Vec2 p{float(*rc::gen::inRange(200, 1000)) - 0.37f, float(*rc::gen::inRange(80, 820)) - 0.41f};
+    const auto holds = [&](const Polygon& piece) { return contains(piece, p); };
+    RC_ASSERT(std::count_if(cut.begin(), cut.end(), holds) == (contains(request.outline, p) ? 1 : 0));
+  }
+}
+
 class Puzzles : public testing::TestWithParam<int> {};
+
+/// A frame with one corner, and one with none.
+TEST_P(Puzzles, TabsOfAShapeInItsFrame) {
+  for (const Polygon& outline : {drop(), pebble()}) {
+    CutRequest request = request_of(24, CutStyle::tabs, std::uint64_t(GetParam()));
+    request.outline = outline;
+    Shuffled puzzle = shuffled(cut_puzzle(request));
+    puzzle.input.frame = outline;
+    const PuzzleSolution solution = solve_puzzle(puzzle.input);
+    EXPECT_EQ(right(solution, puzzle), int(puzzle.input.pieces.size()));
+    EXPECT_TRUE(solution.in_frame);
+    for (std::size_t i = 0; i < solution.poses.size(); ++i) {
+      ASSERT_TRUE(solution.poses[i]);
+      EXPECT_NEAR(solution.poses[i]->tx, puzzle.truth[i]->tx, 4) << "there, not only beside each other";
+      EXPECT_NEAR(solution.poses[i]->ty, puzzle.truth[i]->ty, 4);
+    }
+  }
+}
+
+TEST_P(Puzzles, PolygonsOfAShapeInItsFrame) {
+  CutRequest request = request_of(15, CutStyle::polygons, std::uint64_t(GetParam()));
+  request.outline = drop();
+  Shuffled puzzle = shuffled(cut_puzzle(request));
+  puzzle.input.frame = drop();
+  EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle), int(puzzle.input.pieces.size()));
+}
 
 TEST_P(Puzzles, TabsAreLaidAsTheyWereCut) {
   const Shuffled puzzle = shuffled(cut_puzzle(request_of(36, CutStyle::tabs, std::uint64_t(GetParam()))));
@@ -150,6 +263,84 @@ TEST_P(Puzzles, PolygonsInAFrame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Puzzles, testing::Values(1, 2, 3));
+
+/// The seven pieces in a square of 400: two large triangles, a middle one, two small ones, a square, a parallelogram.
+std::vector<Polygon> tangram() {
+  std::vector<Polygon> cut = {{{0, 0}, {4, 0}, {2, 2}},        {{0, 0}, {2, 2}, {0, 4}},
+                              {{4, 2}, {4, 4}, {2, 4}},        {{4, 0}, {4, 2}, {3, 1}},
+                              {{2, 2}, {3, 3}, {1, 3}},        {{2, 2}, {3, 1}, {4, 2}, {3, 3}},
+                              {{0, 4}, {1, 3}, {3, 3}, {2, 4}}};
+  for (Polygon& piece : cut) {
+    for (Vec2& p : piece) p = p * 100;
+  }
+  return cut;
+}
+
+class TangramFrames : public testing::TestWithParam<Polygon> {};
+
+/// Whichever way.
+TEST_P(TangramFrames, AreCoveredOnce) {
+  Shuffled puzzle = shuffled(tangram());
+  for (const Vec2 p : GetParam()) puzzle.input.frame.push_back(p * 100);
+  ASSERT_NEAR(signed_area(puzzle.input.frame), 160'000, 100);
+  const PuzzleSolution solution = solve_puzzle(puzzle.input);
+  ASSERT_EQ(solution.placed, 7);
+  ASSERT_TRUE(solution.in_frame);
+  std::vector<Polygon> laid = puzzle.input.pieces;
+  for (std::size_t i = 0; i < laid.size(); ++i) {
+    for (Vec2& p : laid[i]) p = solution.poses[i]->apply(p);
+  }
+  int inside = 0, right = 0;
+  for (float y = -401.3f; y < 800; y += 9.7f) {
+    for (float x = -401.7f; x < 800; x += 9.3f) {
+      const auto holds = [&](const Polygon& piece) { return contains(piece, {x, y}); };
+      const auto covered = std::count_if(laid.begin(), laid.end(), holds);
+      const bool in_frame = contains(puzzle.input.frame, {x, y});
+      inside += in_frame ? 1 : 0;
+      right += in_frame && covered == 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(right, 0.97 * inside) << "but for points on boundaries, once";
+}
+
+/// The square; a triangle of its halves; these, shifted along their longest side; and a house, of the two large ones and
+/// a roof of the others, which stands out on both sides.
+INSTANTIATE_TEST_SUITE_P(Silhouettes, TangramFrames,
+                         testing::Values(Polygon{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, Polygon{{-4, 0}, {4, 0}, {0, 4}},
+                                         Polygon{{0, 0}, {4, 0}, {5, -1}, {5, 3}, {1, 3}, {0, 4}},
+                                         Polygon{{-1.414214f, 0},
+                                                 {1.414214f, 0},
+                                                 {1.414214f, 2.828427f},
+                                                 {2.828427f, 2.828427f},
+                                                 {0, 5.656854f},
+                                                 {-2.828427f, 2.828427f},
+                                                 {-1.414214f, 2.828427f}}));
+
+/// All alike: outlines say nothing.
+TEST_P(Puzzles, RectanglesAreLaidByTheirPictures) {
+  CutRequest request = request_of(20, CutStyle::rectangles, std::uint64_t(GetParam()));
+  request.height_px = 960;  // squares
+  Shuffled puzzle = shuffled(cut_puzzle(request));
+  ASSERT_EQ(puzzle.input.pieces.size(), 20u);
+  EXPECT_LT(right(solve_puzzle(puzzle.input), puzzle), 10);
+  paint(puzzle);
+  EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle), 20);
+  puzzle.input.frame = {{0, 0}, {1200, 0}, {1200, 960}, {0, 960}};
+  EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle), 20);
+}
+
+TEST_P(Puzzles, PolygonsInAFrameWithPictures) {
+  Shuffled puzzle = shuffled(cut_puzzle(request_of(36, CutStyle::polygons, std::uint64_t(GetParam()))));
+  paint(puzzle);
+  puzzle.input.frame = frame();
+  EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle), 36);
+}
+
+TEST_P(Puzzles, TabsWithPictures) {
+  Shuffled puzzle = shuffled(cut_puzzle(request_of(36, CutStyle::tabs, std::uint64_t(GetParam()))));
+  paint(puzzle);
+  EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle), 36);
+}
 
 TEST(Puzzle, WithAPieceMissingTheOthersAreLaid) {
   Shuffled puzzle = shuffled(cut_puzzle(request_of(20, CutStyle::tabs, 1)));

@@ -50,7 +50,8 @@ std::vector<Column> all_columns() {
                           c.variant_of,
                           c.colour_spread,
                           c.drawn_scale,
-                          c.colour_grid};
+                          c.colour_grid,
+                          c.style};
   for (const io::layout::LevelColumns& level : c.levels)
     all.insert(all.end(), {level.points, level.perimeter, level.lengths, level.keypoints, level.convexity});
   return all;

@@ -26,6 +26,7 @@ Quality sample_quality() {
   q.copies_apart = 0.2413;
   q.between_px = 0.75;
   q.alone = 0.0125;
+  q.style_distance = 1.23449;
   return q;
 }
 
@@ -65,6 +66,7 @@ TEST(Card, JsonHasEveryMeasureWithItsUnit) {
   EXPECT_EQ(quality["nearest_copy_fraction"], 0.2413);
   EXPECT_EQ(quality["between_pieces_px"], 0.75);
   EXPECT_EQ(quality["alone_fraction"], 0.0125);
+  EXPECT_EQ(quality["style_distance"], 1.234);
 }
 
 TEST(Card, WhatIsNotKnownIsNull) {
@@ -72,7 +74,7 @@ TEST(Card, WhatIsNotKnownIsNull) {
   quality.pieces = 1;
   const auto card = nlohmann::json::parse(card_json(quality, {}, {}));
   for (const char* key : {"effective_shapes", "size_balance", "dwarfs_fraction", "nearest_copy_px",
-                          "nearest_copy_fraction", "between_pieces_px"}) {
+                          "nearest_copy_fraction", "between_pieces_px", "style_distance"}) {
     EXPECT_TRUE(card["quality"].at(key).is_null()) << key;
   }
   EXPECT_TRUE(card["run"].at("last_tenth_percent").is_null());

@@ -4,12 +4,14 @@
 #include <sys/wait.h>
 
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <thread>
 
 #include "drawer_samples.h"
 #include "io/artwork/artwork_render.h"
 #include "io/artwork/svg_import.h"
+#include "io/artwork/warped_svg.h"
 #include "io/drawing/shape_codec.h"
 
 namespace tessera::io {
@@ -57,6 +59,22 @@ TEST(Drawers, ImportWhatIsImportedInOneProcess) {
   EXPECT_EQ(drawers.natural_size(svg(kDisc), "a"), cv::Size2d(100, 50));
   EXPECT_EQ(drawers.natural_size(encoded(disc_with_alpha(), ".png"), "a"), cv::Size2d(300, 200));
   EXPECT_EQ(drawers.import_svg(svg(kDisc), "a", "s7"), import_svg(svg(kDisc), "a", "s7", {100, 50}));
+}
+
+Warp any_warp() {
+  Warp warp{.origin = {-5, -5}, .step = 5, .displacement = {23, 13}, .active = {22, 12, 1}, .falling = false};
+  for (int i = 0; i < 23; ++i) warp.displacement(i, 6) = {1.5f, -0.5f};
+  warp.active(3, 3) = 0;
+  return warp;
+}
+
+TEST(Drawers, DeformWhatIsDeformedInOneProcess) {
+  Drawers drawers(kTwo);
+  EXPECT_EQ(drawers.warped_svg(svg(kDisc), "a", "s7", any_warp()), warped_svg(svg(kDisc), "a", "s7", any_warp()));
+  EXPECT_THROW(drawers.warped_svg(encoded(disc_with_alpha(), ".png"), "a", "s7", any_warp()), InputError);
+  Warp torn = any_warp();
+  torn.displacement(1, 1).x = std::nanf("");
+  EXPECT_THROW(drawers.warped_svg(svg(kDisc), "a", "s7", torn), InputError);
 }
 
 TEST(Drawers, TraceWhatIsTracedInOneProcess) {

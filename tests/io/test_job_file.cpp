@@ -110,7 +110,7 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed, quality");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, start, "
-            "match, objective, improve, stop, checkpoint, comm, colour, devices, output, [[shapes]], [[regions]], "
+            "match, objective, improve, stop, deform, checkpoint, comm, colour, style, devices, output, [[shapes]], [[regions]], "
             "[[given]], [[keep_out]]");
   EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
             "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
@@ -202,7 +202,7 @@ TEST_F(JobFile, tables_come_any_number_of_times) {
 TEST_F(JobFile, mistakes_in_tables_name_line_key_found_and_allowed) {
   EXPECT_EQ(mistake(minimal_ + "[[shapes]]\nname = 'owl'"),
             "job.toml:4: unknown key name (did you mean names?); allowed in [[shapes]]: names, weight, uses, scale_px, "
-            "rotation_deg, mirrored, regions, apart_px, group");
+            "rotation_deg, mirrored, regions, apart_px, deform, group");
   EXPECT_EQ(mistake(minimal_ + "[[shapes]]\nweight = 2"),
             "job.toml:3: names is missing in [[shapes]]; needed: patterns of names, as in "
             "library.include");

@@ -181,6 +181,17 @@ TEST_F(LibraryBuilder, WritesNothingWithoutShapes) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5")));
 }
 
+/// Pieces of a puzzle that are alike are all needed; they repeat each other.
+TEST_F(LibraryBuilder, KeepsTwinsWhereTheyAreWished) {
+  for (const char* name : {"a.svg", "b.svg", "c.svg"}) write(name, *name == 'b' ? "2" : "1");
+  LibraryBuildSettings settings;
+  settings.keep_twins = true;
+  const LibraryBuildReport report = build(settings);
+  EXPECT_EQ(report.shapes, 3u);
+  EXPECT_TRUE(report.merged.empty());
+  EXPECT_EQ(LibraryFile(folder_.path("out.h5")).variant_of(), (std::vector<std::uint32_t>{0, 1, 0}));
+}
+
 TEST_F(LibraryBuilder, MergesEqualSilhouettesAndNamesThem) {
   write("a.svg", "1");
   write("b.svg", "2");

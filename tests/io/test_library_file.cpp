@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "io/library/library_file.h"
+#include "library_surgery.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 
@@ -86,6 +87,36 @@ RC_GTEST_PROP(LibraryFile, GivesBackWhatWasWritten, ()) {
   const auto read = library.read(begin, end, kEverything);
   RC_ASSERT(read.size() == end - begin);
   RC_ASSERT(all_equal(read, shapes, begin));
+}
+
+StyleFeatures style_of(float part) {
+  return {part / 50, part, 1 - part, 4 * part, 60 * part, part, part / 2, part / 3};
+}
+
+TEST(LibraryFile, KnowsTheStylesThatWereWrittenAndOlderOnesNone) {
+  const ScratchFolder folder;
+  const auto shapes = random_shapes(3, 2, 5);
+  LibraryWriter writer(folder.path("a.h5"), {});
+  writer.append(shapes[0], {}, style_of(0.25f));
+  writer.append(shapes[1]);
+  writer.finish();
+  EXPECT_EQ(LibraryFile(folder.path("a.h5")).styles(), (std::vector<StyleFeatures>{style_of(0.25f), {}}));
+  test::change_library(folder.path("a.h5"), [](hid_t file) { H5Ldelete(file, "/shapes/style", H5P_DEFAULT); });
+  EXPECT_EQ(LibraryFile(folder.path("a.h5")).styles(), std::vector<StyleFeatures>(2));
+  EXPECT_TRUE(all_equal(LibraryFile(folder.path("a.h5")).read(0, 2, kEverything), shapes, 0));
+}
+
+TEST(LibraryWriter, RefusesStylesThatNoReaderWouldTake) {
+  const ScratchFolder folder;
+  const auto shapes = random_shapes(3, 1, 5);
+  LibraryWriter writer(folder.path("a.h5"), {});
+  for (float StyleFeatures::*number : {&StyleFeatures::outlined, &StyleFeatures::palette, &StyleFeatures::texture}) {
+    for (const float value : {-2.f, 1000.f, NAN}) {
+      StyleFeatures style = style_of(0.5f);
+      style.*number = value;
+      EXPECT_THROW(writer.append(shapes[0], {}, style), InputError);
+    }
+  }
 }
 
 // More shapes than fit into a chunk of any column but the smallest.

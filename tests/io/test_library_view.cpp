@@ -36,10 +36,11 @@ Shape make_shape(const std::string& name, std::uint64_t seed, float lightness = 
 class LibraryViews : public testing::Test {
  protected:
   std::string write(const std::string& name, const std::vector<Shape>& shapes, const PadParameters& pad = {},
-                    const Variants& variant_of = {}) const {
+                    const Variants& variant_of = {}, const std::vector<float>& palettes = {}) const {
     LibraryWriter writer(folder_.path(name), pad);
     for (std::size_t i = 0; i < shapes.size(); ++i)
-      writer.append(shapes[i], variant_of.empty() ? std::uint32_t(i) : variant_of[i]);
+      writer.append(shapes[i], variant_of.empty() ? std::uint32_t(i) : variant_of[i],
+                    palettes.empty() ? StyleFeatures{} : StyleFeatures{.palette = palettes[i]});
     writer.finish();
     return folder_.path(name);
   }
@@ -137,6 +138,55 @@ TEST_F(LibraryViews, ChooseByColour) {
   job.library_include.clear();
   job.library = write("old.h5", drawn);
   EXPECT_NE(message_of([&] { chosen({"#ff0000"}, 5); }).find("build it again"), std::string::npos);
+}
+
+TEST_F(LibraryViews, StylesCountInTheDigestOnlyForThoseWhoUseThem) {
+  const std::string old = write("a.h5", animals_), other = write("b.h5", animals_, {}, {}, {1, 2, 3, 4});
+  const auto digest = [](const std::string& path, bool styles) {
+    return LibraryView({.files = {path}, .names = {}, .styles = styles}).content_digest();
+  };
+  EXPECT_EQ(digest(old, false), digest(other, false));
+  EXPECT_NE(digest(old, true), digest(other, true));
+  Job job;
+  job.library = other;
+  EXPECT_EQ(open_library_of(job).content_digest(), digest(other, false));
+  job.style.like = {"cat"};
+  EXPECT_EQ(open_library_of(job).content_digest(), digest(other, true));
+  job.style.weight = 0;
+  EXPECT_EQ(open_library_of(job).content_digest(), digest(other, false));
+}
+
+/// A unit of the palette's bits is a unit of style distance.
+TEST_F(LibraryViews, ChooseByStyle) {
+  const std::string path = write("a.h5", animals_, {}, {}, {1, 5, 2.5f, 1.25f});
+  const auto chosen = [&](const StyleChoice& style, const NameGlobs& globs = {}) {
+    return names(LibraryView({.files = {path}, .names = globs, .style = style}));
+  };
+  EXPECT_EQ(chosen({{"cat"}, 1, {}}), (Names{"cat"}));
+  EXPECT_EQ(chosen({{"cat"}, 2, {}}), (Names{"cat", "Cat"}));
+  EXPECT_EQ(chosen({{"cat"}, {}, 2.f}), (Names{"cat", "dog", "Cat"}));
+  EXPECT_EQ(chosen({{"cat"}, 3, 1.f}), (Names{"cat", "Cat"})) << "both limits hold";
+  EXPECT_EQ(chosen({{"c?w", "cat"}, 1, {}}), (Names{"dog"})) << "nearest to the mean of both";
+  EXPECT_EQ(chosen({{"cat"}, 1, {}}, {{"c*"}, {"cat"}}), (Names{"cow"})) << "of those that are chosen by name";
+  EXPECT_EQ(chosen({{"auto"}, 9, {}}), (Names{"cat", "cow", "dog", "Cat"}));
+  EXPECT_NE(message_of([&] {
+              chosen({{"cat"}, {}, 1.f}, {{"cow"}, {}});
+            }).find("no drawing that is chosen is within 1.00 of the style of cat; the nearest is at 4.00"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { chosen({{"Cow"}, 1, {}}); }).find("near it are: cow"), std::string::npos);
+  const std::string old = write("old.h5", animals_);
+  EXPECT_NE(message_of([&] {
+              names(LibraryView({.files = {old}, .names = {}, .style = {{"cat"}, 1, {}}}));
+            }).find("does not know the style of cat, as libraries of older versions; build it again"),
+            std::string::npos);
+}
+
+TEST_F(LibraryViews, StylesGoAlongIntoCopiesAndMirrorImages) {
+  const std::string path = write("a.h5", animals_, {}, {}, {1, 2, 3, 4});
+  const LibraryView view({{path}, {{"c*"}, {}}, {{{"*"}, Mirroring::also}}});
+  ASSERT_EQ(view.size(), 4u);
+  EXPECT_EQ(view.styles()[3].palette, 2);
+  EXPECT_EQ(LibraryFile(copied(view, "copy.h5")).styles(), view.styles());
 }
 
 TEST_F(LibraryViews, ChooseByName) {

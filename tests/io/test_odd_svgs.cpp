@@ -124,6 +124,17 @@ TEST(OddSvg, AsOriginal) {
   expect_little_memory();
 }
 
+TEST(OddSvg, AsWhatIsDeformed) {
+  Drawers drawers(kSettings);
+  const std::vector<OddSvg> all = OddSvgs::make(variants);
+  Warp warp{.origin = {0, 0}, .step = 10, .displacement = {41, 41}, .active = {40, 40, 1}};
+  for (int i = 0; i < 41; ++i) warp.displacement(i, 20) = {3, -2};
+  const auto outcomes = outcomes_of(
+      all.size(), [&](std::size_t i) { drawers.warped_svg(bytes_of(all[i].text), all[i].name, "odd", warp); });
+  for (std::size_t i = 0; i < all.size(); ++i) expect_drawn_or_told(outcomes[i], all[i].name, kMostSeconds);
+  expect_little_memory();
+}
+
 TEST(OddSvg, AsCanvas) {
   const test::ScratchFolder folder;
   std::vector<CanvasSpec> specs;

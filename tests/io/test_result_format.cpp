@@ -50,8 +50,8 @@ TEST(ResultFormat, has_every_key_of_the_card) {
   ranks.workers.resize(2);
   RunRecord record;
   record.ranks = {{"host", {{"cpu", "device", "platform", "driver"}}}};
-  const json card = json::parse(card_json({}, {}, {}, ranks, record));
-  ASSERT_EQ(card.size(), 4u);
+  const json card = json::parse(card_json({}, {}, {}, ranks, record, DeformationFigures{}));
+  ASSERT_EQ(card.size(), 5u);
   for (const auto& [name, section] : card.items()) expect_all_named(section, documented_section("### " + name));
 }
 

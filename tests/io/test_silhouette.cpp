@@ -199,6 +199,32 @@ TEST(ArtworkShape, KnowsHowLargeItWasDrawn) {
   EXPECT_NEAR(shape_of(encoded(mask, ".png")).drawn_scale_px, 40 * std::sqrt(kPi), 1);
 }
 
+StyleFeatures style_of(const std::string& drawing, const std::string& page = "viewBox=\"0 0 100 100\"") {
+  return std::get<ArtworkShape>(shape_from_artwork(svg(drawing, page), "a.svg", {})).style;
+}
+
+TEST(ArtworkShape, KnowsItsStyleAtAnySize) {
+  const std::string drawing =
+      R"svg(<defs><linearGradient id="g"><stop stop-color="#d04020"/><stop offset="1" stop-color="#f0d060"/>
+      </linearGradient></defs><circle cx="50" cy="50" r="40" fill="url(#g)" stroke="black" stroke-width="2"/>)svg";
+  const StyleFeatures style = style_of(drawing);
+  const double unit = 41 * std::sqrt(kPi);
+  EXPECT_NEAR(style.line_width, 2 / unit, 0.15 * 2 / unit);
+  EXPECT_GT(style.outlined, 0.97f);
+  EXPECT_GT(style.shading, 0.8f);
+  const StyleFeatures far = style_of(drawing, R"(width="1000" height="1000" viewBox="-300 -100 400 400")");
+  EXPECT_LT(style_distance(style_place(style), style_place(far)), 0.3f);
+}
+
+/// Line art is drawn on white, or on nothing.
+TEST(ArtworkShape, ClosedLinesAreAlikeWithAndWithoutWhiteBetweenThem) {
+  const auto ring = [](const std::string& fill) {
+    return style_of(R"(<circle cx="50" cy="50" r="40" stroke="black" stroke-width="2" fill=")" + fill + "\"/>");
+  };
+  EXPECT_LT(style_distance(style_place(ring("white")), style_place(ring("none"))), 0.3f);
+  EXPECT_GT(style_distance(style_place(ring("white")), style_place(ring("#208040"))), 1);
+}
+
 /// Opaque up to a radius of 12, then fading out up to 24.
 TEST(ArtworkShape, TheOutlineRunsAtTheOpacityAskedFor) {
   const Bytes halo = svg(R"svg(<defs><radialGradient id="g"><stop offset="0.5"/><stop offset="1" stop-opacity="0"/>

@@ -15,16 +15,16 @@ const std::vector<NamedShape> kShapes = {{"cat", 40}, {"cow", 80}, {"owl"}, {"ow
 
 class WishResolution : public testing::Test {
  protected:
-  Job resolved(const std::string& tables) {
+  Job resolved(const std::string& tables, const std::vector<NamedShape>& shapes = kShapes) {
     const std::string job_text = "[library]\nfile = 'x.h5'\n[canvas]\nfile = 'c.svg'\n[pieces]\nscale_px = [30, 50]\n";
     Job job = load_job(folder_.write("job.toml", job_text + tables), {});
-    resolve_wishes(kShapes, job);
+    resolve_wishes(shapes, job);
     return job;
   }
 
-  std::string mistake(const std::string& tables) {
+  std::string mistake(const std::string& tables, const std::vector<NamedShape>& shapes = kShapes) {
     try {
-      resolved(tables);
+      resolved(tables, shapes);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -180,6 +180,45 @@ TEST_F(WishResolution, TheLastTableThatNamesAGroupHolds) {
       "[[shapes]]\nnames = 'owl'\nweight = 2\n");
   EXPECT_EQ(shape_groups(job, {"owl", "cat"}), (std::vector<std::string>{"birds", "animals"}));
   EXPECT_EQ(shape_groups(resolved(""), {"owl"}), (std::vector<std::string>{""}));
+}
+
+/// Styles that differ by bits of the palette, each a unit of distance.
+std::vector<NamedShape> styled_shapes() {
+  std::vector<NamedShape> shapes = kShapes;
+  const float bits[] = {1, 2, 3.1f, 1.1f};
+  for (std::size_t i = 0; i < shapes.size(); ++i) shapes[i].style.palette = bits[i];
+  return shapes;
+}
+
+std::vector<float> weights(const Job& job) {
+  std::vector<float> weights;
+  for (const std::uint32_t of : job.settings.wishes.class_of_shape)
+    weights.push_back(job.settings.wishes.classes[of].weight);
+  return weights;
+}
+
+TEST_F(WishResolution, DrawingsOfAnotherStyleAreWishedForLess) {
+  using Weights = std::vector<float>;
+  EXPECT_EQ(weights(resolved("[style]\nlike = 'cat'", styled_shapes())), (Weights{1, 0.5f, 0.25f, 1}));
+  EXPECT_EQ(weights(resolved("[style]\nlike = 'cat'\nweight = 2", styled_shapes())), (Weights{1, 0.25f, 0.0625f, 1}));
+  EXPECT_EQ(weights(resolved("[style]\nlike = 'cow'\n[[shapes]]\nnames = 'cat'\nweight = 4", styled_shapes())),
+            (Weights{2, 1, 0.5f, 0.5f}))
+      << "both weights hold";
+  EXPECT_EQ(weights(resolved("[style]\nlike = ['cat', 'owl_2']", styled_shapes()))[0], 1) << "near their mean";
+  EXPECT_EQ(weights(resolved("[style]\nlike = 'auto'", styled_shapes())), (Weights{1, 0.5f, 0.25f, 1}))
+      << "of groups of one drawing each the plainest prevails";
+}
+
+TEST_F(WishResolution, WithoutWeightStylesAreNoWish) {
+  const Job job = resolved("[style]\nlike = 'cat'\nweight = 0", styled_shapes());
+  EXPECT_EQ(job.settings.wishes, Wishes{});
+  EXPECT_FALSE(has_shape_wishes(job));
+}
+
+TEST_F(WishResolution, StylesThatAreNotKnownAreTold) {
+  EXPECT_NE(mistake("[style]\nlike = 'cat'").find("style.like: the library does not know the style of cat"),
+            std::string::npos);
+  EXPECT_NE(mistake("[style]\nlike = 'owls'", styled_shapes()).find("near it are: owl,"), std::string::npos);
 }
 
 TEST_F(WishResolution, GivenPiecesHaveTheirPose) {

@@ -7,6 +7,7 @@
 
 #include "core/collage/placement.h"
 #include "core/shape/shape.h"
+#include "core/style/style_features.h"
 
 namespace tessera {
 
@@ -15,6 +16,7 @@ struct JudgedPiece {
   std::string shape;    // pieces of one name show one shape, or its mirror image; empty: nobody says which
   Vec2 centre_px;       // of its area
   double scale_px = 0;  // square root of its area, above 0
+  StyleFeatures style = {};  // of its shape
 };
 
 /// Of a collage. `shape(i)` gives library shape i with its outline.

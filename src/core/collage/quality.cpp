@@ -8,6 +8,7 @@
 #include "core/collage/nearest_copies.h"
 #include "core/collage/piece_gaps.h"
 #include "core/collage/shared_boundary.h"
+#include "core/collage/style_spread.h"
 #include "core/collage/variety.h"
 #include "core/field/field_lookup.h"
 #include "core/geometry/distance_transform.h"
@@ -177,6 +178,7 @@ void measure_sizes(const std::vector<JudgedPiece>& pieces, const std::optional<S
 void measure_copies(const Canvas& canvas, const std::vector<JudgedPiece>& pieces, Quality& quality) {
   quality.distinct_shapes = count_distinct_shapes(pieces);
   quality.effective_shapes = effective_shapes(pieces);
+  quality.style_distance = mean_style_distance(pieces);
   quality.copies_px = median_copy_distance_px(pieces, canvas.period);
   if (quality.copies_px) quality.copies_apart = *quality.copies_px / std::hypot(canvas.width_px, canvas.height_px);
 }

@@ -34,6 +34,7 @@ struct Quality {
   std::optional<double> copies_px;             // nearest_copies.h: how far off a piece's nearest copy is, the median
   std::optional<double> copies_apart;          // the same, / the canvas' diagonal
   std::optional<double> between_px;            // piece_gaps.h: the smallest gap between two pieces
+  std::optional<double> style_distance;        // style_spread.h: of two pieces, the mean
   double alone = 0;                            // share of the pieces without another within kSharedWithin_px
 };
 

@@ -12,6 +12,12 @@ AreaMoment area_moment(const std::vector<Vec2>& polygon) {
   return sum;
 }
 
+AreaMoment area_moment(const Outline& outline) {
+  AreaMoment sum;
+  for (const std::vector<Vec2>& curve : outline.curves) sum += area_moment(curve);
+  return sum;
+}
+
 double signed_area(const std::vector<Vec2>& polygon) { return area_moment(polygon).area; }
 
 Box bounding_box(const std::vector<Vec2>& polygon) {

@@ -45,6 +45,7 @@ inline bool within_reach(const Box& a, const Box& b, float reach) {
 }
 
 AreaMoment area_moment(const std::vector<Vec2>& polygon);
+AreaMoment area_moment(const Outline& outline);  // of all its curves
 double signed_area(const std::vector<Vec2>& polygon);
 Box bounding_box(const std::vector<Vec2>& polygon);  // of at least one point
 Box bounding_box(const Outline& outline);            // of at least one curve

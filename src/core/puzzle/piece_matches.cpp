@@ -19,6 +19,9 @@ constexpr int kRound = 2;
 constexpr float kSameLength = 1;
 /// Of each corner and side so many of the longest are held against the outlines.
 constexpr std::size_t kMostTried = 24;
+/// All of them, as a rule, where there are few pieces, so that no way to lay them is missed.
+constexpr std::size_t kMostTriedOfFew = 96;
+constexpr std::size_t kFewPieces = 25;
 
 struct Alignment {
   Similarity here_from_there;
@@ -92,25 +95,48 @@ bool fills(const PuzzleCorner& here, const PuzzleCorner& there, const Similarity
   return norm(off) < 2 * scale.tolerance;
 }
 
+/// Lengths count so much more where the pictures agree, and so much less where they do not.
+constexpr float kOfPictures = 0.5f;
+
 struct Found {
   int piece;
   Run run;
   bool whole_side;
+  float steps;  // of the run, with what the pictures say
 };
 
-void keep_best(std::vector<Found>& found) {
+/// Along the run, mean.
+float pictures_agree(const PuzzlePiece& here, const PuzzleCorner& ahead, const PuzzlePiece& there,
+                     const PuzzleCorner& back, int steps, const PuzzleScale& scale) {
+  if (scale.contrast <= 0) return 0;
+  const auto outside = [](const std::vector<Vec2>& profile, int k, float sign) {
+    const Vec2 along = profile[std::size_t(k + 1)] - profile[std::size_t(k - 1)];
+    return Vec2{along.y, -along.x} * (sign / std::max(norm(along), 1e-20f));
+  };
+  float sum = 0;
+  for (int k = kRound; k < steps; ++k) {
+    sum += pictures_agree(here, ahead.ahead[std::size_t(k)], outside(ahead.ahead, k, 1), there,
+                          back.back[std::size_t(k)], outside(back.back, k, -1), scale);
+  }
+  return sum / float(std::max(1, steps - kRound));
+}
+
+void keep_best(std::vector<Found>& found, std::size_t most) {
   std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-    return a.whole_side != b.whole_side ? a.whole_side : a.run.steps > b.run.steps;
+    return a.whole_side != b.whole_side ? a.whole_side : a.steps > b.steps;
   });
-  if (found.size() > kMostTried) found.resize(kMostTried);
+  if (found.size() > most) found.resize(most);
 }
 
 }  // namespace
 
-std::vector<std::vector<PieceMatch>> piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale) {
+std::vector<std::vector<PieceMatch>> piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale,
+                                                   const std::function<void(std::size_t)>& watch) {
   std::vector<std::vector<PieceMatch>> matches(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    for (const PuzzleCorner& here : pieces[i].corners) {
+    for (std::size_t c = 0; c < pieces[i].corners.size(); ++c) {
+      const PuzzleCorner& here = pieces[i].corners[c];
+      watch(i);
       std::vector<Found> found;
       for (std::size_t j = 0; j < pieces.size(); ++j) {
         if (j == i) continue;
@@ -122,17 +148,19 @@ std::vector<std::vector<PieceMatch>> piece_matches(const std::vector<PuzzlePiece
           const bool whole_side = pieces[i].area > 0 && pieces[j].area > 0
                                       ? std::abs(here.side_ahead - there.side_back) < kSameLength
                                       : fills(here, there, run.alignment.here_from_there, scale);
-          if (run.steps > 0) found.push_back({int(j), run, whole_side});
+          if (run.steps == 0) continue;
+          const float agreement = pictures_agree(pieces[i], here, pieces[j], there, run.steps, scale);
+          found.push_back({int(j), run, whole_side, float(run.steps) * (1 + kOfPictures * agreement)});
         }
       }
-      keep_best(found);
+      keep_best(found, pieces.size() > kFewPieces ? kMostTried : kMostTriedOfFew);
       for (const Found& f : found) {
         const PosedPiece standing{&pieces[i], {}},
             other{&pieces[std::size_t(f.piece)], f.run.alignment.here_from_there};
         if (overlap(other, standing, scale)) continue;
-        const float length = float(f.run.steps) * scale.step;
-        matches[i].push_back({f.piece, other.pose, length, f.whole_side});
-        matches[std::size_t(f.piece)].push_back({int(i), rigid_inverse(other.pose), length, f.whole_side});
+        const float worth = f.steps * scale.step;
+        matches[i].push_back({f.piece, other.pose, worth, f.whole_side, int(c)});
+        matches[std::size_t(f.piece)].push_back({int(i), rigid_inverse(other.pose), worth, f.whole_side, -1});
       }
     }
   }

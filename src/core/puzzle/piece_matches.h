@@ -1,6 +1,8 @@
 // Which pieces of a puzzle may lie beside which, and how: pairs of corners from which the boundaries run alike.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "core/geometry/similarity.h"
@@ -11,11 +13,14 @@ namespace tessera {
 struct PieceMatch {
   int piece = 0;  // the other one
   Similarity here_from_there;
-  float length = 0;         // of the boundary that runs alike from the corner on
+  float worth = 0;          // length of the boundary that runs alike, more or less by how its pictures agree
   bool whole_side = false;  // their next corners meet, too
+  int corner_ahead = -1;    // of this piece, from which the side ahead runs alike; -1: it is the side back
 };
 
 /// Of each piece those that may lie beside it, a list each; (a, b) stands in both lists. The last piece may be a frame.
-std::vector<std::vector<PieceMatch>> piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale);
+/// `watch` is called before each corner with the number of the piece.
+std::vector<std::vector<PieceMatch>> piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale,
+                                                   const std::function<void(std::size_t)>& watch);
 
 }  // namespace tessera

@@ -9,6 +9,8 @@ namespace {
 
 /// A gap is what is wider than the tolerance, and narrower than so many times.
 constexpr float kWidestGap = 4;
+/// Pictures are compared so many steps inside their edges, which are blurred.
+constexpr float kInside = 1.5f;
 /// Part of a piece's points that may lie deeper in another than the tolerance.
 constexpr float kOverlapping = 0.02f;
 
@@ -46,6 +48,8 @@ Similarity rigid_inverse(const Similarity& pose) {
   return {pose.a, -pose.b, -(pose.a * pose.tx + pose.b * pose.ty), pose.b * pose.tx - pose.a * pose.ty};
 }
 
+bool covers(const PosedPiece& piece, Vec2 p) { return covers(*piece.piece, rigid_inverse(piece.pose).apply(p)); }
+
 bool may_touch(const PosedPiece& a, const PosedPiece& b, float reach) {
   if (is_frame(*a.piece) || is_frame(*b.piece)) return true;
   const Vec2 d = a.pose.apply(a.piece->centre) - b.pose.apply(b.piece->centre);
@@ -58,18 +62,33 @@ bool overlap(const PosedPiece& a, const PosedPiece& b, const PuzzleScale& scale)
          ((!is_frame(*a.piece) && lies_in(a, b, scale)) || (!is_frame(*b.piece) && lies_in(b, a, scale)));
 }
 
-void see_neighbour(const PosedPiece& piece, const PosedPiece& neighbour, const PuzzleScale& scale,
-                   std::vector<Beside>& beside) {
+float pictures_agree(const PuzzlePiece& here, Vec2 at_here, Vec2 outside_here, const PuzzlePiece& there, Vec2 at_there,
+                     Vec2 outside_there, const PuzzleScale& scale) {
+  if (scale.contrast <= 0 || !here.picture || !there.picture) return 0;
+  const float inside = kInside * scale.step;
+  const auto a = here.picture->at(at_here - outside_here * inside);
+  const auto b = there.picture->at(at_there - outside_there * inside);
+  return a && b ? 1 - 2 * std::min(1.f, colour_distance(*a, *b) / scale.contrast) : 0;
+}
+
+float see_neighbour(const PosedPiece& piece, const PosedPiece& neighbour, const PuzzleScale& scale,
+                    std::vector<Beside>& beside) {
   const float reach = kWidestGap * scale.tolerance;
-  if (!may_touch(piece, neighbour, reach)) return;
+  if (!may_touch(piece, neighbour, reach)) return 0;
+  float agreement = 0;
   const Similarity there_from_here = followed_by(piece.pose, rigid_inverse(neighbour.pose));
   for (std::size_t k = 0; k < beside.size(); ++k) {
     if (beside[k] == Beside::contact) continue;
     const Vec2 p = there_from_here.apply(piece.piece->points[k]);
-    const float distance = neighbour.piece->outline.approach(p, reach).distance;
-    if (distance >= reach) continue;
-    beside[k] = distance <= scale.tolerance ? Beside::contact : Beside::gap;
+    const Approach near = neighbour.piece->outline.approach(p, reach);
+    if (near.distance >= reach) continue;
+    beside[k] = near.distance <= scale.tolerance ? Beside::contact : Beside::gap;
+    if (beside[k] == Beside::gap || scale.contrast <= 0) continue;
+    const Vec2 along = piece.piece->directions[k], outside{along.y, -along.x};
+    agreement += pictures_agree(*piece.piece, piece.piece->points[k], outside, *neighbour.piece, near.there,
+                                there_from_here.apply_direction(outside) * -1, scale);
   }
+  return agreement;
 }
 
 Similarity settled(PosedPiece piece, const std::vector<PosedPiece>& neighbours, const PuzzleScale& scale, int steps) {

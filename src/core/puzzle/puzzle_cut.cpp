@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/base/portable_math.h"
 #include "core/geometry/polygon.h"
+#include "core/puzzle/polygon_parts.h"
 
 namespace tessera {
 namespace {
@@ -79,9 +82,9 @@ Curve unit_side(const NamedDraws& draws, std::uint64_t side) {
 }
 
 /// Points of a grid, its sides, and the pieces between them.
-class TabbedGrid {
+class PuzzleGrid {
  public:
-  explicit TabbedGrid(const CutRequest& request) : request_(request), grid_(grid_size(request)), draws_(request.seed) {}
+  explicit PuzzleGrid(const CutRequest& request) : request_(request), grid_(grid_size(request)), draws_(request.seed) {}
 
   std::vector<Curve> pieces() const {
     std::vector<Curve> all;
@@ -94,11 +97,11 @@ class TabbedGrid {
  private:
   /// Points on the frame move along it only.
   Vec2 corner(int i, int j) const {
-    constexpr float kWaver = 0.1f;  // of a cell
+    const float waver = request_.style == CutStyle::tabs ? 0.1f : 0;  // of a cell
     const std::uint64_t place = std::uint64_t(j) * 100'003 + std::uint64_t(i);
     const bool fixed_x = i == 0 || i == grid_.columns, fixed_y = j == 0 || j == grid_.rows;
-    const float x = float(i) + (fixed_x ? 0 : draws_.between(-kWaver, kWaver, place, 16));
-    const float y = float(j) + (fixed_y ? 0 : draws_.between(-kWaver, kWaver, place, 17));
+    const float x = float(i) + (fixed_x ? 0 : draws_.between(-waver, waver, place, 16));
+    const float y = float(j) + (fixed_y ? 0 : draws_.between(-waver, waver, place, 17));
     return {x * float(request_.width_px) / float(grid_.columns), y * float(request_.height_px) / float(grid_.rows)};
   }
 
@@ -106,7 +109,7 @@ class TabbedGrid {
   Curve side(int i, int j, bool down) const {
     const Vec2 from = corner(i, j), to = down ? corner(i, j + 1) : corner(i + 1, j);
     const bool on_frame = down ? i == 0 || i == grid_.columns : j == 0 || j == grid_.rows;
-    if (on_frame) return {from};
+    if (on_frame || request_.style == CutStyle::rectangles) return {from};
     const std::uint64_t name = (std::uint64_t(j) * 100'003 + std::uint64_t(i)) * 2 + (down ? 1 : 0);
     const float towards = draws_.between(0, 1, name, 32) < 0.5f ? -1.f : 1.f;
     const Vec2 along = to - from;
@@ -191,10 +194,104 @@ std::vector<Curve> cells(const CutRequest& request) {
   return all;
 }
 
+/// Corners of several cells are computed for each of them, and differ by rounding: the first one holds for all.
+void weld(std::vector<Curve>& cells) {
+  constexpr float kNear_px = 0.05f;
+  std::vector<Vec2*> points;
+  for (Curve& cell : cells) {
+    for (Vec2& p : cell) points.push_back(&p);
+  }
+  std::stable_sort(points.begin(), points.end(), [](const Vec2* a, const Vec2* b) { return a->x < b->x; });
+  std::vector<bool> welded(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (welded[i]) continue;
+    for (std::size_t k = i + 1; k < points.size() && points[k]->x <= points[i]->x + kNear_px; ++k) {
+      if (welded[k] || norm(*points[k] - *points[i]) > kNear_px) continue;
+      *points[k] = *points[i];
+      welded[k] = true;
+    }
+  }
+  for (Curve& cell : cells) {
+    cell.erase(std::unique(cell.begin(), cell.end()), cell.end());
+    while (cell.size() > 1 && cell.front() == cell.back()) cell.pop_back();
+  }
+}
+
+/// Small ones become part of the neighbour that they share most of their boundary with.
+void join_small(std::vector<Curve>& parts, double small_px2) {
+  std::vector<double> areas;
+  std::vector<Box> boxes;
+  for (const Curve& part : parts) {
+    areas.push_back(signed_area(part));
+    boxes.push_back(bounding_box(part));
+  }
+  std::vector<bool> stays(parts.size());  // nothing goes together with it
+  for (;;) {
+    std::size_t least = parts.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (!stays[i] && areas[i] < small_px2 && (least == parts.size() || areas[i] < areas[least])) least = i;
+    }
+    if (least == parts.size()) return;
+    std::size_t best = parts.size();
+    double longest = 0;
+    std::optional<Curve> both;
+    for (std::size_t j = 0; j < parts.size(); ++j) {
+      if (j == least || !within_reach(boxes[least], boxes[j], 0)) continue;
+      const double length = shared_length(parts[least], parts[j]);
+      if (length <= longest) continue;
+      std::optional<Curve> whole = joined(parts[least], parts[j]);
+      if (!whole) continue;
+      longest = length;
+      best = j;
+      both = std::move(whole);
+    }
+    if (!both) {
+      stays[least] = true;
+      continue;
+    }
+    parts[best] = std::move(*both);
+    areas[best] += areas[least];
+    boxes[best] = united(boxes[best], boxes[least]);
+    parts.erase(parts.begin() + std::ptrdiff_t(least));
+    areas.erase(areas.begin() + std::ptrdiff_t(least));
+    boxes.erase(boxes.begin() + std::ptrdiff_t(least));
+    stays.erase(stays.begin() + std::ptrdiff_t(least));
+  }
+}
+
+std::vector<Curve> cells_of(const CutRequest& request) {
+  return request.style == CutStyle::polygons ? cells(request) : PuzzleGrid(request).pieces();
+}
+
+/// Cells over the outline's box, a little larger so that no side of theirs lies on its edge.
+std::vector<Curve> parts_of_outline(const CutRequest& request) {
+  constexpr float kBeyond_px = 1;
+  constexpr double kMostOfBox = 4;  // thinner shapes get fewer pieces
+  constexpr double kSmall = 0.2;    // of a usual piece's area: less is a sliver
+  const double area = signed_area(request.outline);
+  const Box box = bounding_box(request.outline);
+  CutRequest over_box = request;
+  over_box.width_px = int(std::ceil(box.width() + 2 * kBeyond_px));
+  over_box.height_px = int(std::ceil(box.height() + 2 * kBeyond_px));
+  const double box_area = double(over_box.width_px) * over_box.height_px;
+  over_box.pieces = int(std::lround(request.pieces * std::min(kMostOfBox, box_area / area)));
+  std::vector<Curve> cells = cells_of(over_box);
+  for (Curve& cell : cells) {
+    for (Vec2& p : cell) p = p + box.low - Vec2{kBeyond_px, kBeyond_px};
+  }
+  weld(cells);
+  std::vector<Curve> parts;
+  for (const Curve& cell : cells) {
+    for (Curve& part : common_parts(cell, request.outline)) parts.push_back(std::move(part));
+  }
+  join_small(parts, kSmall * area / request.pieces);
+  return parts;
+}
+
 }  // namespace
 
 std::vector<std::vector<Vec2>> cut_puzzle(const CutRequest& request) {
-  return request.style == CutStyle::tabs ? TabbedGrid(request).pieces() : cells(request);
+  return request.outline.empty() ? cells_of(request) : parts_of_outline(request);
 }
 
 }  // namespace tessera

@@ -16,8 +16,10 @@ constexpr float kStraightest = 0.89f;
 constexpr float kLongestProfile = 0.6f;
 /// Or after so many steps, eight pieces long.
 constexpr int kMostSteps = 512;
-/// Of a piece, the sharpest; drawings that are no puzzle may have any number.
-constexpr std::size_t kMostCorners = 64;
+/// Of all pieces together, but for the least that each has: a tabbed piece has twelve. Each has a boundary's length of
+/// points either way, and is held against all others.
+constexpr std::size_t kAllCorners = 20'000;
+constexpr std::size_t kLeastCorners = 16, kMostCorners = 64;
 
 std::vector<Vec2> directions_of(const std::vector<Vec2>& points) {
   const std::size_t n = points.size();
@@ -38,7 +40,7 @@ float straightness(const std::vector<Vec2>& points, std::size_t k) {
 }
 
 /// Sharpest within the reach.
-std::vector<std::size_t> corner_points(const std::vector<Vec2>& points) {
+std::vector<std::size_t> corner_points(const std::vector<Vec2>& points, std::size_t most) {
   const std::size_t n = points.size();
   std::vector<float> straight(n);
   for (std::size_t k = 0; k < n; ++k) straight[k] = straightness(points, k);
@@ -49,10 +51,10 @@ std::vector<std::size_t> corner_points(const std::vector<Vec2>& points) {
       sharpest = straight[k] < straight[(k + d) % n] && straight[k] <= straight[(k + n - d) % n];
     if (sharpest) corners.push_back(k);
   }
-  if (corners.size() > kMostCorners) {
+  if (corners.size() > most) {
     std::stable_sort(corners.begin(), corners.end(),
                      [&](std::size_t a, std::size_t b) { return straight[a] < straight[b]; });
-    corners.resize(kMostCorners);
+    corners.resize(most);
     std::sort(corners.begin(), corners.end());
   }
   return corners;
@@ -123,7 +125,10 @@ PuzzleScale PuzzleScale::of(std::vector<double> areas) {
   const auto middle = areas.begin() + std::ptrdiff_t(areas.size() / 2);
   std::nth_element(areas.begin(), middle, areas.end());
   const float piece = float(std::sqrt(*middle));
-  return {.piece = piece, .step = piece / 64, .tolerance = piece / 64};
+  return {.piece = piece,
+          .step = piece / 64,
+          .tolerance = piece / 64,
+          .most_corners = std::clamp(kAllCorners / areas.size(), kLeastCorners, kMostCorners)};
 }
 
 PuzzlePiece puzzle_piece(const std::vector<Vec2>& polygon, const PuzzleScale& scale) {
@@ -140,7 +145,8 @@ PuzzlePiece puzzle_piece(const std::vector<Vec2>& polygon, const PuzzleScale& sc
   for (const Vec2 p : polygon) piece.radius = std::max(piece.radius, norm(p - piece.centre));
 
   std::vector<float> at;
-  for (const std::size_t k : corner_points(piece.points)) at.push_back(exact_corner(piece.points, k));
+  for (const std::size_t k : corner_points(piece.points, scale.most_corners))
+    at.push_back(exact_corner(piece.points, k));
   const int longest = std::min(kMostSteps, int(kLongestProfile * float(count)));
   for (std::size_t i = 0; i < at.size(); ++i) {
     PuzzleCorner corner;

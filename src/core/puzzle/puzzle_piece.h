@@ -7,14 +7,17 @@
 
 #include "core/geometry/polygon_index.h"
 #include "core/geometry/vec2.h"
+#include "core/puzzle/piece_picture.h"
 
 namespace tessera {
 
 /// Lengths by which pieces of one puzzle are compared, in their common unit; all follow from the size of a usual piece.
 struct PuzzleScale {
-  float piece = 0;      // square root of the median area
-  float step = 0;       // between points of a profile
-  float tolerance = 0;  // by which boundaries that belong together may differ
+  float piece = 0;                // square root of the median area
+  float step = 0;                 // between points of a profile
+  float tolerance = 0;            // by which boundaries that belong together may differ
+  std::size_t most_corners = 64;  // of a piece, the sharpest; drawings that are no puzzle may have any number
+  float contrast = 0;             // mean distance of the pictures' colours in two places; 0: they say nothing
 
   /// Of the areas of the pieces, one at least.
   static PuzzleScale of(std::vector<double> areas);
@@ -37,8 +40,9 @@ struct PuzzlePiece {
   float point_length = 0;             // of the boundary that each of them stands for
   std::vector<PuzzleCorner> corners = {};
   double area = 0;
-  Vec2 centre = {};   // of the area
-  float radius = 0;   // farthest point from it
+  Vec2 centre = {};  // of the area
+  float radius = 0;  // farthest point from it
+  const PiecePicture* picture = nullptr;
   Vec2 deepest = {};  // about the point that is farthest from the boundary
 };
 

@@ -6,7 +6,9 @@
 #include <numeric>
 
 #include "core/geometry/polygon.h"
+#include "core/puzzle/frame_covering.h"
 #include "core/puzzle/piece_matches.h"
+#include "core/puzzle/poses_in_frame.h"
 #include "core/puzzle/puzzle_contact.h"
 #include "core/puzzle/puzzle_piece.h"
 
@@ -15,6 +17,9 @@ namespace {
 
 /// What a boundary beside a gap costs, in parts of what one in contact is worth.
 constexpr float kGapCost = 1;
+/// What a boundary in contact is worth more where the pictures agree, and less where they do not: a bend's is 1, a
+/// straight line's 0.3.
+constexpr float kOfPictures = 0.5f;
 /// Of what is laid in one place: the best and so many others.
 constexpr std::size_t kMostBranches = 4;
 /// A place's contact is worth so much, by the neighbours with which it shares a side from corner to corner: one comes
@@ -34,6 +39,8 @@ constexpr float kLeastWorth = 0.3f;
 constexpr float kLeastPart = 0.5f;
 /// Part of a piece's boundary, as it counts, that touches others in the end.
 constexpr float kLeastTouching = 0.2f;
+/// Of an arrangement, the best; a puzzle of 400 pieces has some hundreds, drawings that are none may have any number.
+constexpr std::size_t kMostPlaces = 4'000;
 /// Steps in which a piece comes to rest when it is laid, and rounds in which all do in the end.
 constexpr int kSettlingSteps = 3;
 constexpr int kLastRounds = 20;
@@ -41,8 +48,9 @@ constexpr int kLastRounds = 20;
 /// A place that a piece may have, in one arrangement.
 struct Place {
   int piece = 0;
-  Similarity pose;
-  std::vector<Beside> beside;  // of each point of its boundary
+  Similarity pose = {};
+  std::vector<Beside> beside = {};  // of each point of its boundary
+  float pictures = 0;               // how well they agree, a sum over those points that touch
   float worth = 0;
   int whole_sides = 0;  // neighbours with which it shares one from corner to corner
 };
@@ -60,16 +68,43 @@ struct Arrangement {
   bool frame_is_open = false;  // pieces are looked for along the frame, too
 };
 
+/// Mean distance of the pictures' colours between places of different pieces, along their boundaries; 0 without
+/// pictures, and of plain ones.
+float contrast_of(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale) {
+  constexpr std::size_t kPlaces = 16;  // of each piece
+  constexpr float kPlain = 4;          // levels of 255
+  std::vector<PiecePicture::Colour> colours;
+  for (const PuzzlePiece& piece : pieces) {
+    for (std::size_t k = 0; piece.picture && k < kPlaces; ++k) {
+      const std::size_t at = k * piece.points.size() / kPlaces;
+      const Vec2 along = piece.directions[at], outside{along.y, -along.x};
+      if (const auto colour = piece.picture->at(piece.points[at] - outside * (2 * scale.step)))
+        colours.push_back(*colour);
+    }
+  }
+  double sum = 0;
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    for (std::size_t d = kPlaces; d < colours.size(); d = 2 * d + 1, ++pairs)
+      sum += colour_distance(colours[i], colours[(i + d) % colours.size()]);
+  }
+  const float mean = pairs > 0 ? float(sum / double(pairs)) : 0;
+  return mean < kPlain ? 0 : mean;
+}
+
 class Solver {
  public:
-  explicit Solver(const PuzzleInput& input) : scale_(scale_of(input)) {
+  explicit Solver(const PuzzleInput& input) : scale_(scale_of(input)), watch_(input.watch) {
     for (const auto& polygon : input.pieces) pieces_.push_back(puzzle_piece(polygon, scale_));
     if (!input.frame.empty()) {
       std::vector<Vec2> around(input.frame.rbegin(), input.frame.rend());
       frame_ = int(pieces_.size());
       pieces_.push_back(puzzle_piece(around, scale_));
     }
-    matches_ = piece_matches(pieces_, scale_);
+    for (std::size_t i = 0; i < input.pictures.size(); ++i) pieces_[i].picture = &input.pictures[i];
+    scale_.contrast = contrast_of(pieces_, scale_);
+    matches_ = piece_matches(
+        pieces_, scale_, [&](std::size_t piece) { watch_({.laying = false, .done = piece, .of = pieces_.size()}); });
   }
 
   /// Pieces among themselves first: what fits a frame's straight edges is found by chance. What pieces alone do not
@@ -80,6 +115,7 @@ class Solver {
       const std::vector<Arrangement> starts = beginnings_in_frame();
       if (starts.empty()) return solution_of(best);
       Arrangement framed = solved(starts);
+      if (!whole(framed)) framed = covering_or(std::move(framed));
       if (placed(framed) >= placed(best)) best = std::move(framed);  // else the frame is of another size
     }
     return solution_of(best);
@@ -115,11 +151,11 @@ class Solver {
   /// The piece with the longest match but for the frame, of those that were not tried.
   int longest_match(const std::vector<bool>& tried) const {
     int longest = 0;
-    float length = -1;
+    float most = -1;
     for (std::size_t i = 0; i < pieces_count(); ++i) {
       for (const PieceMatch& match : matches_[i]) {
-        if (match.piece == frame_ || tried[i] || match.length <= length) continue;
-        length = match.length;
+        if (match.piece == frame_ || tried[i] || match.worth <= most) continue;
+        most = match.worth;
         longest = int(i);
       }
     }
@@ -131,7 +167,7 @@ class Solver {
   Arrangement beginning(int first) const {
     Arrangement start;
     start.used.assign(pieces_.size(), false);
-    lay({first, {}, {}, 0, 0}, start);
+    lay({.piece = first}, start);
     return start;
   }
 
@@ -204,18 +240,19 @@ class Solver {
     return all > 0 ? double(beside_gap) / double(all) : 0;
   }
 
-  /// Of the boundary, as it counts, the part that touches others.
-  float touching(const Laid& laid, const Arrangement& in) const {
+  /// Of the boundary, as it counts, the part that touches others, and so much times how well the pictures agree there.
+  float touching(const Laid& laid, const Arrangement& in, float of_pictures = 0) const {
     const PosedPiece piece = posed(laid.piece, laid.pose);
     std::vector<Beside> beside(piece.piece->points.size(), Beside::nothing);
+    float pictures = 0;
     for (const PosedPiece& neighbour : neighbours(piece, in, laid.piece))
-      see_neighbour(piece, neighbour, scale_, beside);
+      pictures += see_neighbour(piece, neighbour, scale_, beside);
     float all = 0, touching = 0;
     for (std::size_t k = 0; k < beside.size(); ++k) {
       all += piece.piece->weights[k];
       if (beside[k] == Beside::contact) touching += piece.piece->weights[k];
     }
-    return touching / all;
+    return (touching + of_pictures * pictures) / all;
   }
 
   /// What hardly touches the others does not belong to them: a straight side agrees with any other.
@@ -237,35 +274,62 @@ class Solver {
   double coherence(const Arrangement& in) const {
     double sum = 0;
     for (const Laid& laid : in.laid) {
-      if (laid.piece != frame_) sum += touching(laid, in);
+      if (laid.piece != frame_) sum += touching(laid, in, kOfPictures);
     }
     return sum * (1 - kGapsAgainst * gaps(in));
   }
 
-  /// By each piece that may lie in a corner of the frame; false: nowhere do all lie in it.
+  /// By each piece that may lie in a corner of the frame, or where it has none by all of its outline; false: nowhere
+  /// do all lie in it.
   bool fit_into_frame(Arrangement& in) const {
     for (const PieceMatch& match : matches_[std::size_t(frame_)]) {
       const auto corner =
           std::find_if(in.laid.begin(), in.laid.end(), [&](const Laid& l) { return l.piece == match.piece; });
-      const Similarity frame_from_puzzle = followed_by(rigid_inverse(corner->pose), match.here_from_there);
-      Arrangement moved;
-      moved.used = in.used;
-      moved.laid.push_back({frame_, {}});
-      for (const Laid& laid : in.laid) moved.laid.push_back({laid.piece, followed_by(laid.pose, frame_from_puzzle)});
-      const bool in_it = std::all_of(moved.laid.begin() + 1, moved.laid.end(), [&](const Laid& laid) {
-        const Vec2 centre = laid.pose.apply(pieces_[std::size_t(laid.piece)].centre);
-        return pieces_[std::size_t(frame_)].outline.contains(centre);
-      });
-      if (!in_it) continue;
-      come_to_rest(moved);
-      const bool inside = std::none_of(moved.laid.begin() + 1, moved.laid.end(), [&](const Laid& laid) {
-        return overlap(posed(laid.piece, laid.pose), posed(frame_, {}), scale_);
-      });
-      if (!inside || !whole(moved)) continue;
-      in = std::move(moved);
-      return true;
+      if (lies_in_frame(in, followed_by(rigid_inverse(corner->pose), match.here_from_there))) return true;
+    }
+    const std::vector<PosedPiece> laid = laid_pieces(in);
+    for (const Similarity& frame_from_puzzle : poses_in_frame(laid, pieces_[std::size_t(frame_)], scale_)) {
+      if (lies_in_frame(in, frame_from_puzzle)) return true;
     }
     return false;
+  }
+
+  /// The frame filled in any way, or else what there is.
+  Arrangement covering_or(Arrangement other) const {
+    const auto poses = frame_covering(pieces_, matches_, scale_, [&] { tell(0); });
+    if (!poses) return other;
+    Arrangement all;
+    all.used.assign(pieces_.size(), true);
+    all.laid.push_back({frame_, {}});
+    for (std::size_t i = 0; i < poses->size(); ++i) all.laid.push_back({int(i), poses->at(i)});
+    come_to_rest(all);
+    return whole(all) ? all : other;
+  }
+
+  std::vector<PosedPiece> laid_pieces(const Arrangement& in) const {
+    std::vector<PosedPiece> all;
+    for (const Laid& laid : in.laid) all.push_back(posed(laid.piece, laid.pose));
+    return all;
+  }
+
+  /// Moves all that lies without a frame into it, if it fits.
+  bool lies_in_frame(Arrangement& in, const Similarity& frame_from_puzzle) const {
+    Arrangement moved;
+    moved.used = in.used;
+    moved.laid.push_back({frame_, {}});
+    for (const Laid& laid : in.laid) moved.laid.push_back({laid.piece, followed_by(laid.pose, frame_from_puzzle)});
+    const bool in_it = std::all_of(moved.laid.begin() + 1, moved.laid.end(), [&](const Laid& laid) {
+      const Vec2 deepest = laid.pose.apply(pieces_[std::size_t(laid.piece)].deepest);
+      return pieces_[std::size_t(frame_)].outline.contains(deepest);
+    });
+    if (!in_it) return false;
+    come_to_rest(moved);
+    const bool inside = std::none_of(moved.laid.begin() + 1, moved.laid.end(), [&](const Laid& laid) {
+      return overlap(posed(laid.piece, laid.pose), posed(frame_, {}), scale_);
+    });
+    if (!inside || !whole(moved)) return false;
+    in = std::move(moved);
+    return true;
   }
 
   std::vector<PosedPiece> neighbours(const PosedPiece& piece, const Arrangement& in, int but = -1) const {
@@ -284,6 +348,7 @@ class Solver {
       if (place.beside[k] == Beside::contact) worth += piece.weights[k];
       if (place.beside[k] == Beside::gap) worth -= kGapCost * piece.weights[k];
     }
+    worth += kOfPictures * place.pictures;
     place.worth = float(worth) * piece.point_length / scale_.piece *
                   kOfSides[std::min<std::size_t>(std::size_t(place.whole_sides), kOfSides.size() - 1)];
   }
@@ -312,6 +377,7 @@ class Solver {
   }
 
   void lay(const Place& place, Arrangement& in) const {
+    tell(placed(in));
     const PosedPiece rough = posed(place.piece, place.pose);
     const std::vector<PosedPiece> around = neighbours(rough, in);
     const Similarity pose = around.empty() ? place.pose : settled(rough, around, scale_, kSettlingSteps);
@@ -325,16 +391,22 @@ class Solver {
     for (Place& other : in.places) {
       const PosedPiece p = posed(other.piece, other.pose);
       if (!may_touch(p, piece, 4 * scale_.tolerance)) continue;
-      see_neighbour(p, piece, scale_, other.beside);
+      other.pictures += see_neighbour(p, piece, scale_, other.beside);
       appraise(other);
     }
     add_places_beside(in.laid.back(), in);
+    if (in.places.size() <= kMostPlaces) return;
+    std::stable_sort(in.places.begin(), in.places.end(),
+                     [](const Place& a, const Place& b) { return a.worth > b.worth; });
+    in.places.resize(kMostPlaces);
   }
 
   void add_places_beside(const Laid& laid, Arrangement& in) const {
     for (const PieceMatch& match : matches_[std::size_t(laid.piece)]) {
       if (match.piece == frame_ || in.used[std::size_t(match.piece)]) continue;
-      Place place{match.piece, followed_by(match.here_from_there, laid.pose), {}, 0, match.whole_side ? 1 : 0};
+      Place place{.piece = match.piece,
+                  .pose = followed_by(match.here_from_there, laid.pose),
+                  .whole_sides = match.whole_side ? 1 : 0};
       const auto there =
           std::find_if(in.places.begin(), in.places.end(), [&](const Place& p) { return same_place(p, place); });
       if (there != in.places.end()) {
@@ -347,7 +419,8 @@ class Solver {
       if (std::any_of(around.begin(), around.end(), [&](const PosedPiece& p) { return overlap(piece, p, scale_); }))
         continue;
       place.beside.assign(piece.piece->points.size(), Beside::nothing);
-      for (const PosedPiece& neighbour : around) see_neighbour(piece, neighbour, scale_, place.beside);
+      for (const PosedPiece& neighbour : around)
+        place.pictures += see_neighbour(piece, neighbour, scale_, place.beside);
       appraise(place);
       if (place.worth > 0) in.places.push_back(std::move(place));
     }
@@ -415,6 +488,7 @@ class Solver {
 
   void come_to_rest(Arrangement& in) const {
     for (int round = 0; round < kLastRounds; ++round) {
+      tell(placed(in));
       for (std::size_t i = 1; i < in.laid.size(); ++i) {  // the first stays: the frame, or what the others lie round
         Laid& laid = in.laid[i];
         const PosedPiece piece = posed(laid.piece, laid.pose);
@@ -435,7 +509,11 @@ class Solver {
     return solution;
   }
 
+  /// Of the arrangement that is being laid.
+  void tell(std::size_t laid) const { watch_({.laying = true, .done = laid, .of = pieces_count()}); }
+
   PuzzleScale scale_;
+  const std::function<void(const PuzzleProgress&)>& watch_;
   std::vector<PuzzlePiece> pieces_;
   int frame_ = -1;
   std::vector<std::vector<PieceMatch>> matches_;

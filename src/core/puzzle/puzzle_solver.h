@@ -3,17 +3,29 @@
 // arrangements are followed at a time.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "core/geometry/similarity.h"
 #include "core/geometry/vec2.h"
+#include "core/puzzle/piece_picture.h"
 
 namespace tessera {
 
+/// How far it is; pieces are laid once or several times.
+struct PuzzleProgress {
+  bool laying = false;  // else it is looked for what fits what
+  std::size_t done = 0;
+  std::size_t of = 0;
+};
+
 struct PuzzleInput {
-  std::vector<std::vector<Vec2>> pieces;  // polygons in one unit, interior on the left, of some area
-  std::vector<Vec2> frame;                // the same, in that unit; empty: none
+  std::vector<std::vector<Vec2>> pieces;    // polygons in one unit, interior on the left, of some area
+  std::vector<Vec2> frame;                  // the same, in that unit; empty: none
+  std::vector<PiecePicture> pictures = {};  // one of each piece, or none
+  std::function<void(const PuzzleProgress&)> watch = [](const PuzzleProgress&) {};  // often; what it throws ends it
 };
 
 /// Part of all boundaries beside narrow gaps up to which pieces count as fitting.

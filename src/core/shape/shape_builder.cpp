@@ -37,8 +37,7 @@ struct ShapeFrame {
 
 /// From the polygons that pieces are measured by, so that a piece of scale s has exactly the area s².
 ShapeFrame shape_frame(const Outline& outline_px) {
-  AreaMoment sum;
-  for (const std::vector<Vec2>& curve : outline_px.curves) sum += area_moment(curve);
+  const AreaMoment sum = area_moment(outline_px);
   return {{float(sum.x / sum.area), float(sum.y / sum.area)}, float(std::sqrt(sum.area))};
 }
 

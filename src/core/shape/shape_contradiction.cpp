@@ -21,12 +21,6 @@ constexpr int kBlock = 8;                  // nodes each way of which one is com
 
 bool agree(float a, float b) { return std::abs(a - b) <= kRoundedLength * std::max(1.f, std::abs(b)); }
 
-double area_of(const Outline& outline) {
-  double area = 0;
-  for (const std::vector<Vec2>& curve : outline.curves) area += area_moment(curve).area;
-  return area;
-}
-
 float perimeter_of(const Outline& outline) {
   float perimeter = 0;
   for (const std::vector<Vec2>& curve : outline.curves) perimeter += closed_length(curve);
@@ -152,7 +146,7 @@ std::string shape_contradiction(const Shape& shape) {
   const FieldCheck field(shape);
   float radius = 0;
   for (const Vec2 p : shape.outline.curves.front()) radius = std::max(radius, norm(p));
-  if (!(std::abs(area_of(shape.outline) - 1) <= kRoundedArea)) return "its outline's area is not 1";
+  if (!(std::abs(area_moment(shape.outline).area - 1) <= kRoundedArea)) return "its outline's area is not 1";
   if (!agree(shape.perimeter, perimeter_of(shape.outline))) return "its perimeter is not its outline's";
   if (!agree(shape.radius, radius)) return "its radius is not its outline's";
   if (!field.covers_outline() || !field.is_smooth() || !field.is_zero_on_outline() || !field.has_right_signs() ||

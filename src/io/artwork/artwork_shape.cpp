@@ -42,7 +42,7 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
   shape.artwork.width_px = silhouette.width_px;
   shape.artwork.height_px = silhouette.height_px;
   shape.artwork.thumbnail_png = std::move(silhouette.thumbnail_png);
-  return ArtworkShape{std::move(shape), outline.other_components, outline.other_area_fraction};
+  return ArtworkShape{std::move(shape), outline.other_components, outline.other_area_fraction, silhouette.style};
 }
 
 }  // namespace tessera::io

@@ -8,6 +8,7 @@
 
 #include "core/shape/outline.h"
 #include "core/shape/shape.h"
+#include "core/style/style_features.h"
 
 namespace tessera::io {
 
@@ -16,6 +17,7 @@ struct ArtworkShape {
   Shape shape;  // name: the file name without extension; Artwork::original stays empty
   int other_components = 0;
   float other_area_fraction = 0;  // see TracedOutline
+  StyleFeatures style = {};       // what the drawing looks like
 };
 
 struct TracingSettings {

@@ -5,9 +5,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/style/style_measure.h"
 #include "io/artwork/alpha.h"
 #include "io/artwork/artwork_page.h"
 #include "io/artwork/colour_conversion.h"
+#include "io/artwork/style_picture.h"
 
 namespace tessera::io {
 namespace {
@@ -135,6 +137,7 @@ Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::strin
   silhouette.drawn_px =
       float(std::max(page->natural_size().width, page->natural_size().height) / drawing.longest_side_px);
   silhouette.colour = colour_of(thumbnail);
+  silhouette.style = measure_style(style_raster_of(drawing.bgra));
   silhouette.colours = colours_of(drawing);
   silhouette.thumbnail_png = png_of(thumbnail);
   return silhouette;

@@ -11,6 +11,7 @@
 #include "core/geometry/grid.h"
 #include "core/geometry/vec2.h"
 #include "core/shape/outline.h"
+#include "core/style/style_features.h"
 
 namespace tessera::io {
 
@@ -34,6 +35,7 @@ struct Silhouette {
   float source_px = 0;  // size of a pixel of the source; 0 for vectors
   float drawn_px = 0;   // of the page's own px (1/96 inch of an SVG) for one of the raster
   ArtworkColour colour;
+  StyleFeatures style;
   ColourRaster colours;                     // of the part of the page that is drawn on, coarse
   std::vector<std::uint8_t> thumbnail_png;  // the whole page, RGBA, longest side kThumbnailSide_px
 };

@@ -86,8 +86,9 @@ bool is_svg_element(const xmlNode* node) {
 std::optional<std::string> bitmap_uri(std::string_view uri) {
   static constexpr std::array<std::array<std::string_view, 2>, 4> kTypes = {
       {{"iVBORw0KGgo", "png"}, {"/9j/", "jpeg"}, {"R0lGOD", "gif"}, {"UklGR", "webp"}}};
+  if (!uri.starts_with("data:")) return std::nullopt;
   const std::size_t comma = uri.find(',');
-  if (!uri.starts_with("data:") || comma == std::string_view::npos) return std::nullopt;
+  if (comma == std::string_view::npos) return std::nullopt;
   if (!uri.substr(0, comma).ends_with(";base64")) return std::nullopt;
   std::string base64(uri.substr(comma + 1));
   std::erase_if(base64, [](unsigned char c) { return std::isspace(c); });

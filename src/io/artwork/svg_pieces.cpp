@@ -1,8 +1,5 @@
 #include "io/artwork/svg_pieces.h"
 
-#include <libxml/parser.h>
-#include <libxml/tree.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -10,30 +7,14 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "io/artwork/xml_tree.h"
 
 namespace tessera::io {
 namespace {
 
 constexpr double kOtherPage = 512;  // of a silhouette, which has none: as large as library build draws
 
-struct FreeXml {
-  void operator()(xmlDoc* doc) const { xmlFreeDoc(doc); }
-  void operator()(xmlChar* text) const { xmlFree(text); }
-};
-using DocPtr = std::unique_ptr<xmlDoc, FreeXml>;
-
 const xmlChar* xml(const char* text) { return reinterpret_cast<const xmlChar*>(text); }
-std::string_view name_of(const xmlNode* node) { return reinterpret_cast<const char*>(node->name); }
-
-std::string attribute(xmlNode* node, const char* name) {
-  const std::unique_ptr<xmlChar, FreeXml> value(xmlGetNoNsProp(node, xml(name)));
-  return value ? reinterpret_cast<const char*>(value.get()) : "";
-}
-
-std::string reference(xmlNode* use) {
-  const std::unique_ptr<xmlChar, FreeXml> value(xmlGetNsProp(use, xml("href"), xml("http://www.w3.org/1999/xlink")));
-  return value ? reinterpret_cast<const char*>(value.get()) + 1 : "";
-}
 
 xmlNode* first_element(xmlNode* parent, std::string_view name) {
   xmlNode* child = xmlFirstElementChild(parent);
@@ -115,13 +96,6 @@ void take_apart(xmlNode* piece, const std::map<std::string, cv::Size2d>& pages,
   xmlUnsetProp(piece, xml("transform"));
 }
 
-DocPtr parsed(std::span<const std::uint8_t> svg, const std::string& path) {
-  constexpr int kOptions = XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
-  DocPtr doc(xmlReadMemory(reinterpret_cast<const char*>(svg.data()), int(svg.size()), nullptr, nullptr, kOptions));
-  if (!doc || !xmlDocGetRootElement(doc.get())) throw InputError(path + ": not a readable SVG file");
-  return doc;
-}
-
 void remove_pieces(xmlNode* root) {
   for (xmlNode* piece : pieces_of(root)) {
     xmlUnlinkNode(piece);
@@ -137,11 +111,11 @@ void remove_page(xmlNode* root) {
 }  // namespace
 
 DividedSvg divided_svg(std::span<const std::uint8_t> svg, const std::string& path) {
-  const DocPtr doc = parsed(svg, path);
+  const XmlDocPtr doc = parsed_svg(svg, path);
   xmlNode* root = xmlDocGetRootElement(doc.get());
   DividedSvg divided;
   std::sscanf(attribute(root, "viewBox").c_str(), "%*f %*f %lf", &divided.width);
-  const DocPtr ground(xmlCopyDoc(doc.get(), 1));
+  const XmlDocPtr ground(xmlCopyDoc(doc.get(), 1));
   remove_pieces(xmlDocGetRootElement(ground.get()));
   divided.ground = text_of(ground.get());
   const auto pages = pages_of(root);

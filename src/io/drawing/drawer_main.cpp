@@ -61,6 +61,7 @@ void answer_next_request() {
                                      .keep_rectangles = header.keep_rectangles != 0}};
   request.path = read_bytes<std::string>(header.path_bytes);
   request.scope_id = read_bytes<std::string>(header.scope_id_bytes);
+  request.warp = read_bytes<std::vector<std::uint8_t>>(header.warp_bytes);
   const auto bytes = read_bytes<std::vector<std::uint8_t>>(header.bytes);
   request.bytes = bytes;
   const DrawingAnswer answer = answer_or_reason(request);

@@ -192,6 +192,7 @@ bool DrawerProcess::exchange(const DrawingRequest& request, DrawingAnswer& answe
   const RequestHeader header = header_of(request);
   const bool sent = send(&header, sizeof header, left_s) && send(request.path.data(), request.path.size(), left_s) &&
                     send(request.scope_id.data(), request.scope_id.size(), left_s) &&
+                    send(request.warp.data(), request.warp.size(), left_s) &&
                     send(request.bytes.data(), request.bytes.size(), left_s);
   if (!sent || !receive(&answer.header, sizeof answer.header, left_s)) return false;
   if (answer.header.bytes > most_answer_bytes(request)) return false;

@@ -17,7 +17,8 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
     case DrawingKind::png:
     case DrawingKind::whole: return 4 * side_px * side_px;
     case DrawingKind::natural_size: return 2 * sizeof(double);
-    case DrawingKind::svg_import: return 64 * kMebibyte;
+    case DrawingKind::svg_import:
+    case DrawingKind::warped_svg: return 64 * kMebibyte;
     case DrawingKind::shape: return 16 * kMebibyte;
     case DrawingKind::pdf:
     case DrawingKind::plain_pdf: return 512 * kMebibyte;
@@ -50,6 +51,7 @@ RequestHeader header_of(const DrawingRequest& request) {
           .keep_rectangles = request.tracing.keep_rectangles,
           .path_bytes = request.path.size(),
           .scope_id_bytes = request.scope_id.size(),
+          .warp_bytes = request.warp.size(),
           .bytes = request.bytes.size()};
 }
 

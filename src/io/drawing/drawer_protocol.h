@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "io/artwork/artwork_shape.h"
 #include "io/drawing/drawer_layers.h"
@@ -20,7 +21,7 @@ inline constexpr int kDrawerSocket = 3;
 
 /// The first thing that a drawer says, when it has limited itself. Another layout of the greeting has another mark.
 using DrawerMark = std::array<char, 8>;
-inline constexpr DrawerMark kDrawerMark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '4'};
+inline constexpr DrawerMark kDrawerMark = {'d', 'r', 'a', 'w', 'e', 'r', '0', '5'};
 
 /// Two builds of one commit may differ in what was not committed yet, so the sizes of what travels belong to a build.
 struct DrawerBuild {
@@ -48,7 +49,8 @@ enum class DrawingKind : std::uint32_t {
   plain_pdf,
   photo,
   labels,
-  whole
+  whole,
+  warped_svg
 };
 
 struct DrawingRequest {
@@ -57,11 +59,12 @@ struct DrawingRequest {
   double width_pt = 0;                       // of the PDFs
   TracingSettings tracing = {};              // of shape
   std::string path = {};                     // stands in messages; a shape's name
-  std::string scope_id = {};                 // of svg_import
+  std::string scope_id = {};                 // of svg_import and warped_svg
+  std::vector<std::uint8_t> warp = {};       // of warped_svg: warp_codec.h
   std::span<const std::uint8_t> bytes = {};  // the file
 };
 
-/// Goes before the request's path, scope_id and bytes.
+/// Goes before the request's path, scope_id, warp and bytes.
 struct RequestHeader {
   DrawingKind kind;
   std::int32_t longest_side_px;
@@ -72,6 +75,7 @@ struct RequestHeader {
   std::uint32_t keep_rectangles;
   std::uint64_t path_bytes;
   std::uint64_t scope_id_bytes;
+  std::uint64_t warp_bytes;
   std::uint64_t bytes;
 };
 

@@ -19,6 +19,7 @@
 #include "io/artwork/image_decoding.h"
 #include "io/drawing/drawer_process.h"
 #include "io/drawing/shape_answer.h"
+#include "io/drawing/warp_codec.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -241,6 +242,13 @@ std::string Drawers::import_svg(std::span<const std::uint8_t> bytes, const std::
   const DrawingAnswer answer =
       crew_->draw({.kind = DrawingKind::svg_import, .path = path, .scope_id = scope_id, .bytes = bytes});
   return text_of(answer.bytes());
+}
+
+std::string Drawers::warped_svg(std::span<const std::uint8_t> bytes, const std::string& path,
+                                const std::string& scope_id, const Warp& page_warp) {
+  DrawingRequest request{.kind = DrawingKind::warped_svg, .path = path, .scope_id = scope_id, .bytes = bytes};
+  request.warp = encode_warp(page_warp);
+  return text_of(crew_->draw(request).bytes());
 }
 
 std::variant<ArtworkShape, SkipReason> Drawers::shape(std::span<const std::uint8_t> bytes, const std::string& path,

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/deform/warp.h"
 #include "io/artwork/artwork_shape.h"
 #include "io/drawing/drawer_layers.h"
 
@@ -55,6 +56,11 @@ class Drawers {
 
   /// See svg_import.h; the page has the size that natural_size says.
   std::string import_svg(std::span<const std::uint8_t> bytes, const std::string& path, const std::string& scope_id);
+
+  /// See warped_svg.h: the drawing as `page_warp` deforms it, a map of the page in units of natural_size. Throws InputError,
+  /// too, where it can only be deformed as a picture, and where the warp is none (warp_codec.h).
+  std::string warped_svg(std::span<const std::uint8_t> bytes, const std::string& path, const std::string& scope_id,
+                         const Warp& page_warp);
 
   /// The pixels of a PNG as they are, nothing cut from a background: straight BGRA, CV_8UC4. One that is larger than
   /// `longest_side_px` is shrunk to it.

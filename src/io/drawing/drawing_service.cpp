@@ -13,8 +13,10 @@
 #include "io/artwork/png_picture.h"
 #include "io/artwork/svg_import.h"
 #include "io/artwork/svg_pdf.h"
+#include "io/artwork/warped_svg.h"
 #include "io/artwork/whole_picture.h"
 #include "io/drawing/shape_answer.h"
+#include "io/drawing/warp_codec.h"
 
 namespace tessera::io {
 namespace {
@@ -61,7 +63,7 @@ std::string_view without_path(std::string_view message, const std::string& path)
 }  // namespace
 
 DrawingAnswer answer_of(const DrawingRequest& request) {
-  const auto& [kind, longest_side_px, width_pt, tracing, path, scope_id, bytes] = request;
+  const auto& [kind, longest_side_px, width_pt, tracing, path, scope_id, warp, bytes] = request;
   switch (kind) {
     case DrawingKind::page: return image_answer(render_artwork(bytes, path, longest_side_px));
     case DrawingKind::png: return image_answer(png_picture(bytes, path, longest_side_px));
@@ -69,6 +71,7 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
     case DrawingKind::natural_size: return size_answer(open_artwork_page(bytes, path)->natural_size());
     case DrawingKind::svg_import:
       return text_answer(import_svg(bytes, path, scope_id, open_artwork_page(bytes, path)->natural_size()));
+    case DrawingKind::warped_svg: return text_answer(warped_svg(bytes, path, scope_id, decode_warp(warp)));
     case DrawingKind::shape: return bytes_answer(encode_shape_answer(shape_from_artwork(bytes, path, tracing)));
     case DrawingKind::pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, true));
     case DrawingKind::plain_pdf: return bytes_answer(pdf_of_svg(bytes, path, width_pt, false));

@@ -15,6 +15,7 @@ struct Header {
   std::int32_t skip_reason = kNone;
   std::int32_t other_components = 0;
   float other_area_fraction = 0;
+  StyleFeatures style;
 
   static constexpr std::int32_t kNone = -1;
 };
@@ -30,6 +31,7 @@ std::vector<std::uint8_t> encode_shape_answer(const ShapeOrReason& answer) {
     const auto& artwork = std::get<ArtworkShape>(answer);
     header.other_components = artwork.other_components;
     header.other_area_fraction = artwork.other_area_fraction;
+    header.style = artwork.style;
     shape = encode_shape(artwork.shape);
   }
   std::vector<std::uint8_t> bytes(sizeof header + shape.size());
@@ -49,7 +51,8 @@ ShapeOrReason decode_shape_answer(std::span<const std::uint8_t> bytes) {
     return SkipReason(header.skip_reason);
   }
   const std::string_view shape(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return ArtworkShape{decode_shape(shape.substr(sizeof header)), header.other_components, header.other_area_fraction};
+  return ArtworkShape{decode_shape(shape.substr(sizeof header)), header.other_components, header.other_area_fraction,
+                      header.style};
 }
 
 }  // namespace tessera::io

@@ -91,6 +91,12 @@ struct ColourSpec {
   std::string harmony = kNoHarmony;             // "auto", or the letter of a template (harmony.h)
 };
 
+/// A wish for drawings of one style (core/style/style_weight.h).
+struct StyleSpec {
+  std::vector<std::string> like;  // style_reference.h; empty: all styles
+  double weight = 1;              // 0: as if there were no wish
+};
+
 struct CheckpointSpec {
   double every_s = 60;  // 0 = only at the end, and where the run is interrupted
 };
@@ -130,6 +136,7 @@ struct Job {
   std::string devices = "all";  // "all", "cpu", "gpu" or a list of distinct indices "0,2"
   int devices_per_worker = 0;   // 0 = each worker of a node uses all of them
   ColourSpec colour;
+  StyleSpec style;
   OutputSpec output;
   CheckpointSpec checkpoint;
   CommSpec comm;

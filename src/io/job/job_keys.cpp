@@ -242,6 +242,30 @@ void add_stop_keys(std::vector<JobKey>& keys) {
   keys.back().decides = false;
 }
 
+/// By default pieces keep their outlines. The limits are those up to which drawings were taken for undeformed ones.
+void add_deform_keys(std::vector<JobKey>& keys) {
+  using enum JobKind;
+  const std::size_t before = keys.size();
+  keys.push_back(with_word({"deform", "kind", word, "", 0, 0, {"none", "capped", "voronoi"},
+                            "of the finished collage: `capped` moves boundaries, and the drawings with them, to the middle "
+                            "of gaps and overlaps, within the limits below; `voronoi` as far as there is something to fill"},
+                           FIELD(settings.deform.kind)));
+  keys.push_back(with_number({"deform", "most_px", number, "px", 0, 100, {},
+                              "so far a boundary moves, if `capped`"},
+                             FIELD(settings.deform.most_px)));
+  keys.push_back(with_number({"deform", "most_part", number, "", 0, 0.5, {},
+                              "the same in parts of the piece's size; whichever is less"},
+                             FIELD(settings.deform.most_part)));
+  keys.push_back(with_number({"deform", "most_area", number, "", 0.001, 1, {},
+                              "by so much of itself a piece's area may change, if `capped`"},
+                             FIELD(settings.deform.most_area)));
+  keys.push_back(with_number({"deform", "most_pad", number, "", 0.001, 1, {},
+                              "so far a piece may come from what it was, if `capped`: the mean distance of PADs along its "
+                              "outline"},
+                             FIELD(settings.deform.most_pad)));
+  for (std::size_t i = before; i < keys.size(); ++i) keys[i].decides = false;
+}
+
 /// Once a minute costs a thousandth of the time at most, and no more than a minute is ever lost.
 void add_checkpoint_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"checkpoint", "every_s", JobKind::number, "s", 0, 1e6, {},
@@ -291,6 +315,19 @@ void add_colour_keys(std::vector<JobKey>& keys) {
                             "fits best"},
                            FIELD(colour.harmony)));
   keys.back().decides = false;
+}
+
+/// A library is of many styles, and collages of the paper's do not regard them.
+void add_style_keys(std::vector<JobKey>& keys) {
+  using enum JobKind;
+  keys.push_back(with_texts({"style", "like", texts, "", 0, 0, {},
+                            "a drawing, or patterns of the names of several, whose style is preferred; `auto`: the "
+                             "style that prevails in the library; empty = none"},
+                            FIELD(style.like)));
+  keys.push_back(with_number({"style", "weight", number, "", 0, 10, {},
+                              "how much: at 1 a drawing is preferred half as much for each unit of style distance; 0 = "
+                              "not at all"},
+                             FIELD(style.weight)));
 }
 
 /// A piece as its drawing is, cut out along its outline, is the collage of the paper.
@@ -379,9 +416,11 @@ const std::vector<JobKey>& job_keys() {
     add_objective_keys(all);
     add_improve_keys(all);
     add_stop_keys(all);
+    add_deform_keys(all);
     add_checkpoint_keys(all);
     add_comm_keys(all);
     add_colour_keys(all);
+    add_style_keys(all);
     add_machine_and_output_keys(all);
     return all;
   }();

@@ -48,8 +48,12 @@ ColourChoice colours_of(const Job& job) {
 LibraryView open_library_of(const Job& job) {
   const ColourChoice colours = colours_of(job);
   try {
-    return LibraryView(
-        {library_paths(job), {job.library_include, job.library_exclude}, mirroring_of(job), job.drawn_sizes, colours});
+    return LibraryView({library_paths(job),
+                        {job.library_include, job.library_exclude},
+                        mirroring_of(job),
+                        job.drawn_sizes,
+                        colours,
+                        wishes_style(job)});
   } catch (const NamesNotFound& error) {
     throw InputError(job.path + ": library." + error.what());
   } catch (const NoSuchColours& error) {
@@ -62,9 +66,10 @@ LibraryView open_library_of(const Job& job) {
 
 std::vector<NamedShape> named_shapes(const ShapeLibrary& library) {
   constexpr LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
+  const std::vector<StyleFeatures> styles = library.styles();
   std::vector<NamedShape> shapes;
   for (Shape& shape : library.read(0, library.size(), kNamesOnly)) {
-    shapes.push_back({std::move(shape.name), shape.drawn_scale_px, shape.artwork.mirrored});
+    shapes.push_back({std::move(shape.name), shape.drawn_scale_px, shape.artwork.mirrored, styles[shapes.size()]});
   }
   return shapes;
 }

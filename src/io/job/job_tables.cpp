@@ -44,6 +44,9 @@ JobTable shapes_table() {
       column(t, "regions", texts, "", 0, 0, "names of the regions in which they may stand; default: all"));
   table.columns.push_back(column(t, "apart_px", number, "px", 0, 20000,
                                  "distance kept between the outlines of any two pieces of these shapes"));
+  JobKey deform = column(t, "deform", word, "", 0, 0, "whether [deform] may deform their pieces; default: yes");
+  deform.words = {"yes", "no"};
+  table.columns.push_back(deform);
   table.columns.push_back(column(t, "group", name, "", 0, 0, "name of the SVG layer that their pieces are put in"));
   return table;
 }

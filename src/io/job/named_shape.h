@@ -3,12 +3,15 @@
 
 #include <string>
 
+#include "core/style/style_features.h"
+
 namespace tessera::io {
 
 struct NamedShape {
   std::string name;          // a mirror image has that of its drawing
   float drawn_scale_px = 0;  // Shape::drawn_scale_px
   bool mirrored = false;     // the drawing's mirror image
+  StyleFeatures style = {};
 };
 
 }  // namespace tessera::io

@@ -5,14 +5,16 @@
 #include <map>
 #include <numbers>
 #include <set>
-#include <utility>
+#include <tuple>
 
 #include "core/base/error.h"
+#include "core/style/style_weight.h"
 #include "io/job/job_keys.h"
 #include "io/job/job_tables.h"
 #include "io/job/wish_parts.h"
 #include "io/library/name_globs.h"
 #include "io/library/name_index.h"
+#include "io/library/style_reference.h"
 #include "io/nearest_name.h"
 #include "io/number_text.h"
 #include "io/pose.h"
@@ -54,7 +56,7 @@ class Resolution {
       fail("pieces.fit: found \"all\" where there are [[regions]], allowed: \"free\"");
     }
     for (const JobRow& row : region_rows_) add_region(row);
-    if (!shape_rows_.empty() || job_.drawn_sizes || !job_.start.not_anew.empty()) add_classes();
+    if (!shape_rows_.empty() || job_.drawn_sizes || wishes_style(job_) || !job_.start.not_anew.empty()) add_classes();
     for (const JobRow& row : given_rows_) wishes_.given.push_back(given_piece(row));
     return std::move(wishes_);
   }
@@ -134,21 +136,47 @@ class Resolution {
     return {scale_px, scale_px};
   }
 
-  /// Shapes of one size that the same tables are about are one class.
+  /// By shape; empty where no style is wished for.
+  std::vector<int> style_steps() const {
+    if (!wishes_style(job_)) return {};
+    std::vector<StylePlace> places;
+    for (const NamedShape& shape : shapes_) {
+      if (!shape.style.known()) fail("style.like: " + unknown_style_text("the library", shape.name));
+      places.push_back(style_place(shape.style));
+    }
+    const StylePlace wished = wished_style(places);
+    std::vector<int> steps;
+    for (const StylePlace& place : places)
+      steps.push_back(style_step(style_distance(place, wished), float(job_.style.weight)));
+    return steps;
+  }
+
+  StylePlace wished_style(const std::vector<StylePlace>& places) const {
+    try {
+      return style_reference(names_, places, job_.style.like);
+    } catch (const NamesNotFound& error) {
+      fail("style.like: " + error.reason());
+    }
+  }
+
+  /// Shapes of one size and one nearness in style that the same tables are about are one class.
   void add_classes() {
     WishParts parts(shapes_.size());
     for (std::size_t row = 0; row < shape_rows_.size(); ++row) {
       parts.add_row(chosen_by(row), [&](ShapeWish& wish) { read_row(row, wish); });
     }
     if (!job_.start.not_anew.empty()) parts.add_row(not_anew(), [](ShapeWish& wish) { wish.weight = 0; });
-    std::map<std::pair<std::uint32_t, float>, std::uint32_t> class_of;  // of a part and a size as drawn
+    const std::vector<int> steps = style_steps();
+    std::map<std::tuple<std::uint32_t, float, int>, std::uint32_t> class_of;  // of a part, a size as drawn, a style
     for (std::size_t shape = 0; shape < shapes_.size(); ++shape) {
       const std::uint32_t part = parts.part_of(shape);
       const ShapeWish& wish = parts.wish(part);
       const bool drawn = job_.drawn_sizes && wish.weight > 0 && wish.poses.scale_px.empty();
       const Interval scale_px = drawn ? as_drawn(shape) : Interval{};
-      const auto [at, is_new] = class_of.try_emplace({part, scale_px.min}, std::uint32_t(wishes_.classes.size()));
+      const int step = steps.empty() ? 0 : steps[shape];
+      const auto [at, is_new] = class_of.try_emplace({part, scale_px.min, step}, std::uint32_t(wishes_.classes.size()));
       if (is_new) wishes_.classes.push_back(wish);
+      if (is_new) wishes_.classes.back().weight *= style_worth(step);
       if (is_new && drawn) wishes_.classes.back().poses.scale_px = {scale_px};
       wishes_.class_of_shape.push_back(at->second);
     }
@@ -163,6 +191,7 @@ class Resolution {
       wish.uses = int(value->numbers[1]);
     }
     if (const JobValue* value = cell(row, "apart_px")) wish.apart = {std::uint32_t(i), float(value->numbers[0])};
+    if (const JobValue* value = cell(row, "deform")) wish.deforms = value->text == "yes";
     if (const JobValue* value = cell(row, "regions")) wish.in_region = regions_named(value->texts, i);
   }
 
@@ -208,8 +237,10 @@ void widen_scales(PieceSettings& pieces, const Wishes& wishes, bool drawn_sizes)
 
 }  // namespace
 
+bool wishes_style(const Job& job) { return !job.style.like.empty() && job.style.weight > 0; }
+
 bool has_shape_wishes(const Job& job) {
-  return job.drawn_sizes || !job.start.not_anew.empty() || !rows_of(job, "shapes").empty() ||
+  return job.drawn_sizes || wishes_style(job) || !job.start.not_anew.empty() || !rows_of(job, "shapes").empty() ||
          !rows_of(job, "given").empty();
 }
 

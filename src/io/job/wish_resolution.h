@@ -8,6 +8,9 @@
 
 namespace tessera::io {
 
+/// Whether the job prefers a style.
+bool wishes_style(const Job& job);
+
 /// Whether resolve_wishes needs the names of the shapes, and their sizes.
 bool has_shape_wishes(const Job& job);
 

@@ -92,25 +92,25 @@ class Builder {
  private:
   void take_shape(const std::string& path, ArtworkShape artwork) {
     try {
-      add(path, std::move(artwork.shape));
+      add(path, std::move(artwork.shape), artwork.style);
       if (artwork.other_components > 0) report_.trimmed.push_back(path);
     } catch (const InputError& error) {
       skip(path, error.what());
     }
   }
 
-  void add(const std::string& path, Shape shape) {
+  void add(const std::string& path, Shape shape, const StyleFeatures& style) {
     std::vector<Variant>& variants = variants_of_silhouette_[silhouette_hash(shape.outline)];
     const auto same = std::find_if(variants.begin(), variants.end(),
                                    [&](const Variant& v) { return same_colour(v.mean_lab, shape.mean_lab); });
-    if (same != variants.end()) {
+    if (same != variants.end() && !settings_.keep_twins) {
       report_.merged.push_back({path, same->name});
       return;
     }
     if (settings_.embed) embed(path, shape.artwork);
     shape.name = names_.unique(shape.name, path);
     const auto index = std::uint32_t(report_.shapes);
-    writer_.append(shape, variants.empty() ? index : variants.front().index);
+    writer_.append(shape, variants.empty() ? index : variants.front().index, style);
     variants.push_back({index, shape.name, shape.mean_lab});
     ++report_.shapes;
   }

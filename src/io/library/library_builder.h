@@ -18,8 +18,9 @@ namespace tessera::io {
 
 struct LibraryBuildSettings {
   TracingSettings tracing;
-  bool embed = false;   // keep the artwork files' bytes
-  bool strict = false;  // write nothing where a file cannot be used
+  bool embed = false;       // keep the artwork files' bytes
+  bool strict = false;      // write nothing where a file cannot be used
+  bool keep_twins = false;  // files of the same silhouette and colour are shapes of their own
   int files_at_a_time = 1;
 };
 

@@ -1,6 +1,7 @@
 #include "io/library/library_check.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "core/base/error.h"
@@ -15,7 +16,7 @@ using namespace layout;
 /// One shape's way through the checks, which all report alike.
 class ShapeCheck {
  public:
-  explicit ShapeCheck(const Shape& shape) : shape_(shape) {}
+  ShapeCheck(const Shape& shape, const StyleFeatures& style) : shape_(shape), style_(style) {}
 
   void all() const {
     check_texts();
@@ -41,6 +42,7 @@ class ShapeCheck {
     require(all_within(shape_.mean_lab.data(), 3, -kMaxLab, kMaxLab), "its colour is out of range");
     require(all_within(&shape_.colour_spread, 1, -1, kMaxLab), "its colours are out of range");
     require(all_within(&shape_.drawn_scale_px, 1, 0, kMaxDrawnScale_px), "its drawn size is out of range");
+    require(is_style(style_), "its style is out of range");
   }
 
   void check_outline() const {
@@ -95,6 +97,7 @@ class ShapeCheck {
   }
 
   const Shape& shape_;
+  const StyleFeatures& style_;
 };
 
 }  // namespace
@@ -109,6 +112,13 @@ bool all_within(const Vec2* values, std::size_t count, float least, float most) 
                      [&](Vec2 v) { return v.x >= least && v.x <= most && v.y >= least && v.y <= most; });
 }
 
-void check_fits_library(const Shape& shape) { ShapeCheck(shape).all(); }
+bool is_style(const StyleFeatures& style) {
+  const float parts[] = {style.line_width, style.line_part, style.outlined, style.shading, style.detail};
+  const float colours[] = {style.chroma, style.texture};
+  return all_within(parts, std::size(parts), 0, 1) && all_within(colours, std::size(colours), 0, kMaxLab) &&
+         all_within(&style.palette, 1, -1, kMostPaletteBits);
+}
+
+void check_fits_library(const Shape& shape, const StyleFeatures& style) { ShapeCheck(shape, style).all(); }
 
 }  // namespace tessera::io

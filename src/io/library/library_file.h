@@ -47,6 +47,8 @@ class LibraryFile : public ShapeLibrary {
   std::uint64_t content_digest() const override;
   /// Libraries of older versions know none: each shape is its own.
   std::vector<std::uint32_t> variant_of() const override;
+  /// Libraries of older versions know none.
+  std::vector<StyleFeatures> styles() const override;
   /// A file holds no mirror images.
   std::vector<std::uint32_t> drawings() const override;
   /// What shapes [begin, end) are known by. Throws as read().
@@ -66,7 +68,7 @@ class LibraryWriter {
   ~LibraryWriter();  // unfinished: removes the temporary file
   /// `variant_of`: the first shape of the library with the same silhouette; nothing: this is the first one. Throws
   /// InputError where the shape breaks a limit of the format (before anything of it is written).
-  void append(const Shape& shape, std::optional<std::uint32_t> variant_of = {});
+  void append(const Shape& shape, std::optional<std::uint32_t> variant_of = {}, const StyleFeatures& style = {});
   void finish();
 
  private:

@@ -127,6 +127,11 @@ Columns library_columns(int pad_levels) {
                       "L x 2.55, a + 128, b + 128, part x 255",
                       "mean CIELAB (D65) of each cell of a grid over the outline's box, row by row, and how much of it "
                       "is drawn on; all 0: unknown"},
+      .style =
+          floats("/shapes/style", {kStyleNumbers}, "1, see description",
+                 "width of lines (shape units), part of the area that is lines, part of the boundary that is, "
+                 "entropy of the colours (bits), chroma (CIELAB), texture (CIELAB), shaded part, part beside edges; "
+                 "negative entropy: unknown"),
   };
   for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k)
     c.levels.push_back(level_columns(k, std::size_t(pad_levels)));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/shape/shape.h"
+#include "core/style/style_features.h"
 
 namespace tessera::io::layout {
 
@@ -49,6 +50,7 @@ inline constexpr float kMaxCoordinate = 1e4f;  // shape units, lengths too; a sh
 inline constexpr float kLeastLength = 1e-6f;
 inline constexpr float kMaxLab = 200;
 inline constexpr float kMaxDrawnScale_px = 1e6f;
+inline constexpr float kMostPaletteBits = 16;
 inline constexpr int kMaxArtworkSize_px = 1 << 20;
 
 enum class Element { float32, int16, int32, int64, uint64, uint8, text };
@@ -79,7 +81,7 @@ struct Columns {
   Column first_thumbnail_byte, thumbnail_bytes, first_original_byte, original_bytes;
   std::vector<LevelColumns> levels;  // one for each of kSmoothingLevels
   // Libraries of older versions lack these.
-  Column part_digest, artwork_beside, artwork_sha256, variant_of, colour_spread, drawn_scale, colour_grid;
+  Column part_digest, artwork_beside, artwork_sha256, variant_of, colour_spread, drawn_scale, colour_grid, style;
 };
 
 /// The group of smoothing level k.

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/library/hdf5_trial.h"
+#include "io/library/library_check.h"
 #include "io/library/library_file.h"
 #include "io/library/library_open.h"
 #include "io/library/library_parts.h"
@@ -43,7 +44,8 @@ struct LibraryFile::State {
         artwork(file.get(), format, std::filesystem::absolute(file_path).parent_path()),
         original(file.get(), format.first_original_byte, format.original_bytes, layout::kMaxOriginalBytes),
         part_digest(ColumnReader::if_present(file.get(), format.part_digest)),
-        variant_of(ColumnReader::if_present(file.get(), format.variant_of)) {
+        variant_of(ColumnReader::if_present(file.get(), format.variant_of)),
+        style(ColumnReader::if_present(file.get(), format.style)) {
     for (std::size_t k = 0; k < format.levels.size(); ++k) levels.emplace_back(file.get(), format.levels[k], k);
     check_rows();
     check_declared_bytes();
@@ -55,6 +57,7 @@ struct LibraryFile::State {
   std::vector<PartDigests> stored_digests(std::size_t begin, std::size_t end) const;
   std::vector<PartDigests> digests(std::size_t begin, std::size_t end) const;
   std::vector<std::uint32_t> variants(std::size_t begin, std::size_t end) const;
+  std::vector<StyleFeatures> styles(std::size_t begin, std::size_t end) const;
   std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
   LibrarySummary summary() const;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const;
@@ -70,7 +73,7 @@ struct LibraryFile::State {
   FieldReader field;
   ArtworkReader artwork;
   BytesReader original;
-  std::optional<ColumnReader> part_digest, variant_of;
+  std::optional<ColumnReader> part_digest, variant_of, style;
   std::vector<LevelReader> levels;
 };
 
@@ -80,7 +83,7 @@ std::vector<const ColumnReader*> LibraryFile::State::columns() const {
     all.insert(all.end(), some.begin(), some.end());
   };
   add(head.columns());
-  for (const auto* column : {&part_digest, &variant_of}) {
+  for (const auto* column : {&part_digest, &variant_of, &style}) {
     if (*column) all.push_back(&**column);
   }
   add(outline.columns());
@@ -164,16 +167,25 @@ std::vector<std::uint32_t> LibraryFile::State::variants(std::size_t begin, std::
   return variants;
 }
 
+std::vector<StyleFeatures> LibraryFile::State::styles(std::size_t begin, std::size_t end) const {
+  if (!style) return std::vector<StyleFeatures>(end - begin);
+  std::vector<StyleFeatures> styles = style->read<StyleFeatures>(begin, end);
+  if (!std::all_of(styles.begin(), styles.end(), is_style))
+    throw Hdf5Error("data set " + format.style.path + ": a value is out of range");
+  return styles;
+}
+
 std::vector<ShapeHead> LibraryFile::State::heads(std::size_t begin, std::size_t end) const {
   std::vector<Shape> shapes(end - begin);
   head.read({begin, end, shapes.data()});
   const std::vector<PartDigests> digest = digests(begin, end);
   const std::vector<std::uint32_t> variant = variants(begin, end);
+  const std::vector<StyleFeatures> styles = this->styles(begin, end);
   std::vector<ShapeHead> heads;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     Shape& shape = shapes[i];
     heads.push_back({std::move(shape.name), shape.perimeter, shape.radius, shape.mean_lab, digest[i], variant[i],
-                     shape.drawn_scale_px});
+                     shape.drawn_scale_px, styles[i]});
   }
   return heads;
 }
@@ -235,6 +247,10 @@ std::vector<std::uint32_t> LibraryFile::variant_of() const {
     }
     return variants;
   });
+}
+
+std::vector<StyleFeatures> LibraryFile::styles() const {
+  return naming_the_file(path(), [&] { return state_->styles(0, size()); });
 }
 
 std::vector<std::uint32_t> LibraryFile::drawings() const {

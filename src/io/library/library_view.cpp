@@ -16,6 +16,7 @@
 #include "core/shape/mirrored_shape.h"
 #include "io/library/library_names.h"
 #include "io/library/same_colour.h"
+#include "io/library/style_reference.h"
 #include "io/number_text.h"
 
 namespace tessera::io {
@@ -86,6 +87,39 @@ void keep_colours(const std::vector<LibraryFile>& files, const ColourChoice& cho
   if (std::find(chosen.begin(), chosen.end(), true) != chosen.end()) return;
   throw NoSuchColours("no drawing that is chosen is within " + fixed(double(choice.most_difference), 1) +
                       " CIEDE2000 of these colours; the nearest is at " + fixed(double(nearest), 1));
+}
+
+/// The style of each shape of the files, one after the other.
+std::vector<StylePlace> known_styles(const std::vector<LibraryFile>& files, std::vector<std::string>& names) {
+  std::vector<StylePlace> places;
+  for (const LibraryFile& file : files) {
+    for_each_head(file, [&](std::size_t, ShapeHead head) {
+      if (!head.style.known()) throw InputError(unknown_style_text(file.path(), head.name));
+      places.push_back(style_place(head.style));
+      names.push_back(std::move(head.name));
+    });
+  }
+  return places;
+}
+
+/// Takes from what is chosen the drawings of other styles. The nearest come first, of equal ones the first.
+void keep_style(const std::vector<LibraryFile>& files, const StyleChoice& choice, std::vector<bool>& chosen) {
+  if (choice.like.empty()) return;
+  std::vector<std::string> names;
+  const std::vector<StylePlace> places = known_styles(files, names);
+  const StylePlace like = style_reference(NameIndex(std::move(names)), places, choice.like);
+  std::vector<std::pair<float, std::size_t>> by_distance;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (chosen[i]) by_distance.emplace_back(style_distance(places[i], like), i);
+  }
+  std::sort(by_distance.begin(), by_distance.end());
+  if (choice.closest) by_distance.resize(std::min(by_distance.size(), *choice.closest));
+  chosen.assign(chosen.size(), false);
+  for (const auto& [distance, place] : by_distance) chosen[place] = !choice.within || distance <= *choice.within;
+  if (std::find(chosen.begin(), chosen.end(), true) != chosen.end()) return;
+  throw InputError("no drawing that is chosen is within " + fixed(double(choice.within.value_or(0)), 2) +
+                   " of the style of " + joined(choice.like) + "; the nearest is at " +
+                   fixed(double(by_distance.front().first), 2));
 }
 
 /// Of each name what the last rule that has it says.
@@ -160,20 +194,23 @@ class LibraryView::Gathering {
   std::unordered_map<std::uint64_t, std::size_t> of_outline_;
 };
 
-LibraryView::LibraryView(const LibraryChoice& choice) : drawn_sizes_(choice.drawn_sizes) {
+LibraryView::LibraryView(const LibraryChoice& choice) : drawn_sizes_(choice.drawn_sizes), styles_(choice.styles) {
   for (const std::string& file : choice.files) files_.emplace_back(file);
   path_ = joined(choice.files);
   check_built_alike(files_);
   const bool mirrors = std::any_of(choice.mirroring.begin(), choice.mirroring.end(),
                                    [](const MirroringRule& rule) { return rule.mirroring != Mirroring::never; });
-  if (files_.size() == 1 && choice.names.empty() && choice.colours.palette.empty() && !mirrors) return;
-  gather(choice.names, choice.colours);
+  if (files_.size() == 1 && choice.names.empty() && choice.colours.palette.empty() && choice.style.like.empty() &&
+      !mirrors)
+    return;
+  gather(choice);
   if (mirrors) add_mirror_images(choice.mirroring);
 }
 
-void LibraryView::gather(const NameGlobs& names, const ColourChoice& colours) {
-  std::vector<bool> chosen = chosen_shapes(files_, path_, names);
-  keep_colours(files_, colours, chosen);
+void LibraryView::gather(const LibraryChoice& choice) {
+  std::vector<bool> chosen = chosen_shapes(files_, path_, choice.names);
+  keep_colours(files_, choice.colours, chosen);
+  keep_style(files_, choice.style, chosen);
   if (chosen.size() > layout::kMaxShapes) throw InputError(path_ + ": too many shapes");
   Gathering gathering(*this);
   std::size_t at = 0;
@@ -215,7 +252,7 @@ std::uint64_t LibraryView::content_digest() const {
   const std::uint64_t shapes =
       digest_of_heads(pad_parameters(), size(), [&](std::size_t begin, std::size_t end) { return heads(begin, end); });
   const bool mirrors = std::any_of(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.mirrored; });
-  if (!mirrors && !drawn_sizes_) return shapes;
+  if (!mirrors && !drawn_sizes_ && !styles_) return shapes;
   Digest digest;
   digest.add(shapes);
   if (mirrors) {
@@ -225,6 +262,10 @@ std::uint64_t LibraryView::content_digest() const {
     const std::vector<float> scales_px = drawn_scales_px();
     digest.add_all(std::span<const float>(scales_px));
   }
+  if (styles_) {
+    const std::vector<StyleFeatures> all = styles();
+    digest.add_all(std::span<const StyleFeatures>(all));
+  }
   return digest.value();
 }
 
@@ -233,6 +274,13 @@ std::vector<std::uint32_t> LibraryView::variant_of() const {
   std::vector<std::uint32_t> variants;
   for (const Entry& entry : entries_) variants.push_back(entry.variant_of);
   return variants;
+}
+
+std::vector<StyleFeatures> LibraryView::styles() const {
+  if (whole_file()) return files_.front().styles();
+  std::vector<StyleFeatures> styles;
+  for_each_head(*this, [&](std::size_t, const ShapeHead& head) { styles.push_back(head.style); });
+  return styles;
 }
 
 std::vector<std::uint32_t> LibraryView::drawings() const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,21 @@ struct ColourChoice {
   float most_difference = 15;  // CIEDE2000 (core/colour/palette_difference.h)
 };
 
+/// Drawings of a style. All of them where no name is given.
+struct StyleChoice {
+  std::vector<std::string> like = {};       // style_reference.h, by the names in the files
+  std::optional<std::size_t> closest = {};  // so many, 1 at least
+  std::optional<float> within = {};         // a distance (core/style/style_features.h)
+};
+
 struct LibraryChoice {
   std::vector<std::string> files;             // one at least
   NameGlobs names;                            // as they are in the files
   std::vector<MirroringRule> mirroring = {};  // by the names of the view; of several the last one holds; none: never
   bool drawn_sizes = false;                   // content_digest() tells libraries apart whose drawings' sizes differ
   ColourChoice colours = {};
+  bool styles = false;  // content_digest() tells libraries apart whose drawings' styles differ
+  StyleChoice style = {};
 };
 
 /// The shapes come in the order of the files, and in a file's order, then mirror images under the names of their
@@ -54,6 +64,7 @@ class LibraryView : public ShapeLibrary {
   PadParameters pad_parameters() const override { return files_.front().pad_parameters(); }
   std::uint64_t content_digest() const override;
   std::vector<std::uint32_t> variant_of() const override;
+  std::vector<StyleFeatures> styles() const override;
   std::vector<std::uint32_t> drawings() const override;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;
 
@@ -74,7 +85,7 @@ class LibraryView : public ShapeLibrary {
   };
   class Gathering;
 
-  void gather(const NameGlobs& names, const ColourChoice& colours);
+  void gather(const LibraryChoice& choice);
   void add_mirror_images(const std::vector<MirroringRule>& rules);
 
   bool whole_file() const { return entries_.empty(); }
@@ -86,6 +97,7 @@ class LibraryView : public ShapeLibrary {
   std::string path_;
   std::vector<Entry> entries_;  // empty: all of the only file
   bool drawn_sizes_;
+  bool styles_;
   std::vector<Twin> twins_;
 };
 

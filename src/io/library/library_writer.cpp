@@ -213,6 +213,7 @@ struct LibraryWriter::State {
           colour_spread(file, columns.colour_spread),
           drawn_scale(file, columns.drawn_scale),
           colour_grid(file, columns.colour_grid),
+          style(file, columns.style),
           outline(file, columns),
           field(file, columns),
           artwork(file, columns, folder),
@@ -222,7 +223,7 @@ struct LibraryWriter::State {
     }
 
     TextWriter name;
-    ColumnWriter perimeter, radius, mean_lab, colour_spread, drawn_scale, colour_grid;
+    ColumnWriter perimeter, radius, mean_lab, colour_spread, drawn_scale, colour_grid, style;
     OutlineWriter outline;
     FieldWriter field;
     ArtworkWriter artwork;
@@ -269,9 +270,9 @@ LibraryWriter::~LibraryWriter() {
   if (!state_->finished) state_->remove_temporary();
 }
 
-void LibraryWriter::append(const Shape& shape, std::optional<std::uint32_t> variant_of) {
+void LibraryWriter::append(const Shape& shape, std::optional<std::uint32_t> variant_of, const StyleFeatures& style) {
   const Hdf5Silence silence;
-  check_fits_library(shape);
+  check_fits_library(shape, style);
   try {
     State::Content& to = *state_->content;
     to.name.append(shape.name);
@@ -281,6 +282,7 @@ void LibraryWriter::append(const Shape& shape, std::optional<std::uint32_t> vari
     to.colour_spread.append(&shape.colour_spread, 1);
     to.drawn_scale.append(&shape.drawn_scale_px, 1);
     to.colour_grid.append(shape.colour_grid.bytes.data(), 1);
+    to.style.append(&style, 1);
     std::vector<std::uint64_t> digests{to.outline.append(shape.outline), to.field.append(shape.field)};
     for (std::size_t k = 0; k < to.levels.size(); ++k)
       digests.push_back(to.levels[k].append(shape.levels[k], state_->pad.levels));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/pad/pad.h"
+#include "core/style/style_features.h"
 #include "io/library/library_layout.h"
 
 namespace tessera::io {
@@ -23,6 +24,7 @@ struct ShapeHead {
   PartDigests part_digest{};
   std::uint32_t variant_of = 0;  // the first shape of the library with the same silhouette
   float drawn_scale_px = 0;      // 0: unknown
+  StyleFeatures style = {};
 
   std::uint64_t outline_digest() const { return part_digest[0]; }
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/shape/shape.h"
+#include "core/style/style_features.h"
 
 namespace tessera::io {
 
@@ -33,6 +34,8 @@ class ShapeLibrary {
   virtual std::uint64_t content_digest() const = 0;
   /// For each shape the first one with the same silhouette, in other colours; mostly itself. Throws as read().
   virtual std::vector<std::uint32_t> variant_of() const = 0;
+  /// What each shape's drawing looks like; unknown in libraries of older versions. Throws as read().
+  virtual std::vector<StyleFeatures> styles() const = 0;
   /// For each shape the one that it is the mirror image of: the same drawing, mirrored. Mostly itself.
   virtual std::vector<std::uint32_t> drawings() const = 0;
   /// Shapes [begin, end). Throws InputError that names file and data set where what is read is damaged.

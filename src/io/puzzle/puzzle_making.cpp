@@ -10,9 +10,14 @@
 #include "core/base/error.h"
 #include "core/base/portable_math.h"
 #include "core/geometry/polygon.h"
+#include "io/artwork/artwork_render.h"
 #include "io/atomic_file.h"
 #include "io/elements/cut_outs.h"
 #include "io/elements/photo_extraction.h"
+#include "io/job/canvas_edge.h"
+#include "io/job/canvas_file.h"
+#include "io/number_text.h"
+#include "io/puzzle/frame_outline.h"
 #include "io/puzzle/puzzle_geojson.h"
 #include "io/regular_file.h"
 
@@ -36,12 +41,70 @@ void check(const PuzzleRequest& request) {
     throw InputError(request.folder + ": is there already, and holds something; allowed: a new folder (--out DIR)");
 }
 
-void check_size(const PuzzleRequest& request, const cv::Size& size) {
+/// What is cut, opaque where the outline goes. `outline`: empty for the whole picture.
+struct Source {
+  cv::Mat bgra;
+  std::vector<Vec2> outline = {};
+};
+
+bool is_svg(const std::string& path) {
+  const fs::path extension = fs::path(path).extension();
+  return extension == ".svg" || extension == ".svgz";
+}
+
+/// The colours of what is opaque go on for some px beyond it: the edge of a piece mixes with them.
+cv::Mat with_colours_beyond(const cv::Mat& page) {
+  constexpr double kReach_px = 2;
+  cv::Mat own, weight, blurred;
+  page.convertTo(own, CV_32FC4);
+  cv::Mat result = page.clone();
+  own.forEach<cv::Vec4f>([](cv::Vec4f& p, const int*) {
+    const float alpha = p[3] / 255;
+    for (int c = 0; c < 3; ++c) p[c] *= alpha;
+  });
+  cv::GaussianBlur(own, blurred, {0, 0}, kReach_px);
+  result.forEach<cv::Vec4b>([&](cv::Vec4b& p, const int* at) {
+    const cv::Vec4f& near = blurred.at<cv::Vec4f>(at[0], at[1]);
+    if (p[3] < 255 && near[3] > 0) {
+      for (int c = 0; c < 3; ++c) p[c] = cv::saturate_cast<std::uint8_t>(255 * near[c] / near[3]);
+    }
+    p[3] = 255;
+  });
+  return result;
+}
+
+/// As large as its pieces want it.
+Source shape_of(const PuzzleRequest& request, Drawers& drawers) {
+  constexpr int kLeastSide_px = 1600;
+  constexpr double kUsualPiece_px = 100;  // a side of one, where the shape fills half of the page
+  const int wished = int(kUsualPiece_px * std::sqrt(2.0 * request.pieces));
+  const int side_px = std::min(std::max(kLeastSide_px, wished), kMaxArtworkSide_px);
+  const cv::Mat page = drawers.render(read_regular_file(request.picture, kMaxPhotoBytes), request.picture, side_px);
+  return {with_colours_beyond(page), frame_outline(traced_edge(mask_coverage(page), 1), request.picture)};
+}
+
+Source source_of(const PuzzleRequest& request, Drawers& drawers) {
+  if (is_svg(request.picture)) return shape_of(request, drawers);
+  return {drawers.photo(read_regular_file(request.picture, kMaxPhotoBytes), request.picture)};
+}
+
+/// The outline as a drawing of the page's size.
+std::string frame_svg(const Source& source) {
+  const std::string width = std::to_string(source.bgra.cols), height = std::to_string(source.bgra.rows);
+  std::string path;
+  for (const Vec2 p : source.outline) path += (path.empty() ? "M" : " ") + fixed(p.x, 3) + "," + fixed(p.y, 3);
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\" viewBox=\"0 0 " +
+         width + " " + height + "\">\n<path d=\"" + path + "Z\"/>\n</svg>\n";
+}
+
+void check_size(const PuzzleRequest& request, const Source& source) {
+  const cv::Size size = source.bgra.size();
   if (std::max(size.width, size.height) > kLargestSide_px) {
     throw InputError(request.picture + ": found " + std::to_string(size.width) + " x " + std::to_string(size.height) +
                      " px, allowed: " + std::to_string(kLargestSide_px) + " px a side or less");
   }
-  const double piece_px = std::sqrt(double(size.width) * size.height / request.pieces);
+  const double area = source.outline.empty() ? double(size.width) * size.height : signed_area(source.outline);
+  const double piece_px = std::sqrt(area / request.pieces);
   if (piece_px >= kSmallestPuzzlePiece_px) return;
   throw InputError(request.picture + ": found " + std::to_string(size.width) + " x " + std::to_string(size.height) +
                    " px, which gives pieces of " + std::to_string(int(piece_px)) +
@@ -111,10 +174,10 @@ cv::Mat cut_out(const cv::Mat& picture, const std::vector<Vec2>& polygon, double
 
 MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers) {
   check(request);
-  const cv::Mat picture = drawers.photo(read_regular_file(request.picture, kMaxPhotoBytes), request.picture);
-  check_size(request, picture.size());
+  const Source source = source_of(request, drawers);
+  check_size(request, source);
   const std::vector<std::vector<Vec2>> polygons =
-      cut_puzzle({picture.cols, picture.rows, request.pieces, request.style, request.seed});
+      cut_puzzle({source.bgra.cols, source.bgra.rows, request.pieces, request.style, request.seed, source.outline});
   const fs::path folder(request.folder);
   std::error_code error;
   for (const char* part : {"pieces", "truth"}) {
@@ -127,7 +190,7 @@ MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers) {
     const std::vector<Vec2>& polygon = polygons[order[place]];
     const double turn_rad = 2 * CV_PI * unit_draw(request.seed, 2'000'000 + place);
     write_file_atomically((folder / "pieces" / (name_of(place) + ".png")).string(),
-                          png_of(cut_out(picture, polygon, turn_rad)));
+                          png_of(cut_out(source.bgra, polygon, turn_rad)));
     const AreaMoment moment = area_moment(polygon);
     const double scale = std::sqrt(moment.area);
     truth.push_back({name_of(place),
@@ -136,7 +199,11 @@ MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers) {
                      polygon});
   }
   write_file_atomically((folder / "truth" / "pieces.geojson").string(), puzzle_geojson(truth));
-  return {int(order.size()), picture.cols, picture.rows};
+  MadePuzzle made{int(order.size()), source.bgra.cols, source.bgra.rows, {}};
+  if (source.outline.empty()) return made;
+  made.frame = (folder / "frame.svg").string();
+  write_file_atomically(made.frame, frame_svg(source));
+  return made;
 }
 
 }  // namespace tessera::io

@@ -1,4 +1,4 @@
-// A picture cut into the pieces of a puzzle, each a picture of its own, turned; and beside them how they lay.
+// A picture or a shape cut into the pieces of a puzzle, each a picture of its own, turned; and how they lay.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace tessera::io {
 
 struct PuzzleRequest {
-  std::string picture;  // JPEG, PNG, TIFF, WebP or BMP
+  std::string picture;  // JPEG, PNG, TIFF, WebP or BMP; or SVG: its silhouette is cut
   std::string folder;   // that is made; it may be there, empty
   int pieces = 36;
   CutStyle style = CutStyle::tabs;
@@ -21,6 +21,7 @@ struct MadePuzzle {
   int pieces = 0;
   int width_px = 0;
   int height_px = 0;
+  std::string frame;  // the file that shows the outline of what was cut; empty: it was the whole picture
 };
 
 /// Fewest and most pieces of a puzzle, and the smallest in px of the picture.
@@ -29,8 +30,9 @@ inline constexpr int kMostPuzzlePieces = 2'000;
 inline constexpr int kSmallestPuzzlePiece_px = 40;
 
 /// FOLDER/pieces/piece_001.png and so on, numbered in a random order, each turned by a random angle; and
-/// FOLDER/truth/pieces.geojson, which says where each lay, px of the picture. Throws InputError where the picture is
-/// of no use or too small for the pieces, and where the folder holds something; EnvironmentError.
+/// FOLDER/truth/pieces.geojson, which says where each lay, px of the picture; of a shape FOLDER/frame.svg, too, its
+/// outline on a page of that size. Throws InputError where the picture is
+/// of no use or too small for the pieces or has several parts or holes, and where the folder holds something; EnvironmentError.
 MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers);
 
 }  // namespace tessera::io

@@ -8,13 +8,18 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
 #include "core/puzzle/puzzle_contact.h"
 #include "core/puzzle/puzzle_solver.h"
 #include "io/atomic_file.h"
+#include "io/job/canvas_edge.h"
+#include "io/job/canvas_file.h"
+#include "io/job/canvas_page.h"
 #include "io/job/toml_text.h"
 #include "io/library/library_view.h"
 #include "io/number_text.h"
+#include "io/puzzle/frame_outline.h"
 #include "io/puzzle/puzzle_geojson.h"
 #include "io/regular_file.h"
 #include "io/result/placed_pieces.h"
@@ -26,6 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kJobMark = "# A puzzle solved by tessera puzzle solve";
+constexpr int kLargestThumbnail_px = 1024;  // larger ones, which no library has, are shrunk
 constexpr std::size_t kMostOwnBytes = std::size_t(64) << 20;
 
 std::vector<Shape> shapes_of(const SolvingRequest& request) {
@@ -34,8 +40,8 @@ std::vector<Shape> shapes_of(const SolvingRequest& request) {
     throw InputError(request.library + ": found " + std::to_string(library.size()) +
                      " pieces, allowed: " + std::to_string(kMostSolvedPieces) + " or fewer");
   }
-  std::vector<Shape> shapes =
-      library.read(0, library.size(), {.outline = true, .field = false, .levels = 0, .artwork = false});
+  std::vector<Shape> shapes = library.read(
+      0, library.size(), {.outline = true, .field = false, .levels = 0, .artwork = !request.outlines_only});
   for (const Shape& shape : shapes) {
     if (shape.drawn_scale_px > 0) continue;
     throw InputError(request.library + ": does not say how large \"" + shape.name +
@@ -71,13 +77,63 @@ std::vector<std::vector<Vec2>> polygons_of(const std::string& library, const std
   return polygons;
 }
 
+/// What is on them, as their thumbnails show it.
+std::vector<PiecePicture> pictures_of(const std::vector<Shape>& shapes) {
+  Drawers drawers({.processes = 1});
+  std::vector<PiecePicture> pictures;
+  for (const Shape& shape : shapes) {
+    const Artwork& artwork = shape.artwork;
+    const cv::Mat page = drawers.decode_png(artwork.thumbnail_png, artwork.path, kLargestThumbnail_px);
+    const std::size_t bytes = page.total() * page.elemSize();
+    const float px = float(page.cols) / float(artwork.width_px);  // of the thumbnail, for one of the artwork
+    const Similarity px_from_piece{px * artwork.unit_px / shape.drawn_scale_px, 0, px * artwork.centroid_px.x,
+                                   px * artwork.centroid_px.y};
+    pictures.emplace_back(page.cols, page.rows, std::vector<std::uint8_t>(page.data, page.data + bytes), px_from_piece);
+  }
+  return pictures;
+}
+
 double area_of(const std::vector<std::vector<Vec2>>& polygons) {
   double area = 0;
   for (const auto& polygon : polygons) area += signed_area(polygon);
   return area;
 }
 
-std::vector<Vec2> rectangle(float width, float height) { return {{0, 0}, {width, 0}, {width, height}, {0, height}}; }
+/// What the pieces are to fill, px of the canvas.
+struct Frame {
+  std::vector<Vec2> outline;  // empty: none
+  int width_px = 0;           // of the canvas round it
+  int height_px = 0;
+};
+
+Frame rectangle(int width_px, int height_px) {
+  const float width = float(width_px), height = float(height_px);
+  return {{{0, 0}, {width, 0}, {width, height}, {0, height}}, width_px, height_px};
+}
+
+/// The silhouette as a canvas of that box has it.
+Frame frame_in_box(const std::string& file, int width_px, int height_px) {
+  CanvasSpec spec;
+  spec.width_px = width_px;
+  spec.height_px = height_px;
+  spec.file = file;
+  Drawers drawers(canvas_drawer_settings(spec));
+  const CanvasPage page = canvas_page(spec, drawers);
+  return {frame_outline(canvas_edge(spec, drawers).curves, file), page.width_px, page.height_px};
+}
+
+/// Without a size it is as large as `wished_px2`.
+Frame frame_of(const SolvingRequest& request, double wished_px2) {
+  if (request.frame_file.empty())
+    return request.frame_px ? rectangle(request.frame_px->at(0), request.frame_px->at(1)) : Frame{};
+  if (request.frame_px) return frame_in_box(request.frame_file, request.frame_px->at(0), request.frame_px->at(1));
+  constexpr int kFirst_px = 1000;
+  constexpr double kLeast_px = 64, kMost_px = 20'000;
+  const Frame first = frame_in_box(request.frame_file, kFirst_px, kFirst_px);
+  const double side_px = std::round(kFirst_px * std::sqrt(wished_px2 / signed_area(first.outline)));
+  const int side = int(std::clamp(side_px, kLeast_px, kMost_px));
+  return frame_in_box(request.frame_file, side, side);
+}
 
 /// What turns the pieces so that the smallest rectangle round them stands upright, at the origin; and its size.
 Similarity upright(const std::vector<cv::Point2f>& points, cv::Size2f& size) {
@@ -144,21 +200,25 @@ PuzzleAgreement agreement_with(const std::string& truth, const std::vector<Shape
   return agreement(found_of, right_of);
 }
 
+/// Of a frame's file only what lies in it.
 std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) {
   const fs::path folder = fs::absolute(request.job).lexically_normal().parent_path();
-  const std::string library = fs::absolute(request.library).lexically_normal().lexically_relative(folder).string();
+  const auto beside = [&](const std::string& path) {
+    return toml_text(fs::absolute(path).lexically_normal().lexically_relative(folder).string());
+  };
+  const std::string canvas_file =
+      !solved.in_frame || request.frame_file.empty() ? "" : "file = " + beside(request.frame_file) + "\n";
   return std::string(kJobMark) + ": " + std::to_string(solved.placed) + " of " + std::to_string(solved.pieces) +
          " pieces.\n"
          "# Every key of a job: docs/job-format.md\n"
          "\n"
          "[library]\n"
          "file = " +
-         toml_text(library) +
+         beside(request.library) +
          "\n"
          "\n"
-         "[canvas]\n"
-         "size_px = [" +
-         std::to_string(solved.width_px) + ", " + std::to_string(solved.height_px) +
+         "[canvas]\n" +
+         canvas_file + "size_px = [" + std::to_string(solved.width_px) + ", " + std::to_string(solved.height_px) +
          "]\n"
          "\n"
          "[start]\n"
@@ -225,12 +285,23 @@ void check_canvas(const SolvingRequest& request, const SolvedPuzzle& solved) {
 }
 
 /// A frame is walked along in steps of a piece's size.
-void check_frame(const SolvedPuzzle& solved, double pieces_area) {
+void check_frame(const Frame& frame, double scale, const std::vector<std::vector<Vec2>>& polygons) {
   constexpr double kMostTimes = 100;
-  const double frame = double(solved.width_px) * solved.height_px / (solved.scale * solved.scale);
-  if (frame <= kMostTimes * pieces_area) return;
-  throw InputError("--size, --scale: found a frame of " + fixed(frame / pieces_area, 0) +
-                   " times the area of all pieces, allowed: 100 times or less");
+  const double times = signed_area(frame.outline) / (scale * scale * area_of(polygons));
+  if (times > kMostTimes) {
+    throw InputError("--size, --scale: found a frame of " + fixed(times, 0) +
+                     " times the area of all pieces, allowed: 100 times or less");
+  }
+  double length = 0;
+  for (const auto& polygon : polygons) length += closed_length(polygon) * scale;
+  if (closed_length(frame.outline) <= kMostTimes * length) return;
+  throw InputError("--frame: found an edge of more than 100 times the length of all pieces' edges");
+}
+
+/// How large one px of the pieces is: as is given, or so that all of them fill the frame.
+double scale_in(const Frame& frame, const SolvingRequest& request, double pieces_area) {
+  if (request.scale) return *request.scale;
+  return frame.outline.empty() ? 1 : std::sqrt(signed_area(frame.outline) / pieces_area);
 }
 
 }  // namespace
@@ -248,14 +319,15 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
   SolvedPuzzle solved;
   solved.pieces = shapes.size();
   PuzzleInput input{.pieces = polygons, .frame = {}};
-  if (request.scale) solved.scale = *request.scale;
-  if (request.frame_px) {
-    solved.width_px = request.frame_px->at(0);
-    solved.height_px = request.frame_px->at(1);
-    if (!request.scale) solved.scale = std::sqrt(double(solved.width_px) * solved.height_px / area_of(polygons));
-    check_frame(solved, area_of(polygons));
-    input.frame = rectangle(float(solved.width_px / solved.scale), float(solved.height_px / solved.scale));
-  }
+  const double pieces_area = area_of(polygons), wished_scale = request.scale.value_or(1);
+  const Frame frame = frame_of(request, pieces_area * wished_scale * wished_scale);
+  solved.width_px = frame.width_px;
+  solved.height_px = frame.height_px;
+  solved.scale = scale_in(frame, request, pieces_area);
+  if (!frame.outline.empty()) check_frame(frame, solved.scale, polygons);
+  for (const Vec2 p : frame.outline) input.frame.push_back(p * float(1 / solved.scale));
+  if (!request.outlines_only) input.pictures = pictures_of(shapes);
+  input.watch = request.watch;
   PuzzleSolution solution = solve_puzzle(input);
   if (solution.placed < 2) throw InputError(request.library + ": found no two pieces that fit beside each other");
   if (!solution.in_frame) stand_upright(solution, polygons, solved);
@@ -268,7 +340,7 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
     if (!solution.poses[i]) solved.left_over.push_back(shapes[i].name);
   }
   for (const LaidPuzzlePiece& piece : laid) solved.covered += signed_area(piece.outline_px);
-  solved.covered /= double(solved.width_px) * solved.height_px;
+  solved.covered /= solved.in_frame ? signed_area(frame.outline) : double(solved.width_px) * solved.height_px;
   if (!request.truth.empty()) solved.agreement = agreement_with(request.truth, shapes, laid);
   write(request, {{solution_path(request.job), puzzle_geojson(laid)}, {request.job, job_text(request, solved)}});
   return solved;

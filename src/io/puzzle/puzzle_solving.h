@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/puzzle/puzzle_solver.h"
 #include "core/puzzle/puzzle_truth.h"
 
 namespace tessera::io {
@@ -13,10 +15,13 @@ namespace tessera::io {
 struct SolvingRequest {
   std::string library;
   std::optional<std::vector<int>> frame_px;  // width and height; none: as large as the pieces that were laid
+  std::string frame_file;  // SVG or image whose silhouette is the frame, in the box of frame_px; empty: a rectangle
   std::optional<double> scale;  // px of the canvas for one px of the pieces; none: they fill the frame, or 1
   std::string truth;            // folder with a pieces.geojson; empty: none
   std::string job;              // the file to write
   bool replace = false;         // another puzzle's files of these names
+  bool outlines_only = false;   // what is on the pieces does not count
+  std::function<void(const PuzzleProgress&)> watch = [](const PuzzleProgress&) {};  // PuzzleInput::watch
 };
 
 struct SolvedPuzzle {
@@ -28,7 +33,7 @@ struct SolvedPuzzle {
   std::vector<std::string> left_over;  // names
   bool in_frame = false;
   double gaps = 0;                           // PuzzleSolution::gaps
-  double covered = 0;                        // area of the placed pieces, parts of the canvas
+  double covered = 0;                        // area of the placed pieces, parts of the frame or the canvas
   std::optional<PuzzleAgreement> agreement;  // with the truth, if there is one
 };
 

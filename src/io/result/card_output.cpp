@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/number_text.h"
+#include "io/result/card_lines.h"
+#include "io/result/deformation_table.h"
 #include "io/result/rank_table.h"
 
 namespace tessera::io {
@@ -50,7 +52,8 @@ Json quality_json(const Quality& q) {
           {"nearest_copy_px", px_or_null(q.copies_px)},
           {"nearest_copy_fraction", fraction_or_null(q.copies_apart)},
           {"between_pieces_px", px_or_null(q.between_px)},
-          {"alone_fraction", fraction(q.alone)}};
+          {"alone_fraction", fraction(q.alone)},
+          {"style_distance", q.style_distance ? Json(rounded(*q.style_distance, 3)) : Json()}};
 }
 
 Json run_json(const RunStatistics& run, const ImproveSettings& improve) {
@@ -100,18 +103,11 @@ Json provenance_json(const RunRecord& record) {
           {"warnings", record.warnings},         {"ranks", ranks}};
 }
 
-std::string percent_text(double fraction, int decimals = 2) { return fixed(100 * fraction, decimals) + " %"; }
-
 /// 12345678 -> "12,345,678".
 std::string grouped(std::uint64_t count) {
   std::string text = std::to_string(count);
   for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, 1, ',');
   return text;
-}
-
-std::string line(const std::string& label, const std::string& value) {
-  constexpr std::size_t kLabelWidth = 24;
-  return std::string("  ") + label + std::string(kLabelWidth - label.size(), ' ') + value + "\n";
 }
 
 std::string scales_text(const Quality& q) {
@@ -166,28 +162,33 @@ std::string between_text(const Quality& q) {
   return q.between_px ? fixed(*q.between_px, 3) + " px  (the nearest two; 0: they touch)" : "there are no two";
 }
 
+std::string style_text(const Quality& q) {
+  return q.style_distance ? fixed(*q.style_distance, 2) + " apart  (two pieces, mean by area; 0 = one)" : "not known";
+}
+
 std::string quality_text(const Quality& q, const PieceSettings& pieces) {
-  return std::string("Quality\n") + line("coverage", percent_text(q.coverage)) +
-         line("overlap", percent_text(q.overlap, 3)) + line("outside", percent_text(q.outside, 3)) +
-         line("pieces", pieces_text(q)) + line("variety", variety_text(q)) +
-         line("shared boundary", shared_boundary_text(q, pieces)) + line("scale", scales_text(q)) +
-         line("", "(min / 10 % / median / 90 % / max)") +
-         line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)") + line("balance of sizes", balance_text(q)) +
-         line("dwarfs", dwarfs_text(q)) + line("nearest copy", copies_text(q)) +
-         line("between pieces", between_text(q)) +
-         line("alone", percent_text(q.alone, 1) + "  (of the pieces; no other within 2 px)");
+  return std::string("Quality\n") + card_line("coverage", percent_text(q.coverage)) +
+         card_line("overlap", percent_text(q.overlap, 3)) + card_line("outside", percent_text(q.outside, 3)) +
+         card_line("pieces", pieces_text(q)) + card_line("variety", variety_text(q)) +
+         card_line("shared boundary", shared_boundary_text(q, pieces)) + card_line("scale", scales_text(q)) +
+         card_line("", "(min / 10 % / median / 90 % / max)") +
+         card_line("largest gap", fixed(q.largest_gap_px, 1) + " px  (radius)") +
+         card_line("balance of sizes", balance_text(q)) + card_line("dwarfs", dwarfs_text(q)) +
+         card_line("nearest copy", copies_text(q)) + card_line("between pieces", between_text(q)) +
+         card_line("alone", percent_text(q.alone, 1) + "  (of the pieces; no other within 2 px)") +
+         card_line("styles", style_text(q));
 }
 
 std::string last_tenth_text(const RunStatistics& run) {
   if (!run.last_tenth) return "";
-  return line("  its last tenth",
-              (*run.last_tenth < 0 ? "" : "+") + fixed(100 * *run.last_tenth, 2) + " % of the canvas");
+  return card_line("  its last tenth",
+                   (*run.last_tenth < 0 ? "" : "+") + fixed(100 * *run.last_tenth, 2) + " % of the canvas");
 }
 
 std::string improvement_text(const RunStatistics& run) {
   if (run.trials == 0) return "";
-  return line("  of it improving", fixed(run.improve_s, 1) + " s, " + grouped(run.trials_kept) + " of " +
-                                       grouped(run.trials) + " trials kept");
+  return card_line("  of it improving", fixed(run.improve_s, 1) + " s, " + grouped(run.trials_kept) + " of " +
+                                            grouped(run.trials) + " trials kept");
 }
 
 /// "full", "full, then 12 of 12 trials" or "coverage after 3 of 12 trials": improving begins when the canvas is full.
@@ -201,20 +202,23 @@ std::string end_text(const RunStatistics& run, const ImproveSettings& improve) {
 std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
   const StageShares share = stage_shares(run);
   return std::string("Run (the paper's Table 2)\n") +
-         line("candidates", grouped(run.shapes) + "  (shapes in the library)") +
-         line("PADs per shape", fixed(run.pads_per_shape, 1)) + line("iterations", grouped(run.rounds)) +
-         line("docking choices", grouped(run.docking_choices)) + line("pruned", percent_text(run.pruned_fraction())) +
-         line("total time", fixed(run.total_s, 1) + " s") + last_tenth_text(run) + improvement_text(run) +
-         line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
-         line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1)) +
-         line("stopped by", end_text(run, improve));
+         card_line("candidates", grouped(run.shapes) + "  (shapes in the library)") +
+         card_line("PADs per shape", fixed(run.pads_per_shape, 1)) + card_line("iterations", grouped(run.rounds)) +
+         card_line("docking choices", grouped(run.docking_choices)) +
+         card_line("pruned", percent_text(run.pruned_fraction())) +
+         card_line("total time", fixed(run.total_s, 1) + " s") + last_tenth_text(run) + improvement_text(run) +
+         card_line("prune / dock", percent_text(share.prune, 1) + " / " + percent_text(share.dock, 1)) +
+         card_line("objective / merge", percent_text(share.objective, 1) + " / " + percent_text(share.merge, 1)) +
+         card_line("stopped by", end_text(run, improve));
 }
 
 }  // namespace
 
 std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
-                      const RankStatistics& ranks, const RunRecord& record) {
+                      const RankStatistics& ranks, const RunRecord& record,
+                      const std::optional<DeformationFigures>& deformation) {
   Json card{{"quality", quality_json(quality)}, {"run", run_json(run, settings.improve)}};
+  if (deformation) card["deformation"] = deformation_json(*deformation);
   if (!ranks.workers.empty()) card["ranks"] = ranks_json(ranks);
   card["provenance"] = provenance_json(record);
   constexpr bool kAsciiOnly = false;
@@ -229,8 +233,10 @@ std::string score_json(const Quality& quality) {
 
 std::string score_text(const Quality& quality) { return quality_text(quality, {}); }
 
-std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings) {
-  return quality_text(quality, settings.pieces) + run_text(run, settings.improve);
+std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
+                      const std::optional<DeformationFigures>& deformation) {
+  return quality_text(quality, settings.pieces) + (deformation ? deformation_text(*deformation) : "") +
+         run_text(run, settings.improve);
 }
 
 }  // namespace tessera::io

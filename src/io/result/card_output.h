@@ -1,23 +1,28 @@
 // The quality card: how good the collage is and what it took, with the columns of the paper's Table 2.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/run_statistics.h"
 #include "core/collage/quality.h"
 #include "core/ranks/rank_statistics.h"
 #include "core/settings.h"
+#include "io/result/deformed_collage.h"
 #include "io/result/run_record.h"
 
 namespace tessera::io {
 
 /// card.json (docs/result-format.md). Units stand in the keys; shares and percentages say so. Stage shares are of the
-/// four stages' sum. Section "ranks" (rank_table.h) is there where there were workers.
+/// four stages' sum. Section "ranks" (rank_table.h) is there where there were workers, "deformation"
+/// (deformation_table.h) where pieces were deformed.
 std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
-                      const RankStatistics& ranks = {}, const RunRecord& record = {});
+                      const RankStatistics& ranks = {}, const RunRecord& record = {},
+                      const std::optional<DeformationFigures>& deformation = {});
 
 /// The same for people: a table of two columns, lines of less than 80 characters.
-std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings);
+std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
+                      const std::optional<DeformationFigures>& deformation = {});
 
 /// Of what nobody says how it was made: section quality alone. distinct_shapes is null where shapes have no names.
 std::string score_json(const Quality& quality);

@@ -22,9 +22,10 @@ namespace fs = std::filesystem;
 std::string in_directory(const std::string& dir, const char* name) { return (fs::path(dir) / name).string(); }
 
 Quality measured_quality(const CollageReport& report) {
-  return measure_quality(
-      *report.canvas, report.placements, [&](ShapeId id) -> const Shape& { return report.shape(id); },
-      wished_sizes(*report.job));
+  std::vector<JudgedPiece> pieces =
+      judged_pieces(report.placements, [&](ShapeId id) -> const Shape& { return report.shape(id); });
+  for (std::size_t i = 0; i < report.styles.size(); ++i) pieces[i].style = report.styles[i];
+  return measure_quality(*report.canvas, pieces, wished_sizes(*report.job));
 }
 
 void remove_file(const std::string& path) {
@@ -54,7 +55,12 @@ ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& 
   manifest.overlay_digest = origin.overlay_digest;
   manifest.start = start_file(*report.job);
   manifest.start_digest = report.job->start.digest;
-  for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
+  manifest.deformed = report.deformed.has_value();
+  if (report.deformed) {
+    manifest.shapes = report.deformed->shapes;
+  } else {
+    for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
+  }
   manifest.colours = report.colours;
   manifest.covered = report.covered;
   return manifest;
@@ -64,9 +70,11 @@ ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& 
 std::string write_cards(const std::string& dir, const CollageReport& report) {
   const Quality quality = measured_quality(report);
   const CollageSettings& settings = report.job->settings;
-  const std::string card = card_text(quality, report.statistics, settings);
+  std::optional<DeformationFigures> deformation;
+  if (report.deformed) deformation = report.deformed->figures;
+  const std::string card = card_text(quality, report.statistics, settings, deformation);
   write_file_atomically(in_directory(dir, "card.json"),
-                        card_json(quality, report.statistics, settings, report.ranks, report.record));
+                        card_json(quality, report.statistics, settings, report.ranks, report.record, deformation));
   write_file_atomically(in_directory(dir, "card.txt"), card);
   return card;
 }

@@ -13,6 +13,7 @@
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/job/canvas_edge.h"
 #include "io/job/job_file.h"
+#include "io/result/deformed_collage.h"
 #include "io/result/ground_tile.h"
 #include "io/result/keep_out_drawing.h"
 #include "io/result/placed_shapes.h"
@@ -40,10 +41,12 @@ struct CollageReport {
   GroundTile ground;        // for pictures; mostly none
   std::vector<Placement> placements;
   PlacedShapes shapes;
-  std::vector<std::string> colours;  // of the placements, "#rrggbb": silhouettes are drawn; empty: the artwork is
-  std::vector<std::string> covered;  // of the placements: covered_colours (tone_shift.h); empty: no picture is shown
-  std::vector<ToneShift> tones;      // of the placements; empty: the drawings' own
-  std::optional<Harmony> harmony;    // that the hues of `tones` make
+  std::optional<DeformedCollage> deformed;  // deformed_collage.h: then each piece has a shape of its own
+  std::vector<std::string> colours;   // of the placements, "#rrggbb": silhouettes are drawn; empty: the artwork is
+  std::vector<std::string> covered;   // of the placements: covered_colours (tone_shift.h); empty: no picture is shown
+  std::vector<ToneShift> tones;       // of the placements; empty: the drawings' own
+  std::vector<StyleFeatures> styles;  // of the placements' drawings; empty: unknown
+  std::optional<Harmony> harmony;     // that the hues of `tones` make
   RunStatistics statistics;
   RankStatistics ranks;
   RunRecord record;

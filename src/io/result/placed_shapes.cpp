@@ -12,6 +12,11 @@ void PlacedShapes::add(ShapeId id, Shape shape) {
   shapes_.push_back(std::move(shape));
 }
 
+void PlacedShapes::add_apart(ShapeId id, Shape shape) {
+  slot_of_.emplace(id, shapes_.size());
+  shapes_.push_back(std::move(shape));
+}
+
 std::vector<std::string> PlacedShapes::names() const {
   std::vector<std::string> names;
   for (const Shape& shape : shapes_) names.push_back(shape.name);

@@ -18,6 +18,8 @@ class PlacedShapes {
  public:
   /// `id`: in the library, of a shape that is not there yet.
   void add(ShapeId id, Shape shape);
+  /// The same with a drawing of its own, whatever its name.
+  void add_apart(ShapeId id, Shape shape);
 
   std::size_t size() const { return shapes_.size(); }
   Shape& operator[](std::size_t slot) { return shapes_[slot]; }

@@ -50,8 +50,7 @@ Outline outline_of(std::vector<std::vector<Ring>> polygons) {
 }
 
 AreaMoment moment_of(const Outline& outline) {
-  AreaMoment sum;
-  for (const std::vector<Vec2>& curve : outline.curves) sum += area_moment(curve);
+  const AreaMoment sum = area_moment(outline);
   if (sum.area < kSmallestPiece_px2) {
     throw InputError("geometry.coordinates: found rings that enclose " + fixed(std::max(sum.area, 0.), 6) +
                      " square px, allowed: " + fixed(kSmallestPiece_px2, 4) + " or more");

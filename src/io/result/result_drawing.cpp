@@ -25,6 +25,7 @@
 #include "io/result/label_map.h"
 #include "io/result/picture_drawing.h"
 #include "io/result/piece_colours.h"
+#include "io/result/piece_deformation.h"
 #include "io/result/placed_pieces.h"
 #include "io/result/png_stream.h"
 #include "io/result/result_file.h"
@@ -300,6 +301,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   if (request.pdf && !report.tones.empty()) {
     throw no_pdf(dir, "colour.harmony", "\"" + job.colour.harmony + "\"", std::string("colour.harmony=") + kNoHarmony);
   }
+  if (manifest.deformed) take_up_deformed_pieces(dir, report, [&] { stop.check(); });
   const bool is_result = request.to.empty();
   ResultPictures pictures({is_result ? dir : request.to, is_result}, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();

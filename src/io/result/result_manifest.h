@@ -39,6 +39,7 @@ struct ResultManifest {
   std::string start;                 // the file that it began from (start.pieces); empty: none
   std::uint64_t start_digest = 0;    // of that file's bytes, as pieces_digest
   std::vector<ShapeId> shapes;       // of the pieces, in order of placement
+  bool deformed = false;             // pieces.geojson has their polygons deformed (piece_deformation.h)
   std::vector<std::string> colours;  // of the pieces, "#rrggbb"; empty: they are drawn as their artwork
   std::vector<std::string> covered;  // what each piece covers of colour.image, "#rrggbb" or ""; empty: there is none
   std::vector<DrawnPicture> pictures;

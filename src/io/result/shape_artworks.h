@@ -51,6 +51,15 @@ class ShapeArtworks {
     bool thumbnail = false;
   };
 
+  /// Of a deformed piece the library's shape, whose drawing is warped; else the shape itself.
+  const Shape& original(std::size_t slot) const;
+  std::size_t original_slot(std::size_t slot) const;
+  Outline clip_of(std::size_t slot) const;
+  Outline original_clip(std::size_t slot) const;
+  SvgSymbol drawing_symbol(std::size_t slot, const Source& source, const std::string& id);
+  bool may_be_paths(std::size_t slot, const Source& source) const;
+  int pixels_of_piece(std::size_t slot) const;
+  SvgSymbol warped_symbol(std::size_t slot, const Source& source, const std::string& id);
   Source source_of(std::size_t slot);
   cv::Mat drawn(std::size_t slot, const Source& source, int side_px);
   void note(std::size_t slot, DrawnFrom from, const std::string& reason);
@@ -61,6 +70,7 @@ class ShapeArtworks {
   std::vector<Outline> clips_;
   mutable std::mutex mutex_;
   std::set<std::pair<std::size_t, int>> bad_;                       // slots and sides that are not tried again
+  std::set<std::size_t> not_as_paths_;                              // originals whose paths cannot be warped
   std::map<std::size_t, std::pair<DrawnFrom, std::string>> notes_;  // by slot
 };
 

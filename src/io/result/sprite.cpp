@@ -53,8 +53,6 @@ Sprite shrunk(const Sprite& sprite, double px_per_artwork_px) {
   return small;
 }
 
-cv::Vec3b mean_bgr(const Shape& shape) {
-  return bgr_of(Lab{shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]});
-}
+cv::Vec3b mean_bgr(const Shape& shape) { return bgr_of(Lab{shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]}); }
 
 }  // namespace tessera::io

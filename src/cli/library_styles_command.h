@@ -1,0 +1,12 @@
+// tessera library styles: the drawings of a library in groups of like style.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.h"
+
+namespace tessera::cli {
+
+void add_library_styles_command(CLI::App& library, Command& selected);
+
+}  // namespace tessera::cli

@@ -1,0 +1,65 @@
+// Where the boundaries of all pieces of a collage lie, in cells: how near the nearest other one is, and what a ray meets
+// first.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/period.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/polygon_index.h"
+
+namespace tessera {
+
+/// How far a ray goes to what it meets first; its whole length where it meets nothing.
+struct RayHits {
+  float own_px = 0;    // the boundary of the piece itself
+  float other_px = 0;  // that of another, or of an image of the piece
+};
+
+class BoundaryMap {
+ public:
+  /// Canvas frame. On a seamless canvas all images count.
+  BoundaryMap(const std::vector<Outline>& pieces_px, const Period& period);
+
+  /// The distance to the nearest boundary of another piece, negative inside of that piece; `reach_px` where none is nearer.
+  float distance_to_others_px(Vec2 p, std::uint32_t piece, float reach_px) const;
+
+  /// `direction` has length 1. What it touches within kSelf_px of its start is where it starts from.
+  RayHits hits(Vec2 from, Vec2 direction, float length_px, std::uint32_t piece) const;
+
+  /// Whether two segments of the piece cross that do not follow each other.
+  bool crosses_itself(std::uint32_t piece) const;
+
+ private:
+  /// A side of a boundary, and its neighbours along the curve.
+  struct Side {
+    Segment segment;
+    std::uint32_t piece;
+    bool image;
+    std::uint32_t before;
+    std::uint32_t after;
+  };
+  struct Cells {
+    int x0, y0, x1, y1;
+  };
+
+  void add(const Outline& outline, std::uint32_t piece, Vec2 offset, bool image);
+  void sort_into_cells();
+  Cells cells_of(Vec2 low, Vec2 high) const;
+  bool is_own(const Side& side, std::uint32_t piece) const { return side.piece == piece && !side.image; }
+  bool is_inside_of(const Side& side, Vec2 p) const;
+  template <class F>
+  void each_in(const Cells& cells, F f) const;
+
+  std::vector<Side> sides_;
+  std::vector<std::uint32_t> own_sides_;  // of each piece the first in sides_, and the end: images come behind all
+  Vec2 low_;
+  float cell_px_ = 1;
+  int columns_ = 1;
+  int rows_ = 1;
+  std::vector<std::uint32_t> first_;  // of each cell in sorted_, and the end
+  std::vector<std::uint32_t> sorted_;
+};
+
+}  // namespace tessera

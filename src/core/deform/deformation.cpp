@@ -1,0 +1,121 @@
+#include "core/deform/deformation.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "core/deform/boundary_map.h"
+#include "core/deform/piece_deformer.h"
+#include "core/field/field_lookup.h"
+
+namespace tessera {
+namespace {
+
+/// Half of what is left is closed in each.
+constexpr int kRounds = 12;
+constexpr int kVoronoiRounds = 24;  // each brings 2 px at most
+/// Then those that still overlap go back.
+constexpr int kClearingRounds = 4;
+/// Then who is nearer to another than a wished gap is deformed less, and in the last of these rounds not at all.
+constexpr int kGapRounds = 12;
+
+/// Of the region that the piece lies in, or of the whole canvas.
+FieldView edge_round(const Canvas& canvas, Vec2 centre_px) {
+  const CanvasField* edge = &canvas.distance;
+  float deepest = 0;
+  for (const CanvasRegion& region : canvas.regions) {
+    const float depth = field_value(FieldView(region.distance), centre_px);
+    if (depth <= deepest) continue;
+    deepest = depth;
+    edge = &region.distance;
+  }
+  return FieldView(*edge);
+}
+
+class Deformation {
+ public:
+  Deformation(const Canvas& canvas, const std::vector<DeformablePiece>& pieces, const DeformSettings& settings,
+              const PadParameters& pad, float gap_px, const EachOf& each)
+      : canvas_(canvas),
+        pieces_(pieces),
+        settings_(settings),
+        gap_px_(gap_px),
+        each_(each),
+        deformers_(pieces.size()),
+        outlines_px_(pieces.size()) {
+    for (const DeformablePiece& piece : pieces)
+      edges_.push_back(edge_round(canvas, piece.canvas_from_shape.translation()));
+    each_(pieces.size(), [&](std::size_t i) {
+      deformers_[i] = std::make_unique<PieceDeformer>(pieces[i], std::uint32_t(i), settings, pad);
+    });
+  }
+
+  std::vector<DeformedPiece> run() {
+    const BoundaryMap undeformed = map();
+    each_moving([&](PieceDeformer& piece) { piece.set_limits(undeformed); });
+    const int rounds = settings_.kind == DeformKind::voronoi ? kVoronoiRounds : kRounds;
+    for (int round = 0; round < rounds; ++round) step(false);
+    each_moving([](PieceDeformer& piece) { piece.grow_less(); });
+    for (int round = 0; round < kClearingRounds; ++round) step(true);
+    const BoundaryMap last = map();
+    each_moving([&](PieceDeformer& piece) {
+      piece.undo_where_crossed(last);
+      piece.weaken();
+    });
+    if (gap_px_ > 0) keep_gaps();
+    std::vector<DeformedPiece> results(pieces_.size());
+    each_(pieces_.size(), [&](std::size_t i) { results[i] = deformers_[i]->result(); });
+    return results;
+  }
+
+ private:
+  void step(bool clears) {
+    const BoundaryMap now = map();
+    each_(pieces_.size(), [&](std::size_t i) {
+      if (!pieces_[i].stays) deformers_[i]->step(now, edges_[i], gap_px_, clears);
+    });
+  }
+
+  void keep_gaps() {
+    std::vector<std::uint8_t> nearer(pieces_.size());
+    for (int round = 1; round <= kGapRounds; ++round) {
+      const BoundaryMap now = map();
+      each_(pieces_.size(), [&](std::size_t i) {
+        nearer[i] = !pieces_[i].stays && deformers_[i]->weakened_where_nearer(now, gap_px_, round == kGapRounds);
+      });
+      if (std::none_of(nearer.begin(), nearer.end(), [](std::uint8_t n) { return n != 0; })) return;
+    }
+  }
+
+  BoundaryMap map() {
+    each_(pieces_.size(), [&](std::size_t i) { outlines_px_[i] = deformers_[i]->outline_px(); });
+    return BoundaryMap(outlines_px_, canvas_.period);
+  }
+
+  template <class F>
+  void each_moving(F f) {
+    each_(pieces_.size(), [&](std::size_t i) {
+      if (!pieces_[i].stays) f(*deformers_[i]);
+    });
+  }
+
+  const Canvas& canvas_;
+  const std::vector<DeformablePiece>& pieces_;
+  const DeformSettings& settings_;
+  const float gap_px_;
+  const EachOf& each_;
+  std::vector<std::unique_ptr<PieceDeformer>> deformers_;
+  std::vector<FieldView> edges_;  // that each piece keeps within
+  std::vector<Outline> outlines_px_;
+};
+
+}  // namespace
+
+std::vector<DeformedPiece> deformed_pieces(const Canvas& canvas, const std::vector<DeformablePiece>& pieces,
+                                           const DeformSettings& settings, const PadParameters& pad, float gap_px,
+                                           const EachOf& each) {
+  return Deformation(canvas, pieces, settings, pad, gap_px, each).run();
+}
+
+}  // namespace tessera

@@ -1,0 +1,42 @@
+// Gaps and overlaps of a finished collage closed by deforming its pieces (paper, section 5, "Deformation", Figs. 21 and 23):
+// boundaries move along their normals to the middle between neighbours. The paper projects every boundary onto its
+// Voronoi cell, and says that this suits organic shapes only; here it is capped, by default, so that shapes stay what they are.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/deform/warp.h"
+#include "core/field/canvas.h"
+#include "core/geometry/similarity.h"
+#include "core/settings.h"
+#include "core/shape/shape.h"
+
+namespace tessera {
+
+struct DeformablePiece {
+  const Shape* shape = nullptr;  // with outline and field
+  Similarity canvas_from_shape;
+  bool stays = false;  // as it is; its neighbours come to meet it
+};
+
+struct DeformedPiece {
+  Outline outline;  // shape frame
+  Warp warp;        // shape frame; takes the shape's outline to `outline`. Without displacements where nothing moved
+  float area_ratio = 1;      // after / before
+  float pad_distance = 0;    // identity.h
+  float farthest_px = 0;     // that a point of the outline moved
+  float least_jacobian = 1;  // of the warp: above 0, so nothing is folded
+};
+
+/// Calls f(i) for each i below `count`, in any order, from any threads.
+using EachOf = std::function<void(std::size_t count, const std::function<void(std::size_t)>& f)>;
+
+/// One for each piece, in their order. `gap_px` is left between pieces, and between them and the canvas' edge. The same
+/// input gives the same bytes, however `each` divides the work.
+std::vector<DeformedPiece> deformed_pieces(const Canvas& canvas, const std::vector<DeformablePiece>& pieces,
+                                           const DeformSettings& settings, const PadParameters& pad, float gap_px,
+                                           const EachOf& each);
+
+}  // namespace tessera

@@ -1,0 +1,48 @@
+#include "core/style/style_features.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/portable_math.h"
+
+namespace tessera {
+namespace {
+
+/// With so many of their area drawings are drawn with lines; with fewer the lines count in proportion.
+constexpr double kDrawnWithLines = 0.05;
+/// Shape units. Widths are compared by their ratio, those of hairlines by their difference.
+constexpr double kFineLine = 0.005;
+
+/// One unit of distance, by feature: about the spread over Debian's clip art (docs/measurements.md, Style), in round
+/// numbers. Less counts what one sees less: how much of the boundary is a line, as a part of it is enough to look
+/// outlined; of the others more.
+struct Spread {
+  double line_width = 0.6;  // of the logarithm
+  double line_part = 0.3;   // of the square root, as is the texture's
+  double outlined = 0.8;
+  double palette_bits = 1;
+  double chroma = 14;
+  double texture = 0.25;
+  double shading = 0.3;
+  double detail = 0.4;
+};
+constexpr Spread kSpread;
+
+}  // namespace
+
+StylePlace style_place(const StyleFeatures& f) {
+  const double lines = std::min(1., double(f.line_part) / kDrawnWithLines);
+  const double width = portable_log(1 + double(f.line_width) / kFineLine);
+  return {float(lines * width / kSpread.line_width),    float(std::sqrt(double(f.line_part)) / kSpread.line_part),
+          float(double(f.outlined) / kSpread.outlined), float(double(f.palette) / kSpread.palette_bits),
+          float(double(f.chroma) / kSpread.chroma),     float(std::sqrt(double(f.texture)) / kSpread.texture),
+          float(double(f.shading) / kSpread.shading),   float(double(f.detail) / kSpread.detail)};
+}
+
+float style_distance(const StylePlace& a, const StylePlace& b) {
+  float sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum);
+}
+
+}  // namespace tessera

@@ -1,0 +1,199 @@
+#include "io/nesting/nest_input.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/nesting/search_outline.h"
+#include "io/library/library_view.h"
+#include "io/nesting/dxf_drawings.h"
+#include "io/nesting/nest_instance.h"
+#include "io/nesting/svg_drawings.h"
+#include "io/regular_file.h"
+#include "io/utf8_text.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFileBytes = std::size_t(64) << 20;
+constexpr double kMm_px = 25.4 / 96;  // as a drawing without another unit has it
+
+enum class Kind { instance, svg, dxf, library, other };
+
+Kind kind_of(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : char(c); });
+  if (ending == ".json") return Kind::instance;
+  if (ending == ".svg" || ending == ".svgz") return Kind::svg;
+  if (ending == ".dxf") return Kind::dxf;
+  return ending == ".h5" ? Kind::library : Kind::other;
+}
+
+std::string shown(const fs::path& path) { return printable_utf8(path.string()); }
+
+void add(std::vector<NestDrawing> drawings, NestInput& input) {
+  for (NestDrawing& drawing : drawings) {
+    NestSource& source = input.sources.emplace_back();
+    source.drawing = std::move(drawing);
+  }
+}
+
+void note(int count, const std::string& what, const fs::path& path, NestInput& input) {
+  if (count > 0) input.notes.push_back(shown(path) + ": left out " + std::to_string(count) + " " + what);
+}
+
+void add_file(const fs::path& path, NestInput& input) {
+  const std::vector<std::uint8_t> bytes = read_regular_file(path.string(), kMostFileBytes);
+  if (kind_of(path) == Kind::svg) {
+    SvgDrawings found = svg_drawings(bytes, shown(path));
+    note(found.open_paths, "open paths: they enclose nothing", path, input);
+    note(found.unread_elements, "elements that are no shapes: use, image or text", path, input);
+    add(std::move(found.drawings), input);
+    return;
+  }
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  DxfDrawings found = dxf_drawings(text, shown(path), printable_utf8(path.stem().string()));
+  note(found.open_chains, "chains of lines that do not close", path, input);
+  note(found.unread_entities, "entities that are no lines, arcs, circles or polylines", path, input);
+  add(std::move(found.drawings), input);
+}
+
+void add_folder(const fs::path& folder, NestInput& input) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const Kind kind = kind_of(entry.path());
+    if (entry.is_regular_file() && (kind == Kind::svg || kind == Kind::dxf)) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    const std::size_t before = input.sources.size();
+    add_file(file, input);
+    const std::string stem = printable_utf8(file.stem().string());
+    const bool one = input.sources.size() == before + 1;
+    for (std::size_t i = before; i < input.sources.size(); ++i) {
+      std::string& name = input.sources[i].drawing.name;
+      if (!name.starts_with(stem)) name = one ? stem : stem + "." + name;
+    }
+    if (input.sources.size() > kMostDrawings)
+      throw InputError(shown(folder) + ": found too many shapes, allowed: " + std::to_string(kMostDrawings));
+  }
+}
+
+NestRing in_mm(const std::vector<Vec2>& curve, double mm) {
+  NestRing ring;
+  for (const Vec2 p : curve) ring.push_back({double(p.x) * mm, double(p.y) * mm});
+  return ring;
+}
+
+void add_library(const std::string& path, NestInput& input) {
+  input.library = path;
+  const LibraryView library({.files = {path}, .names = {}});
+  if (library.size() > kMostDrawings) {
+    throw InputError(shown(path) + ": found " + std::to_string(library.size()) +
+                     " shapes, allowed: " + std::to_string(kMostDrawings) + " (tessera library subset)");
+  }
+  for (const Shape& shape :
+       library.read(0, library.size(), {.outline = true, .field = false, .levels = 0, .artwork = false})) {
+    if (!(shape.drawn_scale_px > 0)) {
+      throw InputError(shown(path) + ": does not say how large \"" + printable_utf8(shape.name) +
+                       "\" was drawn, as of an earlier version; tessera library build makes one that does");
+    }
+    NestSource& source = input.sources.emplace_back();
+    source.mm_per_shape = double(shape.drawn_scale_px) * kMm_px;
+    source.drawing.name = shape.name;
+    for (const std::vector<Vec2>& curve : shape.outline.curves) {
+      NestRing ring = in_mm(curve, source.mm_per_shape);
+      if (source.drawing.outline.empty())
+        source.drawing.outline = std::move(ring);
+      else
+        source.drawing.holes.push_back(std::move(ring));
+    }
+  }
+}
+
+void make_names_unique(NestInput& input) {
+  std::set<std::string> names;
+  for (NestSource& source : input.sources) {
+    const std::string name = source.drawing.name;
+    for (int i = 2; !names.insert(source.drawing.name).second; ++i)
+      source.drawing.name = name + "_" + std::to_string(i);
+  }
+}
+
+/// A side that goes out and back would be cut, and would overlap what is laid beside it.
+void remove_spikes(const std::string& path, NestInput& input) {
+  for (NestSource& source : input.sources) {
+    NestRing outline = without_spikes(source.drawing.outline);
+    if (outline.size() == source.drawing.outline.size()) continue;
+    source.drawing.outline = std::move(outline);
+    input.notes.push_back(printable_utf8(path) + ": " + source.drawing.name +
+                          ": left out sides that go out and straight back: they enclose nothing");
+  }
+}
+
+}  // namespace
+
+NestInput read_nest_input(const std::string& path) {
+  NestInput input;
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    add_folder(path, input);
+  } else if (const Kind kind = kind_of(path); kind == Kind::instance) {
+    const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostFileBytes);
+    input = nest_instance({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, printable_utf8(path));
+  } else if (kind == Kind::library) {
+    add_library(path, input);
+  } else if (kind != Kind::other) {
+    add_file(path, input);
+  } else {
+    throw InputError(printable_utf8(path) +
+                     ": allowed: an instance (.json), .svg, .svgz, .dxf, a library (.h5), or a folder");
+  }
+  if (input.sources.empty())
+    throw InputError(printable_utf8(path) + ": found no closed shape; open lines enclose nothing");
+  fs::path name = fs::absolute(path).lexically_normal();
+  if (!name.has_filename()) name = name.parent_path();
+  input.name = printable_utf8(fs::is_directory(path, ignored) ? name.filename().string() : name.stem().string());
+  for (std::size_t i = 0; i < input.sources.size(); ++i) input.sources[i].number = int(i);
+  make_names_unique(input);
+  remove_spikes(path, input);
+  return input;
+}
+
+namespace {
+
+/// Some of them, for people who look for the right one.
+std::string names_of(const NestInput& input) {
+  constexpr std::size_t kMostBytes = 200;
+  std::string names;
+  for (const NestSource& source : input.sources) {
+    names += (names.empty() ? "" : ", ") + printable_utf8(source.drawing.name);
+    if (names.size() > kMostBytes) break;
+  }
+  return cut_utf8(names, kMostBytes);
+}
+
+}  // namespace
+
+void set_demands(NestInput& input, const std::vector<std::pair<std::string, int>>& demands) {
+  for (const auto& [pattern, demand] : demands) {
+    bool any = false;
+    for (NestSource& source : input.sources) {
+      if (::fnmatch(pattern.c_str(), source.drawing.name.c_str(), 0) != 0) continue;
+      source.demand = demand;
+      any = true;
+    }
+    if (!any)
+      throw InputError("--demand " + printable_utf8(pattern) + ": fits no name of a shape; allowed: patterns of " +
+                       names_of(input));
+  }
+  std::erase_if(input.sources, [](const NestSource& source) { return source.demand <= 0; });
+}
+
+}  // namespace tessera::io

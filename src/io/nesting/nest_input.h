@@ -1,0 +1,37 @@
+// What is to be nested, whatever files it comes from.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/nesting/nest_problem.h"
+#include "io/nesting/nest_contours.h"
+
+namespace tessera::io {
+
+struct NestSource {
+  NestDrawing drawing;
+  int number = 0;  // in the input, the first being 0
+  int demand = 1;
+  std::vector<double> angles_deg;  // of an instance; empty: those of the command
+  double mm_per_shape = 0;         // of a library's shape: its unit; 0: not of a library
+};
+
+struct NestInput {
+  std::string name;                 // of the file or folder
+  std::vector<NestSource> sources;  // of different names
+  double strip_height = 0;          // of an instance; 0: none
+  std::string library;              // the file, where the input is one
+  std::vector<std::string> notes;   // what was left out, for people
+};
+
+/// An instance (.json), an SVG (.svg, .svgz), a DXF, a library (.h5), or a folder of SVGs and DXFs. Throws InputError.
+NestInput read_nest_input(const std::string& path);
+
+/// Sets the number of pieces of each name, by patterns with * and ?, the last that fits; 0 leaves it out. Throws
+/// InputError where a pattern fits nothing.
+void set_demands(NestInput& input, const std::vector<std::pair<std::string, int>>& demands);
+
+}  // namespace tessera::io

@@ -1,0 +1,17 @@
+// Lines of card.txt: two columns, less than 80 characters.
+#pragma once
+
+#include <string>
+
+#include "io/number_text.h"
+
+namespace tessera::io {
+
+inline std::string card_line(const std::string& label, const std::string& value) {
+  constexpr std::size_t kLabelWidth = 24;
+  return "  " + label + std::string(kLabelWidth - label.size(), ' ') + value + "\n";
+}
+
+inline std::string percent_text(double fraction, int decimals = 2) { return fixed(100 * fraction, decimals) + " %"; }
+
+}  // namespace tessera::io

@@ -1,0 +1,207 @@
+#!/usr/bin/env bash
+# nest_test.sh TESSERA MPIRUN NEW_FOLDER: tessera nest, from drawings of all kinds to a layout.
+set -uo pipefail
+tessera=$1
+# shellcheck disable=SC2034 # support/ranks.sh
+mpirun=$2
+folder=$3
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+
+new_folder
+cat >parts.json <<'JSON'
+{"name": "parts", "strip_height": 40, "items": [
+  {"id": 0, "demand": 4, "allowed_orientations": [0, 180], "shape": {"type": "simple_polygon", "data": [[0,0],[20,0],[10,15],[0,0]]}},
+  {"id": 1, "demand": 3, "allowed_orientations": [0, 90], "shape": {"type": "simple_polygon", "data": [[0,0],[12,0],[12,4],[4,4],[4,12],[0,12]]}}]}
+JSON
+run 0 nest parts.json --effort draft --out out/parts --quiet
+expect_silence "something is said in spite of --quiet"
+for file in layout.json layout.svg layout.dxf layout.png card.txt; do [[ -s out/parts/$file ]] || fail "no $file"; done
+python3 - <<'PYTHON' || fail "the layout is not as it was asked for"
+import json, math
+problem, found = json.load(open("parts.json")), json.load(open("out/parts/layout.json"))
+items = found["solution"]["layout"]["placed_items"]
+assert sorted(i["item_id"] for i in items) == [0, 0, 0, 0, 1, 1, 1]
+reach = 0
+for item in items:
+    angle = item["transformation"]["rotation"]
+    assert angle in problem["items"][item["item_id"]]["allowed_orientations"]
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    tx, ty = item["transformation"]["translation"]
+    for x, y in problem["items"][item["item_id"]]["shape"]["data"]:
+        X, Y = c * x - s * y + tx, s * x + c * y + ty
+        assert -1e-4 < Y < 40 + 1e-4 and X > -1e-4
+        reach = max(reach, X)
+length = found["solution"]["strip_width"]
+assert abs(reach - length) < 1e-6
+area = 4 * 150 + 3 * 80
+assert abs(found["solution"]["density"] - area / 40 / length) < 1e-9
+assert found["solution"]["density"] > 0.6
+PYTHON
+mkdir first && cp out/parts/layout* first
+run_on_ranks 3 0 nest parts.json --effort draft --out out/parts --quiet
+for file in first/*; do cmp "$file" "out/parts/${file#first/}" || fail "another ${file#first/} on three ranks"; done
+run 0 nest parts.json --effort draft --seed 2 --out out/other --quiet
+! cmp -s first/layout.json out/other/layout.json || fail "the same layout of another seed"
+run 0 nest parts.json --demand 0=0 --effort draft --out out/second --quiet
+[[ $(grep -o '"item_id": [0-9]*' out/second/layout.json | sort -u) == '"item_id": 1' ]] || fail "another number than the instance's"
+echo "ok instance"
+
+cat >plates.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 200 200">
+  <defs><rect id="hidden" width="9" height="9"/></defs>
+  <g transform="translate(5 5) scale(2)">
+    <rect id="plate" x="1" y="1" width="20" height="10"/>
+    <circle id="disc" cx="60" cy="20" r="8"/>
+    <path id="ring" d="M50 50h20v20h-20zM55 55v10h10v-10z"/>
+  </g>
+  <path id="line" d="M0 0L50 50"/>
+</svg>
+SVG
+run 0 nest plates.svg --sheet 60,40 --demand plate=3 --demand 'r*=2' --spacing 1 --effort draft
+expect_word 'plates.svg: left out 1 open paths'
+grep -q '^  pieces          6 of 6$' output || fail "not six pieces"
+grep -q '^  sheets          1 of 60.000 x 40.000 mm$' output || fail "not one sheet"
+[[ $(grep -o '<path' out/plates/layout.svg | wc -l) -eq 6 ]] || fail "not six paths"
+grep -q 'width="60.000000mm"' out/plates/layout.svg || fail "not in mm"
+python3 - <<'PYTHON' || fail "sizes are not kept"
+import re
+svg = open("out/plates/layout.svg").read()
+def size(name, contour):
+    data = re.search(r'id="piece-\d+-%s" d="([^"]*)"' % name, svg).group(1)
+    points = [tuple(map(float, p.split(","))) for p in re.findall(r"[ML]([-\d.,]+)", data.split("Z")[contour])]
+    xs, ys = zip(*points)
+    return sorted([max(xs) - min(xs), max(ys) - min(ys)])
+for name, contour, want in ("plate", 0, [10, 20]), ("disc", 0, [16, 16]), ("ring", 0, [20, 20]), ("ring", 1, [10, 10]):
+    assert all(abs(a - b) < 0.02 for a, b in zip(size(name, contour), want)), (name, size(name, contour))
+PYTHON
+rsvg-convert out/plates/layout.svg -o plates.png || fail "an SVG that cannot be drawn"
+# What was written is read again: the same pieces, in mm.
+run 0 nest out/plates/layout.dxf --strip 40 --spacing 1 --effort draft --out out/again
+grep -q '^  pieces          6 of 6$' output || fail "the DXF does not hold the six pieces"
+run 0 nest plates.svg --sheet 30,22 --angles 0,90 --effort draft --out out/many
+grep -q '^  sheets          2 of 30.000 x 22.000 mm$' output || fail "not two sheets"
+[[ -s out/many/layout_1.svg && -s out/many/layout_2.dxf && ! -e out/many/layout.svg ]] || fail "not a file for each sheet"
+run 0 nest plates.svg --sheet 60,40 --angles 0 --effort draft --out out/many
+[[ ! -e out/many/layout_1.svg && -s out/many/layout.svg ]] || fail "sheets of an earlier run are left"
+run 0 nest plates.svg --sheet 21,12 --effort draft --out out/small
+expect_word 'warning: 2 of 3 pieces found no place: disc, ring'
+mkdir both && cp plates.svg out/plates/layout.dxf both
+run 0 nest both --strip 60 --effort draft
+grep -q '^  pieces          9 of 9$' output || fail "not all of a folder"
+cat >spike.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="300mm" viewBox="0 0 300 300">
+  <polygon id="p" points="0,0 100,0 100,50 150,50 100,50 100,100 0,100"/></svg>
+SVG
+run 0 nest spike.svg --strip 100 --demand p=2 --effort draft
+expect_word 'spike.svg: p: left out sides that go out and straight back: they enclose nothing'
+grep -q '^  length          200.000 mm$' output || fail "a spike takes room"
+mkdir here && cp plates.svg here && (cd here && "$tessera" nest . --strip 50 --effort draft --quiet) || fail "not the folder itself"
+[[ -s here/out/here/layout.json ]] || fail "another name than the folder's"
+echo "ok drawings"
+
+for name in a b; do
+  echo "<svg xmlns='http://www.w3.org/2000/svg' width='40mm' height='30mm' viewBox='0 0 40 30'>
+    <path d='M2 2h36l-9 26z' fill='#$([[ $name == a ]] && echo c63 || echo 36c)'/></svg>" >$name.svg
+done
+sed -i 's/M2 2h36l-9 26z/M2 2h36v9h-20v17h-16z/' b.svg
+run 0 library build a.svg b.svg -o two.h5
+run 0 nest two.h5 --strip 60 --demand '*=2' --effort draft
+grep -q '^  pieces          4 of 4$' output || fail "not the pieces of the library"
+grep -q '^next: tessera collage out/two/layout.toml$' output || fail "does not say what is next"
+run 0 collage out/two/layout.toml --quiet
+grep -q '"pieces": 4' out/layout/card.json || fail "the collage has not all pieces"
+python3 - <<'PYTHON' || fail "the collage is not as large as the sheet"
+import json, re
+length = json.load(open("out/two/layout.json"))["solution"]["strip_width"]
+assert 36 < length < 90
+assert abs(float(re.search(r'width="([\d.]+)mm"', open("out/layout/collage.svg").read()).group(1)) - length) < 0.1
+PYTHON
+echo "ok library"
+
+# Signals and the limit end it, and nothing is written.
+for ranks in 1 2; do
+  launch=()
+  [[ $ranks -eq 1 ]] || launch=("$mpirun" --oversubscribe -n "$ranks")
+  "${launch[@]}" "$tessera" nest parts.json --demand '*=40' --effort best --out out/long >output 2>errors &
+  nesting=$!
+  sleep 2
+  kill -0 $nesting 2>/dev/null || fail "it ended before it was interrupted"
+  before=$(date +%s%N)
+  kill -TERM $nesting
+  wait $nesting
+  code=$?
+  took_ms=$((($(date +%s%N) - before) / 1000000))
+  [[ $ranks -gt 1 || $code -eq 75 ]] || fail "exit code $code after SIGTERM"
+  ((took_ms < 4000)) || fail "it took $took_ms ms to end on $ranks ranks"
+  expect_word 'unfinished, nothing was written: the same command starts again'
+  [[ ! -e out/long ]] || fail "left something behind"
+done
+run 75 nest parts.json --demand '*=40' --effort best --out out/long --time-limit 4
+expect_word 'unfinished, nothing was written'
+run_on_ranks 2 75 nest parts.json --demand '*=40' --effort best --out out/long --time-limit 8
+expect_word 'unfinished, nothing was written'
+run 2 nest parts.json --time-limit soon
+expect_word 'soon'
+[[ ! -e out/long ]] || fail "left something behind"
+echo "ok interruption"
+
+run 2 nest plates.svg
+expect_word 'plates.svg: how large is the material? allowed: --strip H, or --sheet W,H, in mm'
+run 2 nest plates.svg --strip 20 --sheet 20,20
+expect_word '--strip and --sheet: allowed: one of them'
+run 2 nest plates.svg --strip nan
+expect_word '--strip: found nan, allowed: a number from 0.001 to 1e+06 mm'
+run 2 nest plates.svg --strip 5
+expect_word 'plates.svg: none of its pieces fits onto the strip at the angles allowed'
+cat >dot.json <<'JSON'
+{"strip_height": 1e6, "items": [{"id": "dot", "shape": {"type": "simple_polygon", "data": [[0,0],[0.5,0],[0,0.5]]}}]}
+JSON
+run 2 nest dot.json
+expect_word 'dot.json: dot: found a size of 0.5 mm, allowed: 1 or more, a millionth of the height'
+run 2 nest plates.svg --strip 50 --demand wheel=2
+expect_word '--demand wheel: fits no name of a shape; allowed: patterns of plate, disc, ring'
+run 2 nest plates.svg --strip 50 --demand plate
+expect_word '--demand plate: allowed: NAME=COUNT, 0 to 2000'
+run 2 nest plates.svg --strip 50 --demand '*=1500'
+expect_word 'found 4500 pieces in all, allowed: 1 to 2000'
+run 2 nest plates.svg --strip 50 --spacing -1
+expect_word '--spacing: found -1'
+run 2 nest none.svg --strip 50
+expect_word 'none.svg'
+run 2 nest plates.png --strip 50
+expect_word 'plates.png: allowed: an instance (.json), .svg, .svgz, .dxf, a library (.h5), or a folder'
+mkdir mine && touch mine/precious
+run 2 nest plates.svg --strip 50 --out mine
+expect_word '--out mine: is there, and its precious is not of tessera nest; give another name'
+echo '{"name": "another program"}' >mine/layout.json
+run 2 nest plates.svg --strip 50 --out mine
+expect_word '--out mine: is there, and its layout.json is not of tessera nest; give another name'
+[[ $(ls mine) == $'layout.json\nprecious' ]] || fail "a foreign folder is not as it was"
+cp -r out/plates ours
+touch ours/layout_notes.txt ours/layout.db ours/layout_x.svg ours/layout_2.svg ours/layout_12_pieces.geojson
+rm ours/layout.json # as an unfinished run leaves it
+run 0 nest plates.svg --strip 50 --effort draft --out ours
+[[ $(ls ours | tr '\n' ' ') == 'card.txt layout.db layout.dxf layout.json layout.png layout.svg layout_notes.txt layout_x.svg ' ]] ||
+  fail "another file is there, or a foreign one is gone"
+mkdir stuck && cp out/plates/card.txt out/plates/layout.json stuck && mkdir stuck/layout.dxf
+run 1 nest plates.svg --strip 50 --effort draft --out stuck
+[[ -e stuck/card.txt && ! -e stuck/layout.json ]] || fail "layout.json is there though the rest is not"
+echo '<svg xmlns="http://www.w3.org/2000/svg"><path id="bow" d="M0 0L40 40V0L0 40z"/></svg>' >bow.svg
+run 2 nest bow.svg --strip 50
+expect_word 'bow.svg: bow: found a contour that crosses itself'
+python3 - <<'PYTHON'
+import math
+rings = ["".join("%s%.4f %.4f" % ("ML"[k > 0], math.cos(k * math.tau / 900) * 9, math.sin(k * math.tau / 900) * 9) for k in range(900))
+         for _ in range(200)]
+open("many.svg", "w").write("<svg xmlns='http://www.w3.org/2000/svg'>" + "".join("<path d='%sZ'/>" % r for r in rings) + "</svg>")
+PYTHON
+run 2 nest many.svg --strip 50 --angles "$(seq -s, 0 359)"
+expect_word 'many.svg: found 64800000 points of all shapes at all angles, allowed: 10000000 (--angles)'
+head -c 300 parts.json >cut.json
+run 2 nest cut.json
+expect_word 'cut.json: not a readable JSON file'
+run_on_ranks 3 2 nest cut.json
+expect_word 'cut.json: not a readable JSON file'
+[[ ! -e out/bow && ! -e out/cut ]] || fail "left something behind"
+echo "ok errors"
