@@ -3,18 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "cli/checked_job.h"
 #include "cli/collage_warnings.h"
 #include "cli/commands.h"
 #include "cli/plan_estimate.h"
 #include "cli/plan_text.h"
 #include "core/base/error.h"
 #include "core/field/free_field.h"
-#include "io/job/canvas_file.h"
 #include "io/job/job_file.h"
-#include "io/job/job_library.h"
-#include "io/job/overlays.h"
+#include "io/job/palette.h"
 #include "io/job/picture_size.h"
-#include "io/result/ground_tile.h"
 
 namespace tessera::cli {
 namespace {
@@ -38,17 +36,15 @@ struct PlanArguments {
 
 PlanInput plan_input(const PlanArguments& arguments) {
   io::Job job = io::load_job(arguments.job, arguments.overrides);
-  const io::LibraryView library = io::open_library_of(job);
-  const Canvas canvas = io::canvas_of(job);
+  const io::LibraryView library = checked_library(job);
+  Canvas canvas = checked_canvas(library, job);
+  const double room_part = limit_to_room(library, job, canvas);
+  io::load_palette(job);  // what is wrong with it shows before the queue, too
   const io::OutputSpec output = io::on_paper(job.output, job.canvas, canvas);
-  io::check_picture_size(output, canvas);
-  io::check_images(canvas, job.settings.pieces);
-  io::check_ground(job, canvas);
-  io::set_overlays(io::read_overlays(canvas, job), library, job);  // what is wrong with them shows before the queue
   const Window nodes = free_field_grid(canvas, job.settings.pieces).nodes();
   const cv::Size picture_px = io::picture_size_px(output, canvas);
   return {.settings = job.settings,
-          .canvas_px2 = canvas.area_px2,
+          .canvas_px2 = room_part * canvas.area_px2,
           .canvas_nodes = double(nodes.width()) * nodes.height(),
           .picture_px2 = double(picture_px.width) * picture_px.height,
           .shapes = library.size(),

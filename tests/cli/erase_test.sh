@@ -75,6 +75,11 @@ cmp erased/pieces.geojson first-erased/pieces.geojson || fail "the order of the 
 run 0 refine first --pieces 3,5 --set seed=99 --set improve.trials=600 --out another --quiet
 expect_all_but first another 3 5
 cmp -s erased/pieces.geojson another/pieces.geojson && fail "another seed fills as the first did"
+planned() { sed -n 's/^  pieces  *about //p' output; }
+run 0 plan first/job.toml
+whole=$(planned)
+run 0 plan erased/job.toml
+[[ $(planned) -lt $((whole / 2)) ]] || fail "a plan of two pieces' room: $(planned) of $whole"
 echo "ok numbers"
 
 long=(refine first --pieces '3,5' --set improve.trials=1500 --set checkpoint.every_s=0.01 --quiet)

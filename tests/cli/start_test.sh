@@ -52,6 +52,9 @@ expect_word "pieces.geojson lies in the folder that the run writes; give another
 sed 's/"shape":"[a-z]*/&_of_no_library/' edited.geojson >unknown.geojson
 run 2 collage job.toml --set start.pieces=unknown.geojson --out none
 expect_word 'unknown.geojson: feature 0: shape: found "'
+# What the run would refuse, the plan does.
+run 2 plan job.toml --set start.pieces=unknown.geojson
+expect_word 'unknown.geojson: feature 0: shape: found "'
 run 2 collage job.toml --set canvas.seamless=both --set start.grow=outward --out none
 run 0 collage job.toml --set start.pieces=edited.geojson --set 'canvas.size_px=[120, 90]' --set improve.trials=0 \
   --quiet --out small

@@ -1,0 +1,55 @@
+#include "cli/checked_job.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/field/room.h"
+#include "core/matching/sized_settings.h"
+#include "io/job/canvas_file.h"
+#include "io/job/job_library.h"
+#include "io/job/overlays.h"
+#include "io/job/picture_size.h"
+#include "io/result/ground_tile.h"
+
+namespace tessera::cli {
+
+double limit_to_room(const io::ShapeLibrary& library, const io::Job& job, Canvas& canvas) {
+  if (job.start.removed.empty()) return 1;
+  constexpr io::LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
+  std::map<ShapeId, Outline> outlines;
+  std::vector<PieceThatLay> lay;
+  for (const GivenPiece& piece : job.start.removed) {
+    const auto [at, is_new] = outlines.try_emplace(piece.shape);
+    const std::uint32_t i = index_of(piece.shape);
+    if (is_new) at->second = std::move(library.read(i, i + 1, kOutlines).front().outline);
+    lay.push_back({&at->second, piece.canvas_from_shape});
+  }
+  fill_only_where_they_lay(lay, job.settings.pieces.min_scale_px, canvas);
+  double area_px2 = 0;
+  for (const CanvasRegion& region : canvas.regions) area_px2 += region.area_px2;
+  return std::min(1., area_px2 / canvas.area_px2);
+}
+
+io::LibraryView checked_library(io::Job& job) {
+  io::LibraryView library = io::open_library_of(job);
+  io::resolve_wishes(library, job);
+  io::add_start_pieces(library, job);
+  return library;
+}
+
+Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job) {
+  Canvas canvas = io::canvas_of(job);
+  io::check_picture_size(io::on_paper(job.output, job.canvas, canvas), canvas);
+  io::check_ground(job, canvas);
+  if (job.settings.pieces.fit_all) {
+    job.size_factor =
+        first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2, library.drawings());
+  }
+  io::set_overlays(io::read_overlays(canvas, job), library, job);
+  io::check_images(canvas, with_sizes_times(job.size_factor, job.settings).pieces);
+  return canvas;
+}
+
+}  // namespace tessera::cli

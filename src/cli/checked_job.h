@@ -1,0 +1,21 @@
+// The files that a job names, read and checked before anything costs time: tessera collage and tessera plan tell the same
+// mistakes. All throw InputError that names the file or key, what was found and what is allowed.
+#pragma once
+
+#include "core/field/canvas.h"
+#include "io/job/job_file.h"
+#include "io/library/library_view.h"
+
+namespace tessera::cli {
+
+/// The shapes that the job chooses. By their names the job's wishes are resolved, and the pieces that it starts from added.
+io::LibraryView checked_library(io::Job& job);
+
+/// The canvas, of the job from checked_library. The factor of the sizes, which goes by its area, is set in the job.
+Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job);
+
+/// Where pieces are removed (start.remove) only their room is filled, and as far round it as a gap may be that nothing
+/// fits into. Returns which part of the canvas that is.
+double limit_to_room(const io::ShapeLibrary& library, const io::Job& job, Canvas& canvas);
+
+}  // namespace tessera::cli
