@@ -114,6 +114,11 @@ std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solve
            "how large the others are";
   if (solved.left_over.empty() && solved.in_frame && solved.covered < kLeastCovered)
     return "the frame is not full: pieces are missing";
+  if (solved.undecided > 0)
+    return std::to_string(solved.undecided) + " of " + std::to_string(solved.placed) +
+           " pieces have the outline of others, and what is on them does not say for sure where they belong: some may "
+           "lie "
+           "wrongly";
   return "";
 }
 

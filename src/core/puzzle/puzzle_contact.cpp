@@ -9,7 +9,7 @@ namespace {
 
 /// A gap is what is wider than the tolerance, and narrower than so many times.
 constexpr float kWidestGap = 4;
-/// Pictures are compared so many steps inside their edges, which are blurred.
+/// Steps.
 constexpr float kInside = 1.5f;
 /// Part of a piece's points that may lie deeper in another than the tolerance.
 constexpr float kOverlapping = 0.02f;
@@ -62,10 +62,12 @@ bool overlap(const PosedPiece& a, const PosedPiece& b, const PuzzleScale& scale)
          ((!is_frame(*a.piece) && lies_in(a, b, scale)) || (!is_frame(*b.piece) && lies_in(b, a, scale)));
 }
 
+float inside_from_edge(const PuzzleScale& scale) { return kInside * scale.step; }
+
 float pictures_agree(const PuzzlePiece& here, Vec2 at_here, Vec2 outside_here, const PuzzlePiece& there, Vec2 at_there,
                      Vec2 outside_there, const PuzzleScale& scale) {
   if (scale.contrast <= 0 || !here.picture || !there.picture) return 0;
-  const float inside = kInside * scale.step;
+  const float inside = inside_from_edge(scale);
   const auto a = here.picture->at(at_here - outside_here * inside);
   const auto b = there.picture->at(at_there - outside_there * inside);
   return a && b ? 1 - 2 * std::min(1.f, colour_distance(*a, *b) / scale.contrast) : 0;

@@ -32,6 +32,9 @@ bool covers(const PosedPiece& piece, Vec2 p);
 /// Whether they overlap by more than their outlines' errors.
 bool overlap(const PosedPiece& a, const PosedPiece& b, const PuzzleScale& scale);
 
+/// How far from their edges, which are blurred, pictures are compared.
+float inside_from_edge(const PuzzleScale& scale);
+
 /// How alike the pictures of two pieces are beside a place of their common boundary, each a little inside its own: from
 /// 1, as where one goes on in the other, to -1, as of strangers. 0: unknown. The directions point outside, unit length.
 float pictures_agree(const PuzzlePiece& here, Vec2 at_here, Vec2 outside_here, const PuzzlePiece& there, Vec2 at_there,

@@ -7,6 +7,7 @@
 
 #include "core/geometry/polygon.h"
 #include "core/puzzle/frame_covering.h"
+#include "core/puzzle/piece_exchange.h"
 #include "core/puzzle/piece_matches.h"
 #include "core/puzzle/poses_in_frame.h"
 #include "core/puzzle/puzzle_contact.h"
@@ -113,12 +114,12 @@ class Solver {
     Arrangement best = solved_alone();
     if (frame_ >= 0 && !(whole(best) && fit_into_frame(best))) {
       const std::vector<Arrangement> starts = beginnings_in_frame();
-      if (starts.empty()) return solution_of(best);
+      if (starts.empty()) return solution_of(std::move(best));
       Arrangement framed = solved(starts);
       if (!whole(framed)) framed = covering_or(std::move(framed));
       if (placed(framed) >= placed(best)) best = std::move(framed);  // else the frame is of another size
     }
-    return solution_of(best);
+    return solution_of(std::move(best));
   }
 
  private:
@@ -497,8 +498,24 @@ class Solver {
     }
   }
 
-  PuzzleSolution solution_of(const Arrangement& best) const {
+  /// Pieces of one outline to where their pictures agree best. Returns how many might as well lie elsewhere.
+  int exchange_alike(Arrangement& in) const {
+    const std::size_t first = in.laid.front().piece == frame_ ? 1 : 0;
+    const std::vector<PosedPiece> all = laid_pieces(in);
+    const ExchangedPieces now =
+        exchanged({all.begin() + std::ptrdiff_t(first), all.end()}, scale_, [&] { tell(placed(in)); });
+    bool moved = false;
+    for (std::size_t i = first; i < in.laid.size(); ++i) {
+      moved = moved || !(in.laid[i].pose == now.poses[i - first]);
+      in.laid[i].pose = now.poses[i - first];
+    }
+    if (moved) come_to_rest(in);
+    return now.undecided;
+  }
+
+  PuzzleSolution solution_of(Arrangement best) const {
     PuzzleSolution solution;
+    solution.undecided = exchange_alike(best);
     solution.poses.resize(pieces_count());
     for (const Laid& laid : best.laid) {
       if (laid.piece != frame_) solution.poses[std::size_t(laid.piece)] = laid.pose;

@@ -35,6 +35,7 @@ struct PuzzleSolution {
   std::vector<std::optional<Similarity>> poses;  // puzzle_from_piece, of each piece; nothing: no place was found
   int placed = 0;
   bool in_frame = false;  // in the frame's coordinates; else in those of the piece that was laid first
+  int undecided = 0;      // pieces of one outline that the pictures do not tell apart (piece_exchange.h)
   double gaps = 0;        // part of the boundary of all that is beside a narrow gap: 0 where pieces fit
 };
 

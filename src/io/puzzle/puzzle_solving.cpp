@@ -335,6 +335,7 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
   const std::vector<LaidPuzzlePiece> laid = laid_pieces(shapes, polygons, solution, solved.scale);
   solved.placed = laid.size();
   solved.in_frame = solution.in_frame;
+  solved.undecided = solution.undecided;
   solved.gaps = solution.gaps;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (!solution.poses[i]) solved.left_over.push_back(shapes[i].name);

@@ -32,6 +32,7 @@ struct SolvedPuzzle {
   std::size_t placed = 0;
   std::vector<std::string> left_over;  // names
   bool in_frame = false;
+  int undecided = 0;                         // PuzzleSolution::undecided
   double gaps = 0;                           // PuzzleSolution::gaps
   double covered = 0;                        // area of the placed pieces, parts of the frame or the canvas
   std::optional<PuzzleAgreement> agreement;  // with the truth, if there is one
