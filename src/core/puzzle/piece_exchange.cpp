@@ -20,7 +20,7 @@ constexpr float kSameOutline = 3;
 /// 0.2 and more (chelsea.png in 20 rectangles), where pieces lie wrongly some are below 0.08.
 constexpr float kAsGood = 0.1f;
 /// Mean agreement along a side below which it is worth looking for another order, and below which pieces are strangers. Of
-/// right ones the least seen was 0.07.
+/// right ones the least seen was 0.07 (the same).
 constexpr float kPoorSide = 0.1f;
 constexpr float kStrangers = -0.3f;
 /// Points of a side, in parts of a piece's: pieces that meet at a corner share fewer.
