@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "core/field/free_field.h"
@@ -47,7 +48,7 @@ struct Scene {
     return made;
   }
 
-  CountRequest count_request() const { return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins)}; }
+  CountRequest count_request() const { return {samples, std::numeric_limits<std::uint64_t>::max()}; }
 
   DockRequest dock_request() const { return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins), 600}; }
 };

@@ -46,7 +46,7 @@ class TimedRounds {
     const std::vector<TargetSample> samples = collage_.take_stale_samples();
     double choosing_s = watch.seconds();
     matcher_.update_field(read_patch(collage_.free().field().value, changed));
-    const MatchRound found = match(matcher_, samples, {4000, 150}, 100000, reach_, statistics_);
+    const MatchRound found = match(matcher_, samples, {4000, 150}, 100000, statistics_);
     watch.lap();
     collage_.add_candidates(samples, found);
     Candidate best;
@@ -80,7 +80,6 @@ class TimedRounds {
   ReferenceMatcher matcher_;
   test::VectorShapes shapes_;
   Collage collage_;
-  PairReach reach_;
   RunStatistics statistics_;
   std::vector<double> choosing_s_;
   std::vector<double> merging_s_;

@@ -2,7 +2,6 @@
 // well it looks on a few points of the free field.
 
 #define NO_DOCKING (-1.f)
-#define NOT_EVALUATED (-2.f)  // nor looked at the field
 
 typedef struct Alignment {
   PoseRecord canvas_from_shape;
@@ -138,79 +137,55 @@ float docking_colour_worth(const Picture* picture, global const float* contour, 
   return colour_worth(picture, mean_colour_difference(picture, contour, s));
 }
 
-typedef struct BestDockings {
-  int count;
-  DockingRecord docking[kDockingsPerShape];
-} BestDockings;
-
-// Of one shape and sample: by key, then by source.
-void keep_docking(BestDockings* best, const DockingRecord* docking) {
-  int at = best->count;
-  for (; at > 0; --at) {
-    const DockingRecord* other = best->docking + at - 1;
-    if (other->key > docking->key || (other->key == docking->key && other->source < docking->source)) break;
-    if (at < kDockingsPerShape) best->docking[at] = *other;
-  }
-  if (at == kDockingsPerShape) return;
-  best->docking[at] = *docking;
-  if (best->count < kDockingsPerShape) ++best->count;
-}
-
 int level_of_source(constant MatchRecord* match, uint source) {
   int k = 0;
   while (source >= match->level[k].first + match->level[k].count) ++k;
   return k;
 }
 
-// Work item: (target sample - first_sample, shape). Of its pairs within the sample's reach the best
-// kDockingsPerShape dockings, at (work item) * kDockingsPerShape; NO_DOCKING as key where there are fewer. The pairs
-// are those of select_pairs from sample `first_paired` on.
+// The dockings that a question is answered with are gathered from these, on the host. Of more than `capacity` the rest
+// is lost, but counted.
+void add_docking(DockingRecord docking, uint capacity, global uint* count, global DockingRecord* dockings) {
+  const uint place = atomic_inc(count);
+  if (place < capacity) dockings[place] = docking;
+}
+
+// Work item: a pair. Its docking is added where the early reject leaves it. `evaluated`: dockings that looked at the
+// field, by target sample.
 kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const float* size_map, global const float* field_value,
                        constant ColourRecord* colour, global const float* texels,
                        global const short* keypoints, global const float* contours,
-                       global const ShapeRecord* shapes, uint first_sample,
-                       uint end_sample, global const SampleRecord* samples, uint first_paired,
-                       global const PairRecord* pairs, global const uint* pair_count, global DockingRecord* dockings,
-                       global float* keys, global uint* evaluated) {
-  const uint t = first_sample + get_global_id(0);
-  const uint shape = get_global_id(1);
-  if (t >= end_sample) return;
-  const Field field = free_field(match, field_value);
-  const Picture picture = {colour, texels};
-  global const SampleRecord* target = samples + t;
-  global const float* contour = contours + (size_t)shape * kContourFloats;
-  const size_t pair_place = (size_t)(t - first_paired) * match->shapes + shape;
+                       global const ShapeRecord* shapes, global const SampleRecord* samples, uint count,
+                       global const PairRecord* pairs, global uint* evaluated, uint capacity,
+                       global uint* docking_count, global DockingRecord* dockings) {
+  const uint i = get_global_id(0);
+  if (i >= count) return;
+  const PairRecord pair = pairs[i];
+  const uint shape = pair.source / match->sources;
+  const uint source = pair.source % match->sources;
+  global const SampleRecord* target = samples + pair.sample;
   const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
   const float sizes = size_part(match, size_map, target->position_x, target->position_y);
-  BestDockings best;
-  best.count = 0;
-  uint looked_at = 0;
-  for (uint i = 0; i < pair_count[pair_place]; ++i) {
-    const PairRecord pair = pairs[pair_place * kPairsPerShape + i];
-    if (pair.distance >= target->reach) break;  // best first
-    constant LevelRecord* level = match->level + level_of_source(match, pair.source);
-    global const short* keypoint = keypoints + ((size_t)shape * match->sources + pair.source) * 2 * kPadKeypoints;
-    const Alignment aligned =
-        align_pyramids(&standing, sizes, keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target,
-                       level->scale_low_px, level->scale_high_px);
-    if (!aligned.valid) continue;
-    ++looked_at;
-    const float key = docking_key(contour, shapes + shape, aligned.canvas_from_shape, &field,
-                                  match->max_scale_px);
-    if (key < kLeastDockingKey) continue;
-    const float worth = docking_colour_worth(&picture, contour, aligned.canvas_from_shape);
-    const DockingRecord docking = {t, match->first_shape + shape, pair.source, standing.list.first + aligned.stance,
-                                   key * worth * standing.stance[aligned.stance].weight, aligned.canvas_from_shape};
-    keep_docking(&best, &docking);
-  }
-  if (looked_at > 0) atomic_add(evaluated + t, looked_at);
-  const size_t place = ((size_t)get_global_id(0) * match->shapes + shape) * kDockingsPerShape;
-  for (int i = 0; i < kDockingsPerShape; ++i) {
-    keys[place + i] = i < best.count ? best.docking[i].key : NO_DOCKING;
-    if (i < best.count) dockings[place + i] = best.docking[i];
-  }
+  constant LevelRecord* level = match->level + level_of_source(match, source);
+  global const short* keypoint = keypoints + (size_t)pair.source * 2 * kPadKeypoints;
+  const Alignment aligned =
+      align_pyramids(&standing, sizes, keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target,
+                     level->scale_low_px, level->scale_high_px);
+  if (!aligned.valid) return;
+  atomic_inc(evaluated + pair.sample);
+  global const float* contour = contours + (size_t)shape * kContourFloats;
+  const Field field = free_field(match, field_value);
+  const float key =
+      docking_key(contour, shapes + shape, aligned.canvas_from_shape, &field, match->max_scale_px);
+  if (key < kLeastDockingKey) return;
+  const Picture picture = {colour, texels};
+  const float worth = docking_colour_worth(&picture, contour, aligned.canvas_from_shape);
+  const DockingRecord docking = {pair.sample, match->first_shape + shape, source,
+                                 standing.list.first + aligned.stance,
+                                 key * worth * standing.stance[aligned.stance].weight, aligned.canvas_from_shape};
+  add_docking(docking, capacity, docking_count, dockings);
 }
 
 // Which of 16 boundary points' tangents imply a rotation that docks.
@@ -270,23 +245,20 @@ INLINE PoseRecord tangent_docking(const StanceRecord* stance, global const float
   return s;
 }
 
-// `open_shapes`: the shapes of the whole library that may stand, unless all may. Work item: (draw, target sample -
-// first_sample). Its docking, at place
-// (target sample - first_sample) * draws + draw, if its shape is of this shard and the early reject leaves it; else
-// NO_DOCKING or NOT_EVALUATED as key.
+// `open_shapes`: the shapes of the whole library that may stand, unless all may. Work item: (draw, target sample). Its
+// docking is added if its shape is of this shard and the early reject leaves it.
 kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord* stances,
                           global const StanceListRecord* stance_lists, global const uint* shape_class,
                           global const float* size_map, uint open_count, uint all_open, global const uint* open_shapes,
                           global const float* field_value, constant ColourRecord* colour, global const float* texels,
                           global const uint* near_shapes, global const float* contours,
-                          global const ShapeRecord* shapes, uint first_sample, global const SampleRecord* samples,
-                          uint draws, global DockingRecord* dockings, global float* keys) {
+                          global const ShapeRecord* shapes, global const SampleRecord* samples, uint draws,
+                          global uint* evaluated, uint capacity, global uint* docking_count,
+                          global DockingRecord* dockings) {
   const uint draw = get_global_id(0);
   if (draw >= draws) return;
-  const uint t = first_sample + get_global_id(1);
+  const uint t = get_global_id(1);
   global const SampleRecord* target = samples + t;
-  const size_t place = get_global_id(1) * draws + draw;
-  keys[place] = NOT_EVALUATED;
   const ulong bits = mix_bits(match->seed ^ mix_bits(mix_bits(((ulong)target->edge << 32) | target->pass) ^ draw));
   if (open_count == 0) return;
   uint library_shape;
@@ -312,12 +284,10 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
   const PoseRecord pose = tangent_docking(&stance, contour, (uint)point, stance.min_scale_px * growth, target);
   const Field field = free_field(match, field_value);
   const float key = docking_key(contour, shapes + shape, pose, &field, match->max_scale_px);
-  keys[place] = NO_DOCKING;
+  atomic_inc(evaluated + t);
   if (key < kLeastDockingKey) return;
   const Picture picture = {colour, texels};
   const float weighted = key * docking_colour_worth(&picture, contour, pose) * stance.weight;
-  keys[place] = weighted;
-  const uint source = kTangentSource + draw;
-  const DockingRecord docking = {t, library_shape, source, standing.list.first + k, weighted, pose};
-  dockings[place] = docking;
+  const DockingRecord docking = {t, library_shape, kTangentSource + draw, standing.list.first + k, weighted, pose};
+  add_docking(docking, capacity, docking_count, dockings);
 }

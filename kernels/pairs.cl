@@ -1,44 +1,16 @@
-// core/matching/pair_selection.cpp in OpenCL C (paper section 3.3): scale window, sign, PAD distance, local
-// minima along the shape's curve, the best few of each (target sample, shape).
+// core/matching/pair_selection.cpp in OpenCL C (paper section 3.3), up to the PAD distance: scale window, sign, rotation,
+// distance within reach. Which of the pairs of a shape are local minima along its curve is decided where all of them are
+// together (src/worker/found_pairs.cpp).
 //
-// First an exact filter of bytes (core/pad/pad_filter.h), then the distance itself where a pair may be near. The
-// filter's loop over kFilterLanes sources is left to the compiler: it knows how many bytes the device handles at once.
-
-enum PairSizes { kPadElements = 2 * (kPadLevels - 1), kFilterRows = kPadElements + 2 };
-
-// Elements of a PAD behind one another, zeros behind them.
-#if kPadRow == 8
-typedef ushort8 PadRow;
-#define load_row vload8
-uint largest_element(PadRow row) {
-  const ushort4 a = max(row.lo, row.hi);
-  const ushort2 b = max(a.lo, a.hi);
-  return max(b.x, b.y);
-}
-#else
-typedef ushort16 PadRow;
-#define load_row vload16
-uint largest_element(PadRow row) {
-  const ushort8 a = max(row.lo, row.hi);
-  const ushort4 b = max(a.lo, a.hi);
-  const ushort2 c = max(b.lo, b.hi);
-  return max(c.x, c.y);
-}
-#endif
-
-#define NO_PAIR 0xffffffffu
-
-uint distance_bin(uint distance_steps, uint beta_steps) { return distance_steps * kDistanceBins / beta_steps; }
+// Of the blocks that the index leaves (pad_index.cl) an exact filter of bytes first (core/pad/pad_filter.h), then the
+// distance itself where a pair may be near.
 
 // A target sample as its pairs need it.
 typedef struct Target {
-  PadRow row;
+  ushort element[kPadElements];
   float scale_length;
-  float convexity;
-  uint reach;
   float chord_x;
   float chord_y;
-  Stances stances;
 } Target;
 
 // Key points between which the chord tells the rotation before any alignment.
@@ -48,12 +20,12 @@ enum ChordEnds {
   kChordLast = kPadLevels + 1 + kChordReach
 };
 
-Target load_target(global const SampleRecord* sample, Stances stances) {
-  ushort element[kPadRow];
-  for (int e = 0; e < kPadRow; ++e) element[e] = e < kPadElements ? (ushort)sample->element[e] : (ushort)0;
-  const Target target = {load_row(0, element), sample->scale_length, sample->convexity, sample->reach,
-                         sample->keypoint_x[kChordLast] - sample->keypoint_x[kChordFirst],
-                         sample->keypoint_y[kChordLast] - sample->keypoint_y[kChordFirst], stances};
+Target load_target(global const SampleRecord* sample) {
+  Target target;
+  for (int e = 0; e < kPadElements; ++e) target.element[e] = (ushort)sample->element[e];
+  target.scale_length = sample->scale_length;
+  target.chord_x = sample->keypoint_x[kChordLast] - sample->keypoint_x[kChordFirst];
+  target.chord_y = sample->keypoint_y[kChordLast] - sample->keypoint_y[kChordFirst];
   return target;
 }
 
@@ -66,15 +38,19 @@ typedef struct FilterWindow {
   uchar signs;
 } FilterWindow;
 
-void set_pad_window(FilterWindow* window, global const SampleRecord* sample) {
-  window->signs = (uchar)sample->signs;
-  window->width = (uchar)sample->pad_width;
-  for (int e = 0; e < kPadElements; ++e) window->low[e] = (uchar)sample->pad_low[e];
+FilterWindow filter_window(global const SampleRecord* sample, uint level) {
+  FilterWindow window;
+  for (int e = 0; e < kPadElements; ++e) window.low[e] = (uchar)sample->pad_low[e];
+  window.width = (uchar)sample->pad_width;
+  window.scale_low = (uchar)sample->scale_low[level];
+  window.scale_width = (uchar)sample->scale_width[level];
+  window.signs = (uchar)sample->signs;
+  return window;
 }
 
-// Bit i is set where source i of the block may be near.
+// Bit i is set where PAD i of the block may be near.
 INLINE ulong filter_block(global const uchar* rows, const FilterWindow* window) {
-  uchar passes[kFilterLanes];
+  LaneBytes passes;
   for (int i = 0; i < kFilterLanes; ++i) {
     uchar farthest = 0;
 #pragma unroll
@@ -83,144 +59,82 @@ INLINE ulong filter_block(global const uchar* rows, const FilterWindow* window) 
     }
     const uchar scale = (uchar)(rows[kPadElements * kFilterLanes + i] - window->scale_low);
     const uchar sign = rows[(kPadElements + 1) * kFilterLanes + i] & window->signs;
-    passes[i] = (uchar)((farthest <= window->width) & (scale <= window->scale_width) & (sign != 0));
+    passes.byte[i] = (uchar)((farthest <= window->width) & (scale <= window->scale_width) & (sign != 0));
   }
-  const ulong* words = (const ulong*)passes;
-  ulong any = 0;
-  for (int k = 0; k < kFilterLanes / 8; ++k) any |= words[k];
-  if (any == 0) return 0;
-  ulong bits = 0;
-  // The product gathers the lowest bits of eight bytes in its highest byte.
-  for (int k = 0; k < kFilterLanes / 8; ++k) bits |= (words[k] * 0x0102040810204080ul >> 56) << (8 * k);
-  return bits;
+  return lane_bits(&passes);
 }
 
-// A shape's PADs.
-typedef struct Pads {
-  global const ushort* row;
-  global const PadRecord* record;
-  global const short* keypoint;
-} Pads;
-
-bool may_turn(const Pads* pads, uint source, const Target* target) {
-  if (target->stances.stance->docked_edge_x <= -1) return true;
-  global const short* x = pads->keypoint + (size_t)source * 2 * kPadKeypoints;
+bool may_turn(const Stances* stances, global const short* keypoint, const Target* target) {
+  if (stances->stance->docked_edge_x <= -1) return true;
+  global const short* x = keypoint;
   global const short* y = x + kPadKeypoints;
   const float chord_x = (float)x[kChordLast] - (float)x[kChordFirst];
   const float chord_y = (float)y[kChordLast] - (float)y[kChordFirst];
   const float turn_x = chord_x * target->chord_x + chord_y * target->chord_y;
   const float turn_y = chord_x * target->chord_y - chord_y * target->chord_x;
-  for (uint i = 0; i < target->stances.list.count; ++i) {
-    const StanceRecord stance = target->stances.stance[i];
+  for (uint i = 0; i < stances->list.count; ++i) {
+    const StanceRecord stance = stances->stance[i];
     if (direction_allowed(docked_rotations(&stance), turn_x, turn_y, 1, 0)) return true;
   }
   return false;
 }
 
-// Equation 1, steps; NO_PAIR where the scale, the sign or the rotation cannot fit.
-INLINE uint pair_distance(const Pads* pads, uint source, constant LevelRecord* level, const Target* target) {
-  const PadRecord record = pads->record[source];
-  const float low_px = max(level->scale_low_px, target->stances.list.min_scale_px);
-  const float high_px = min(level->scale_high_px, target->stances.list.max_scale_px);
-  if (target->scale_length < record.scale_length * (low_px * kScaleWindowLow) ||
-      target->scale_length > record.scale_length * (high_px * kScaleWindowHigh) ||
-      target->convexity * record.convexity < 0 || !may_turn(pads, source, target)) {
-    return NO_PAIR;
+bool may_scale(const Stances* stances, constant LevelRecord* level, float scale_length, const Target* target) {
+  const float low_px = max(level->scale_low_px, stances->list.min_scale_px);
+  const float high_px = min(level->scale_high_px, stances->list.max_scale_px);
+  return !(target->scale_length < scale_length * (low_px * kScaleWindowLow)) &&
+         !(target->scale_length > scale_length * (high_px * kScaleWindowHigh));
+}
+
+// Equation 1, steps, of PAD `lane` of a block. `rows`: the elements' high bytes; `low_bytes`: its low ones.
+INLINE uint pad_distance(global const uchar* rows, uint lane, global const uchar* low_bytes, const Target* target) {
+  ushort farthest = 0;
+#pragma unroll
+  for (int e = 0; e < kPadElements; ++e) {
+    const ushort element = (ushort)(rows[e * kFilterLanes + lane] << 8 | low_bytes[e]);
+    farthest = max(farthest, abs_diff(target->element[e], element));
   }
-  return largest_element(abs_diff(target->row, load_row(source, pads->row)));
+  return farthest;
 }
 
-typedef struct BestPairs {
-  int count;
-  uint distance[kPairsPerShape];
-  uint source[kPairsPerShape];
-} BestPairs;
-
-// A pair must be nearer than this: where the list is full, a later pair of equal distance comes behind and falls off.
-uint farthest_kept(const BestPairs* best, uint reach) {
-  return best->count < kPairsPerShape ? reach : best->distance[kPairsPerShape - 1];
-}
-
-// Sources come in ascending order, so that a later pair of equal distance comes behind.
-void keep_pair(BestPairs* best, uint distance, uint source) {
-  int at = best->count < kPairsPerShape ? best->count++ : kPairsPerShape - 1;
-  for (; at > 0 && best->distance[at - 1] > distance; --at) {
-    best->distance[at] = best->distance[at - 1];
-    best->source[at] = best->source[at - 1];
-  }
-  best->distance[at] = distance;
-  best->source[at] = source;
-}
-
-// Keeps a source that is a local minimum along its level's closed curve.
-void keep_if_minimum(BestPairs* best, const Pads* pads, uint source, constant LevelRecord* level,
-                     const Target* target) {
-  const uint distance = pair_distance(pads, source, level, target);
-  if (distance >= farthest_kept(best, target->reach)) return;
-  const uint last = level->first + level->count - 1;
-  const uint before = source == level->first ? last : source - 1;
-  const uint after = source == last ? level->first : source + 1;
-  if (distance > pair_distance(pads, before, level, target)) return;
-  if (distance >= pair_distance(pads, after, level, target)) return;
-  keep_pair(best, distance, source);
-}
-
-// Work item: (target sample - first_sample, shape). The pairs of (sample, shape) start at place
-// ((sample - first_sample) * shapes + shape) * kPairsPerShape. `only_longer_reach`: the places hold what was found
-// within each sample's held_reach.
-kernel void select_pairs(constant MatchRecord* match, global const StanceRecord* stances,
-                         global const StanceListRecord* stance_lists, global const uint* shape_class,
-                         global const uchar* pad_bytes, global const ushort* rows, global const PadRecord* records,
-                         global const short* keypoints, constant ColourRecord* colour, global const uint* near_bits,
-                         uint first_sample, uint end_sample, uint only_longer_reach,
-                         global const SampleRecord* samples, global PairRecord* pairs, global uint* pair_count) {
-  const uint t = first_sample + get_global_id(0);
-  const uint shape = get_global_id(1);
-  if (t >= end_sample) return;
-  global const SampleRecord* sample = samples + t;
-  if (only_longer_reach && sample->reach <= sample->held_reach) return;
-  BestPairs best;
-  best.count = 0;
-  const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
-  if (sample->reach > 0 && standing.list.count > 0 &&
-      has_near_colour(sample, near_bits, colour->near_words, match->first_shape + shape)) {
-    const size_t first_source = (size_t)shape * match->sources;
-    global const uchar* bytes = pad_bytes + first_source * kFilterRows;
-    const Pads pads = {rows + first_source * kPadRow, records + first_source,
-                       keypoints + first_source * 2 * kPadKeypoints};
-    const Target target = load_target(sample, standing);
-    FilterWindow window;
-    set_pad_window(&window, sample);
-    for (uint k = 0; k < match->level_count; ++k) {
-      constant LevelRecord* level = match->level + k;
-      window.scale_low = (uchar)sample->scale_low[k];
-      window.scale_width = (uchar)sample->scale_width[k];
-      for (uint first = level->first; first < level->first + level->count; first += kFilterLanes) {
-        for (ulong left = filter_block(bytes + first * kFilterRows, &window); left != 0; left &= left - 1) {
-          keep_if_minimum(&best, &pads, first + 63 - (uint)clz(left & -left), level, &target);
-        }
+// Work item: `stride` of them share the blocks that were found, each `stride`-th one. `index_rows`: of each block a row
+// for each element, then one for the scales and one for the signs; `index_places`: what a PAD's exact test needs.
+// `pairs`, in no particular order: those nearer than their sample's reach; of more than `capacity` the rest is lost, but
+// counted.
+kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* stances,
+                       global const StanceListRecord* stance_lists, global const uint* shape_class,
+                       global const uchar* index_rows, global const uint* index_places, global const short* keypoints,
+                       constant ColourRecord* colour, global const uint* near_bits,
+                       global const SampleRecord* samples, uint stride, uint part, global const uint* block_counts,
+                       uint block_capacity, global const BlockRecord* blocks, uint capacity, global uint* pair_count,
+                       global PairRecord* pairs) {
+  const uint count = min(block_counts[part], block_capacity);
+  for (uint i = get_global_id(0); i < count; i += stride) {
+    const BlockRecord block = blocks[i];
+    global const SampleRecord* sample = samples + block.sample;
+    global const uchar* rows = index_rows + (size_t)block.block * kFilterRows * kFilterLanes;
+    const FilterWindow window = filter_window(sample, block.level);
+    ulong left = filter_block(rows, &window);
+    if (left == 0) continue;
+    const Target target = load_target(sample);
+    for (; left != 0; left &= left - 1) {
+      const uint lane = 63 - (uint)clz(left & -left);
+      global const uint* place = index_places + ((size_t)block.block * kFilterLanes + lane) * kPlaceWords;
+      const uint distance = pad_distance(rows, lane, (global const uchar*)place, &target);
+      if (distance >= sample->reach) continue;
+      const uint source = place[kPlaceWords - 1];
+      const uint shape = source / match->sources;
+      const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
+      if (standing.list.count == 0 ||
+          !may_scale(&standing, match->level + block.level, as_float(place[kPlaceWords - 2]), &target) ||
+          !may_turn(&standing, keypoints + (size_t)source * 2 * kPadKeypoints, &target) ||
+          !has_near_colour(sample, near_bits, colour->near_words, match->first_shape + shape)) {
+        continue;
       }
+      const uint at = atomic_inc(pair_count);
+      if (at >= capacity) continue;
+      const PairRecord pair = {block.sample, source, distance};
+      pairs[at] = pair;
     }
-  }
-  const size_t place = (size_t)get_global_id(0) * match->shapes + shape;
-  pair_count[place] = best.count;
-  for (int i = 0; i < best.count; ++i) {
-    const PairRecord pair = {best.source[i], best.distance[i]};
-    pairs[place * kPairsPerShape + i] = pair;
-  }
-}
-
-// Work item as in select_pairs, whose pairs begin with sample `first_paired`. `histogram`: kDistanceBins for each
-// target sample. Whole numbers: any order will do.
-kernel void count_pairs(constant MatchRecord* match, uint first_sample, uint end_sample, uint first_paired,
-                        global const SampleRecord* samples, global const PairRecord* pairs,
-                        global const uint* pair_count, global uint* histogram) {
-  const uint t = first_sample + get_global_id(0);
-  if (t >= end_sample) return;
-  const size_t place = (size_t)(t - first_paired) * match->shapes + get_global_id(1);
-  for (uint i = 0; i < pair_count[place]; ++i) {
-    const uint distance = pairs[place * kPairsPerShape + i].distance;
-    if (distance >= samples[t].reach) break;  // best first
-    atomic_inc(histogram + t * kDistanceBins + distance_bin(distance, match->beta_steps));
   }
 }

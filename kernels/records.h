@@ -24,7 +24,7 @@ using u64 = std::uint64_t;
 enum RecordSizes {
   kLanes = 16,
   kSmoothingLevelCount = 5,
-  kFilterLanes = 64,  // PADs of a block of the filter
+  kFilterLanes = 64,  // PADs of a block of the index, boxes of a row
   kMaxKeypoints = 2 * kMaxPadLevels + 1,
   kMediumPoints = kBoundaryPoints / kMediumStride,
   kCoarsePoints = kBoundaryPoints / kCoarseStride,
@@ -130,7 +130,6 @@ typedef struct SampleRecord {
   u32 edge;
   u32 pass;
   u32 reach;           // steps: pairs nearer than this
-  u32 held_reach;      // steps: those nearer than this are on the device already
   float scale_length;  // of the interval that estimates the scale before any alignment
   float convexity;
   u32 element[kMaxPadElements];  // steps
@@ -145,15 +144,23 @@ typedef struct SampleRecord {
   u32 near_list;  // NearColours
 } SampleRecord;
 
-// What the filter leaves out of a PAD.
-typedef struct PadRecord {
-  float scale_length;  // shape units
-  float convexity;
-} PadRecord;
+// Up to kFilterLanes nodes of the index, all of one level.
+typedef struct RootRecord {
+  u32 first_node;
+  u32 level;
+} RootRecord;
 
-// PadPair
+// A block of the index, and a target sample that may have pairs in it.
+typedef struct BlockRecord {
+  u32 sample;
+  u32 block;
+  u32 level;
+} BlockRecord;
+
+// PadPair of a target sample.
 typedef struct PairRecord {
-  u32 source;
+  u32 sample;
+  u32 source;    // of the shard: shape in it * MatchRecord::sources + source of the shape
   u32 distance;  // steps
 } PairRecord;
 

@@ -16,7 +16,6 @@ master::CollageResult make_collage_afresh(const Canvas& canvas, const CollageSet
   const MatchingContext context = make_matching_context(settings, matcher.shapes().end);
   const std::uint64_t pads = pads_per_shape(context) * context.library_shapes;
   const MatchPlan plan = match_plan(settings.match, pads);
-  PairReach reach;
   master::Collage collage(canvas, settings, context, shapes);
   const CanvasField& field = collage.free().field();
   matcher.start_field(field.value.width(), field.value.height(), field.origin);
@@ -25,7 +24,7 @@ master::CollageResult make_collage_afresh(const Canvas& canvas, const CollageSet
     collage.mark_stale(collage.free().field().value.bounds());
     matcher.update_field(read_patch(field.value, field.value.bounds()));
     const std::vector<TargetSample> samples = collage.take_stale_samples();
-    collage.add_candidates(samples, match(matcher, samples, plan, pads, reach, statistics));
+    collage.add_candidates(samples, match(matcher, samples, plan, pads, statistics));
     Candidate best;
     if (collage.choose(best)) {
       collage.place(best);

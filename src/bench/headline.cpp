@@ -108,9 +108,8 @@ struct Docked {
 Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector<TargetSample>& samples) {
   const MatchPlan plan{std::uint64_t(double(scene.points) * kPaperTopPercent / 100), 0};
   const float perimeter = scene.models.front().perimeter;
-  PairReach reach;
   Docked docked;
-  const MatchRound round = match(matcher, samples, plan, scene.pads, reach, docked.statistics);
+  const MatchRound round = match(matcher, samples, plan, scene.pads, docked.statistics);
   for (const RefinedDocking& found : round.refined) {
     const float scale = found.docking.canvas_from_shape.scale();
     const PieceSize size{scale, perimeter * scale, scene.context.max_scale_px};

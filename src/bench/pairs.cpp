@@ -54,23 +54,14 @@ PairScene make_scene(std::size_t shapes, std::size_t samples, int size_px) {
   return scene;
 }
 
-/// As far as a round of the engine looks: the middle of what its samples need.
-std::uint32_t usual_reach(Matcher& matcher, const PairScene& scene) {
-  matcher.post_count({scene.samples, std::vector<std::uint32_t>(scene.samples.size(), kDistanceBins)});
-  const std::uint64_t wanted = match_plan(scene.settings.match, std::uint64_t(scene.pads)).pairs_per_sample;
-  std::vector<std::uint32_t> limits;
-  for (const DistanceHistogram& histogram : matcher.take_count()) limits.push_back(bin_limit_for(histogram, wanted));
-  std::nth_element(limits.begin(), limits.begin() + std::ptrdiff_t(limits.size() / 2), limits.end());
-  return limits[limits.size() / 2];
-}
-
 /// In another order each time: a device does not count twice for the same samples.
 double device_s(const PairScene& scene, const std::string& devices_use, int runs) {
   const auto matcher =
       worker::make_device_matcher(devices_use, scene.context, all_of(scene.models), given(scene.models));
   matcher->start_field(scene.field.value.width(), scene.field.value.height(), scene.field.origin);
   matcher->update_field(read_patch(scene.field.value, scene.field.value.bounds()));
-  CountRequest request{scene.samples, std::vector<std::uint32_t>(scene.samples.size(), usual_reach(*matcher, scene))};
+  CountRequest request{scene.samples,
+                       match_plan(scene.settings.match, std::uint64_t(scene.pads)).pairs_per_sample};
   return median_s(runs, [&] {
     std::rotate(request.samples.begin(), request.samples.begin() + 1, request.samples.end());
     matcher->post_count(request);

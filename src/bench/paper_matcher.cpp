@@ -74,9 +74,9 @@ void PaperMatcher::post_count(const CountRequest& request) {
   for (std::size_t t = 0; t < request.samples.size(); ++t) {
     for_near_pairs(models_, request.samples[t], context_,
                    [&](std::uint32_t, std::size_t, std::size_t, std::uint32_t, std::uint32_t distance) {
-                     const std::uint32_t bin = distance_bin(distance, context_.beta_steps);
-                     if (bin < request.bin_reach[t]) ++histograms_[t][bin];
+                     ++histograms_[t][distance_bin(distance, context_.beta_steps)];
                    });
+    histograms_[t] = ended_histogram(histograms_[t], request.most_pairs);
   }
 }
 

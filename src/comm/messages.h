@@ -91,7 +91,7 @@ void serialize(Archive& archive, tessera::StandingLimits& limits, unsigned) {
 
 template <class Archive>
 void serialize(Archive& archive, tessera::CountRequest& request, unsigned) {
-  archive& request.samples& request.bin_reach;
+  archive& request.samples& request.most_pairs;
 }
 
 template <class Archive>

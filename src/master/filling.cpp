@@ -61,7 +61,7 @@ void Filling::match_stale() {
   statistics_->merge_s += watch.lap();
   try {
     const MatchRound found =
-        match(matcher_, samples, plan(), library_pads_, reach_, *statistics_, [this] { check_ahead(); });
+        match(matcher_, samples, plan(), library_pads_, *statistics_, [this] { check_ahead(); });
     watch.lap();
     collage_.add_candidates(samples, found);
   } catch (const Interrupted&) {

@@ -47,7 +47,6 @@ class Filling {
   std::function<void()> look_;
   std::uint64_t library_pads_ = 0;
   MatchPlan usual_plan_;
-  PairReach reach_;
   int most_empty_passes_;  // none without tangent dockings: PADs alone would give what they gave before
   Window region_;
   int empty_passes_ = 0;

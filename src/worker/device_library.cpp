@@ -28,9 +28,7 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
       session_(device, kernel_source, kernel_options(device, context.pad.levels), between_launches),
       match_(make_match_record(context, shapes)),
       match_buffer_(session_, {match_}),
-      pad_bytes_(session_),
-      pads_(session_),
-      pad_records_(session_),
+      index_(session_, match_, pad_levels_),
       keypoints_(session_),
       contours_(session_),
       shapes_(session_),
@@ -50,9 +48,6 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
 
 /// Kernels want buffers for arguments even where there is nothing for them to do.
 void DeviceLibrary::reserve_nothing() {
-  pad_bytes_.reserve(0);
-  pads_.reserve(0);
-  pad_records_.reserve(0);
   keypoints_.reserve(0);
   contours_.reserve(0);
   shapes_.reserve(0);
@@ -62,9 +57,7 @@ void DeviceLibrary::upload(const Shard& part, std::uint32_t first) {
   const auto all_of = [&](auto& buffer, const auto& content) {
     worker::upload(buffer, content, part.shapes.size(), first, match_.shapes);
   };
-  all_of(pad_bytes_, part.pad_bytes);
-  all_of(pads_, part.pads);
-  all_of(pad_records_, part.pad_records);
+  index_.add(part.pads);
   all_of(keypoints_, part.keypoints);
   all_of(contours_, part.contours);
   all_of(shapes_, part.shapes);

@@ -4,6 +4,7 @@
 #include "core/matching/matching_context.h"
 #include "core/matching/model_source.h"
 #include "worker/device_colours.h"
+#include "worker/device_index.h"
 #include "worker/device_stances.h"
 #include "worker/opencl_runtime.h"
 #include "worker/shard.h"
@@ -23,9 +24,7 @@ class DeviceLibrary {
   int pad_levels() const { return pad_levels_; }
   const MatchRecord& match() const { return match_; }
   const DeviceBuffer<MatchRecord>& match_buffer() const { return match_buffer_; }
-  const DeviceBuffer<std::uint8_t>& pad_bytes() const { return pad_bytes_; }
-  const DeviceBuffer<std::uint16_t>& pads() const { return pads_; }
-  const DeviceBuffer<PadRecord>& pad_records() const { return pad_records_; }
+  const DeviceIndex& index() const { return index_; }
   const DeviceBuffer<std::int16_t>& keypoints() const { return keypoints_; }
   const DeviceBuffer<float>& contours() const { return contours_; }
   const DeviceBuffer<ShapeRecord>& shapes() const { return shapes_; }
@@ -43,9 +42,7 @@ class DeviceLibrary {
   DeviceSession session_;
   MatchRecord match_;
   DeviceBuffer<MatchRecord> match_buffer_;
-  DeviceBuffer<std::uint8_t> pad_bytes_;
-  DeviceBuffer<std::uint16_t> pads_;
-  DeviceBuffer<PadRecord> pad_records_;
+  DeviceIndex index_;
   DeviceBuffer<std::int16_t> keypoints_;
   DeviceBuffer<float> contours_;
   DeviceBuffer<ShapeRecord> shapes_;

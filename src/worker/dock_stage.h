@@ -1,5 +1,4 @@
-// Docking on a device (kernels/docking.cl, shortlist.cl): from pairs and from random draws to each target sample's
-// shortlist.
+// Docking on a device (kernels/docking.cl): from pairs and from random draws to each target sample's shortlist.
 #pragma once
 
 #include "worker/pair_stage.h"
@@ -8,34 +7,29 @@ namespace tessera::worker {
 
 class DockStage {
  public:
-  DockStage(const DeviceLibrary& library, PairStage& pairs);
+  /// `stage_bytes`: of dockings on the device at first.
+  DockStage(const DeviceLibrary& library, PairStage& pairs, std::size_t stage_bytes);
 
   /// `samples`: the records of the request's. Where all bin limits are zero, no pairs are made.
   void post(const DockRequest& request, std::vector<SampleRecord> samples);
   DockReply take();
 
  private:
-  struct Part;  // of a request: samples [first, end)
-  void post_part(const Part& part);
-  void dock_pairs(const Part& part);
-  void dock_tangents(const Part& part);
-  std::uint32_t samples_at_a_time() const;
+  void launch_all();
 
   const DeviceLibrary* library_;
   PairStage* pairs_;
   cl::Kernel dock_pairs_;
   cl::Kernel dock_tangents_;
-  cl::Kernel keep_shortlist_;
-  DeviceBuffer<DockingRecord> paired_;
-  DeviceBuffer<float> paired_keys_;
-  DeviceBuffer<DockingRecord> tangent_;
-  DeviceBuffer<float> tangent_keys_;
-  DeviceBuffer<DockingRecord> shortlists_;
-  DeviceBuffer<std::uint32_t> shortlist_counts_;
-  DeviceBuffer<std::uint32_t> evaluated_;
-  std::uint32_t samples_ = 0;
+  DeviceBuffer<SampleRecord> samples_;
+  DeviceBuffer<PairRecord> docked_pairs_;
+  DeviceBuffer<DockingRecord> dockings_;
+  DeviceBuffer<std::uint32_t> docking_count_;
+  DeviceBuffer<std::uint32_t> evaluated_;  // by sample
+  std::uint32_t docking_capacity_;
+  std::uint32_t sample_count_ = 0;
+  std::uint32_t pair_count_ = 0;
   std::uint32_t draws_ = 0;
-  bool with_pairs_ = false;
 };
 
 }  // namespace tessera::worker

@@ -7,7 +7,6 @@
 #include "core/matching/near_colours.h"
 #include "core/shape/shape_model.h"
 #include "core/tuning.h"
-#include "worker/shard.h"
 
 namespace tessera::worker {
 namespace {
@@ -42,7 +41,6 @@ std::string kernel_options(const cl::Device& device, int pad_levels) {
     options += " -cl-fp32-correctly-rounded-divide-sqrt";
   }
   define(options, "kPadLevels", pad_levels);
-  define(options, "kPadRow", pad_row(pad_levels));
   define(options, "kPadKeypoints", 2 * pad_levels + 1);
 #define DEFINE(constant) define(options, #constant, constant)
   DEFINE(kMaxPadLevels);
@@ -51,10 +49,6 @@ std::string kernel_options(const cl::Device& device, int pad_levels) {
   DEFINE(kMediumStride);
   DEFINE(kCoarseStride);
   DEFINE(kMaxInteriorPoints);
-  DEFINE(kPairsPerShape);
-  DEFINE(kDockingsPerShape);
-  DEFINE(kDistanceBins);
-  DEFINE(kShortlist);
   DEFINE(kChordLevel);
   DEFINE(kInsideBound);
   DEFINE(kScaleRounding);

@@ -7,7 +7,7 @@ OpenCLMatcher::OpenCLMatcher(const cl::Device& device, const MatchingContext& co
                              std::size_t stage_bytes)
     : library_(device, context, shapes, models, between_launches),
       pairs_(library_, stage_bytes),
-      docking_(library_, pairs_),
+      docking_(library_, pairs_, stage_bytes),
       refinement_(library_) {}
 
 ShapeRange OpenCLMatcher::shapes() const {
@@ -20,19 +20,18 @@ void OpenCLMatcher::limit(const StandingLimits& limits) {
   pairs_.forget();
 }
 
-std::vector<SampleRecord> OpenCLMatcher::records_of(const std::vector<TargetSample>& samples,
-                                                    const std::vector<std::uint32_t>& bins) {
-  std::vector<SampleRecord> records = make_sample_records(samples, bins, library_.match(), library_.pad_levels());
+std::vector<SampleRecord> OpenCLMatcher::records_of(const std::vector<TargetSample>& samples) {
+  std::vector<SampleRecord> records = make_sample_records(samples, library_.match(), library_.pad_levels());
   library_.colours().assign_lists(samples, records);
   return records;
 }
 
 void OpenCLMatcher::post_count(const CountRequest& request) {
-  pairs_.post_count(records_of(request.samples, request.bin_reach));
+  pairs_.post_count(records_of(request.samples), request.most_pairs);
 }
 
 void OpenCLMatcher::post_dock(const DockRequest& request) {
-  docking_.post(request, records_of(request.samples, request.bin_limit));
+  docking_.post(request, records_of(request.samples));
 }
 
 }  // namespace tessera::worker

@@ -7,8 +7,8 @@
 
 namespace tessera::worker {
 
-/// Bytes of pairs, and of dockings, that wait on a device for the next stage: large requests go through in parts.
-inline constexpr std::size_t kStageBytes = std::size_t(256) << 20;
+/// Bytes on a device for the pairs of a request, and for its dockings, at first: they grow where there are more.
+inline constexpr std::size_t kStageBytes = std::size_t(4) << 20;
 
 class OpenCLMatcher : public Matcher {
  public:
@@ -34,9 +34,7 @@ class OpenCLMatcher : public Matcher {
   std::vector<DockingTerms> take_measure() override { return refinement_.take_measure(); }
 
  private:
-  /// `bins`: how far each sample reaches.
-  std::vector<SampleRecord> records_of(const std::vector<TargetSample>& samples,
-                                       const std::vector<std::uint32_t>& bins);
+  std::vector<SampleRecord> records_of(const std::vector<TargetSample>& samples);
 
   DeviceLibrary library_;
   PairStage pairs_;

@@ -39,6 +39,7 @@ DeviceSession::DeviceSession(const cl::Device& device, const std::string& source
       name_(device.getInfo<CL_DEVICE_NAME>()),
       between_launches_(std::move(between_launches)) {
   checked(name_, [&] {
+    compute_units_ = device_.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
     context_ = cl::Context(device_);
     queue_ = cl::CommandQueue(context_, device_);
     program_ = cl::Program(context_, source);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CL/opencl.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -41,6 +42,7 @@ class DeviceSession {
   const cl::Context& context() const { return context_; }
   const cl::CommandQueue& queue() const { return queue_; }
   cl::Kernel kernel(const char* name) const;
+  std::uint32_t compute_units() const { return compute_units_; }
   /// Hands what was posted to the device, without waiting.
   void flush() const;
   /// For enqueue(): notes that `launch` was posted.
@@ -51,6 +53,7 @@ class DeviceSession {
  private:
   cl::Device device_;
   std::string name_;
+  std::uint32_t compute_units_ = 0;
   cl::Context context_;
   cl::CommandQueue queue_;
   cl::Program program_;
@@ -65,10 +68,10 @@ class DeviceBuffer {
   explicit DeviceBuffer(const DeviceSession& session) : session_(&session) {}
   DeviceBuffer(const DeviceSession& session, const std::vector<T>& content) : session_(&session) { write(content); }
 
-  /// Makes room for at least `count` elements. What was in it may be lost.
+  /// Makes room for at least `count` elements. What was in it may be lost. A buffer that grows grows by half at least.
   void reserve(std::size_t count) {
     if (count <= capacity_ && capacity_ > 0) return;
-    capacity_ = count > 0 ? count : 1;  // OpenCL knows no empty buffers
+    capacity_ = std::max({count, capacity_ + capacity_ / 2, std::size_t(1)});  // OpenCL knows no empty buffers
     checked(session_->name(), [&] {
       buffer_ = cl::Buffer();  // the old one first: both together may not fit
       buffer_ = cl::Buffer(session_->context(), CL_MEM_READ_WRITE, capacity_ * sizeof(T));

@@ -1,79 +1,118 @@
 #include "worker/pair_stage.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "worker/found_pairs.h"
 
 namespace tessera::worker {
+namespace {
+
+constexpr std::uint32_t kFirstBins = 2;  // as far as samples look at first
+
+/// How far to look where `bins` bins held `found` pairs: pairs grow about with the third power of the distance, and half
+/// as many again as are wanted cost little.
+std::uint32_t farther(std::uint32_t bins, std::size_t found, std::uint64_t most) {
+  const double factor = std::cbrt(1.5 * double(most + 1) / double(std::max<std::size_t>(found, 1)));
+  const auto next = std::uint32_t(std::ceil(double(bins) * std::clamp(factor, 1.0, 2.0)));
+  return std::clamp(next, std::max(kFirstBins, bins + 1), std::uint32_t(kDistanceBins));
+}
+
+/// By sample; the order within each stays.
+std::vector<std::span<PairRecord>> divided_by_sample(std::vector<PairRecord>& pairs, std::size_t samples) {
+  std::vector<std::size_t> next(samples + 1, 0);
+  for (const PairRecord& pair : pairs) ++next[pair.sample + 1];
+  for (std::size_t t = 0; t < samples; ++t) next[t + 1] += next[t];
+  const std::vector<std::size_t> first = next;
+  std::vector<PairRecord> sorted(pairs.size());
+  for (const PairRecord& pair : pairs) sorted[next[pair.sample]++] = pair;
+  pairs = std::move(sorted);
+  std::vector<std::span<PairRecord>> of_sample;
+  for (std::size_t t = 0; t < samples; ++t) of_sample.push_back(std::span(pairs).subspan(first[t], first[t + 1] - first[t]));
+  return of_sample;
+}
+
+}  // namespace
 
 PairStage::PairStage(const DeviceLibrary& library, std::size_t stage_bytes)
     : library_(&library),
-      stage_bytes_(stage_bytes),
-      select_pairs_(library.session().kernel("select_pairs")),
-      count_pairs_(library.session().kernel("count_pairs")),
-      sample_buffer_(library.session()),
-      pairs_(library.session()),
-      pair_count_(library.session()),
-      histograms_(library.session()) {}
-
-std::uint32_t PairStage::samples_at_a_time() const {
-  const std::size_t bytes = library_->match().shapes * (kPairsPerShape * sizeof(PairRecord) + sizeof(std::uint32_t));
-  return std::uint32_t(std::max<std::size_t>(1, stage_bytes_ / std::max<std::size_t>(1, bytes)));
-}
+      search_(library, stage_bytes),
+      searched_samples_(library.session()) {}
 
 void PairStage::set_samples(std::vector<SampleRecord> samples) {
-  if (same_samples(samples, samples_)) {
-    for (std::size_t t = held_.begin; t < held_.end; ++t) samples[t].held_reach = samples_[t].held_reach;
-  } else {
-    held_ = {};
-  }
+  if (!same_samples(samples, samples_)) held_.assign(samples.size(), {});
   samples_ = std::move(samples);
-  sample_buffer_.write(samples_);
 }
 
-bool PairStage::holds(std::uint32_t first, std::uint32_t end) const {
-  return first >= held_.begin && end <= held_.end &&
-         std::all_of(samples_.begin() + first, samples_.begin() + end,
-                     [](const SampleRecord& sample) { return sample.reach <= sample.held_reach; });
-}
-
-std::uint32_t PairStage::need(std::uint32_t first, std::uint32_t end) {
-  if (holds(first, end)) return held_.begin;
-  const std::uint32_t only_longer_reach = first == held_.begin && end == held_.end;
-  const std::size_t places = std::size_t(end - first) * library_->match().shapes;
-  pairs_.reserve(places * kPairsPerShape);
-  pair_count_.reserve(places);
-  launch(library_->session(), select_pairs_, {end - first, library_->match().shapes, kSamplesPerGroup},
-         library_->match_buffer(), library_->stances().stances(), library_->stances().lists(),
-         library_->stances().shape_class(), library_->pad_bytes(), library_->pads(), library_->pad_records(),
-         library_->keypoints(), library_->colours().record(), library_->colours().near_bits(), first, end,
-         only_longer_reach, sample_buffer_, pairs_, pair_count_);
-  for (std::uint32_t t = first; t < end; ++t) {
-    SampleRecord& sample = samples_[t];
-    sample.held_reach = only_longer_reach ? std::max(sample.held_reach, sample.reach) : sample.reach;
+void PairStage::post_search(const std::vector<std::uint32_t>& bins) {
+  searched_.clear();
+  std::vector<SampleRecord> records;
+  for (std::uint32_t t = 0; t < samples_.size(); ++t) {
+    if (bins[t] <= held_[t].bins) continue;
+    searched_.push_back({t, bins[t]});
+    records.push_back(samples_[t]);
+    set_reach(records.back(), reach_of_bins(bins[t], library_->match().beta_steps));
   }
-  held_ = {first, end};
-  return first;
+  if (searched_.empty()) return;
+  searched_samples_.write(records);
+  search_.post(searched_samples_, std::uint32_t(records.size()));
 }
 
-void PairStage::post_count(std::vector<SampleRecord> samples) {
+void PairStage::take_search() {
+  if (searched_.empty()) return;
+  std::vector<PairRecord> found = search_.take();
+  const auto of_place = divided_by_sample(found, searched_.size());
+  for (std::size_t place = 0; place < searched_.size(); ++place) {
+    const Searched& searched = searched_[place];
+    held_[searched.sample] = {searched.bins, docked_pairs(of_place[place], library_->match())};
+    for (PairRecord& pair : held_[searched.sample].pairs) pair.sample = searched.sample;
+  }
+  searched_.clear();
+}
+
+std::vector<std::uint32_t> PairStage::next_bins() const {
+  std::vector<std::uint32_t> bins;
+  for (const Held& held : held_) {
+    const bool enough = held.pairs.size() > most_pairs_ || held.bins == kDistanceBins;
+    bins.push_back(enough ? 0 : farther(held.bins, held.pairs.size(), most_pairs_));
+  }
+  return bins;
+}
+
+void PairStage::post_count(std::vector<SampleRecord> samples, std::uint64_t most_pairs) {
   set_samples(std::move(samples));
-  const std::uint32_t count = std::uint32_t(samples_.size());
-  histograms_.clear(count * kDistanceBins);
-  for (std::uint32_t first = 0; first < count; first += samples_at_a_time()) {
-    const std::uint32_t end = std::min(count, first + samples_at_a_time());
-    const std::uint32_t first_paired = need(first, end);
-    launch(library_->session(), count_pairs_, {end - first, library_->match().shapes, kSamplesPerGroup},
-           library_->match_buffer(), first, end, first_paired, sample_buffer_, pairs_, pair_count_, histograms_);
-  }
-  library_->session().flush();
+  most_pairs_ = most_pairs;
+  post_search(next_bins());
 }
 
 std::vector<DistanceHistogram> PairStage::take_count() {
-  const std::vector<std::uint32_t> bins = histograms_.read(samples_.size() * kDistanceBins);
+  while (!searched_.empty()) {
+    take_search();
+    post_search(next_bins());
+  }
   std::vector<DistanceHistogram> histograms(samples_.size());
-  for (std::size_t t = 0; t < histograms.size(); ++t) {
-    std::copy_n(bins.begin() + std::ptrdiff_t(t * kDistanceBins), kDistanceBins, histograms[t].begin());
+  for (std::size_t t = 0; t < samples_.size(); ++t) {
+    for (const PairRecord& pair : held_[t].pairs) {
+      ++histograms[t][distance_bin(pair.distance, library_->match().beta_steps)];
+    }
+    histograms[t] = ended_histogram(histograms[t], most_pairs_);
   }
   return histograms;
+}
+
+std::vector<PairRecord> PairStage::pairs_of(std::vector<SampleRecord> samples,
+                                            const std::vector<std::uint32_t>& bin_limit) {
+  set_samples(std::move(samples));
+  post_search(bin_limit);
+  take_search();
+  std::vector<PairRecord> pairs;
+  for (std::size_t t = 0; t < samples_.size(); ++t) {
+    const std::uint32_t reach = reach_of_bins(bin_limit[t], library_->match().beta_steps);
+    std::copy_if(held_[t].pairs.begin(), held_[t].pairs.end(), std::back_inserter(pairs),
+                 [&](const PairRecord& pair) { return pair.distance < reach; });
+  }
+  return pairs;
 }
 
 }  // namespace tessera::worker

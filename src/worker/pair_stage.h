@@ -1,57 +1,55 @@
-// The pairs of target samples and shape PADs on a device (kernels/pairs.cl), counted for the top K % threshold and kept
-// for the docking of the same samples.
+// The pairs of target samples and shape PADs that are docked: found on a device, chosen and kept here. They are counted
+// for the top K % threshold, and docked for the same samples thereafter.
 #pragma once
 
-#include "worker/device_library.h"
+#include "worker/pair_search.h"
 #include "worker/sample_records.h"
 
 namespace tessera::worker {
 
 class PairStage {
  public:
-  /// `stage_bytes`: of pairs on the device at a time.
   PairStage(const DeviceLibrary& library, std::size_t stage_bytes);
 
-  void post_count(std::vector<SampleRecord> samples);
+  /// `samples`: records without reach. Looks as far as it takes to find more than `most_pairs` of each.
+  void post_count(std::vector<SampleRecord> samples, std::uint64_t most_pairs);
   std::vector<DistanceHistogram> take_count();
 
-  /// Puts the samples of the requests that follow on the device.
-  void set_samples(std::vector<SampleRecord> samples);
-  const DeviceBuffer<SampleRecord>& samples() const { return sample_buffer_; }
-
-  /// Posts the pairs of samples [first, end) of those set, within their reach, where they are not there already.
-  /// Returns the sample with which pairs() begins.
-  std::uint32_t need(std::uint32_t first, std::uint32_t end);
-  const DeviceBuffer<PairRecord>& pairs() const { return pairs_; }
-  const DeviceBuffer<std::uint32_t>& pair_count() const { return pair_count_; }
+  /// The pairs of these samples whose bins are below each one's limit, by sample, then by shape, best first. Waits for
+  /// the device where they have not been counted.
+  std::vector<PairRecord> pairs_of(std::vector<SampleRecord> samples, const std::vector<std::uint32_t>& bin_limit);
 
   /// The pairs that are there do not count any more.
-  void forget() { held_ = {}; }
+  void forget() { samples_.clear(); }
 
-  /// So few that the buffers stay small, however large the library.
-  std::uint32_t samples_at_a_time() const;
-  std::size_t stage_bytes() const { return stage_bytes_; }
+  PairSearch& search() { return search_; }
 
  private:
-  const DeviceLibrary* library_;
-  std::size_t stage_bytes_;
-  cl::Kernel select_pairs_;
-  cl::Kernel count_pairs_;
-  std::vector<SampleRecord> samples_;
-  DeviceBuffer<SampleRecord> sample_buffer_;
-  DeviceBuffer<PairRecord> pairs_;
-  DeviceBuffer<std::uint32_t> pair_count_;
-  DeviceBuffer<std::uint32_t> histograms_;
-  bool holds(std::uint32_t first, std::uint32_t end) const;
-
-  struct Held {  // samples [begin, end), whose pairs are on the device
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
+  /// A sample's pairs of the first `bins` bins.
+  struct Held {
+    std::uint32_t bins = 0;
+    std::vector<PairRecord> pairs;
   };
-  Held held_;
-};
 
-/// Samples in a work group of kernels that run over (sample, shape): they share the shape's data in a cache.
-inline constexpr std::size_t kSamplesPerGroup = 16;
+  void set_samples(std::vector<SampleRecord> samples);
+  /// Searches for each sample the bins below `bins[t]`, where they are more than it holds.
+  void post_search(const std::vector<std::uint32_t>& bins);
+  void take_search();
+  /// How far to look next: nowhere where there are enough pairs.
+  std::vector<std::uint32_t> next_bins() const;
+
+  const DeviceLibrary* library_;
+  PairSearch search_;
+  std::vector<SampleRecord> samples_;
+  std::vector<Held> held_;  // by sample
+  std::uint64_t most_pairs_ = 0;
+
+  struct Searched {
+    std::uint32_t sample;
+    std::uint32_t bins;
+  };
+  std::vector<Searched> searched_;  // what is being searched, by place on the device
+  DeviceBuffer<SampleRecord> searched_samples_;
+};
 
 }  // namespace tessera::worker

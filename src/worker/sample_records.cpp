@@ -19,15 +19,7 @@ void put_scale_windows(SampleRecord& r, const MatchRecord& match) {
   }
 }
 
-void put_reach(SampleRecord& r, const QuantisedPad& pad, std::uint32_t reach_steps) {
-  const PadWindow window = pad_window(pad, reach_steps);
-  r.reach = reach_steps;
-  std::copy(window.low.begin(), window.low.end(), r.pad_low);
-  r.pad_width = window.width;
-}
-
-SampleRecord make_sample_record(const TargetSample& sample, std::uint32_t reach_steps, const MatchRecord& match,
-                                int pad_levels) {
+SampleRecord make_sample_record(const TargetSample& sample, const MatchRecord& match, int pad_levels) {
   SampleRecord r{};
   r.position_x = sample.position.x;
   r.position_y = sample.position.y;
@@ -39,7 +31,6 @@ SampleRecord make_sample_record(const TargetSample& sample, std::uint32_t reach_
   r.convexity = sample.pyramid.convexity;
   const QuantisedPad pad = quantised(make_pad(sample.pyramid, pad_levels));
   std::copy(pad.element.begin(), pad.element.end(), r.element);
-  put_reach(r, pad, reach_steps);
   r.signs = sign_byte(r.convexity);
   put_scale_windows(r, match);
   for (int i = 0; i < kMaxKeypoints; ++i) {
@@ -49,29 +40,28 @@ SampleRecord make_sample_record(const TargetSample& sample, std::uint32_t reach_
   return r;
 }
 
-bool same_sample(SampleRecord a, const SampleRecord& b) {
-  a.reach = b.reach;
-  a.held_reach = b.held_reach;
-  std::copy_n(b.pad_low, kMaxPadElements, a.pad_low);
-  a.pad_width = b.pad_width;
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
-
 }  // namespace
 
-std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& samples,
-                                              const std::vector<std::uint32_t>& bin_reach, const MatchRecord& match,
+std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& samples, const MatchRecord& match,
                                               int pad_levels) {
   std::vector<SampleRecord> records;
   records.reserve(samples.size());
-  for (std::size_t t = 0; t < samples.size(); ++t) {
-    records.push_back(make_sample_record(samples[t], reach_of_bins(bin_reach[t], match.beta_steps), match, pad_levels));
-  }
+  for (const TargetSample& sample : samples) records.push_back(make_sample_record(sample, match, pad_levels));
   return records;
 }
 
+void set_reach(SampleRecord& record, std::uint32_t reach_steps) {
+  QuantisedPad pad;
+  std::copy(std::begin(record.element), std::end(record.element), pad.element.begin());
+  const PadWindow window = pad_window(pad, reach_steps);
+  record.reach = reach_steps;
+  std::copy(window.low.begin(), window.low.end(), record.pad_low);
+  record.pad_width = window.width;
+}
+
 bool same_samples(const std::vector<SampleRecord>& a, const std::vector<SampleRecord>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_sample);
+  const auto same = [](const SampleRecord& x, const SampleRecord& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
 }  // namespace tessera::worker

@@ -8,10 +8,12 @@
 
 namespace tessera::worker {
 
-/// `bin_reach`: per sample, only pairs in the bins below this count.
-std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& samples,
-                                              const std::vector<std::uint32_t>& bin_reach, const MatchRecord& match,
+/// Without reach.
+std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& samples, const MatchRecord& match,
                                               int pad_levels);
+
+/// From here on the record is of the pairs nearer than this.
+void set_reach(SampleRecord& record, std::uint32_t reach_steps);
 
 /// Whether both give the same pairs within the same reach, and the same draws.
 bool same_samples(const std::vector<SampleRecord>& a, const std::vector<SampleRecord>& b);

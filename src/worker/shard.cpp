@@ -1,10 +1,7 @@
 #include "worker/shard.h"
 
-#include <algorithm>
-#include <span>
+#include <cstddef>
 #include <stdexcept>
-
-#include "core/pad/pad_filter.h"
 
 namespace tessera::worker {
 namespace {
@@ -12,8 +9,6 @@ namespace {
 static_assert(kSmoothingLevelCount == kSmoothingLevels.size());
 static_assert(kBoundaryPoints % (kLanes * kMediumStride) == 0 && kBoundaryPoints % (kLanes * kCoarseStride) == 0);
 static_assert(kMaxInteriorPoints % kLanes == 0);
-static_assert(std::all_of(kSmoothingLevels.begin(), kSmoothingLevels.end(),
-                          [](const SmoothingLevel& level) { return level.samples % kFilterLanes == 0; }));
 static_assert(std::tuple_size_v<decltype(Pad::element)> == kMaxPadElements);
 static_assert(std::tuple_size_v<Keypoints> == kMaxKeypoints);
 
@@ -25,14 +20,6 @@ void check_levels(const MatchRecord& match, const ShapeModel& model) {
   if (!fits) throw std::logic_error("a shape model does not have the levels and samples of its matching context");
 }
 
-void append_pad_bytes(std::vector<std::uint8_t>& bytes, std::span<const ModelSample> block, int pad_levels) {
-  for (int e = 0; e < 2 * (pad_levels - 1); ++e) {
-    for (const ModelSample& sample : block) bytes.push_back(pad_byte(sample.pad.element[e]));
-  }
-  for (const ModelSample& sample : block) bytes.push_back(scale_byte(sample.scale_length));
-  for (const ModelSample& sample : block) bytes.push_back(sign_byte(sample.convexity));
-}
-
 void append_keypoints(std::vector<std::int16_t>& keypoints, const ModelSample& sample, int pad_levels) {
   const int count = 2 * pad_levels + 1;
   for (int i = 0; i < count; ++i) keypoints.push_back(sample.keypoint[i].x);
@@ -40,14 +27,8 @@ void append_keypoints(std::vector<std::int16_t>& keypoints, const ModelSample& s
 }
 
 void append_level(Shard& shard, const ModelLevel& level, int pad_levels) {
-  for (std::size_t first = 0; first < level.samples.size(); first += kFilterLanes) {
-    append_pad_bytes(shard.pad_bytes, {level.samples.data() + first, kFilterLanes}, pad_levels);
-  }
   for (const ModelSample& sample : level.samples) {
-    for (int e = 0; e < pad_row(pad_levels); ++e) {
-      shard.pads.push_back(e < 2 * (pad_levels - 1) ? sample.pad.element[e] : 0);
-    }
-    shard.pad_records.push_back({sample.scale_length, sample.convexity});
+    shard.pads.push_back({sample.pad, sample.scale_length, sample.convexity});
     append_keypoints(shard.keypoints, sample, pad_levels);
   }
 }
@@ -118,9 +99,7 @@ MatchRecord make_match_record(const MatchingContext& c, const ShapeRange& shapes
 Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<ShapeModel>& models) {
   Shard shard;
   const std::size_t sources = models.size() * match.sources;
-  shard.pad_bytes.reserve(sources * 2 * pad_levels);
-  shard.pads.reserve(sources * pad_row(pad_levels));
-  shard.pad_records.reserve(sources);
+  shard.pads.reserve(sources);
   shard.keypoints.reserve(sources * 2 * (2 * pad_levels + 1));
   shard.contours.reserve(models.size() * kContourFloats);
   for (const ShapeModel& model : models) {
@@ -141,7 +120,8 @@ std::size_t shard_bytes(const MatchingContext& context, std::size_t shapes) {
     const std::size_t samples = std::size_t(kSmoothingLevels[std::size_t(level)].samples);
     model.levels.push_back({level, std::vector<ModelSample>(samples)});
   }
-  return make_shard(make_match_record(context, {0, 1}), context.pad.levels, {model}).bytes() * shapes;
+  const std::size_t of_one = make_shard(make_match_record(context, {0, 1}), context.pad.levels, {model}).bytes();
+  return of_one * shapes + index_bytes(make_match_record(context, {0, u32(shapes)}), context.pad.levels);
 }
 
 }  // namespace tessera::worker

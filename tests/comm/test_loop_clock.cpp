@@ -77,7 +77,7 @@ void play_loop(Matcher& team, Replacer& replacers, RunStatistics& run) {
     Stopwatch stage;
     team.update_field({{0, 0, 3, 2}, std::vector<float>(6)});
     run.merge_s += stage.lap();
-    team.post_count({std::vector<TargetSample>(5), std::vector<std::uint32_t>(5, 9)});
+    team.post_count({std::vector<TargetSample>(5), 9});
     team.take_count();
     run.prune_s += stage.lap();
     team.post_dock({});

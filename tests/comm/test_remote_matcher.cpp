@@ -96,7 +96,7 @@ std::vector<TargetSample> samples_of_edges(std::initializer_list<std::uint32_t> 
 }
 
 CountRequest count_of_edges(std::initializer_list<std::uint32_t> edges) {
-  return {samples_of_edges(edges), std::vector<std::uint32_t>(edges.size(), kDistanceBins)};
+  return {samples_of_edges(edges), 100};
 }
 
 /// Runs `master` with the workers' matchers, made by `make_matcher` on each of them, as one.

@@ -315,40 +315,25 @@ TEST_P(MatcherSuite, DocksTheSameWithOrWithoutCounting) {
   }
 }
 
-/// Longer for some, shorter for others: what is there already may be used, and no more may be counted.
-TEST_P(MatcherSuite, CountsTheBinsWithinReach) {
+/// Fewer, then more: what is there already may be used, and no more may be counted.
+TEST_P(MatcherSuite, CountsNoFartherThanItTakes) {
   const auto matcher = matcher_of(scene());
   ReferenceMatcher reference = reference_of(scene());
-  CountRequest request = count_all(scene().samples);
-  reference.post_count(request);
+  reference.post_count(count_all(scene().samples));
   const std::vector<DistanceHistogram> all = reference.take_count();
-  for (const std::uint32_t step : {5u, 11u, 3u}) {
-    for (std::size_t t = 0; t < all.size(); ++t) request.bin_reach[t] = std::uint32_t(t + 1) * step % kDistanceBins;
-    matcher->post_count(request);
+  std::size_t ended = 0;
+  for (const std::uint64_t most : {7u, 0u, 60u, 25u, 1000u}) {
+    matcher->post_count({scene().samples, most});
     const std::vector<DistanceHistogram> found = matcher->take_count();
     ASSERT_EQ(found.size(), all.size());
     for (std::size_t t = 0; t < all.size(); ++t) {
-      for (std::uint32_t bin = 0; bin < kDistanceBins; ++bin) {
-        EXPECT_EQ(found[t][bin], bin < request.bin_reach[t] ? all[t][bin] : 0) << "sample " << t << ", bin " << bin;
-      }
+      EXPECT_EQ(found[t], ended_histogram(all[t], most)) << "sample " << t << ", " << most << " pairs";
+      EXPECT_EQ(bin_limit_for(found[t], most), bin_limit_for(all[t], most));
+      ended += found[t] != all[t];
     }
   }
+  EXPECT_GT(ended, all.size());
   expect_same_round(run_round(*matcher, scene()), run_round(reference, scene()));
-}
-
-TEST_P(MatcherSuite, ARoundDoesNotDependOnTheFirstReach) {
-  const auto matcher = matcher_of(scene());
-  const MatchPlan plan{60, 60};
-  RunStatistics statistics;
-  PairReach whole{kDistanceBins};
-  const MatchRound expected = match(*matcher, scene().samples, plan, 1000, whole, statistics);
-  for (std::uint32_t bins : {1u, 4u, 16u, 40u}) {
-    PairReach reach{bins};
-    const MatchRound found = match(*matcher, scene().samples, plan, 1000, reach, statistics);
-    EXPECT_EQ(found.truncated, expected.truncated);
-    expect_same_refined(found.refined, expected.refined);
-    EXPECT_EQ(reach.bins, whole.bins);
-  }
 }
 
 TEST_P(MatcherSuite, ANewPassDrawsAnew) {

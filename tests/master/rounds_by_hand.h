@@ -23,7 +23,7 @@ class RoundsByHand {
     send_field();
     const std::vector<TargetSample> samples = collage_.take_stale_samples();
     RunStatistics statistics;
-    collage_.add_candidates(samples, match(matcher_, samples, {20, 150}, 1000, reach_, statistics, [] {}));
+    collage_.add_candidates(samples, match(matcher_, samples, {20, 150}, 1000, statistics, [] {}));
     return collage_.choose(best);
   }
 
@@ -56,7 +56,6 @@ class RoundsByHand {
   CompositeMatcher matcher_;
   VectorShapes shapes_;
   master::Collage collage_;
-  PairReach reach_;
 };
 
 }  // namespace tessera::test

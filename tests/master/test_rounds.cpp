@@ -30,12 +30,11 @@ std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool c
   const CanvasField& field = collage.free().field();
   matcher.start_field(field.value.width(), field.value.height(), field.origin);
   RunStatistics statistics;
-  PairReach reach;
   for (int round = 0; round < rounds; ++round) {
     matcher.update_field(read_patch(field.value, field.value.bounds()));
     const std::vector<TargetSample> samples = collage.take_stale_samples();
     int calls = 0;
-    const MatchRound found = match(matcher, samples, {20, 150}, 1000, reach, statistics, [&] {
+    const MatchRound found = match(matcher, samples, {20, 150}, 1000, statistics, [&] {
       ++calls;
       if (checking_ahead) collage.check_ahead();
     });

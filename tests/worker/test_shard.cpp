@@ -1,5 +1,10 @@
-// The part of the library on a device: how many bytes it will be is known before it is made.
+// The part of the library on a device: how many bytes it will be is known before it is made, and nothing of it is lost
+// in the index.
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
 
 #include "support/synthetic_library.h"
 #include "worker/shard.h"
@@ -7,17 +12,96 @@
 namespace tessera::worker {
 namespace {
 
+std::size_t bytes_of(const IndexRows& rows) {
+  return rows.roots.size() * sizeof(RootRecord) + rows.node_boxes.size() + rows.block_boxes.size() + rows.rows.size() +
+         rows.places.size() * sizeof(u32);
+}
+
 TEST(Shard, bytes_are_known_beforehand) {
   const std::vector<Shape> shapes = test::synthetic_library(3);
   for (const float max_scale_px : {40.f, 160.f, 600.f}) {
     CollageSettings settings;
     settings.pieces.max_scale_px = max_scale_px;
     const MatchingContext context = make_matching_context(settings, 3);
-    const Shard shard =
-        make_shard(make_match_record(context, {0, 3}), context.pad.levels, test::models_of(shapes, context, 0, 3));
-    EXPECT_EQ(shard_bytes(context, 3), shard.bytes());
+    const MatchRecord match = make_match_record(context, {0, 3});
+    const Shard shard = make_shard(match, context.pad.levels, test::models_of(shapes, context, 0, 3));
+    std::size_t bytes = shard.bytes();
+    for (const IndexPart& part : index_parts(match)) {
+      bytes += bytes_of(make_index_rows(part, match, shard.pads, context.pad.levels));
+    }
+    EXPECT_EQ(shard_bytes(context, 3), bytes);
   }
   EXPECT_EQ(shard_bytes(make_matching_context(CollageSettings(), 1), 0), 0u);
+}
+
+MatchRecord two_levels(u32 shapes) {
+  MatchRecord match{};
+  match.shapes = shapes;
+  match.level_count = 2;
+  match.level[0] = {0, 64, 0, 0};
+  match.level[1] = {64, 128, 0, 0};
+  match.sources = 192;
+  return match;
+}
+
+std::vector<IndexedPad> random_pads(const MatchRecord& match) {
+  std::mt19937 random(11);
+  std::vector<IndexedPad> pads(std::size_t(std::min(match.shapes, kSegmentShapes)) * match.sources);
+  for (IndexedPad& pad : pads) {
+    for (std::uint16_t& element : pad.pad.element) element = std::uint16_t(random());
+    pad.scale_length = 0.01f + float(random() % 1000) / 100;
+    pad.convexity = float(int(random() % 3) - 1);
+  }
+  return pads;
+}
+
+/// Every number of levels: rows of another length each.
+TEST(IndexRows, hold_each_pad_once) {
+  for (const int pad_levels : {2, 5, 6}) {
+    const MatchRecord match = two_levels(70);
+    const std::vector<IndexedPad> pads = random_pads(match);
+    const std::size_t elements = std::size_t(2 * (pad_levels - 1));
+    const std::size_t words = (elements + 3) / 4 + 2;
+    std::vector<int> seen(pads.size(), 0);
+    for (const IndexPart& part : index_parts(match)) {
+      const IndexRows rows = make_index_rows(part, match, pads, pad_levels);
+      for (std::size_t place = 0; place < rows.places.size() / words; ++place) {
+        const std::uint8_t* const row =
+            rows.rows.data() + place / kFilterLanes * kFilterLanes * (elements + 2) + place % kFilterLanes;
+        if (row[(elements + 1) * kFilterLanes] == 0) continue;  // no PAD
+        const u32* const exact = rows.places.data() + place * words;
+        const u32 source = exact[words - 1];
+        ++seen.at(source);
+        const auto* const low = reinterpret_cast<const std::uint8_t*>(exact);
+        for (std::size_t e = 0; e < elements; ++e) {
+          EXPECT_EQ(row[e * kFilterLanes] << 8 | low[e], pads[source].pad.element[e]);
+        }
+        EXPECT_EQ(std::bit_cast<float>(exact[words - 2]), pads[source].scale_length);
+        EXPECT_EQ(row[elements * kFilterLanes], scale_byte(pads[source].scale_length));
+        EXPECT_EQ(row[(elements + 1) * kFilterLanes], sign_byte(pads[source].convexity));
+      }
+    }
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(pads.size()));
+  }
+}
+
+/// Segment by segment and level by level, one behind the other.
+TEST(IndexRows, parts_follow_one_another) {
+  const MatchRecord match = two_levels(2 * kSegmentShapes + 5);
+  const std::vector<IndexPart> parts = index_parts(match);
+  ASSERT_EQ(parts.size(), 6u);
+  u32 nodes = 0;
+  u32 roots = 0;
+  for (const IndexPart& part : parts) {
+    EXPECT_EQ(part.first_node, nodes);
+    EXPECT_EQ(part.first_root, roots);
+    nodes += part.nodes;
+    roots += part.roots;
+  }
+  EXPECT_EQ(parts[3].roots, 1u) << "a whole segment's level of 128 samples fills a root";
+  EXPECT_EQ(parts[3].nodes, kFilterLanes);
+  EXPECT_EQ(parts.back().shapes, 5u);
+  EXPECT_EQ(parts.back().first_shape, 2 * kSegmentShapes);
 }
 
 }  // namespace

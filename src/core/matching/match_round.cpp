@@ -8,35 +8,15 @@
 namespace tessera {
 namespace {
 
-PairReach next_reach(std::vector<std::uint32_t> limits) {
-  const auto most = limits.begin() + std::ptrdiff_t(limits.size() * 3 / 4);
-  std::nth_element(limits.begin(), most, limits.end());
-  return {std::clamp<std::uint32_t>(*most + *most / 8, 2, kDistanceBins)};
-}
-
 /// Per sample: the bins of the pairs that are docked.
 std::vector<std::uint32_t> bin_limits(Matcher& matcher, const std::vector<TargetSample>& samples,
-                                      std::uint64_t pairs_per_sample, PairReach& reach,
-                                      const std::function<void()>& meanwhile) {
+                                      std::uint64_t pairs_per_sample, const std::function<void()>& meanwhile) {
   std::vector<std::uint32_t> limits(samples.size(), 0);
   if (pairs_per_sample == 0) return limits;
-  CountRequest request{samples, std::vector<std::uint32_t>(samples.size(), reach.bins)};
-  bool first = true;
-  for (bool enough = false; !enough; first = false) {
-    matcher.post_count(request);
-    if (first) meanwhile();
-    const std::vector<DistanceHistogram> histograms = matcher.take_count();
-    enough = true;
-    for (std::size_t t = 0; t < samples.size(); ++t) {
-      std::uint32_t& bins = request.bin_reach[t];
-      if (bins == 0) continue;
-      limits[t] = bin_limit_for(histograms[t], pairs_per_sample);
-      const bool found = limits[t] < kDistanceBins || bins == kDistanceBins;
-      bins = found ? 0 : std::min<std::uint32_t>(2 * bins, kDistanceBins);
-      enough &= found;
-    }
-  }
-  reach = next_reach(limits);
+  matcher.post_count({samples, pairs_per_sample});
+  meanwhile();
+  const std::vector<DistanceHistogram> histograms = matcher.take_count();
+  for (std::size_t t = 0; t < samples.size(); ++t) limits[t] = bin_limit_for(histograms[t], pairs_per_sample);
   return limits;
 }
 
@@ -75,13 +55,12 @@ MatchPlan match_plan(const MatchSettings& settings, std::uint64_t library_pads) 
 }
 
 MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan,
-                 std::uint64_t library_pads, PairReach& reach, RunStatistics& statistics,
-                 const std::function<void()>& meanwhile) {
+                 std::uint64_t library_pads, RunStatistics& statistics, const std::function<void()>& meanwhile) {
   Stopwatch watch;
   MatchRound round;
   round.truncated.assign(samples.size(), plan.tangent_dockings > 0);
   if (samples.empty()) return round;
-  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample, reach, meanwhile),
+  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample, meanwhile),
                       plan.tangent_dockings};
   statistics.prune_s += watch.lap();
   for (std::size_t t = 0; t < samples.size(); ++t) {

@@ -10,12 +10,6 @@
 
 namespace tessera {
 
-/// How far to look for pairs first, in bins: a little farther than most samples needed lately. It only saves time:
-/// where it is too short, matching looks again.
-struct PairReach {
-  std::uint32_t bins = kDistanceBins / 16;
-};
-
 struct MatchPlan {
   std::uint64_t pairs_per_sample = 0;  // top K % of the library's PADs, capped by match.most_pairs; 0 = no PAD dockings
   std::uint32_t tangent_dockings = 0;
@@ -33,7 +27,7 @@ struct MatchRound {
 /// Adds to the counters and times of `statistics`. Calls `meanwhile` once where the matcher has a question to work on.
 MatchRound match(
     Matcher& matcher, const std::vector<TargetSample>& samples, const MatchPlan& plan, std::uint64_t library_pads,
-    PairReach& reach, RunStatistics& statistics, const std::function<void()>& meanwhile = [] {});
+    RunStatistics& statistics, const std::function<void()>& meanwhile = [] {});
 
 /// Whether two poses of one shape would look the same: they are closer than `tolerance` of b's scale in place, and in
 /// size and rotation.

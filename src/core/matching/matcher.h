@@ -4,7 +4,7 @@
 // Matching is four questions. Each selects per (sample, shape) or through a threshold over the whole library, never
 // per part of it, so that the answers do not depend on how the library is divided:
 //   count   how many pairs (target sample, shape PAD) lie in each bin of the PAD distance -> the top K % threshold;
-//           only within the reach that is asked for: the shorter, the sooner
+//           no farther than it takes to find as many as are wanted
 //   dock    the best dockings of each target sample, from pairs below the threshold and from tangent dockings
 //   refine  given dockings moved to their best pose, with the terms of the objective and what else scoring needs
 //   measure the terms of given poses, after the field has changed
@@ -36,8 +36,8 @@ using DistanceHistogram = std::array<std::uint32_t, kDistanceBins>;
 
 struct CountRequest {
   std::vector<TargetSample> samples;
-  /// Per sample: pairs whose distance bin is below this are counted.
-  std::vector<std::uint32_t> bin_reach;
+  /// Of each sample: the histogram ends with the bin by which more are counted (ended_histogram).
+  std::uint64_t most_pairs = 0;
 };
 
 struct DockRequest {
@@ -99,6 +99,10 @@ inline std::uint32_t distance_bin(std::uint32_t distance_steps, std::uint32_t be
 inline std::uint32_t reach_of_bins(std::uint32_t bins, std::uint32_t beta_steps) {
   return (bins * beta_steps + kDistanceBins - 1) / kDistanceBins;
 }
+
+/// With nothing behind the bin by which more than `most` pairs are counted. Sums of ended histograms of parts of a
+/// library, ended again, are the ended histogram of the whole.
+DistanceHistogram ended_histogram(DistanceHistogram histogram, std::uint64_t most);
 
 /// The number of whole bins, counted from the best, that hold at most `most` pairs; at least the first one that is not
 /// empty, so that no sample goes without. All of them where the histogram holds no more than `most`.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/pad/pad_filter.h"
 #include "core/tuning.h"
 
 namespace tessera {
@@ -45,7 +46,7 @@ std::vector<std::uint32_t> level_distances(const ModelLevel& level, const Target
     const ModelSample& sample = level.samples[j];
     if (target.length < sample.scale_length * (scales.low * kScaleWindowLow)) continue;
     if (target.length > sample.scale_length * (scales.high * kScaleWindowHigh)) continue;
-    if (target.convexity * sample.convexity < 0) continue;
+    if ((sign_byte(target.convexity) & sign_byte(sample.convexity)) == 0) continue;
     if (!may_turn(sample, target, ends, stances)) continue;
     result[j] = pad_distance(target.pad, sample.pad, levels);
   }

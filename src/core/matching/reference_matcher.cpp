@@ -57,12 +57,12 @@ float ReferenceMatcher::key_of(const ShapeModel& model, const Similarity& pose) 
 void ReferenceMatcher::post_count(const CountRequest& request) {
   histograms_.assign(request.samples.size(), {});
   for (std::size_t t = 0; t < request.samples.size(); ++t) {
-    const std::uint32_t reach = reach_of_bins(request.bin_reach[t], context_.beta_steps);
     for (std::size_t m = 0; m < models_.size(); ++m) {
-      for (const PadPair& pair : pairs_of(m, request.samples[t], reach)) {
+      for (const PadPair& pair : pairs_of(m, request.samples[t], context_.beta_steps)) {
         ++histograms_[t][distance_bin(pair.distance, context_.beta_steps)];
       }
     }
+    histograms_[t] = ended_histogram(histograms_[t], request.most_pairs);
   }
 }
 

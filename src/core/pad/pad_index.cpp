@@ -1,0 +1,120 @@
+#include "core/pad/pad_index.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace tessera {
+namespace {
+
+constexpr std::size_t kNodePads = std::size_t(kIndexFanOut) * kIndexFanOut;
+
+/// An octave of scale counts like a quarter of a PAD's range: the window of scales is an octave wide, while pairs that
+/// are docked agree in their elements to a few percent. Measured: 1/4 visits fewest blocks of 1/16, 1/4 and 1.
+constexpr std::uint64_t kScaleWeight = 16;  // of squared bytes: divides
+
+class Splitter {
+ public:
+  Splitter(std::span<const PadBytes> pads, int elements) : pads_(pads), elements_(elements) {}
+
+  /// Orders PADs so that every whole block, and every whole node, is one branch of the tree.
+  void split(std::span<std::uint32_t> order) const {
+    const std::size_t whole = order.size() > kNodePads ? kNodePads : kIndexFanOut;
+    if (order.size() <= whole) return;
+    const std::size_t parts = (order.size() + whole - 1) / whole;
+    const std::size_t middle = parts / 2 * whole;
+    part(order, middle);
+    split(order.first(middle));
+    split(order.subspan(middle));
+  }
+
+  /// The first `convex` of them are: each sign has a tree of its own, but for one `unit` in which both meet.
+  void split_by_sign(std::span<std::uint32_t> order, std::size_t convex, std::size_t unit) const {
+    const std::size_t whole = convex / unit * unit;
+    const std::size_t mixed_end = std::min(order.size(), whole + unit);
+    split(order.first(whole));
+    part(order.subspan(convex), mixed_end - convex);
+    split(order.subspan(mixed_end));
+    if (unit > kIndexFanOut) split_by_sign(order.subspan(whole, mixed_end - whole), convex - whole, kIndexFanOut);
+  }
+
+ private:
+  /// Those before `middle` have no larger byte than the others, of the row that varies most.
+  void part(std::span<std::uint32_t> order, std::size_t middle) const {
+    if (middle == 0 || middle >= order.size()) return;
+    const int row = widest_row(order);
+    std::nth_element(order.begin(), order.begin() + std::ptrdiff_t(middle), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       const int byte_a = byte(pads_[a], row);
+                       const int byte_b = byte(pads_[b], row);
+                       return byte_a != byte_b ? byte_a < byte_b : a < b;
+                     });
+  }
+
+  int byte(const PadBytes& pad, int row) const { return row < elements_ ? pad.element[std::size_t(row)] : pad.scale; }
+
+  /// The row (an element, or the scale behind them) whose bytes vary most.
+  int widest_row(std::span<const std::uint32_t> order) const {
+    std::array<std::uint64_t, kMaxPadElements + 1> sum{};
+    std::array<std::uint64_t, kMaxPadElements + 1> squares{};
+    for (const std::uint32_t i : order) {
+      for (int row = 0; row <= elements_; ++row) {
+        const auto b = std::uint64_t(byte(pads_[i], row));
+        sum[std::size_t(row)] += b;
+        squares[std::size_t(row)] += b * b;
+      }
+    }
+    int widest = 0;
+    double most = -1;
+    for (int row = 0; row <= elements_; ++row) {
+      const double mean = double(sum[std::size_t(row)]) / double(order.size());
+      double variance = double(squares[std::size_t(row)]) / double(order.size()) - mean * mean;
+      if (row == elements_) variance /= double(kScaleWeight);
+      if (variance > most) {
+        most = variance;
+        widest = row;
+      }
+    }
+    return widest;
+  }
+
+  std::span<const PadBytes> pads_;
+  int elements_;
+};
+
+void enclose(PadBox& box, const PadBytes& pad) {
+  for (std::size_t e = 0; e < box.low.size(); ++e) {
+    box.low[e] = std::min(box.low[e], pad.element[e]);
+    box.high[e] = std::max(box.high[e], pad.element[e]);
+  }
+  box.scale_low = std::min(box.scale_low, pad.scale);
+  box.scale_high = std::max(box.scale_high, pad.scale);
+  box.signs |= pad.sign;
+}
+
+void enclose(PadBox& box, const PadBox& part) {
+  for (std::size_t e = 0; e < box.low.size(); ++e) {
+    box.low[e] = std::min(box.low[e], part.low[e]);
+    box.high[e] = std::max(box.high[e], part.high[e]);
+  }
+  box.scale_low = std::min(box.scale_low, part.scale_low);
+  box.scale_high = std::max(box.scale_high, part.scale_high);
+  box.signs |= part.signs;
+}
+
+}  // namespace
+
+PadIndex make_pad_index(std::span<const PadBytes> pads, int elements) {
+  PadIndex index;
+  index.order.resize(pads.size());
+  std::iota(index.order.begin(), index.order.end(), 0u);
+  const auto others = std::stable_partition(index.order.begin(), index.order.end(),
+                                            [&](std::uint32_t i) { return pads[i].sign == sign_byte(1); });
+  Splitter(pads, elements).split_by_sign(index.order, std::size_t(others - index.order.begin()), kNodePads);
+  index.blocks.resize((pads.size() + kIndexFanOut - 1) / kIndexFanOut);
+  for (std::size_t i = 0; i < pads.size(); ++i) enclose(index.blocks[i / kIndexFanOut], pads[index.order[i]]);
+  index.nodes.resize((index.blocks.size() + kIndexFanOut - 1) / kIndexFanOut);
+  for (std::size_t b = 0; b < index.blocks.size(); ++b) enclose(index.nodes[b / kIndexFanOut], index.blocks[b]);
+  return index;
+}
+
+}  // namespace tessera

@@ -1,0 +1,53 @@
+// An order of PADs in which those that follow one another are alike, with a box round every 64 of them and one round
+// every 64 boxes: a search for the pairs within reach of a target skips the boxes that cannot hold any. The distance is
+// a maximum norm (Eq. 1), so boxes are its natural bound, and the search finds what a full scan finds
+// (kernels/pad_index.cl; tests/core/test_pad_index.cpp).
+//
+// A k-d tree (Bentley 1975) that splits at the median of the widest element, of bytes, laid out without pointers:
+// block b holds the places [64 b, 64 b + 64) of the order, node n the blocks [64 n, 64 n + 64).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/pad/pad_filter.h"
+
+namespace tessera {
+
+inline constexpr std::uint32_t kIndexFanOut = 64;
+
+/// What the filter knows of a PAD.
+struct PadBytes {
+  std::array<std::uint8_t, kMaxPadElements> element{};  // pad_byte()
+  std::uint8_t scale = 0;                               // scale_byte()
+  std::uint8_t sign = 0;                                // sign_byte(), never 0
+};
+
+/// Bounds of the bytes of some PADs, inclusive. As it is made it holds none.
+struct PadBox {
+  PadBox() {
+    low.fill(255);
+    high.fill(0);
+  }
+
+  std::array<std::uint8_t, kMaxPadElements> low;
+  std::array<std::uint8_t, kMaxPadElements> high;
+  std::uint8_t scale_low = 255;
+  std::uint8_t scale_high = 0;
+  std::uint8_t signs = 0;  // all that occur
+
+  friend bool operator==(const PadBox&, const PadBox&) = default;
+};
+
+struct PadIndex {
+  std::vector<std::uint32_t> order;  // places in what the index was made of
+  std::vector<PadBox> blocks;
+  std::vector<PadBox> nodes;
+};
+
+/// `elements`: of a PAD, from the first on. The same PADs give the same index.
+PadIndex make_pad_index(std::span<const PadBytes> pads, int elements);
+
+}  // namespace tessera

@@ -1,0 +1,39 @@
+// The index of a shard's PADs on a device.
+#pragma once
+
+#include "worker/index_rows.h"
+#include "worker/opencl_runtime.h"
+
+namespace tessera::worker {
+
+class DeviceIndex {
+ public:
+  DeviceIndex(const DeviceSession& session, const MatchRecord& match, int pad_levels);
+
+  /// The PADs of the shard's next shapes, all sources of each. To be called until all are there.
+  void add(const std::vector<IndexedPad>& pads);
+
+  const DeviceBuffer<RootRecord>& roots() const { return roots_; }
+  std::uint32_t root_count() const { return root_count_; }
+  const DeviceBuffer<std::uint8_t>& node_boxes() const { return node_boxes_; }
+  const DeviceBuffer<std::uint8_t>& block_boxes() const { return block_boxes_; }
+  const DeviceBuffer<std::uint8_t>& rows() const { return rows_; }
+  const DeviceBuffer<std::uint32_t>& places() const { return places_; }
+
+ private:
+  void upload(const IndexPart& part);
+
+  MatchRecord match_;
+  int pad_levels_;
+  std::vector<IndexPart> parts_;
+  std::size_t next_part_ = 0;
+  std::vector<IndexedPad> waiting_;  // of the segment of the next part, from its first shape on
+  std::uint32_t root_count_ = 0;
+  DeviceBuffer<RootRecord> roots_;
+  DeviceBuffer<std::uint8_t> node_boxes_;
+  DeviceBuffer<std::uint8_t> block_boxes_;
+  DeviceBuffer<std::uint8_t> rows_;
+  DeviceBuffer<std::uint32_t> places_;
+};
+
+}  // namespace tessera::worker

@@ -1,0 +1,117 @@
+#include "worker/index_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace tessera::worker {
+namespace {
+
+static_assert(kIndexFanOut == kFilterLanes);
+
+int elements_of(int pad_levels) { return 2 * (pad_levels - 1); }
+
+std::size_t box_rows(int pad_levels) { return std::size_t(2 * elements_of(pad_levels) + 3); }
+std::size_t filter_rows(int pad_levels) { return std::size_t(elements_of(pad_levels) + 2); }
+
+/// kPlaceWords of kernels/pad_index.cl.
+std::size_t place_words(int pad_levels) { return std::size_t((elements_of(pad_levels) + 3) / 4 + 2); }
+constexpr std::size_t kMaxPlaceBytes = (kMaxPadElements + 3) / 4 * 4;
+
+PadBytes bytes_of(const IndexedPad& pad) {
+  PadBytes bytes;
+  for (std::size_t e = 0; e < bytes.element.size(); ++e) bytes.element[e] = pad_byte(pad.pad.element[e]);
+  bytes.scale = scale_byte(pad.scale_length);
+  bytes.sign = sign_byte(pad.convexity);
+  return bytes;
+}
+
+u32 divided_up(u32 count, u32 by) { return (count + by - 1) / by; }
+
+/// Of `places` boxes, in groups of 64; those beyond `boxes` hold nothing.
+std::vector<std::uint8_t> rows_of(const std::vector<PadBox>& boxes, std::size_t places, int pad_levels) {
+  const std::size_t elements = std::size_t(elements_of(pad_levels));
+  std::vector<std::uint8_t> rows(places * box_rows(pad_levels));
+  for (std::size_t i = 0; i < places; ++i) {
+    const PadBox box = i < boxes.size() ? boxes[i] : PadBox();
+    std::uint8_t* const row = rows.data() + i / kFilterLanes * kFilterLanes * box_rows(pad_levels) + i % kFilterLanes;
+    for (std::size_t e = 0; e < elements; ++e) {
+      row[e * kFilterLanes] = box.low[e];
+      row[(elements + e) * kFilterLanes] = box.high[e];
+    }
+    row[2 * elements * kFilterLanes] = box.scale_low;
+    row[(2 * elements + 1) * kFilterLanes] = box.scale_high;
+    row[(2 * elements + 2) * kFilterLanes] = box.signs;
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<IndexPart> index_parts(const MatchRecord& match) {
+  std::vector<IndexPart> parts;
+  u32 node = 0;
+  u32 root = 0;
+  for (u32 first = 0; first < match.shapes; first += kSegmentShapes) {
+    const u32 shapes = std::min(kSegmentShapes, match.shapes - first);
+    for (u32 level = 0; level < match.level_count; ++level) {
+      const u32 nodes = divided_up(shapes * match.level[level].count, kFilterLanes * kFilterLanes);
+      const u32 roots = divided_up(nodes, kFilterLanes);
+      parts.push_back({first, shapes, level, node, nodes, root, roots});
+      node += nodes;
+      root += roots;
+    }
+  }
+  return parts;
+}
+
+IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::span<const IndexedPad> pads,
+                          int pad_levels) {
+  const LevelRecord& level = match.level[part.level];
+  const std::size_t elements = std::size_t(elements_of(pad_levels));
+  /// The source of the segment that is the i-th of the level.
+  const auto source_of = [&](u32 i) { return i / level.count * match.sources + level.first + i % level.count; };
+  std::vector<PadBytes> bytes(std::size_t(part.shapes) * level.count);
+  for (u32 i = 0; i < bytes.size(); ++i) bytes[i] = bytes_of(pads[source_of(i)]);
+  const PadIndex index = make_pad_index(bytes, elements_of(pad_levels));
+
+  IndexRows result;
+  for (u32 root = 0; root < part.roots; ++root) {
+    result.roots.push_back({part.first_node + root * kFilterLanes, part.level});
+  }
+  const std::size_t blocks = std::size_t(part.nodes) * kFilterLanes;
+  result.node_boxes = rows_of(index.nodes, std::size_t(part.roots) * kFilterLanes, pad_levels);
+  result.block_boxes = rows_of(index.blocks, blocks, pad_levels);
+  result.rows.resize(blocks * kFilterLanes * filter_rows(pad_levels));
+  result.places.resize(blocks * kFilterLanes * place_words(pad_levels));
+  for (std::size_t i = 0; i < index.order.size(); ++i) {
+    const PadBytes& pad = bytes[index.order[i]];
+    std::uint8_t* const row =
+        result.rows.data() + i / kFilterLanes * kFilterLanes * filter_rows(pad_levels) + i % kFilterLanes;
+    for (std::size_t e = 0; e < elements; ++e) row[e * kFilterLanes] = pad.element[e];
+    row[elements * kFilterLanes] = pad.scale;
+    row[(elements + 1) * kFilterLanes] = pad.sign;
+    const u32 source = source_of(index.order[i]);
+    u32* const place = result.places.data() + i * place_words(pad_levels);
+    std::array<std::uint8_t, kMaxPlaceBytes> low{};
+    for (std::size_t e = 0; e < elements; ++e) low[e] = std::uint8_t(pads[source].pad.element[e]);
+    std::memcpy(place, low.data(), (place_words(pad_levels) - 2) * sizeof(u32));
+    place[place_words(pad_levels) - 2] = std::bit_cast<u32>(pads[source].scale_length);
+    place[place_words(pad_levels) - 1] = part.first_shape * match.sources + source;
+  }
+  return result;
+}
+
+std::size_t index_bytes(const MatchRecord& match, int pad_levels) {
+  std::size_t bytes = 0;
+  for (const IndexPart& part : index_parts(match)) {
+    const std::size_t lanes_of_nodes = std::size_t(part.roots) * kFilterLanes;
+    const std::size_t lanes_of_blocks = std::size_t(part.nodes) * kFilterLanes;
+    bytes += part.roots * sizeof(RootRecord) + (lanes_of_nodes + lanes_of_blocks) * box_rows(pad_levels) +
+             lanes_of_blocks * kFilterLanes * (filter_rows(pad_levels) + place_words(pad_levels) * sizeof(u32));
+  }
+  return bytes;
+}
+
+}  // namespace tessera::worker

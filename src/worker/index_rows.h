@@ -1,0 +1,55 @@
+// The index of a shard's PADs (core/pad/pad_index.h) as the kernels read it (kernels/pad_index.cl): rows of 64 bytes.
+// Each level of each segment, some thousand shapes that follow one another, has an index of its own, so that it can be
+// made piece by piece and kept with its shapes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/pad/pad_index.h"
+#include "records.h"
+
+namespace tessera::worker {
+
+/// As many as fill a root with a level of 128 samples a shape.
+inline constexpr u32 kSegmentShapes = 2048;
+
+/// One level of a segment, and where it lies in the shard's index. A root has up to 64 nodes, a node 64 blocks, a block 64
+/// PADs; nodes are filled up with blocks, but roots not with nodes.
+struct IndexPart {
+  u32 first_shape;  // of the segment, in the shard
+  u32 shapes;
+  u32 level;  // in use
+  u32 first_node;
+  u32 nodes;
+  u32 first_root;
+  u32 roots;
+};
+
+/// Those of a shard, segment by segment.
+std::vector<IndexPart> index_parts(const MatchRecord& match);
+
+struct IndexRows {
+  std::vector<RootRecord> roots;
+  std::vector<std::uint8_t> node_boxes;   // by root: kBoxRows rows of its nodes' boxes
+  std::vector<std::uint8_t> block_boxes;  // by node: of its blocks' boxes
+  std::vector<std::uint8_t> rows;         // by block: a row for each element, the scales, the signs; a sign 0: no PAD
+  std::vector<u32> places;  // by block and lane: low bytes of the elements, bits of scale_length, source of the shard
+};
+
+/// A source of a shape.
+struct IndexedPad {
+  QuantisedPad pad;
+  float scale_length = 0;
+  float convexity = 0;
+};
+
+/// `pads`: of the segment's shapes, with all sources of each.
+IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::span<const IndexedPad> pads,
+                          int pad_levels);
+
+/// What the index of a shard takes on its device.
+std::size_t index_bytes(const MatchRecord& match, int pad_levels);
+
+}  // namespace tessera::worker

@@ -1,0 +1,44 @@
+// The search for pairs within reach on a device: the index says which blocks may hold some, their PADs are tested
+// (kernels/pad_index.cl, pairs.cl).
+#pragma once
+
+#include "worker/device_library.h"
+
+namespace tessera::worker {
+
+class PairSearch {
+ public:
+  /// `stage_bytes`: of blocks and pairs on the device at first; where a question finds more, it is asked again with
+  /// more room.
+  PairSearch(const DeviceLibrary& library, std::size_t stage_bytes);
+
+  /// Searches for pairs nearer than each sample's reach. `samples` must stay until they are taken.
+  void post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t count);
+  /// In no particular order.
+  std::vector<PairRecord> take();
+
+  /// From here on all blocks are looked at, to measure what the index saves.
+  void scan_all() { look_at_boxes_ = 0; }
+  /// Of the last question.
+  std::uint64_t blocks_visited() const { return blocks_visited_; }
+
+ private:
+  void launch_part(std::uint32_t first, std::uint32_t end, std::uint32_t part);
+
+  const DeviceLibrary* library_;
+  cl::Kernel find_blocks_;
+  cl::Kernel find_pairs_;
+  const DeviceBuffer<SampleRecord>* samples_ = nullptr;
+  std::uint32_t count_ = 0;
+  std::uint32_t parts_ = 0;
+  std::uint32_t look_at_boxes_ = 1;
+  std::uint32_t block_capacity_;
+  std::uint32_t pair_capacity_;
+  std::uint64_t blocks_visited_ = 0;
+  DeviceBuffer<BlockRecord> blocks_;  // of one part after the other
+  DeviceBuffer<std::uint32_t> block_counts_;
+  DeviceBuffer<PairRecord> pairs_;  // of all parts
+  DeviceBuffer<std::uint32_t> pair_count_;
+};
+
+}  // namespace tessera::worker

@@ -1,0 +1,87 @@
+// The index finds what a look at every PAD finds, and looks at few of them; the room for what is found grows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "core/matching/match_round.h"
+#include "support/matching_scene.h"
+#include "worker/opencl_devices.h"
+#include "worker/pair_search.h"
+#include "worker/sample_records.h"
+
+namespace tessera::worker {
+namespace {
+
+using Found = std::vector<std::tuple<u32, u32, u32>>;
+
+Found sorted(const std::vector<PairRecord>& pairs) {
+  Found found;
+  for (const PairRecord& pair : pairs) found.emplace_back(pair.sample, pair.source, pair.distance);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// Real outlines' PADs, 60 of them one after the other in other sizes of their levels.
+class PairSearchTest : public testing::Test {
+ protected:
+  PairSearchTest()
+      : scene_(test::make_scene(test::scene_settings(), {40, 300, 6, 40})),
+        library_(opencl_devices().front(), scene_.context, all_of(scene_.models), given(scene_.models)),
+        samples_(library_.session()) {}
+
+  /// Sample t looks `steps` far, or twice as far.
+  void reach(u32 steps) {
+    std::vector<SampleRecord> records =
+        make_sample_records(scene_.samples, library_.match(), library_.pad_levels());
+    for (std::size_t t = 0; t < records.size(); ++t) set_reach(records[t], t % 2 == 0 ? steps : 2 * steps);
+    samples_.write(records);
+  }
+
+  Found found(PairSearch& search) {
+    search.post(samples_, u32(scene_.samples.size()));
+    return sorted(search.take());
+  }
+
+  test::MatchingScene scene_;
+  DeviceLibrary library_;
+  DeviceBuffer<SampleRecord> samples_;
+};
+
+TEST_F(PairSearchTest, FindsWhatAScanFinds) {
+  PairSearch by_index(library_, 1 << 20);
+  PairSearch scan(library_, 1 << 20);
+  scan.scan_all();
+  std::size_t pairs = 0;
+  for (const u32 steps : {1u, 100u, 700u, 3000u, kPadSteps + 1}) {
+    reach(steps);
+    const Found expected = found(scan);
+    EXPECT_EQ(found(by_index), expected) << steps << " steps";
+    EXPECT_LE(by_index.blocks_visited(), scan.blocks_visited());
+    pairs += expected.size();
+  }
+  EXPECT_GT(pairs, 10'000u);
+}
+
+TEST_F(PairSearchTest, LooksAtFewBlocks) {
+  PairSearch by_index(library_, 1 << 20);
+  PairSearch scan(library_, 1 << 20);
+  scan.scan_all();
+  reach(300);
+  EXPECT_FALSE(found(by_index).empty());
+  found(scan);
+  EXPECT_EQ(scan.blocks_visited(), scene_.samples.size() * 40 * library_.match().sources / kFilterLanes);
+  EXPECT_LT(by_index.blocks_visited(), scan.blocks_visited() / 4);
+}
+
+TEST_F(PairSearchTest, MakesRoomForWhatItFinds) {
+  PairSearch roomy(library_, 1 << 20);
+  PairSearch tight(library_, 1);
+  for (const u32 steps : {50u, 3000u, 200u}) {
+    reach(steps);
+    EXPECT_EQ(found(tight), found(roomy)) << steps << " steps";
+  }
+}
+
+}  // namespace
+}  // namespace tessera::worker
