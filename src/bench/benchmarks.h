@@ -18,8 +18,13 @@ struct Setting {
   std::string out;              // the JSON file; what else a benchmark writes has its name with other endings
 };
 
-/// PAD pair tests per second and core: by the devices, by a plain loop, and what the machine can do at most.
-Report bench_pairs(const Setting& setting);
+struct PairsOptions {
+  std::string library;       // empty: blobs
+  std::uint32_t shapes = 0;  // 0: the library's, or 1,000 blobs
+};
+/// The pairs of a few hundred target samples, by the index and by a scan of all PADs; pair tests per second and core,
+/// and what the machine can do at most.
+Report bench_pairs(const Setting& setting, const PairsOptions& options);
 
 /// Measures the way from PADs to the best docking of two shapes with 25,000,000 docking positions (paper, section 5).
 Report bench_headline(const Setting& setting);

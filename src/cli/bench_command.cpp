@@ -13,6 +13,7 @@ namespace {
 constexpr const char* kExamples =
     "Examples:\n"
     "  tessera bench pairs\n"
+    "  tessera bench pairs --library out/animals.h5 --shapes 10000\n"
     "  tessera bench headline --out headline.json\n"
     "  tessera bench table2 --library out/animals.h5 --rows 13a,13b,13c\n"
     "  tessera bench alternatives --library out/animals.h5 --scale-px 20,160 --size 1000 --seed 7\n"
@@ -52,6 +53,19 @@ CLI::App* add_benchmark(CLI::App& bench, Command& selected, const std::string& n
 
 void add_library_option(CLI::App& sub, std::string& library) {
   sub.add_option("--library", library, "The library file")->required()->type_name("LIB.h5");
+}
+
+void add_pairs(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<bench::PairsOptions>();
+  CLI::App* sub =
+      add_benchmark(bench, selected, "pairs",
+                    "Pairs by the index and by a scan; pair tests a second, beside what the machine can do at most",
+                    [options](const bench::Setting& s) { return bench::bench_pairs(s, *options); });
+  sub->add_option("--library", options->library, "The library file; default: blobs made from formulas")
+      ->type_name("LIB.h5");
+  sub->add_option("--shapes", options->shapes,
+                  "How many; default: the library's, or 1,000 blobs. More than it has: mirrored and stretched ones")
+      ->type_name("N");
 }
 
 void add_table2(CLI::App& bench, Command& selected) {
@@ -144,8 +158,7 @@ void add_bench_command(CLI::App& app, Command& selected) {
   CLI::App* bench = app.add_subcommand("bench", "Measure this machine against the paper and the alternatives");
   bench->footer(kExamples);
   bench->require_subcommand(1);
-  add_benchmark(*bench, selected, "pairs", "PAD pair tests a second, beside what the machine can do at most",
-                bench::bench_pairs);
+  add_pairs(*bench, selected);
   add_benchmark(*bench, selected, "headline", "Two shapes with 25,000,000 docking positions", bench::bench_headline);
   add_table2(*bench, selected);
   add_alternatives(*bench, selected);

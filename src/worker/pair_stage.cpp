@@ -9,14 +9,23 @@
 namespace tessera::worker {
 namespace {
 
-constexpr std::uint32_t kFirstBins = 2;  // as far as samples look at first
+constexpr std::uint32_t kFewestBins = 2;
 
 /// How far to look where `bins` bins held `found` pairs: pairs grow about with the third power of the distance, and half
 /// as many again as are wanted cost little.
 std::uint32_t farther(std::uint32_t bins, std::size_t found, std::uint64_t most) {
   const double factor = std::cbrt(1.5 * double(most + 1) / double(std::max<std::size_t>(found, 1)));
   const auto next = std::uint32_t(std::ceil(double(bins) * std::clamp(factor, 1.0, 2.0)));
-  return std::clamp(next, std::max(kFirstBins, bins + 1), std::uint32_t(kDistanceBins));
+  return std::clamp(next, std::max(kFewestBins, bins + 1), std::uint32_t(kDistanceBins));
+}
+
+/// As far as a quarter of the samples had to look: the others look again, and hardly any looks much too far.
+std::uint32_t usual_bins(const std::vector<DistanceHistogram>& histograms, std::uint64_t most) {
+  std::vector<std::uint32_t> bins;
+  for (const DistanceHistogram& histogram : histograms) bins.push_back(bin_limit_for(histogram, most));
+  const auto quarter = bins.begin() + std::ptrdiff_t(bins.size() / 4);
+  std::nth_element(bins.begin(), quarter, bins.end());
+  return *quarter;
 }
 
 /// By sample; the order within each stays.
@@ -75,7 +84,7 @@ std::vector<std::uint32_t> PairStage::next_bins() const {
   std::vector<std::uint32_t> bins;
   for (const Held& held : held_) {
     const bool enough = held.pairs.size() > most_pairs_ || held.bins == kDistanceBins;
-    bins.push_back(enough ? 0 : farther(held.bins, held.pairs.size(), most_pairs_));
+    bins.push_back(enough ? 0 : held.bins == 0 ? first_bins_ : farther(held.bins, held.pairs.size(), most_pairs_));
   }
   return bins;
 }
@@ -98,6 +107,7 @@ std::vector<DistanceHistogram> PairStage::take_count() {
     }
     histograms[t] = ended_histogram(histograms[t], most_pairs_);
   }
+  if (!histograms.empty()) first_bins_ = std::max(kFewestBins, usual_bins(histograms, most_pairs_));
   return histograms;
 }
 

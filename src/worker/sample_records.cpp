@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/matching/matcher.h"
+#include "core/matching/near_colours.h"
 #include "core/pad/pad_filter.h"
 
 namespace tessera::worker {
@@ -32,6 +33,7 @@ SampleRecord make_sample_record(const TargetSample& sample, const MatchRecord& m
   const QuantisedPad pad = quantised(make_pad(sample.pyramid, pad_levels));
   std::copy(pad.element.begin(), pad.element.end(), r.element);
   r.signs = sign_byte(r.convexity);
+  r.near_list = NearColours::kAny;
   put_scale_windows(r, match);
   for (int i = 0; i < kMaxKeypoints; ++i) {
     r.keypoint_x[i] = sample.pyramid.keypoint[i].x;

@@ -8,7 +8,7 @@
 
 namespace tessera::worker {
 
-/// Without reach.
+/// Without reach, and without colours that are wished for.
 std::vector<SampleRecord> make_sample_records(const std::vector<TargetSample>& samples, const MatchRecord& match,
                                               int pad_levels);
 

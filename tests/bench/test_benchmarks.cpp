@@ -34,10 +34,10 @@ void expect_head(const Report& report, const std::string& name) {
 }
 
 TEST(Benchmarks, Pairs) {
-  const Report report = bench_pairs(kQuick);
+  const Report report = bench_pairs(kQuick, {});
   expect_head(report, "pairs");
   expect_keys(report.json, {"cores", "pairs", "elements_per_pair", "operations_per_pair", "bytes_per_pair"});
-  for (const char* rate : {"device_pairs_per_s", "device_pairs_per_core_s", "plain_pairs_per_s",
+  for (const char* rate : {"index_pairs_per_s", "device_pairs_per_s", "device_pairs_per_core_s", "plain_pairs_per_s",
                            "limit_float_pairs_per_s", "limit_byte_pairs_per_s", "limit_memory_pairs_per_s"}) {
     EXPECT_GT(report.json.at(rate).get<double>(), 0) << rate;
   }
