@@ -108,7 +108,7 @@ kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* s
                        global const SampleRecord* samples, uint stride, uint part, global const uint* block_counts,
                        uint block_capacity, global const BlockRecord* blocks, uint capacity, global uint* pair_count,
                        global PairRecord* pairs) {
-  const uint count = min(block_counts[part], block_capacity);
+  const uint count = get_global_id(0) < stride ? min(block_counts[part], block_capacity) : 0;
   for (uint i = get_global_id(0); i < count; i += stride) {
     const BlockRecord block = blocks[i];
     global const SampleRecord* sample = samples + block.sample;

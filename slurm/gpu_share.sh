@@ -26,6 +26,8 @@ share_of() {
 }
 
 if ((worker >= 0 && workers > 1)); then
+  # AMD's runtime counts GPU_DEVICE_ORDINAL among the GPUs that ROCR_VISIBLE_DEVICES left: narrowed twice, none remain.
+  [[ -z ${ROCR_VISIBLE_DEVICES:-} ]] || unset GPU_DEVICE_ORDINAL
   for name in CUDA_VISIBLE_DEVICES ROCR_VISIBLE_DEVICES GPU_DEVICE_ORDINAL; do
     [[ -z ${!name:-} ]] || export "$name=$(share_of "${!name}")"
   done

@@ -25,7 +25,7 @@ void upload(DeviceBuffer<T>& buffer, const std::vector<T>& part, std::size_t par
 DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
                              const ModelSource& models, const BetweenLaunches& between_launches)
     : pad_levels_(context.pad.levels),
-      session_(device, kernel_source, kernel_options(device, context.pad.levels), between_launches),
+      session_(device, kernel_source, kernel_options(context.pad.levels), between_launches),
       match_(make_match_record(context, shapes)),
       match_buffer_(session_, {match_}),
       index_(session_, match_, pad_levels_),

@@ -15,7 +15,9 @@ std::string gigabytes(cl_ulong bytes) {
 
 std::string device_line(std::size_t number, const cl::Device& device) {
   const DeviceDescription d = describe(device);
-  const std::string state = device.getInfo<CL_DEVICE_AVAILABLE>() ? "" : ", NOT AVAILABLE";
+  std::string state = device.getInfo<CL_DEVICE_AVAILABLE>() ? "" : ", NOT AVAILABLE";
+  const std::string missing = missing_arithmetic(device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>());
+  if (!missing.empty()) state += ", NOT USABLE: no " + missing;
   return "  " + std::to_string(number) + ": " + d.kind + " \"" + d.name + "\", driver " + d.driver + ", " +
          std::to_string(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()) + " compute units, " +
          gigabytes(device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>()) + " of memory, " +

@@ -35,11 +35,8 @@ void define(std::string& options, const std::string& name, const Descent& descen
 
 }  // namespace
 
-std::string kernel_options(const cl::Device& device, int pad_levels) {
-  std::string options = "-cl-std=CL1.2";
-  if (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) {
-    options += " -cl-fp32-correctly-rounded-divide-sqrt";
-  }
+std::string kernel_options(int pad_levels) {
+  std::string options = "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt";
   define(options, "kPadLevels", pad_levels);
   define(options, "kPadKeypoints", 2 * pad_levels + 1);
 #define DEFINE(constant) define(options, #constant, constant)

@@ -2,7 +2,6 @@
 // device compiles once and for all.
 #pragma once
 
-#include <CL/opencl.hpp>
 #include <string>
 
 namespace tessera::worker {
@@ -10,7 +9,7 @@ namespace tessera::worker {
 /// All files of kernels/, joined (made by cmake/EmbedKernels.cmake).
 extern const char* const kernel_source;
 
-/// The tunables of core under the same names, and whatever makes this device compute as IEEE 754 says.
-std::string kernel_options(const cl::Device& device, int pad_levels);
+/// The tunables of core under the same names, and what makes devices compute as IEEE 754 says.
+std::string kernel_options(int pad_levels);
 
 }  // namespace tessera::worker

@@ -136,13 +136,32 @@ std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& sha
   return own;
 }
 
+std::string missing_arithmetic(cl_device_fp_config single_precision) {
+  std::string missing;
+  const auto need = [&](cl_device_fp_config bit, const char* what) {
+    if (!(single_precision & bit)) missing += (missing.empty() ? "" : ", ") + std::string(what);
+  };
+  need(CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT, "correctly rounded divisions and square roots");
+  need(CL_FP_ROUND_TO_NEAREST, "rounding to nearest");
+  need(CL_FP_DENORM, "denormal numbers");
+  return missing;
+}
+
 std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share) {
   const std::vector<cl::Device> all = opencl_devices();
   const std::vector<cl::Device> named = use == "all"                   ? all
                                         : use == "cpu" || use == "gpu" ? devices_of_kind(all, use)
                                                                        : devices_by_index(all, use);
   std::vector<cl::Device> own;
-  for (const std::size_t i : own_devices(named.size(), share)) own.push_back(named[i]);
+  for (const std::size_t i : own_devices(named.size(), share)) {
+    const std::string missing = missing_arithmetic(named[i].getInfo<CL_DEVICE_SINGLE_FP_CONFIG>());
+    if (!missing.empty()) {
+      throw EnvironmentError("OpenCL device \"" + named[i].getInfo<CL_DEVICE_NAME>() + "\" has no " + missing +
+                             ": a collage would have other bytes there than elsewhere; choose others by devices.use: " +
+                             listed(all));
+    }
+    own.push_back(named[i]);
+  }
   return own;
 }
 

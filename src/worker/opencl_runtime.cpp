@@ -74,18 +74,21 @@ void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& s
   if (kernel.getInfo<CL_KERNEL_NUM_ARGS>() != arguments) {
     throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": wrong number of arguments");
   }
-  const std::size_t x = (size.x + size.group - 1) / size.group * size.group;
+  // What the kernel may have on this device: it may need more registers, or the device allows less.
+  const std::size_t group = std::min<std::size_t>(
+      size.group, std::max<std::size_t>(1, kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(session.device())));
+  const std::size_t x = (size.x + group - 1) / group * group;
   if (std::max(x, size.y) > std::numeric_limits<std::uint32_t>::max()) {
     throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": more work than 32-bit indices count");
   }
-  const std::size_t columns = std::min(x, kMostWorkItems / size.group * size.group);
-  const std::size_t rows = std::max<std::size_t>(1, kMostWorkItems / columns);
+  const std::size_t columns = std::min(x, kMostWorkItems / group * group);
+  const std::size_t rows = std::clamp<std::size_t>(kMostWorkItems / columns, 1, kMostRows);
   for (std::size_t first_row = 0; first_row < size.y; first_row += rows) {
     for (std::size_t first_column = 0; first_column < x; first_column += columns) {
       const cl::NDRange part(std::min(columns, x - first_column), std::min(rows, size.y - first_row));
       cl::Event launched;
       session.queue().enqueueNDRangeKernel(kernel, cl::NDRange(first_column, first_row), part,
-                                           cl::NDRange(size.group, 1), nullptr, &launched);
+                                           cl::NDRange(group, 1), nullptr, &launched);
       session.add_launch(std::move(launched));
     }
   }

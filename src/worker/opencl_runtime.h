@@ -42,6 +42,7 @@ class DeviceSession {
   const cl::Context& context() const { return context_; }
   const cl::CommandQueue& queue() const { return queue_; }
   cl::Kernel kernel(const char* name) const;
+  const cl::Device& device() const { return device_; }
   std::uint32_t compute_units() const { return compute_units_; }
   /// Hands what was posted to the device, without waiting.
   void flush() const;
@@ -123,8 +124,11 @@ class DeviceBuffer {
 /// library: a few hundred milliseconds on two CPU cores, and enough to fill a large GPU. Kernels see their global ids
 /// alone.
 inline constexpr std::size_t kMostWorkItems = std::size_t(1) << 20;
+/// GPUs allow no more groups in the second dimension (CUDA's limit of a grid).
+inline constexpr std::size_t kMostRows = 65535;
 
-/// Work items; the first dimension comes in groups of `group` (at most kMostWorkItems), rounded up: kernels check it.
+/// Work items; the first dimension comes in groups of `group` (at most kMostWorkItems), or smaller ones where the device
+/// allows no more for a kernel, rounded up: kernels check it.
 struct WorkSize {
   std::size_t x = 0;
   std::size_t y = 1;

@@ -45,7 +45,7 @@ class Kernels : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     const cl::Device device = opencl_devices().front();
-    session_ = std::make_unique<DeviceSession>(device, std::string(kernel_source) + kProbes, kernel_options(device, 5));
+    session_ = std::make_unique<DeviceSession>(device, std::string(kernel_source) + kProbes, kernel_options(5));
   }
   static void TearDownTestSuite() { session_.reset(); }
   static const DeviceSession& session() { return *session_; }

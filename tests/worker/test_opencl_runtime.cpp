@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "worker/opencl_devices.h"
 
@@ -43,6 +44,35 @@ TEST(Launch, OfMuchWorkIsDividedByRows) {
 TEST(Launch, OfLongRowsIsDividedWithinThem) {
   EXPECT_EQ(launches_for({kMostWorkItems + 1, 2, 16}), 4);
   EXPECT_EQ(launches_for({2 * kMostWorkItems + 5, 1, 24}), 3);  // the limit is no multiple of the group
+}
+
+/// Kernels with faults, for checked_kernels_test.sh alone: they show that its tools find them.
+class Faulty : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::getenv("TESSERA_TEST_FAULTY")) GTEST_SKIP() << "runs where faults are looked for";
+  }
+
+  static void run(const std::string& body, std::size_t items) {
+    const std::string source = "kernel void faulty(uint n, global uint* place) {\n" + body + "\n}\n";
+    const DeviceSession session(opencl_devices().front(), source, "-cl-std=CL1.2 -cl-opt-disable");
+    cl::Kernel kernel = session.kernel("faulty");
+    DeviceBuffer<std::uint32_t> place(session);
+    place.reserve(1000);
+    launch(session, kernel, {items, 1, 1}, std::uint32_t(1000), place);
+    place.read(1);
+  }
+};
+
+TEST_F(Faulty, ReadsBeyondItsBuffer) { run("place[0] = place[n * 5];", 1); }
+
+TEST_F(Faulty, DecidesByWhatNobodyWrote) { run("if (place[7] > 3) place[0] = 1;", 1); }
+
+TEST_F(Faulty, TwoItemsWriteTheSamePlace) { run("for (uint i = 0; i < 100000; ++i) place[0] += 1;", 64); }
+
+TEST(Launch, OfManyRowsKeepsWithinAGrid) {
+  EXPECT_EQ(launches_for({1, kMostRows, 1}), 1);
+  EXPECT_EQ(launches_for({1, kMostRows + 1, 1}), 2);
 }
 
 }  // namespace

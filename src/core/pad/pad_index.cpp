@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::size_t kNodePads = std::size_t(kIndexFanOut) * kIndexFanOut;
 
-/// An octave of scale counts like a quarter of a PAD's range: the window of scales is an octave wide, while pairs that
-/// are docked agree in their elements to a few percent. Measured: 1/4 visits fewest blocks of 1/16, 1/4 and 1.
-constexpr std::uint64_t kScaleWeight = 16;  // of squared bytes: divides
+/// The window of scales is an octave wide, pairs that are docked agree in their elements to a few percent: the variance
+/// of the scale counts less. It hardly matters: 3,000 shapes, 1, 4, 16, 64: 1.57, 1.52, 1.47, 1.47 % of the blocks.
+constexpr double kScaleWeight = 16;
 
 class Splitter {
  public:
@@ -68,7 +68,7 @@ class Splitter {
     for (int row = 0; row <= elements_; ++row) {
       const double mean = double(sum[std::size_t(row)]) / double(order.size());
       double variance = double(squares[std::size_t(row)]) / double(order.size()) - mean * mean;
-      if (row == elements_) variance /= double(kScaleWeight);
+      if (row == elements_) variance /= kScaleWeight;
       if (variance > most) {
         most = variance;
         widest = row;
