@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include "worker/found_pairs.h"
@@ -28,19 +29,24 @@ std::uint32_t usual_bins(const std::vector<DistanceHistogram>& histograms, std::
   return *quarter;
 }
 
-/// By sample; the order within each stays.
-std::vector<std::span<PairRecord>> divided_by_sample(std::vector<PairRecord>& pairs, std::size_t samples) {
-  std::vector<std::size_t> next(samples + 1, 0);
-  for (const PairRecord& pair : pairs) ++next[pair.sample + 1];
-  for (std::size_t t = 0; t < samples; ++t) next[t + 1] += next[t];
-  const std::vector<std::size_t> first = next;
-  std::vector<PairRecord> sorted(pairs.size());
-  for (const PairRecord& pair : pairs) sorted[next[pair.sample]++] = pair;
-  pairs = std::move(sorted);
-  std::vector<std::span<PairRecord>> of_sample;
-  for (std::size_t t = 0; t < samples; ++t) of_sample.push_back(std::span(pairs).subspan(first[t], first[t + 1] - first[t]));
-  return of_sample;
-}
+/// Of each sample a part of one list.
+class KeysOfSamples {
+ public:
+  KeysOfSamples(const std::vector<PairRecord>& pairs, std::size_t samples) : end_(samples + 1, 0), keys_(pairs.size()) {
+    for (const PairRecord& pair : pairs) ++end_[pair.sample + 1];
+    std::partial_sum(end_.begin(), end_.end(), end_.begin());
+    std::vector<std::size_t> next = end_;
+    for (const PairRecord& pair : pairs) keys_[next[pair.sample]++] = pair_key(pair);
+  }
+
+  std::span<PairKey> of(std::size_t sample) {
+    return std::span(keys_).subspan(end_[sample], end_[sample + 1] - end_[sample]);
+  }
+
+ private:
+  std::vector<std::size_t> end_;  // of the sample before
+  std::vector<PairKey> keys_;
+};
 
 }  // namespace
 
@@ -70,12 +76,10 @@ void PairStage::post_search(const std::vector<std::uint32_t>& bins) {
 
 void PairStage::take_search() {
   if (searched_.empty()) return;
-  std::vector<PairRecord> found = search_.take();
-  const auto of_place = divided_by_sample(found, searched_.size());
+  KeysOfSamples found(search_.take(), searched_.size());
   for (std::size_t place = 0; place < searched_.size(); ++place) {
     const Searched& searched = searched_[place];
-    held_[searched.sample] = {searched.bins, docked_pairs(of_place[place], library_->match())};
-    for (PairRecord& pair : held_[searched.sample].pairs) pair.sample = searched.sample;
+    held_[searched.sample] = {searched.bins, docked_pairs(searched.sample, found.of(place), library_->match())};
   }
   searched_.clear();
 }

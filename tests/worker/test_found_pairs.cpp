@@ -12,7 +12,7 @@
 namespace tessera::worker {
 namespace {
 
-constexpr u32 kShapes = 3;
+constexpr u32 kShapes = 40;
 
 MatchRecord two_levels() {
   MatchRecord match{};
@@ -61,12 +61,12 @@ RC_GTEST_PROP(FoundPairs, are_those_that_the_reference_selects, ()) {
   const auto reach = *rc::gen::inRange<std::uint32_t>(1, 40);
   std::vector<u32> distance(kShapes * match.sources);
   for (u32& d : distance) d = random() % 5 == 0 ? ~0u : u32(random() % values);
-  std::vector<PairRecord> found;
+  std::vector<PairKey> found;
   for (u32 source = 0; source < distance.size(); ++source) {
-    if (distance[source] < reach) found.push_back({9, source, distance[source]});
+    if (distance[source] < reach) found.push_back(pair_key({9, source, distance[source]}));
   }
   std::shuffle(found.begin(), found.end(), random);
-  RC_ASSERT(same(docked_pairs(found, match), plainly_selected(distance, reach, match)));
+  RC_ASSERT(same(docked_pairs(9, found, match), plainly_selected(distance, reach, match)));
 }
 
 }  // namespace
