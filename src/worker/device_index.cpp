@@ -6,7 +6,8 @@
 namespace tessera::worker {
 namespace {
 
-/// `part` of `whole` equal places: the others' room lies beside it.
+/// Puts the content of `places` equal places, the first of which is `first`, into a buffer of `all_places`. The first part
+/// that comes makes the room.
 template <class T>
 void put(DeviceBuffer<T>& buffer, const std::vector<T>& content, std::size_t first, std::size_t places,
          std::size_t all_places) {

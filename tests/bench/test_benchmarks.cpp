@@ -46,11 +46,13 @@ TEST(Benchmarks, Pairs) {
 TEST(Benchmarks, Headline) {
   const Report report = bench_headline(kQuick);
   expect_head(report, "headline");
-  expect_keys(report.json, {"pair_tests", "runs", "prune_s", "dock_s", "dockings_evaluated", "dockings_refined"});
+  expect_keys(report.json, {"pair_tests", "runs", "prune_s", "dock_s", "dockings_evaluated", "dockings_refined", "thorough_score"});
   EXPECT_GT(report.json.at("median_s").get<double>(), 0);
   EXPECT_EQ(report.json.at("positions").get<int>(),
             report.json.at("target_samples").get<int>() * report.json.at("shape_points").get<int>());
   EXPECT_EQ(report.json.at("paper_s"), 0.064);
+  EXPECT_LE(report.json.at("dockings_refined").get<int>(), 32);
+  EXPECT_GT(report.json.at("best_score").get<double>(), 0.9 * report.json.at("thorough_score").get<double>());
 }
 
 TEST(Benchmarks, Table2) {
