@@ -202,9 +202,10 @@ int16 docking_points(DirectionRange range, global const float* contour, int bloc
 
 // The boundary point that a draw docks, or NO_POINT.
 #define NO_POINT (-1)
-INLINE int docked_point(const StanceRecord* stance, global const float* contour, uint point_bits,
+INLINE int docked_point(global const StanceRecord* allowed, global const float* contour, uint point_bits,
                         global const SampleRecord* target) {
-  const DirectionRange range = docked_rotations(stance);
+  const StanceRecord stance = *allowed;
+  const DirectionRange range = docked_rotations(&stance);
   if (range.edge_x <= -1) return (int)(((ulong)point_bits * kBoundaryPoints) >> 32);
   int count = 0;
   for (int block = 0; block < kBoundaryPoints / kLanes; ++block) {
@@ -227,26 +228,58 @@ INLINE int docked_point(const StanceRecord* stance, global const float* contour,
   return NO_POINT;
 }
 
+// A boundary point and its tangent there. Shape units.
+typedef struct PointFrame {
+  float x, y, ux, uy;
+} PointFrame;
+
+PointFrame point_frame(global const float* contour, uint point) {
+  const PointFrame frame = {contour[kFineAt + point], contour[kFineAt + kBoundaryPoints + point],
+                            contour[kTangentAt + point], contour[kTangentAt + kBoundaryPoints + point]};
+  return frame;
+}
+
 // Frames aligned at a boundary point, at a given scale.
-INLINE PoseRecord tangent_docking(const StanceRecord* stance, global const float* contour, uint point, float scale_px,
+INLINE PoseRecord tangent_docking(const StanceRecord* stance, PointFrame point, float scale_px,
                                   global const SampleRecord* target) {
-  const float ux = contour[kTangentAt + point];
-  const float uy = contour[kTangentAt + kBoundaryPoints + point];
-  const float px = contour[kFineAt + point];
-  const float py = contour[kFineAt + kBoundaryPoints + point];
   PoseRecord s;
-  s.a = (ux * target->tangent_x + uy * target->tangent_y) * scale_px;
-  s.b = (ux * target->tangent_y - uy * target->tangent_x) * scale_px;
+  s.a = (point.ux * target->tangent_x + point.uy * target->tangent_y) * scale_px;
+  s.b = (point.ux * target->tangent_y - point.uy * target->tangent_x) * scale_px;
   s.tx = 0;
   s.ty = 0;
   if (stance->rotation_edge_x > -1) s = pulled_in(stance, s);  // the scale was drawn within its range
-  s.tx = target->position_x - (s.a * px - s.b * py);
-  s.ty = target->position_y - (s.b * px + s.a * py);
+  s.tx = target->position_x - (s.a * point.x - s.b * point.y);
+  s.ty = target->position_y - (s.b * point.x + s.a * point.y);
   return s;
 }
 
-// `open_shapes`: the shapes of the whole library that may stand, unless all may. Work item: (draw, target sample). Its
-// docking is added if its shape is of this shard and the early reject leaves it.
+// What random bits say.
+typedef struct TangentDraw {
+  uint library_shape;
+  uint stance;  // place in the shape's list
+  float scale_px;
+  uint point_bits;
+  bool docks;  // the shape is of this shard
+} TangentDraw;
+
+#define NO_SHAPE 0xffffffffu
+
+// `open_shapes`: the shapes of the whole library that may stand, unless all may.
+INLINE uint drawn_shape(ulong bits, uint draw, global const SampleRecord* target, uint open_count, uint all_open,
+                        global const uint* open_shapes, constant ColourRecord* colour,
+                        global const uint* near_shapes) {
+  if (open_count == 0) return NO_SHAPE;
+  if (target->near_list == kAnyColour || draw % kAnyColourDraws == 0) {
+    const uint drawn = (uint)(((bits >> 32) * open_count) >> 32);
+    return all_open ? drawn : open_shapes[drawn];
+  }
+  const ulong squared = ((bits >> 32) * (bits >> 32)) >> 32;
+  return near_shapes[(size_t)target->near_list * colour->near_length + ((squared * colour->near_length) >> 32)];
+}
+
+// Work item: (kDrawsPerItem draws, target sample). Their dockings are added where the shape is of this shard and the
+// early reject leaves them. A draw's shape lies anywhere in memory: what several draws need of it is asked for before
+// any of it is used.
 kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord* stances,
                           global const StanceListRecord* stance_lists, global const uint* shape_class,
                           global const float* size_map, uint open_count, uint all_open, global const uint* open_shapes,
@@ -255,39 +288,54 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
                           global const ShapeRecord* shapes, global const SampleRecord* samples, uint draws,
                           global uint* evaluated, uint capacity, global uint* docking_count,
                           global DockingRecord* dockings) {
-  const uint draw = get_global_id(0);
-  if (draw >= draws) return;
+  const uint first = (uint)get_global_id(0) * kDrawsPerItem;
   const uint t = get_global_id(1);
   global const SampleRecord* target = samples + t;
-  const ulong bits = mix_bits(match->seed ^ mix_bits(mix_bits(((ulong)target->edge << 32) | target->pass) ^ draw));
-  if (open_count == 0) return;
-  uint library_shape;
-  if (target->near_list == kAnyColour || draw % kAnyColourDraws == 0) {
-    const uint drawn = (uint)(((bits >> 32) * open_count) >> 32);
-    library_shape = all_open ? drawn : open_shapes[drawn];
-  } else {
-    const ulong squared = ((bits >> 32) * (bits >> 32)) >> 32;
-    library_shape = near_shapes[(size_t)target->near_list * colour->near_length +
-                                ((squared * colour->near_length) >> 32)];
-  }
-  const uint shape = library_shape - match->first_shape;  // wraps round below the shard
-  if (shape >= match->shapes) return;
-  const ulong more = mix_bits(bits);
-  const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
-  const uint k = (uint)(((more & 0xffffffffu) * standing.list.count) >> 32);
   const float sizes = size_part(match, size_map, target->position_x, target->position_y);
-  const StanceRecord stance = with_sizes_up_to(sizes, standing.stance[k]);
-  const float growth = portable_exp2(unit_float((uint)(more >> 32)) * stance.log2_scale_ratio);
-  global const float* contour = contours + (size_t)shape * kContourFloats;
-  const int point = docked_point(&stance, contour, (uint)(bits & 0xffffffffu), target);
-  if (point == NO_POINT) return;
-  const PoseRecord pose = tangent_docking(&stance, contour, (uint)point, stance.min_scale_px * growth, target);
+  TangentDraw drawn[kDrawsPerItem];
+  for (uint i = 0; i < kDrawsPerItem; ++i) {
+    const uint draw = first + i;
+    const ulong bits = mix_bits(match->seed ^ mix_bits(mix_bits(((ulong)target->edge << 32) | target->pass) ^ draw));
+    const ulong more = mix_bits(bits);
+    drawn[i].library_shape =
+        drawn_shape(bits, draw, target, open_count, all_open, open_shapes, colour, near_shapes);
+    const uint shape = drawn[i].library_shape - match->first_shape;  // wraps round below the shard
+    drawn[i].docks = draw < draws && open_count > 0 && shape < match->shapes;
+    if (!drawn[i].docks) continue;
+    const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
+    drawn[i].stance = (uint)(((more & 0xffffffffu) * standing.list.count) >> 32);
+    const StanceRecord stance = with_sizes_up_to(sizes, standing.stance[drawn[i].stance]);
+    drawn[i].scale_px =
+        stance.min_scale_px * portable_exp2(unit_float((uint)(more >> 32)) * stance.log2_scale_ratio);
+    drawn[i].point_bits = (uint)(bits & 0xffffffffu);
+  }
+  PointFrame frames[kDrawsPerItem];
+  for (uint i = 0; i < kDrawsPerItem; ++i) {
+    if (!drawn[i].docks) continue;
+    const uint shape = drawn[i].library_shape - match->first_shape;
+    const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
+    global const float* contour = contours + (size_t)shape * kContourFloats;
+    const int point = docked_point(standing.stance + drawn[i].stance, contour, drawn[i].point_bits, target);
+    drawn[i].docks = point != NO_POINT;
+    frames[i] = point_frame(contour, (uint)max(point, 0));
+  }
   const Field field = free_field(match, field_value);
-  const float key = docking_key(contour, shapes + shape, pose, &field, match->max_scale_px);
-  atomic_inc(evaluated + t);
-  if (key < kLeastDockingKey) return;
   const Picture picture = {colour, texels};
-  const float weighted = key * docking_colour_worth(&picture, contour, pose) * stance.weight;
-  const DockingRecord docking = {t, library_shape, kTangentSource + draw, standing.list.first + k, weighted, pose};
-  add_docking(docking, capacity, docking_count, dockings);
+  uint looked_at = 0;
+  for (uint i = 0; i < kDrawsPerItem; ++i) {
+    if (!drawn[i].docks) continue;
+    const uint shape = drawn[i].library_shape - match->first_shape;
+    const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
+    const StanceRecord stance = with_sizes_up_to(sizes, standing.stance[drawn[i].stance]);
+    global const float* contour = contours + (size_t)shape * kContourFloats;
+    const PoseRecord pose = tangent_docking(&stance, frames[i], drawn[i].scale_px, target);
+    const float key = docking_key(contour, shapes + shape, pose, &field, match->max_scale_px);
+    ++looked_at;
+    if (key < kLeastDockingKey) continue;
+    const float weighted = key * docking_colour_worth(&picture, contour, pose) * stance.weight;
+    const DockingRecord docking = {t, drawn[i].library_shape, kTangentSource + first + i,
+                                   standing.list.first + drawn[i].stance, weighted, pose};
+    add_docking(docking, capacity, docking_count, dockings);
+  }
+  if (looked_at > 0) atomic_add(evaluated + t, looked_at);
 }

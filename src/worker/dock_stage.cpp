@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "worker/docked_shortlist.h"
+#include "worker/kernel_options.h"
 
 namespace tessera::worker {
 namespace {
@@ -49,7 +50,7 @@ void DockStage::launch_all() {
          stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), library_->field(),
          colours.record(), colours.texels(), library_->keypoints(), library_->contours(), library_->shapes(), samples_,
          pair_count_, docked_pairs_, evaluated_, docking_capacity_, docking_count_, dockings_);
-  launch(library_->session(), dock_tangents_, {draws_, sample_count_, kDockingsPerGroup}, library_->match_buffer(),
+  launch(library_->session(), dock_tangents_, {(draws_ + kDrawsPerItem - 1) / kDrawsPerItem, sample_count_, 1}, library_->match_buffer(),
          stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), stances.open_count(),
          std::uint32_t(stances.all_open()), stances.open_shapes(), library_->field(), colours.record(),
          colours.texels(), colours.near_shapes(), library_->contours(), library_->shapes(), samples_, draws_,

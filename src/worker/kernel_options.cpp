@@ -39,6 +39,7 @@ std::string kernel_options(int pad_levels) {
   std::string options = "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt";
   define(options, "kPadLevels", pad_levels);
   define(options, "kPadKeypoints", 2 * pad_levels + 1);
+  define(options, "kDrawsPerItem", int(kDrawsPerItem));
 #define DEFINE(constant) define(options, #constant, constant)
   DEFINE(kMaxPadLevels);
   DEFINE(kMaxPadElements);

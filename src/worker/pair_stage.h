@@ -43,7 +43,6 @@ class PairStage {
   std::vector<SampleRecord> samples_;
   std::vector<Held> held_;  // by sample
   std::uint64_t most_pairs_ = 0;
-  std::uint32_t first_bins_ = 2;  // how far the samples of the next question look at first
 
   struct Searched {
     std::uint32_t sample;

@@ -68,13 +68,12 @@ TEST(OpenCLMatcher, AQuestionIsGivenUpBetweenLaunches) {
     ++calls;
     if (--left == 0) throw Interrupted{"signal"};
   };
-  constexpr std::size_t kLittleRoom = 1;  // questions are asked again with more
   worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, all_of(scene.models),
-                                given(scene.models), between_launches, kLittleRoom);
+                                given(scene.models), between_launches);
   set_field(matcher, scene.field);
   run_round(matcher, scene);
   const int calls_of_a_round = calls - 1;  // one was that of the upload
-  ASSERT_GT(calls_of_a_round, 6);
+  ASSERT_GT(calls_of_a_round, 5);
   left = calls_of_a_round / 2;
   matcher.limit({});  // or it would remember the pairs
   EXPECT_THROW(run_round(matcher, scene), Interrupted);
