@@ -146,7 +146,7 @@ int level_of_source(constant MatchRecord* match, uint source) {
 // The dockings that a question is answered with are gathered from these, on the host. Of more than `capacity` the rest
 // is lost, but counted.
 void add_docking(DockingRecord docking, uint capacity, global uint* count, global DockingRecord* dockings) {
-  const uint place = atomic_inc(count);
+  const uint place = claim_places(count, 1);
   if (place < capacity) dockings[place] = docking;
 }
 

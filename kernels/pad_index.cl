@@ -80,15 +80,14 @@ INLINE ulong boxes_met(global const uchar* rows, const Bounds* bounds) {
   return lane_bits(&met);
 }
 
-// Work item: (target sample - first_sample, root). The blocks that may hold pairs within the sample's reach, in no
-// particular order; of more than `capacity` the rest is lost, but counted, at place `part`. Where `look_at_boxes` is 0,
-// all blocks.
+// Work item: (target sample, root). The blocks that may hold pairs within the sample's reach, in no
+// particular order; of more than `capacity` the rest is lost, but counted. Where `look_at_boxes` is 0, all blocks.
 kernel void find_blocks(global const RootRecord* roots, global const uchar* node_boxes,
                         global const uchar* block_boxes, uint look_at_boxes, global const SampleRecord* samples,
-                        uint first_sample, uint end_sample, uint capacity, uint part,
-                        global uint* block_counts, global BlockRecord* blocks) {
-  const uint t = first_sample + get_global_id(0);
-  if (t >= end_sample || samples[t].reach == 0) return;
+                        uint sample_count, uint capacity, global uint* block_count,
+                        global BlockRecord* blocks) {
+  const uint t = get_global_id(0);
+  if (t >= sample_count || samples[t].reach == 0) return;
   const RootRecord root = roots[get_global_id(1)];
   Bounds bounds = bounds_of(samples + t, root.level);
   if (!look_at_boxes) bounds = all_bytes();
@@ -97,7 +96,7 @@ kernel void find_blocks(global const RootRecord* roots, global const uchar* node
     const uint node = root.first_node + 63 - (uint)clz(nodes & -nodes);
     const ulong met = boxes_met(block_boxes + (size_t)node * (kBoxRows * kFilterLanes), &bounds);
     if (met == 0) continue;
-    uint place = atomic_add(block_counts + part, (uint)popcount(met));
+    uint place = claim_places(block_count, (uint)popcount(met));
     for (ulong left = met; left != 0 && place < capacity; left &= left - 1) {
       const BlockRecord block = {t, node * kFilterLanes + 63 - (uint)clz(left & -left), root.level};
       blocks[place++] = block;

@@ -105,10 +105,9 @@ kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* s
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const uchar* index_rows, global const uint* index_places, global const short* keypoints,
                        constant ColourRecord* colour, global const uint* near_bits,
-                       global const SampleRecord* samples, uint stride, uint part, global const uint* block_counts,
-                       uint block_capacity, global const BlockRecord* blocks, uint capacity, global uint* pair_count,
+                       global const SampleRecord* samples, uint stride, global const uint* block_count, uint block_capacity, global const BlockRecord* blocks, uint capacity, global uint* pair_count,
                        global PairRecord* pairs) {
-  const uint count = get_global_id(0) < stride ? min(block_counts[part], block_capacity) : 0;
+  const uint count = get_global_id(0) < stride ? min(*block_count, block_capacity) : 0;
   for (uint i = get_global_id(0); i < count; i += stride) {
     const BlockRecord block = blocks[i];
     global const SampleRecord* sample = samples + block.sample;
@@ -131,7 +130,7 @@ kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* s
           !has_near_colour(sample, near_bits, colour->near_words, match->first_shape + shape)) {
         continue;
       }
-      const uint at = atomic_inc(pair_count);
+      const uint at = claim_places(pair_count, 1);
       if (at >= capacity) continue;
       const PairRecord pair = {block.sample, source, distance};
       pairs[at] = pair;

@@ -9,6 +9,13 @@
 // Where values must stay in registers over the calls.
 #define INLINE __attribute__((always_inline)) inline
 
+// `n` places of a list that many work items fill, from the result on. Counters stop at some 2^31: they never wrap round.
+uint claim_places(global uint* count, uint n) {
+  const uint place = atomic_add(count, n);
+  if (place >= 0x80000000u) atomic_sub(count, n);
+  return place;
+}
+
 // e^(f ln 2) for 0 <= f < 1: for a float and for 16.
 #define EXP2_OF_FRACTION(F, p, f)  \
   const F y = f * 0.69314718f;     \

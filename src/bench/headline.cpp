@@ -158,7 +158,7 @@ Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector
   return docked;
 }
 
-/// What nothing was left out for: K percent of all pairs docked, the best of every sample refined.
+/// For comparison, as the engine works: K percent of all pairs docked, the best of every sample refined.
 Docked dock_thoroughly(Matcher& matcher, const HeadlineScene& scene) {
   const MatchPlan plan{std::uint64_t(double(scene.points) * kPaperTopPercent / 100), 0};
   Docked docked;

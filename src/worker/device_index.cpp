@@ -45,6 +45,7 @@ void DeviceIndex::add(const std::vector<IndexedPad>& pads) {
     }
     waiting_.erase(waiting_.begin(), waiting_.begin() + std::ptrdiff_t(whole));
   }
+  waiting_ = {};
 }
 
 void DeviceIndex::upload(const IndexPart& part) {

@@ -9,7 +9,7 @@ namespace tessera::worker {
 
 namespace {
 
-constexpr std::uint32_t kShapesAtATime = 512;  // on their way to the device: 40 MB
+constexpr std::uint32_t kShapesAtATime = 512;  // on their way to the device: 40 MB, and up to a segment's PADs for the index
 
 /// `shapes` of them have as much each.
 template <class T>

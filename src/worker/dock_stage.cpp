@@ -7,6 +7,7 @@
 
 #include "worker/docked_shortlist.h"
 #include "worker/kernel_options.h"
+#include "worker/list_room.h"
 
 namespace tessera::worker {
 namespace {
@@ -28,7 +29,7 @@ DockStage::DockStage(const DeviceLibrary& library, PairStage& pairs, std::size_t
       dockings_(library.session()),
       docking_count_(library.session()),
       evaluated_(library.session()),
-      docking_capacity_(std::uint32_t(std::max<std::size_t>(1, stage_bytes / sizeof(DockingRecord)))) {}
+      docking_capacity_(room_in(stage_bytes, sizeof(DockingRecord))) {}
 
 void DockStage::post(const DockRequest& request, std::vector<SampleRecord> samples) {
   sample_count_ = std::uint32_t(samples.size());
@@ -61,7 +62,7 @@ void DockStage::launch_all() {
 DockReply DockStage::take() {
   std::uint32_t count = docking_count_.read(1).front();
   if (count > docking_capacity_) {  // all of them have been counted
-    docking_capacity_ = std::bit_ceil(count);
+    docking_capacity_ = grown_room(docking_capacity_, count);
     launch_all();
     count = docking_count_.read(1).front();
   }

@@ -147,6 +147,13 @@ std::string missing_arithmetic(cl_device_fp_config single_precision) {
   return missing;
 }
 
+void check_arithmetic(const std::string& device, cl_device_fp_config single_precision, const std::string& all) {
+  const std::string missing = missing_arithmetic(single_precision);
+  if (missing.empty()) return;
+  throw EnvironmentError("OpenCL device \"" + device + "\" has no " + missing +
+                         ": a collage would have other bytes there than elsewhere; choose others by devices.use: " + all);
+}
+
 std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share) {
   const std::vector<cl::Device> all = opencl_devices();
   const std::vector<cl::Device> named = use == "all"                   ? all
@@ -154,12 +161,7 @@ std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare
                                                                        : devices_by_index(all, use);
   std::vector<cl::Device> own;
   for (const std::size_t i : own_devices(named.size(), share)) {
-    const std::string missing = missing_arithmetic(named[i].getInfo<CL_DEVICE_SINGLE_FP_CONFIG>());
-    if (!missing.empty()) {
-      throw EnvironmentError("OpenCL device \"" + named[i].getInfo<CL_DEVICE_NAME>() + "\" has no " + missing +
-                             ": a collage would have other bytes there than elsewhere; choose others by devices.use: " +
-                             listed(all));
-    }
+    check_arithmetic(named[i].getInfo<CL_DEVICE_NAME>(), named[i].getInfo<CL_DEVICE_SINGLE_FP_CONFIG>(), listed(all));
     own.push_back(named[i]);
   }
   return own;

@@ -1,5 +1,6 @@
 // The matcher on one OpenCL device: the same answers as ReferenceMatcher, bit for bit where the device's + - * / and
-// sqrt round as IEEE 754 says. post_* only hands work to the device; take_* waits for it.
+// sqrt round as IEEE 754 says. post_* only hands work to the device (post_dock of samples
+// that were not counted looks for their pairs first); take_* waits for it.
 #pragma once
 
 #include "worker/dock_stage.h"

@@ -11,6 +11,7 @@ namespace tessera::worker {
 namespace {
 
 constexpr std::uint32_t kFewestBins = 2;
+constexpr std::uint32_t kSamplesAtATime = 256;  // or fewer, where they have very many pairs
 
 /// As far as samples look at first: in a larger library as many pairs are nearer. A third to half of what most need with
 /// 120 and with 10,000 shapes: those that need less have not looked much too far.
@@ -22,7 +23,7 @@ std::uint32_t first_bins(std::uint32_t shapes) {
 /// How far to look where `bins` bins held `found` pairs: pairs grow about with the third power of the distance, and half
 /// as many again as are wanted cost little.
 std::uint32_t farther(std::uint32_t bins, std::size_t found, std::uint64_t most) {
-  const double factor = std::cbrt(1.5 * double(most + 1) / double(std::max<std::size_t>(found, 1)));
+  const double factor = std::cbrt(1.5 * (double(most) + 1) / double(std::max<std::size_t>(found, 1)));
   const auto next = std::uint32_t(std::ceil(double(bins) * std::clamp(factor, 1.0, 2.0)));
   return std::clamp(next, std::max(kFewestBins, bins + 1), std::uint32_t(kDistanceBins));
 }
@@ -51,35 +52,57 @@ class KeysOfSamples {
 PairStage::PairStage(const DeviceLibrary& library, std::size_t stage_bytes)
     : library_(&library),
       search_(library, stage_bytes),
-      searched_samples_(library.session()) {}
+      run_records_(library.session()) {}
 
 void PairStage::set_samples(std::vector<SampleRecord> samples) {
-  if (!same_samples(samples, samples_)) held_.assign(samples.size(), {});
+  if (!remembers_ || !same_samples(samples, samples_)) held_.assign(samples.size(), {});
+  remembers_ = true;
   samples_ = std::move(samples);
 }
 
 void PairStage::post_search(const std::vector<std::uint32_t>& bins) {
   searched_.clear();
-  std::vector<SampleRecord> records;
   for (std::uint32_t t = 0; t < samples_.size(); ++t) {
-    if (bins[t] <= held_[t].bins) continue;
-    searched_.push_back({t, bins[t]});
-    records.push_back(samples_[t]);
-    set_reach(records.back(), reach_of_bins(bins[t], library_->match().beta_steps));
+    if (bins[t] > held_[t].bins) searched_.push_back({t, bins[t]});
   }
-  if (searched_.empty()) return;
-  searched_samples_.write(records);
-  search_.post(searched_samples_, std::uint32_t(records.size()));
+  run_begin_ = 0;
+  run_samples_ = kSamplesAtATime;
+  post_run();
+}
+
+/// The next samples of those that are searched.
+void PairStage::post_run() {
+  run_end_ = std::uint32_t(std::min<std::size_t>(searched_.size(), run_begin_ + run_samples_));
+  if (run_begin_ == run_end_) return;
+  std::vector<SampleRecord> records;
+  for (std::uint32_t place = run_begin_; place < run_end_; ++place) {
+    records.push_back(samples_[searched_[place].sample]);
+    set_reach(records.back(), reach_of_bins(searched_[place].bins, library_->match().beta_steps));
+  }
+  run_records_.write(records);
+  search_.post(run_records_, std::uint32_t(records.size()));
 }
 
 void PairStage::take_search() {
-  if (searched_.empty()) return;
-  KeysOfSamples found(search_.take(), searched_.size());
-  for (std::size_t place = 0; place < searched_.size(); ++place) {
-    const Searched& searched = searched_[place];
-    held_[searched.sample] = {searched.bins, docked_pairs(searched.sample, found.of(place), library_->match())};
+  while (run_begin_ < run_end_) {
+    if (const auto pairs = search_.take()) {
+      hold(*pairs);
+      run_begin_ = run_end_;
+    } else {
+      run_samples_ = (run_end_ - run_begin_) / 2;  // too many for all of them
+    }
+    post_run();
   }
   searched_.clear();
+}
+
+void PairStage::hold(const std::vector<PairRecord>& pairs) {
+  KeysOfSamples found(pairs, run_end_ - run_begin_);
+  for (std::uint32_t place = run_begin_; place < run_end_; ++place) {
+    const Searched& searched = searched_[place];
+    held_[searched.sample] = {searched.bins,
+                              docked_pairs(searched.sample, found.of(place - run_begin_), library_->match())};
+  }
 }
 
 std::vector<std::uint32_t> PairStage::next_bins() const {

@@ -20,7 +20,7 @@ class PairStage {
   std::vector<PairRecord> pairs_of(std::vector<SampleRecord> samples, const std::vector<std::uint32_t>& bin_limit);
 
   /// The pairs that are there do not count any more.
-  void forget() { samples_.clear(); }
+  void forget() { remembers_ = false; }
 
   PairSearch& search() { return search_; }
 
@@ -34,7 +34,9 @@ class PairStage {
   void set_samples(std::vector<SampleRecord> samples);
   /// Searches for each sample the bins below `bins[t]`, where they are more than it holds.
   void post_search(const std::vector<std::uint32_t>& bins);
+  void post_run();
   void take_search();
+  void hold(const std::vector<PairRecord>& pairs);
   /// How far to look next: nowhere where there are enough pairs.
   std::vector<std::uint32_t> next_bins() const;
 
@@ -42,14 +44,18 @@ class PairStage {
   PairSearch search_;
   std::vector<SampleRecord> samples_;
   std::vector<Held> held_;  // by sample
+  bool remembers_ = false;  // what is held still counts
   std::uint64_t most_pairs_ = 0;
 
   struct Searched {
     std::uint32_t sample;
     std::uint32_t bins;
   };
-  std::vector<Searched> searched_;  // what is being searched, by place on the device
-  DeviceBuffer<SampleRecord> searched_samples_;
+  std::vector<Searched> searched_;  // what is being searched, some after others: [run_begin_, run_end_) are on the device
+  std::uint32_t run_begin_ = 0;
+  std::uint32_t run_end_ = 0;
+  std::uint32_t run_samples_ = 0;  // at a time
+  DeviceBuffer<SampleRecord> run_records_;
 };
 
 }  // namespace tessera::worker

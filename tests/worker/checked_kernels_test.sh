@@ -26,12 +26,15 @@ found() {
     echo "$tool does not find the fault of Faulty.$1" >&2
     return 1
   fi
-  grep -q 'ERROR SUMMARY: [1-9]' "$log"
+  grep -q 'ERROR SUMMARY: [1-9]' "$log" || { echo "Faulty.$1 ends, but not by a fault:" >&2; cat "$log" >&2; return 1; }
   unset TESSERA_TEST_FAULTY
 }
 
 case $tool in
-  memcheck) found ReadsBeyondItsBuffer && found DecidesByWhatNobodyWrote ;;
+  memcheck)
+    found ReadsBeyondItsBuffer
+    found DecidesByWhatNobodyWrote
+    ;;
   helgrind) found TwoItemsWriteTheSamePlace ;;
   *) echo "no such tool: $tool" >&2; exit 2 ;;
 esac

@@ -44,13 +44,24 @@ TEST(DeviceGroup, ManagesWithFewerShapesThanDevices) {
   EXPECT_EQ(matcher->shapes().end, 6u);
 }
 
-/// More shapes than go to the device at a time.
+/// More than are searched at a time.
+TEST(OpenCLMatcher, ManySamplesAreTheSameAsForTheReference) {
+  const MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 300});
+  ASSERT_GT(scene.samples.size(), 256u);
+  const auto matcher = make_on_all_devices(scene.context, 0, scene.models);
+  ReferenceMatcher reference(scene.context, 0, scene.models);
+  set_field(*matcher, scene.field);
+  set_field(reference, scene.field);
+  expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
+}
+
+/// More shapes than go to the device at a time, and than a segment of the index has.
 TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
   MatchingScene scene = make_scene(scene_settings(), {10, 200, 3, 3});
   const std::vector<ShapeModel> ten = scene.models;
-  for (int i = 10; i < 1100; ++i) {
+  for (int i = 10; i < 2200; ++i) {
     scene.models.push_back(ten[std::size_t(i * 7 % 10)]);
-    scene.models.back().disc_radius *= 0.5f + 0.0004f * float(i);  // tells them apart
+    scene.models.back().disc_radius *= 0.5f + 0.0002f * float(i);  // tells them apart
   }
   scene.context = make_matching_context(scene.settings, std::uint32_t(scene.models.size()));
   const auto matcher = make_on_all_devices(scene.context, 0, scene.models);

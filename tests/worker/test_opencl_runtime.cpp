@@ -70,6 +70,13 @@ TEST_F(Faulty, DecidesByWhatNobodyWrote) { run("if (place[7] > 3) place[0] = 1;"
 
 TEST_F(Faulty, TwoItemsWriteTheSamePlace) { run("for (uint i = 0; i < 100000; ++i) place[0] += 1;", 64); }
 
+/// Of the test's variants, whose surroundings must have an effect.
+TEST(Launch, KnowsTheGroupsThatTheDeviceAllows) {
+  const char* const most = std::getenv("POCL_MAX_WORK_GROUP_SIZE");
+  if (!most) GTEST_SKIP() << "runs where groups are limited";
+  EXPECT_EQ(opencl_devices().front().getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>(), std::size_t(std::atoi(most)));
+}
+
 TEST(Launch, OfManyRowsKeepsWithinAGrid) {
   EXPECT_EQ(launches_for({1, kMostRows, 1}), 1);
   EXPECT_EQ(launches_for({1, kMostRows + 1, 1}), 2);

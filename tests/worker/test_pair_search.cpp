@@ -40,7 +40,7 @@ class PairSearchTest : public testing::Test {
 
   Found found(PairSearch& search) {
     search.post(samples_, u32(scene_.samples.size()));
-    return sorted(search.take());
+    return sorted(search.take().value());
   }
 
   test::MatchingScene scene_;
@@ -75,12 +75,31 @@ TEST_F(PairSearchTest, LooksAtFewBlocks) {
 }
 
 TEST_F(PairSearchTest, MakesRoomForWhatItFinds) {
-  PairSearch roomy(library_, 1 << 20);
-  PairSearch tight(library_, 1);
-  for (const u32 steps : {50u, 3000u, 200u}) {
+  constexpr std::size_t kRoom = 1 << 12;  // half of it for blocks
+  PairSearch roomy(library_, 1 << 22);
+  PairSearch tight(library_, kRoom);
+  std::uint64_t most_blocks = 0;
+  for (const u32 steps : {20u, 600u, 100u}) {
     reach(steps);
     EXPECT_EQ(found(tight), found(roomy)) << steps << " steps";
+    most_blocks = std::max(most_blocks, tight.blocks_visited());
   }
+  EXPECT_GT(most_blocks, kRoom / 2 / sizeof(BlockRecord)) << "there was room for all from the first";
+}
+
+/// Of several samples; whoever asks divides them. One alone gets all the room that it needs.
+TEST_F(PairSearchTest, GivesUpWhereThereAreTooMany) {
+  PairSearch roomy(library_, 1 << 22);
+  PairSearch tight(library_, 1);
+  reach(kPadSteps + 1);
+  tight.post(samples_, u32(scene_.samples.size()));
+  EXPECT_FALSE(tight.take().has_value());
+  roomy.post(samples_, 1);
+  tight.post(samples_, 1);
+  const auto of_one = tight.take();
+  ASSERT_TRUE(of_one.has_value());
+  EXPECT_GT(of_one->size() * sizeof(PairRecord), kMostGrowth);
+  EXPECT_EQ(sorted(*of_one), sorted(roomy.take().value()));
 }
 
 }  // namespace

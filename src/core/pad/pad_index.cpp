@@ -27,7 +27,8 @@ class Splitter {
     split(order.subspan(middle));
   }
 
-  /// The first `convex` of them are: each sign has a tree of its own, but for one `unit` in which both meet.
+  /// The first `convex` of them are: convex ones have a tree of their own, the others (concave, flat) another,
+  /// but for one `unit` in which both meet.
   void split_by_sign(std::span<std::uint32_t> order, std::size_t convex, std::size_t unit) const {
     const std::size_t whole = convex / unit * unit;
     const std::size_t mixed_end = std::min(order.size(), whole + unit);
