@@ -13,11 +13,12 @@ namespace {
 constexpr std::uint32_t kFewestBins = 2;
 constexpr std::uint32_t kSamplesAtATime = 256;  // or fewer, where they have very many pairs
 
-/// As far as samples look at first: in a larger library as many pairs are nearer. A third to half of what most need with
-/// 120 and with 10,000 shapes: those that need less have not looked much too far.
-std::uint32_t first_bins(std::uint32_t shapes) {
-  constexpr double kBinsOf120Shapes = 32;
-  return std::max(kFewestBins, std::uint32_t(kBinsOf120Shapes * std::min(1.0, std::cbrt(120.0 / double(shapes + 1)))));
+/// As far as samples look at first: in a larger library as many pairs are nearer, and fewer are nearer still. A third to
+/// half of what most need with 120 and with 10,000 shapes: those that need less have not looked much too far.
+std::uint32_t first_bins(std::uint32_t shapes, std::uint64_t most) {
+  constexpr double kBinsOfOnePairAShape = 27;
+  const double bins = kBinsOfOnePairAShape * std::cbrt((double(most) + 1) / (double(shapes) + 1));
+  return std::uint32_t(std::clamp(bins, double(kFewestBins), kDistanceBins / 2.0));
 }
 
 /// How far to look where `bins` bins held `found` pairs: pairs grow about with the third power of the distance, and half
@@ -106,7 +107,7 @@ void PairStage::hold(const std::vector<PairRecord>& pairs) {
 }
 
 std::vector<std::uint32_t> PairStage::next_bins() const {
-  const std::uint32_t first = first_bins(library_->match().shapes);
+  const std::uint32_t first = first_bins(library_->match().shapes, most_pairs_);
   std::vector<std::uint32_t> bins;
   for (const Held& held : held_) {
     const bool enough = held.pairs.size() > most_pairs_ || held.bins == kDistanceBins;
