@@ -1,6 +1,6 @@
-// core/matching/pair_selection.cpp in OpenCL C (paper section 3.3), up to the PAD distance: scale window, sign, rotation,
-// distance within reach. Which of the pairs of a shape are local minima along its curve is decided where all of them are
-// together (src/worker/found_pairs.cpp).
+// core/matching/pair_selection.cpp in OpenCL C (paper section 3.3), up to the PAD distance: scale window, sign,
+// rotation, distance within reach. Which of the pairs of a shape are local minima along its curve is decided where all
+// of them are together (src/worker/found_pairs.cpp).
 //
 // Of the blocks that the index leaves (pad_index.cl) an exact filter of bytes first (core/pad/pad_filter.h), then the
 // distance itself where a pair may be near.
@@ -99,13 +99,14 @@ INLINE uint pad_distance(global const uchar* rows, uint lane, global const uchar
 
 // Work item: `stride` of them share the blocks that were found, each `stride`-th one. `index_rows`: of each block a row
 // for each element, then one for the scales and one for the signs; `index_places`: what a PAD's exact test needs.
-// `pairs`, in no particular order: those nearer than their sample's reach; of more than `capacity` the rest is lost, but
-// counted.
+// `pairs`, in no particular order: those nearer than their sample's reach; of more than `capacity` the rest is lost,
+// but counted.
 kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const uchar* index_rows, global const uint* index_places, global const short* keypoints,
-                       constant ColourRecord* colour, global const uint* near_bits,
-                       global const SampleRecord* samples, uint stride, global const uint* block_count, uint block_capacity, global const BlockRecord* blocks, uint capacity, global uint* pair_count,
+                       constant ColourRecord* colour, global const uint* near_bits, global const SampleRecord* samples,
+                       uint stride, global const uint* block_count, uint block_capacity,
+                       global const BlockRecord* blocks, uint capacity, global uint* pair_count,
                        global PairRecord* pairs) {
   const uint count = get_global_id(0) < stride ? min(*block_count, block_capacity) : 0;
   for (uint i = get_global_id(0); i < count; i += stride) {

@@ -9,7 +9,8 @@
 // Where values must stay in registers over the calls.
 #define INLINE __attribute__((always_inline)) inline
 
-// `n` places of a list that many work items fill, from the result on. Counters stop at some 2^31: they never wrap round.
+// `n` places of a list that many work items fill, from the result on. Counters stop at 2^31 or little more and never
+// wrap round.
 uint claim_places(global uint* count, uint n) {
   const uint place = atomic_add(count, n);
   if (place >= 0x80000000u) atomic_sub(count, n);

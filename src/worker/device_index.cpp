@@ -4,19 +4,6 @@
 #include <limits>
 
 namespace tessera::worker {
-namespace {
-
-/// Puts the content of `places` equal places, the first of which is `first`, into a buffer of `all_places`. The first part
-/// that comes makes the room.
-template <class T>
-void put(DeviceBuffer<T>& buffer, const std::vector<T>& content, std::size_t first, std::size_t places,
-         std::size_t all_places) {
-  const std::size_t of_a_place = content.size() / places;
-  if (first == 0) buffer.reserve(all_places * of_a_place);
-  buffer.write_at(first * of_a_place, content);
-}
-
-}  // namespace
 
 DeviceIndex::DeviceIndex(const DeviceSession& session, const MatchRecord& match, int pad_levels)
     : match_(match),
@@ -51,11 +38,11 @@ void DeviceIndex::add(const std::vector<IndexedPad>& pads) {
 void DeviceIndex::upload(const IndexPart& part) {
   const IndexRows made = make_index_rows(part, match_, waiting_, pad_levels_);
   const u32 all_nodes = parts_.back().first_node + parts_.back().nodes;
-  put(roots_, made.roots, part.first_root, part.roots, root_count_);
-  put(node_boxes_, made.node_boxes, part.first_root, part.roots, root_count_);
-  put(block_boxes_, made.block_boxes, part.first_node, part.nodes, all_nodes);
-  put(rows_, made.rows, part.first_node, part.nodes, all_nodes);
-  put(places_, made.places, part.first_node, part.nodes, all_nodes);
+  roots_.write_part(made.roots, part.first_root, part.roots, root_count_);
+  node_boxes_.write_part(made.node_boxes, part.first_root, part.roots, root_count_);
+  block_boxes_.write_part(made.block_boxes, part.first_node, part.nodes, all_nodes);
+  rows_.write_part(made.rows, part.first_node, part.nodes, all_nodes);
+  places_.write_part(made.places, part.first_node, part.nodes, all_nodes);
 }
 
 }  // namespace tessera::worker

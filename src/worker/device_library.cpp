@@ -9,16 +9,8 @@ namespace tessera::worker {
 
 namespace {
 
-constexpr std::uint32_t kShapesAtATime = 512;  // on their way to the device: 40 MB, and up to a segment's PADs for the index
-
-/// `shapes` of them have as much each.
-template <class T>
-void upload(DeviceBuffer<T>& buffer, const std::vector<T>& part, std::size_t part_shapes, std::size_t first,
-            std::size_t shapes) {
-  const std::size_t of_a_shape = part.size() / part_shapes;
-  if (first == 0) buffer.reserve(shapes * of_a_shape);
-  buffer.write_at(first * of_a_shape, part);
-}
+/// On their way to the device: 40 MB, and up to a segment's PADs for the index.
+constexpr std::uint32_t kShapesAtATime = 512;
 
 }  // namespace
 
@@ -55,7 +47,7 @@ void DeviceLibrary::reserve_nothing() {
 
 void DeviceLibrary::upload(const Shard& part, std::uint32_t first) {
   const auto all_of = [&](auto& buffer, const auto& content) {
-    worker::upload(buffer, content, part.shapes.size(), first, match_.shapes);
+    buffer.write_part(content, first, part.shapes.size(), match_.shapes);
   };
   index_.add(part.pads);
   all_of(keypoints_, part.keypoints);

@@ -51,8 +51,8 @@ void DockStage::launch_all() {
          stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), library_->field(),
          colours.record(), colours.texels(), library_->keypoints(), library_->contours(), library_->shapes(), samples_,
          pair_count_, docked_pairs_, evaluated_, docking_capacity_, docking_count_, dockings_);
-  launch(library_->session(), dock_tangents_, {(draws_ + kDrawsPerItem - 1) / kDrawsPerItem, sample_count_, 1}, library_->match_buffer(),
-         stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), stances.open_count(),
+  const std::uint32_t items = (draws_ + kDrawsPerItem - 1) / kDrawsPerItem;
+  launch(library_->session(), dock_tangents_, {items, sample_count_, 1}, library_->match_buffer(), stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), stances.open_count(),
          std::uint32_t(stances.all_open()), stances.open_shapes(), library_->field(), colours.record(),
          colours.texels(), colours.near_shapes(), library_->contours(), library_->shapes(), samples_, draws_,
          evaluated_, docking_capacity_, docking_count_, dockings_);

@@ -2,6 +2,7 @@
 // than room.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 

@@ -94,6 +94,14 @@ class DeviceBuffer {
     });
   }
 
+  /// Writes the content of `places` places of equal length, the first of which is `first`, of `all_places` in the end.
+  /// The first part that comes makes the room. Returns when `content` may change again.
+  void write_part(const std::vector<T>& content, std::size_t first, std::size_t places, std::size_t all_places) {
+    const std::size_t of_a_place = content.size() / places;
+    if (first == 0) reserve(all_places * of_a_place);
+    write_at(first * of_a_place, content);
+  }
+
   /// Sets the first `count` elements to zero, without waiting.
   void clear(std::size_t count) {
     reserve(count);

@@ -82,14 +82,12 @@ class Splitter {
   int elements_;
 };
 
-void enclose(PadBox& box, const PadBytes& pad) {
-  for (std::size_t e = 0; e < box.low.size(); ++e) {
-    box.low[e] = std::min(box.low[e], pad.element[e]);
-    box.high[e] = std::max(box.high[e], pad.element[e]);
-  }
-  box.scale_low = std::min(box.scale_low, pad.scale);
-  box.scale_high = std::max(box.scale_high, pad.scale);
-  box.signs |= pad.sign;
+PadBox box_of(const PadBytes& pad) {
+  PadBox box;
+  box.low = box.high = pad.element;
+  box.scale_low = box.scale_high = pad.scale;
+  box.signs = pad.sign;
+  return box;
 }
 
 void enclose(PadBox& box, const PadBox& part) {
@@ -112,7 +110,7 @@ PadIndex make_pad_index(std::span<const PadBytes> pads, int elements) {
                                             [&](std::uint32_t i) { return pads[i].sign == sign_byte(1); });
   Splitter(pads, elements).split_by_sign(index.order, std::size_t(others - index.order.begin()), kNodePads);
   index.blocks.resize((pads.size() + kIndexFanOut - 1) / kIndexFanOut);
-  for (std::size_t i = 0; i < pads.size(); ++i) enclose(index.blocks[i / kIndexFanOut], pads[index.order[i]]);
+  for (std::size_t i = 0; i < pads.size(); ++i) enclose(index.blocks[i / kIndexFanOut], box_of(pads[index.order[i]]));
   index.nodes.resize((index.blocks.size() + kIndexFanOut - 1) / kIndexFanOut);
   for (std::size_t b = 0; b < index.blocks.size(); ++b) enclose(index.nodes[b / kIndexFanOut], index.blocks[b]);
   return index;
