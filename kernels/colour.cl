@@ -92,11 +92,11 @@ float4 colour_at(const Picture* picture, uint level, float x, float y) {
                mixed(vload4(lower + c.left, texels), vload4(lower + c.right, texels), c.s), c.t);
 }
 
-float mean_colour_difference(const Picture* picture, global const float* contour, PoseRecord s) {
-  global const float* mean = contour + kColourMeanAt;
+float mean_colour_difference(const Picture* picture, global const ShapeRecord* shape, PoseRecord s) {
   const float4 covered = colour_at(picture, colour_level_for(picture, kColourFootprint * scale_of(s)), s.tx, s.ty);
   if (covered.w < kLeastColourWeight) return 0;
-  return ciede2000(mean[0], mean[1], mean[2], covered.x / covered.w, covered.y / covered.w, covered.z / covered.w);
+  return ciede2000(shape->mean_lightness, shape->mean_a, shape->mean_b, covered.x / covered.w, covered.y / covered.w,
+                   covered.z / covered.w);
 }
 
 float sum_of_lanes(float16 v) {
@@ -106,9 +106,9 @@ float sum_of_lanes(float16 v) {
   return c.x + c.y;
 }
 
-float colour_difference(const Picture* picture, global const float* contour, PoseRecord s) {
-  global const float* mean = contour + kColourMeanAt;
-  const uint level = colour_level_for(picture, mean[3] * scale_of(s));
+float colour_difference(const Picture* picture, global const float* contour, global const ShapeRecord* shape,
+                        PoseRecord s) {
+  const uint level = colour_level_for(picture, shape->colour_cell * scale_of(s));
   const Points p = placed_points(s, contour + kColourCellsAt, kLanes, 0);
   float x[kLanes], y[kLanes], lightness[kLanes], a[kLanes], b[kLanes], weight[kLanes];
   vstore16(p.x, 0, x);
@@ -132,7 +132,8 @@ float colour_difference(const Picture* picture, global const float* contour, Pos
   const float all = sum_of_lanes(weights);
   if (all < kLeastColourWeight) return 0;
   const float of_cells = sum_of_lanes(weights * differences) / all;
-  const float of_means = ciede2000(mean[0], mean[1], mean[2], sum_of_lanes(weights * covered_lightness) / all,
+  const float of_means = ciede2000(shape->mean_lightness, shape->mean_a, shape->mean_b,
+                                   sum_of_lanes(weights * covered_lightness) / all,
                                    sum_of_lanes(weights * covered_a) / all, sum_of_lanes(weights * covered_b) / all);
   return kColourOfMeans * of_means + (1 - kColourOfMeans) * of_cells;
 }

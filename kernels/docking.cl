@@ -95,7 +95,7 @@ Alignment align_pyramids(const Stances* stances, float sizes, global const short
 
 // How a pose ranks by 32 boundary points and a third of the interior points; where that is below kLeastDockingKey
 // anything below it.
-float docking_key(global const float* contour, global const ShapeRecord* shape, PoseRecord s, const Field* field,
+float docking_key(global const float* sketch, global const ShapeRecord* shape, PoseRecord s, const Field* field,
                   float max_scale_px) {
   const float scale = scale_of(s);
   const float hopeless_px = max(kHopelessDocking_px, kHopelessDocking * scale);
@@ -107,7 +107,7 @@ float docking_key(global const float* contour, global const ShapeRecord* shape, 
   int hits = 0;
   int bad = 0;
   for (int block = 0; block < kCoarsePoints / kLanes; ++block) {
-    const Points p = placed_points(s, contour + kCoarseAt, kCoarsePoints, block);
+    const Points p = placed_points(s, sketch + kCoarseAt, kCoarsePoints, block);
     const float16 d = field_values(field, p.x, p.y);
     if (any_lane(d < -hopeless_px)) return NO_DOCKING;
     const int16 deep = d < -near_px;
@@ -122,7 +122,7 @@ float docking_key(global const float* contour, global const ShapeRecord* shape, 
   int covered = 0;
   const int coarse_points = ((int)shape->interior_points + kInteriorStride - 1) / kInteriorStride;
   for (int block = 0; block * kLanes < coarse_points; ++block) {
-    const Points p = placed_points(s, contour + kCoarseInteriorAt, kCoarseInteriorPoints, block);
+    const Points p = placed_points(s, sketch + kCoarseInteriorAt, kCoarseInteriorPoints, block);
     const int16 used = lane_index() + block * kLanes < coarse_points;
     covered += count_lanes(used & (field_values(field, p.x, p.y) < 0));
   }
@@ -132,9 +132,9 @@ float docking_key(global const float* contour, global const ShapeRecord* shape, 
 }
 
 // Of the piece's mean colour on that of the place.
-float docking_colour_worth(const Picture* picture, global const float* contour, PoseRecord s) {
+float docking_colour_worth(const Picture* picture, global const ShapeRecord* shape, PoseRecord s) {
   if (picture->record->levels == 0) return 1;
-  return colour_worth(picture, mean_colour_difference(picture, contour, s));
+  return colour_worth(picture, mean_colour_difference(picture, shape, s));
 }
 
 int level_of_source(constant MatchRecord* match, uint source) {
@@ -150,15 +150,15 @@ void add_docking(DockingRecord docking, uint capacity, global uint* count, globa
   if (place < capacity) dockings[place] = docking;
 }
 
-// Work item: a pair. Its docking is added where the early reject leaves it. `evaluated`: dockings that looked at the
-// field, by target sample.
+// Work item: a pair, whose shape's key points are `pair_keypoints`: all x, then all y, steps. Its docking is added where
+// the early reject leaves it. `evaluated`: dockings that looked at the field, by target sample.
 kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const float* size_map, global const float* field_value,
                        constant ColourRecord* colour, global const float* texels,
-                       global const short* keypoints, global const float* contours,
-                       global const ShapeRecord* shapes, global const SampleRecord* samples, uint count,
-                       global const PairRecord* pairs, global uint* evaluated, uint capacity,
+                       global const float* sketches, global const ShapeRecord* shapes,
+                       global const SampleRecord* samples, uint count, global const PairRecord* pairs,
+                       global const short* pair_keypoints, global uint* evaluated, uint capacity,
                        global uint* docking_count, global DockingRecord* dockings) {
   const uint i = get_global_id(0);
   if (i >= count) return;
@@ -169,19 +169,18 @@ kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* s
   const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
   const float sizes = size_part(match, size_map, target->position_x, target->position_y);
   constant LevelRecord* level = match->level + level_of_source(match, source);
-  global const short* keypoint = keypoints + (size_t)pair.source * 2 * kPadKeypoints;
+  global const short* keypoint = pair_keypoints + (size_t)i * 2 * kPadKeypoints;
   const Alignment aligned =
       align_pyramids(&standing, sizes, keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target,
                      level->scale_low_px, level->scale_high_px);
   if (!aligned.valid) return;
   atomic_inc(evaluated + pair.sample);
-  global const float* contour = contours + (size_t)shape * kContourFloats;
   const Field field = free_field(match, field_value);
-  const float key =
-      docking_key(contour, shapes + shape, aligned.canvas_from_shape, &field, match->max_scale_px);
+  const float key = docking_key(sketches + (size_t)shape * kSketchFloats, shapes + shape, aligned.canvas_from_shape,
+                                &field, match->max_scale_px);
   if (key < kLeastDockingKey) return;
   const Picture picture = {colour, texels};
-  const float worth = docking_colour_worth(&picture, contour, aligned.canvas_from_shape);
+  const float worth = docking_colour_worth(&picture, shapes + shape, aligned.canvas_from_shape);
   const DockingRecord docking = {pair.sample, match->first_shape + shape, source,
                                  standing.list.first + aligned.stance,
                                  key * worth * standing.stance[aligned.stance].weight, aligned.canvas_from_shape};
@@ -264,27 +263,28 @@ typedef struct TangentDraw {
 
 #define NO_SHAPE 0xffffffffu
 
-// `open_shapes`: the shapes of the whole library that may stand, unless all may.
+// `open_shapes`: the shapes of the whole library that may be drawn, unless all may; `near_shapes`: `near_length` of each
+// list of shapes of about one colour.
 INLINE uint drawn_shape(ulong bits, uint draw, global const SampleRecord* target, uint open_count, uint all_open,
-                        global const uint* open_shapes, constant ColourRecord* colour,
-                        global const uint* near_shapes) {
+                        global const uint* open_shapes, uint near_length, global const uint* near_shapes) {
   if (open_count == 0) return NO_SHAPE;
   if (target->near_list == kAnyColour || draw % kAnyColourDraws == 0) {
     const uint drawn = (uint)(((bits >> 32) * open_count) >> 32);
     return all_open ? drawn : open_shapes[drawn];
   }
   const ulong squared = ((bits >> 32) * (bits >> 32)) >> 32;
-  return near_shapes[(size_t)target->near_list * colour->near_length + ((squared * colour->near_length) >> 32)];
+  return near_shapes[(size_t)target->near_list * near_length + ((squared * near_length) >> 32)];
 }
 
 // Work item: (kDrawsPerItem draws, target sample). Their dockings are added where the shape is of this shard and the
 // early reject leaves them. A draw's shape lies anywhere in memory: what several draws need of it is asked for before
-// any of it is used.
+// any of it is used. `contour_places`: by shape of the shard, for those that may be drawn.
 kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord* stances,
                           global const StanceListRecord* stance_lists, global const uint* shape_class,
                           global const float* size_map, uint open_count, uint all_open, global const uint* open_shapes,
-                          global const float* field_value, constant ColourRecord* colour, global const float* texels,
-                          global const uint* near_shapes, global const float* contours,
+                          uint near_length, global const uint* near_shapes, global const float* field_value,
+                          constant ColourRecord* colour, global const float* texels, global const float* contours,
+                          global const uint* contour_places, global const float* sketches,
                           global const ShapeRecord* shapes, global const SampleRecord* samples, uint draws,
                           global uint* evaluated, uint capacity, global uint* docking_count,
                           global DockingRecord* dockings) {
@@ -298,7 +298,7 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
     const ulong bits = mix_bits(match->seed ^ mix_bits(mix_bits(((ulong)target->edge << 32) | target->pass) ^ draw));
     const ulong more = mix_bits(bits);
     drawn[i].library_shape =
-        drawn_shape(bits, draw, target, open_count, all_open, open_shapes, colour, near_shapes);
+        drawn_shape(bits, draw, target, open_count, all_open, open_shapes, near_length, near_shapes);
     const uint shape = drawn[i].library_shape - match->first_shape;  // wraps round below the shard
     drawn[i].docks = draw < draws && open_count > 0 && shape < match->shapes;
     if (!drawn[i].docks) continue;
@@ -314,7 +314,7 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
     if (!drawn[i].docks) continue;
     const uint shape = drawn[i].library_shape - match->first_shape;
     const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
-    global const float* contour = contours + (size_t)shape * kContourFloats;
+    global const float* contour = contours + (size_t)contour_places[shape] * kContourFloats;
     const int point = docked_point(standing.stance + drawn[i].stance, contour, drawn[i].point_bits, target);
     drawn[i].docks = point != NO_POINT;
     frames[i] = point_frame(contour, (uint)max(point, 0));
@@ -327,12 +327,12 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
     const uint shape = drawn[i].library_shape - match->first_shape;
     const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
     const StanceRecord stance = with_sizes_up_to(sizes, standing.stance[drawn[i].stance]);
-    global const float* contour = contours + (size_t)shape * kContourFloats;
     const PoseRecord pose = tangent_docking(&stance, frames[i], drawn[i].scale_px, target);
-    const float key = docking_key(contour, shapes + shape, pose, &field, match->max_scale_px);
+    const float key = docking_key(sketches + (size_t)shape * kSketchFloats, shapes + shape, pose, &field,
+                                  match->max_scale_px);
     ++looked_at;
     if (key < kLeastDockingKey) continue;
-    const float weighted = key * docking_colour_worth(&picture, contour, pose) * stance.weight;
+    const float weighted = key * docking_colour_worth(&picture, shapes + shape, pose) * stance.weight;
     const DockingRecord docking = {t, drawn[i].library_shape, kTangentSource + first + i,
                                    standing.list.first + drawn[i].stance, weighted, pose};
     add_docking(docking, capacity, docking_count, dockings);

@@ -67,6 +67,6 @@ TermsRecord docking_terms(constant MatchRecord* match, global const float* conto
       terms.overlap_px2 = seen_px2;
     }
   }
-  if (picture->record->levels > 0) terms.colour_difference = colour_difference(picture, contour, s);
+  if (picture->record->levels > 0) terms.colour_difference = colour_difference(picture, contour, shape, s);
   return terms;
 }

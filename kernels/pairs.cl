@@ -13,19 +13,12 @@ typedef struct Target {
   float chord_y;
 } Target;
 
-// Key points between which the chord tells the rotation before any alignment.
-enum ChordEnds {
-  kChordReach = kChordLevel < kPadLevels - 1 ? kChordLevel : kPadLevels - 1,
-  kChordFirst = kPadLevels - 1 - kChordReach,
-  kChordLast = kPadLevels + 1 + kChordReach
-};
-
 Target load_target(global const SampleRecord* sample) {
   Target target;
   for (int e = 0; e < kPadElements; ++e) target.element[e] = (ushort)sample->element[e];
   target.scale_length = sample->scale_length;
-  target.chord_x = sample->keypoint_x[kChordLast] - sample->keypoint_x[kChordFirst];
-  target.chord_y = sample->keypoint_y[kChordLast] - sample->keypoint_y[kChordFirst];
+  target.chord_x = sample->chord_x;
+  target.chord_y = sample->chord_y;
   return target;
 }
 
@@ -64,14 +57,11 @@ INLINE ulong filter_block(global const uchar* rows, const FilterWindow* window) 
   return lane_bits(&passes);
 }
 
-bool may_turn(const Stances* stances, global const short* keypoint, const Target* target) {
+// `chord`: of the PAD; it is not looked at where every rotation is allowed.
+bool may_turn(const Stances* stances, global const ChordRecord* chord, const Target* target) {
   if (stances->stance->docked_edge_x <= -1) return true;
-  global const short* x = keypoint;
-  global const short* y = x + kPadKeypoints;
-  const float chord_x = (float)x[kChordLast] - (float)x[kChordFirst];
-  const float chord_y = (float)y[kChordLast] - (float)y[kChordFirst];
-  const float turn_x = chord_x * target->chord_x + chord_y * target->chord_y;
-  const float turn_y = chord_x * target->chord_y - chord_y * target->chord_x;
+  const float turn_x = chord->x * target->chord_x + chord->y * target->chord_y;
+  const float turn_y = chord->x * target->chord_y - chord->y * target->chord_x;
   for (uint i = 0; i < stances->list.count; ++i) {
     const StanceRecord stance = stances->stance[i];
     if (direction_allowed(docked_rotations(&stance), turn_x, turn_y, 1, 0)) return true;
@@ -98,13 +88,14 @@ INLINE uint pad_distance(global const uchar* rows, uint lane, global const uchar
 }
 
 // Work item: `stride` of them share the blocks that were found, each `stride`-th one. `index_rows`: of each block a row
-// for each element, then one for the scales and one for the signs; `index_places`: what a PAD's exact test needs.
+// for each element, then one for the scales and one for the signs; `index_places`: what a PAD's exact test needs;
+// `index_chords`: what a test of its rotation needs.
 // `pairs`, in no particular order: those nearer than their sample's reach; of more than `capacity` the rest is lost,
 // but counted.
 kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
-                       global const uchar* index_rows, global const uint* index_places, global const short* keypoints,
-                       constant ColourRecord* colour, global const uint* near_bits, global const SampleRecord* samples,
+                       global const uchar* index_rows, global const uint* index_places,
+                       global const ChordRecord* index_chords, constant ColourRecord* colour, global const uint* near_bits, global const SampleRecord* samples,
                        uint stride, global const uint* block_count, uint block_capacity,
                        global const BlockRecord* blocks, uint capacity, global uint* pair_count,
                        global PairRecord* pairs) {
@@ -119,7 +110,8 @@ kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* s
     const Target target = load_target(sample);
     for (; left != 0; left &= left - 1) {
       const uint lane = 63 - (uint)clz(left & -left);
-      global const uint* place = index_places + ((size_t)block.block * kFilterLanes + lane) * kPlaceWords;
+      const size_t pad = (size_t)block.block * kFilterLanes + lane;
+      global const uint* place = index_places + pad * kPlaceWords;
       const uint distance = pad_distance(rows, lane, (global const uchar*)place, &target);
       if (distance >= sample->reach) continue;
       const uint source = place[kPlaceWords - 1];
@@ -127,7 +119,7 @@ kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* s
       const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
       if (standing.list.count == 0 ||
           !may_scale(&standing, match->level + block.level, as_float(place[kPlaceWords - 2]), &target) ||
-          !may_turn(&standing, keypoints + (size_t)source * 2 * kPadKeypoints, &target) ||
+          !may_turn(&standing, index_chords + pad, &target) ||
           !has_near_colour(sample, near_bits, colour->near_words, match->first_shape + shape)) {
         continue;
       }

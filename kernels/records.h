@@ -30,16 +30,18 @@ enum RecordSizes {
   kCoarsePoints = kBoundaryPoints / kCoarseStride,
   kCoarseInteriorPoints = (kMaxInteriorPoints / kInteriorStride + kLanes) / kLanes * kLanes,
 
-  // A shape's points, structure of arrays, in shape units: all x, then all y of each set.
+  // A shape's points, structure of arrays, in shape units: all x, then all y of each set. Its sketch, by which dockings
+  // are judged at first:
+  kCoarseAt = 0,
+  kCoarseInteriorAt = kCoarseAt + 2 * kCoarsePoints,
+  kSketchFloats = kCoarseInteriorAt + 2 * kCoarseInteriorPoints,
+  // Its contour, at which they begin and by which they are refined:
   kFineAt = 0,
   kTangentAt = kFineAt + 2 * kBoundaryPoints,  // of the fine points
   kMediumAt = kTangentAt + 2 * kBoundaryPoints,
-  kCoarseAt = kMediumAt + 2 * kMediumPoints,
-  kInteriorAt = kCoarseAt + 2 * kCoarsePoints,
-  kCoarseInteriorAt = kInteriorAt + 2 * kMaxInteriorPoints,
-  kColourCellsAt = kCoarseInteriorAt + 2 * kCoarseInteriorPoints,  // x, y, lightness, a, b, part of 16 cells
-  kColourMeanAt = kColourCellsAt + 6 * kLanes,                     // lightness, a, b; side of a cell
-  kContourFloats = kColourMeanAt + kLanes
+  kInteriorAt = kMediumAt + 2 * kMediumPoints,
+  kColourCellsAt = kInteriorAt + 2 * kMaxInteriorPoints,  // x, y, lightness, a, b, part of 16 cells
+  kContourFloats = kColourCellsAt + 6 * kLanes
 };
 
 // A smoothing level in use: its PADs are [first, first + count) of each shape.
@@ -84,8 +86,7 @@ typedef struct ColourLevelRecord {
 typedef struct ColourRecord {
   u32 levels;  // 0: no colours are wished for
   float weight;
-  u32 near_length;  // NearColours
-  u32 near_words;
+  u32 near_words;  // NearColours
   ColourLevelRecord level[kMaxColourLevels];
 } ColourRecord;
 
@@ -119,6 +120,10 @@ typedef struct ShapeRecord {
   float disc_y;
   float disc_radius;
   u32 interior_points;
+  float mean_lightness;  // ColourModel
+  float mean_a;
+  float mean_b;
+  float colour_cell;
 } ShapeRecord;
 
 // A target sample. Canvas px.
@@ -139,10 +144,19 @@ typedef struct SampleRecord {
   u32 pad_width;
   u32 scale_low[kSmoothingLevelCount];
   u32 scale_width[kSmoothingLevelCount];
+  float chord_x;  // between the ends of level kChordLevel: it tells the rotation before any alignment
+  float chord_y;
   float keypoint_x[kMaxKeypoints];
   float keypoint_y[kMaxKeypoints];
   u32 near_list;  // NearColours
 } SampleRecord;
+
+// The same of a PAD of the index, in steps of its shape's key points. With all of them in the index where rotations are
+// limited.
+typedef struct ChordRecord {
+  float x;
+  float y;
+} ChordRecord;
 
 // Up to kFilterLanes nodes of the index, all of one level.
 typedef struct RootRecord {

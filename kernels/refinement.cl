@@ -201,11 +201,11 @@ ExtentRecord extent_of(PoseRecord s, global const float* contour) {
   return extent;
 }
 
-// Work item: a docking, whose shape is of this shard.
+// Work item: a docking, whose shape is of this shard and has a contour on the device.
 kernel void refine_dockings(constant MatchRecord* match, global const StanceRecord* stances,
                             global const float* size_map, global const float* field_value,
                             constant ColourRecord* colour, global const float* texels, global const float* contours,
-                            global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
+                            global const uint* contour_places, global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
                             global RefinedRecord* refined) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
@@ -214,7 +214,7 @@ kernel void refine_dockings(constant MatchRecord* match, global const StanceReco
   const Picture picture = {colour, texels};
   const PoseRecord pose = dockings[i].canvas_from_shape;
   const float sizes = size_part(match, size_map, pose.tx, pose.ty);
-  const Piece piece = {contours + (size_t)shape * kContourFloats, shapes + shape, &field,
+  const Piece piece = {contours + (size_t)contour_places[shape] * kContourFloats, shapes + shape, &field,
                        with_sizes_up_to(sizes, stances[dockings[i].stance])};
   RefinedRecord result = {pose, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, 0, 0, 0};
   if (refine(&result.canvas_from_shape, &piece, match->hard_depth_px)) {
@@ -227,16 +227,17 @@ kernel void refine_dockings(constant MatchRecord* match, global const StanceReco
   refined[i] = result;
 }
 
-// Work item: a docking, whose shape is of this shard.
+// Work item: a docking, whose shape is of this shard and has a contour on the device.
 kernel void measure_dockings(constant MatchRecord* match, global const float* field_value,
                              constant ColourRecord* colour, global const float* texels,
-                             global const float* contours, global const ShapeRecord* shapes, uint count,
+                             global const float* contours, global const uint* contour_places,
+                             global const ShapeRecord* shapes, uint count,
                              global const DockingRecord* dockings, global TermsRecord* terms) {
   const size_t i = get_global_id(0);
   if (i >= count) return;
   const uint shape = dockings[i].shape - match->first_shape;
   const Field field = free_field(match, field_value);
   const Picture picture = {colour, texels};
-  terms[i] = docking_terms(match, contours + (size_t)shape * kContourFloats, shapes + shape,
+  terms[i] = docking_terms(match, contours + (size_t)contour_places[shape] * kContourFloats, shapes + shape,
                            dockings[i].canvas_from_shape, &field, &picture);
 }

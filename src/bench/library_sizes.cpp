@@ -30,7 +30,8 @@ Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas
   VariedShapes shapes(library);
   const MatchingContext context = make_matching_context(settings, count);
   const auto matcher = worker::make_device_matcher(
-      devices_use, context, {0, count}, [&](const ShapeRange& range) { return shapes.models(range, context); });
+      devices_use, context, {0, count},
+      std::make_shared<MadeModels>([&](const ShapeRange& range) { return shapes.models(range, context); }));
   master::SilentObserver silent;
   Grown grown;
   grown.statistics = master::make_collage(canvas, settings, *matcher, shapes, silent).statistics;

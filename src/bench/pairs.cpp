@@ -26,7 +26,7 @@ struct PairScene {
   std::vector<TargetSample> samples;
   MatchingContext context;
   std::uint32_t shapes = 0;
-  ModelSource models;
+  std::shared_ptr<const ModelSource> models;
   std::vector<ShapeModel> some_models;  // the first of them
   double pads = 0;                      // of the library
   std::string kind;
@@ -48,7 +48,7 @@ void lay_grid(FreeField& free, const std::vector<Shape>& shapes, int size_px) {
 /// Models and samples; `laid`: some of the shapes.
 void set_scene(PairScene& scene, const std::vector<Shape>& laid, std::size_t samples, int size_px) {
   scene.pads = double(pads_per_shape(scene.context)) * double(scene.shapes);
-  scene.some_models = scene.models({0, std::min(scene.shapes, kShapesOfPlainLoop)});
+  scene.some_models = scene.models->models({0, std::min(scene.shapes, kShapesOfPlainLoop)}, {});
   FreeField free(make_rectangle_canvas(size_px, size_px), scene.settings.pieces);
   lay_grid(free, laid, size_px);
   const OpenedField opened(free, scene.settings.pieces);
@@ -68,9 +68,9 @@ PairScene make_scene(const PairsOptions& options, bool quick) {
     scene.context = make_matching_context(scene.settings, scene.shapes);
     const std::vector<Shape> blobs = blob_shapes(scene.shapes);
     const auto models = std::make_shared<std::vector<ShapeModel>>(models_of(blobs, scene.context));
-    scene.models = [models](const ShapeRange& range) {
+    scene.models = std::make_shared<MadeModels>([models](const ShapeRange& range) {
       return std::vector<ShapeModel>(models->begin() + range.begin, models->begin() + range.end);
-    };
+    });
     scene.kind = "blobs";
     set_scene(scene, blobs, samples, size_px);
   } else {
@@ -78,7 +78,8 @@ PairScene make_scene(const PairsOptions& options, bool quick) {
     const auto varied = std::make_shared<VariedShapes>(file);
     scene.shapes = options.shapes > 0 ? options.shapes : file.size();
     scene.context = make_matching_context(scene.settings, scene.shapes);
-    scene.models = [varied, context = scene.context](const ShapeRange& range) { return varied->models(range, context); };
+    scene.models = std::make_shared<MadeModels>(
+        [varied, context = scene.context](const ShapeRange& range) { return varied->models(range, context); });
     scene.kind = "shapes";
     set_scene(scene, varied->shapes({0, std::min(scene.shapes, 100u)}), samples, size_px);
   }

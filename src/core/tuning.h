@@ -66,6 +66,14 @@ inline constexpr float kAlignmentUnit_px = 4.f;
 inline constexpr float kDockingTurn_rad = 0.2f;
 inline constexpr int kRematchTangentDockings = 2000;  // when the pool is dry
 
+// Random dockings of a question draw from all shapes that may stand, or, of libraries with more shapes than kWholeDeck,
+// from runs of them: three draws of one shape a target sample are rare, and 2,048 contours, 10 MB, are read at once.
+inline constexpr std::uint32_t kWholeDeck = 65536;
+inline constexpr std::uint32_t kDeckRuns = 32;
+inline constexpr std::uint32_t kDeckRun = 64;  // shapes that follow one another
+inline constexpr std::uint32_t kNearDeckRuns = 4;  // of each list of shapes of about one colour
+inline constexpr std::uint32_t kNearDeckRun = 32;
+
 // Early reject, by some boundary and interior points: before refinement a good docking may be off by so much.
 inline constexpr float kHopelessDocking_px = 5;  // a point deeper than this, or this part of the scale, ends it
 inline constexpr float kHopelessDocking = 0.12f;

@@ -17,7 +17,6 @@ ColourRecord record_of(const ColourWish& wish, const NearColours& near_colours) 
   if (!wish) return r;
   r.levels = u32(wish.target->levels().size());
   r.weight = wish.weight;
-  r.near_length = near_colours.length();
   r.near_words = near_colours.words();
   for (u32 k = 0; k < r.levels; ++k) {
     const ColourLevel& level = wish.target->levels()[k];

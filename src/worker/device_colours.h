@@ -19,6 +19,7 @@ class DeviceColours {
   /// Tells each record the list that its sample goes by; new lists are put on the device.
   void assign_lists(const std::vector<TargetSample>& samples, std::vector<SampleRecord>& records);
 
+  const NearColours& near_colours() const { return near_colours_; }
   const DeviceBuffer<ColourRecord>& record() const { return record_; }
   const DeviceBuffer<float>& texels() const { return texels_; }
   /// NearColours::all_shapes, all_bits.

@@ -16,7 +16,7 @@ void limit_cpu_threads(int threads) {
 }
 
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
-                                             const ShapeRange& shapes, const ModelSource& models,
+                                             const ShapeRange& shapes, std::shared_ptr<const ModelSource> models,
                                              const DeviceShare& share, const BetweenLaunches& between_launches) {
   const std::vector<cl::Device> devices = chosen_devices(devices_use, share);
   const std::size_t count = shapes.end - shapes.begin;
@@ -32,7 +32,8 @@ std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, con
 }
 
 void compile_kernels(const std::string& devices_use, const MatchingContext& context) {
-  make_device_matcher(devices_use, context, {}, [](const ShapeRange&) { return std::vector<ShapeModel>(); });
+  const std::vector<ShapeModel> none;
+  make_device_matcher(devices_use, context, {}, given(none));
 }
 
 }  // namespace tessera::worker

@@ -22,7 +22,7 @@ void limit_cpu_threads(int threads);
 /// key devices.use. Throws InputError or EnvironmentError where the devices are not there (opencl_devices.h) or fail.
 /// `between_launches` may throw to give a question up; the matcher must not be asked again then.
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
-                                             const ShapeRange& shapes, const ModelSource& models,
+                                             const ShapeRange& shapes, std::shared_ptr<const ModelSource> models,
                                              const DeviceShare& share = {},
                                              const BetweenLaunches& between_launches = {});
 

@@ -5,15 +5,18 @@
 
 namespace tessera::worker {
 
-DeviceIndex::DeviceIndex(const DeviceSession& session, const MatchRecord& match, int pad_levels)
+DeviceIndex::DeviceIndex(const DeviceSession& session, const MatchRecord& match, const IndexKind& kind,
+                         const ModelSource& models)
     : match_(match),
-      pad_levels_(pad_levels),
+      kind_(kind),
+      models_(&models),
       parts_(index_parts(match)),
       roots_(session, {}),
       node_boxes_(session, {}),
       block_boxes_(session, {}),
       rows_(session, {}),
-      places_(session, {}) {
+      places_(session, {}),
+      chords_(session, {}) {
   if (std::uint64_t(match.shapes) * match.sources > std::numeric_limits<std::uint32_t>::max() - match.sources) {
     throw EnvironmentError("a device cannot hold " + std::to_string(match.shapes) +
                            " shapes: give the job more devices or ranks");
@@ -36,13 +39,16 @@ void DeviceIndex::add(const std::vector<IndexedPad>& pads) {
 }
 
 void DeviceIndex::upload(const IndexPart& part) {
-  const IndexRows made = make_index_rows(part, match_, waiting_, pad_levels_);
+  const u32 first = match_.first_shape + part.first_shape;
+  const IndexRows made = make_index_rows(part, match_, waiting_, kind_,
+                                         models_->pad_order({first, first + part.shapes}, part.level));
   const u32 all_nodes = parts_.back().first_node + parts_.back().nodes;
   roots_.write_part(made.roots, part.first_root, part.roots, root_count_);
   node_boxes_.write_part(made.node_boxes, part.first_root, part.roots, root_count_);
   block_boxes_.write_part(made.block_boxes, part.first_node, part.nodes, all_nodes);
   rows_.write_part(made.rows, part.first_node, part.nodes, all_nodes);
   places_.write_part(made.places, part.first_node, part.nodes, all_nodes);
+  if (kind_.with_chords) chords_.write_part(made.chords, part.first_node, part.nodes, all_nodes);
 }
 
 }  // namespace tessera::worker

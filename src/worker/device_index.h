@@ -1,6 +1,7 @@
 // The index of a shard's PADs on a device.
 #pragma once
 
+#include "core/matching/model_source.h"
 #include "worker/index_rows.h"
 #include "worker/opencl_runtime.h"
 
@@ -8,7 +9,8 @@ namespace tessera::worker {
 
 class DeviceIndex {
  public:
-  DeviceIndex(const DeviceSession& session, const MatchRecord& match, int pad_levels);
+  /// `models`: for the order of what is added.
+  DeviceIndex(const DeviceSession& session, const MatchRecord& match, const IndexKind& kind, const ModelSource& models);
 
   /// The PADs of the shard's next shapes, all sources of each. To be called until all are there.
   void add(const std::vector<IndexedPad>& pads);
@@ -19,12 +21,15 @@ class DeviceIndex {
   const DeviceBuffer<std::uint8_t>& block_boxes() const { return block_boxes_; }
   const DeviceBuffer<std::uint8_t>& rows() const { return rows_; }
   const DeviceBuffer<std::uint32_t>& places() const { return places_; }
+  /// Empty where no rotation is limited.
+  const DeviceBuffer<ChordRecord>& chords() const { return chords_; }
 
  private:
   void upload(const IndexPart& part);
 
   MatchRecord match_;
-  int pad_levels_;
+  IndexKind kind_;
+  const ModelSource* models_;
   std::vector<IndexPart> parts_;
   std::size_t next_part_ = 0;
   std::vector<IndexedPad> waiting_;  // of the segment of the next part, from its first shape on
@@ -34,6 +39,7 @@ class DeviceIndex {
   DeviceBuffer<std::uint8_t> block_boxes_;
   DeviceBuffer<std::uint8_t> rows_;
   DeviceBuffer<std::uint32_t> places_;
+  DeviceBuffer<ChordRecord> chords_;
 };
 
 }  // namespace tessera::worker

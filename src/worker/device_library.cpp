@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "worker/kernel_options.h"
 
@@ -15,50 +16,53 @@ constexpr std::uint32_t kShapesAtATime = 512;
 }  // namespace
 
 DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
-                             const ModelSource& models, const BetweenLaunches& between_launches)
-    : pad_levels_(context.pad.levels),
+                             std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches,
+                             const HeldShapes& held)
+    : models_(std::move(models)),
+      pad_levels_(context.pad.levels),
+      reads_(models_->reads_singly() && shapes.size() > held.most_whole),
       session_(device, kernel_source, kernel_options(context.pad.levels), between_launches),
       match_(make_match_record(context, shapes)),
       match_buffer_(session_, {match_}),
-      index_(session_, match_, pad_levels_),
-      keypoints_(session_),
-      contours_(session_),
-      shapes_(session_),
+      index_(session_, match_, index_kind(context), *models_),
+      keypoints_(match_, pad_levels_, *models_, reads_),
+      sketches_(session_, {}),
+      contours_(session_, shapes, *models_, reads_ ? std::optional(held.contours) : std::nullopt),
+      shapes_(session_, {}),
       field_(session_),
       size_map_(session_, context.size_map ? context.size_map->part.data() : std::vector<float>()),
       all_stances_(context.stances),
+      standing_(context.stances),
       stances_(session_),
       colours_(session_, context) {
   stances_.write(all_stances_, shapes);
-  if (match_.shapes == 0) reserve_nothing();
-  for (std::uint32_t first = shapes.begin; first < shapes.end; first += kShapesAtATime) {
-    const ShapeRange part{first, std::min(shapes.end, first + kShapesAtATime)};
-    upload(make_shard(match_, pad_levels_, models(part)), first - shapes.begin);
+  load(between_launches);
+}
+
+void DeviceLibrary::load(const BetweenLaunches& between_launches) {
+  // Without key points there are no chords.
+  const bool limits_rotations = all_stances_.limits_rotations();
+  const ModelParts parts{.contours = !reads_, .keypoints = !reads_ || limits_rotations};
+  const std::uint32_t end = match_.first_shape + match_.shapes;
+  for (std::uint32_t first = match_.first_shape; first < end; first += kShapesAtATime) {
+    add(models_->models({first, std::min(end, first + kShapesAtATime)}, parts), first - match_.first_shape);
     if (between_launches) between_launches();
   }
 }
 
-/// Kernels want buffers for arguments even where there is nothing for them to do.
-void DeviceLibrary::reserve_nothing() {
-  keypoints_.reserve(0);
-  contours_.reserve(0);
-  shapes_.reserve(0);
-}
-
-void DeviceLibrary::upload(const Shard& part, std::uint32_t first) {
-  const auto all_of = [&](auto& buffer, const auto& content) {
-    buffer.write_part(content, first, part.shapes.size(), match_.shapes);
-  };
+void DeviceLibrary::add(const std::vector<ShapeModel>& models, std::uint32_t first) {
+  const Shard part = make_shard(match_, pad_levels_, models);
   index_.add(part.pads);
-  all_of(keypoints_, part.keypoints);
-  all_of(contours_, part.contours);
-  all_of(shapes_, part.shapes);
+  keypoints_.add(models);
+  sketches_.write_part(part.sketches, first, models.size(), match_.shapes);
+  contours_.add(models);
+  shapes_.write_part(part.shapes, first, models.size(), match_.shapes);
 }
 
 void DeviceLibrary::limit(const StandingLimits& limits) {
-  const StanceTable stances = all_stances_.limited(limits);
-  stances_.write(stances, {match_.first_shape, match_.first_shape + match_.shapes});
-  colours_.start(stances);
+  standing_ = all_stances_.limited(limits);
+  stances_.write(standing_, {match_.first_shape, match_.first_shape + match_.shapes});
+  colours_.start(standing_);
 }
 
 void DeviceLibrary::start_field(int width, int height, Vec2 origin) {

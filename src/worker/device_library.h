@@ -4,17 +4,29 @@
 #include "core/matching/matching_context.h"
 #include "core/matching/model_source.h"
 #include "worker/device_colours.h"
+#include "worker/device_contours.h"
 #include "worker/device_index.h"
 #include "worker/device_stances.h"
 #include "worker/opencl_runtime.h"
+#include "worker/pair_keypoints.h"
 #include "worker/shard.h"
 
 namespace tessera::worker {
 
+/// How many shapes' contours and key points are kept where they can be read, too.
+struct HeldShapes {
+  /// A shard of no more has all of them from the start: 5 KB a shape on the device and 14 KB in memory.
+  std::uint32_t most_whole = 65536;
+  /// Of a larger one so many contours are on the device, 77 MB, or as many as one question needs: the dockings of a
+  /// round that are refined and measured are of some thousand shapes.
+  std::uint32_t contours = 16384;
+};
+
 class DeviceLibrary {
  public:
   DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
-                const ModelSource& models, const BetweenLaunches& between_launches = {});
+                std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches = {},
+                const HeldShapes& held = {});
 
   void start_field(int width, int height, Vec2 origin);
   void update_field(const FieldPatch& patch);
@@ -25,30 +37,38 @@ class DeviceLibrary {
   const MatchRecord& match() const { return match_; }
   const DeviceBuffer<MatchRecord>& match_buffer() const { return match_buffer_; }
   const DeviceIndex& index() const { return index_; }
-  const DeviceBuffer<std::int16_t>& keypoints() const { return keypoints_; }
-  const DeviceBuffer<float>& contours() const { return contours_; }
+  const PairKeypoints& keypoints() const { return keypoints_; }
+  const DeviceBuffer<float>& sketches() const { return sketches_; }
+  const DeviceContours& contours() const { return contours_; }
+  DeviceContours& contours() { return contours_; }
   const DeviceBuffer<ShapeRecord>& shapes() const { return shapes_; }
   const DeviceBuffer<float>& field() const { return field_; }
   const DeviceBuffer<float>& size_map() const { return size_map_; }
+  /// What may stand for the moment.
+  const StanceTable& standing() const { return standing_; }
   const DeviceStances& stances() const { return stances_; }
   const DeviceColours& colours() const { return colours_; }
   DeviceColours& colours() { return colours_; }
 
  private:
-  void reserve_nothing();
-  void upload(const Shard& part, std::uint32_t first);
+  void load(const BetweenLaunches& between_launches);
+  void add(const std::vector<ShapeModel>& models, std::uint32_t first);
 
+  std::shared_ptr<const ModelSource> models_;
   int pad_levels_;
+  bool reads_;
   DeviceSession session_;
   MatchRecord match_;
   DeviceBuffer<MatchRecord> match_buffer_;
   DeviceIndex index_;
-  DeviceBuffer<std::int16_t> keypoints_;
-  DeviceBuffer<float> contours_;
+  PairKeypoints keypoints_;
+  DeviceBuffer<float> sketches_;
+  DeviceContours contours_;
   DeviceBuffer<ShapeRecord> shapes_;
   DeviceBuffer<float> field_;
   DeviceBuffer<float> size_map_;
   StanceTable all_stances_;
+  StanceTable standing_;
   DeviceStances stances_;
   DeviceColours colours_;
 };

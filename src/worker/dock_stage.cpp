@@ -19,13 +19,15 @@ static_assert(sizeof(Docking) == sizeof(DockingRecord) && offsetof(Docking, key)
 
 }  // namespace
 
-DockStage::DockStage(const DeviceLibrary& library, PairStage& pairs, std::size_t stage_bytes)
+DockStage::DockStage(DeviceLibrary& library, PairStage& pairs, std::size_t stage_bytes)
     : library_(&library),
       pairs_(&pairs),
       dock_pairs_(library.session().kernel("dock_pairs")),
       dock_tangents_(library.session().kernel("dock_tangents")),
+      deck_(library),
       samples_(library.session()),
       docked_pairs_(library.session()),
+      pair_keypoints_(library.session()),
       dockings_(library.session()),
       docking_count_(library.session()),
       evaluated_(library.session()),
@@ -38,6 +40,8 @@ void DockStage::post(const DockRequest& request, std::vector<SampleRecord> sampl
   const std::vector<PairRecord> pairs = pairs_->pairs_of(std::move(samples), request.bin_limit);
   pair_count_ = std::uint32_t(pairs.size());
   docked_pairs_.write(pairs);
+  pair_keypoints_.write(library_->keypoints().of(pairs));
+  if (draws_ > 0) deck_.deal(request.samples);
   launch_all();
 }
 
@@ -49,13 +53,15 @@ void DockStage::launch_all() {
   const DeviceColours& colours = library_->colours();
   launch(library_->session(), dock_pairs_, {pair_count_, 1, kDockingsPerGroup}, library_->match_buffer(),
          stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), library_->field(),
-         colours.record(), colours.texels(), library_->keypoints(), library_->contours(), library_->shapes(), samples_,
-         pair_count_, docked_pairs_, evaluated_, docking_capacity_, docking_count_, dockings_);
+         colours.record(), colours.texels(), library_->sketches(), library_->shapes(), samples_, pair_count_,
+         docked_pairs_, pair_keypoints_, evaluated_, docking_capacity_, docking_count_, dockings_);
   const std::uint32_t items = (draws_ + kDrawsPerItem - 1) / kDrawsPerItem;
-  launch(library_->session(), dock_tangents_, {items, sample_count_, 1}, library_->match_buffer(), stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), stances.open_count(),
-         std::uint32_t(stances.all_open()), stances.open_shapes(), library_->field(), colours.record(),
-         colours.texels(), colours.near_shapes(), library_->contours(), library_->shapes(), samples_, draws_,
-         evaluated_, docking_capacity_, docking_count_, dockings_);
+  launch(library_->session(), dock_tangents_, {items, sample_count_, 1}, library_->match_buffer(), stances.stances(),
+         stances.lists(), stances.shape_class(), library_->size_map(), deck_.open_count(),
+         std::uint32_t(deck_.all_open()), deck_.open_shapes(), deck_.near_length(), deck_.near_shapes(),
+         library_->field(), colours.record(), colours.texels(), library_->contours().contours(),
+         library_->contours().places(), library_->sketches(), library_->shapes(), samples_, draws_, evaluated_,
+         docking_capacity_, docking_count_, dockings_);
   library_->session().flush();
 }
 

@@ -1,6 +1,7 @@
 // Docking on a device (kernels/docking.cl): from pairs and from random draws to each target sample's shortlist.
 #pragma once
 
+#include "worker/device_deck.h"
 #include "worker/pair_stage.h"
 
 namespace tessera::worker {
@@ -8,7 +9,7 @@ namespace tessera::worker {
 class DockStage {
  public:
   /// `stage_bytes`: of dockings on the device at first.
-  DockStage(const DeviceLibrary& library, PairStage& pairs, std::size_t stage_bytes);
+  DockStage(DeviceLibrary& library, PairStage& pairs, std::size_t stage_bytes);
 
   /// `samples`: the records of the request's. Where all bin limits are zero, no pairs are made.
   void post(const DockRequest& request, std::vector<SampleRecord> samples);
@@ -17,12 +18,14 @@ class DockStage {
  private:
   void launch_all();
 
-  const DeviceLibrary* library_;
+  DeviceLibrary* library_;
   PairStage* pairs_;
   cl::Kernel dock_pairs_;
   cl::Kernel dock_tangents_;
+  DeviceDeck deck_;
   DeviceBuffer<SampleRecord> samples_;
   DeviceBuffer<PairRecord> docked_pairs_;
+  DeviceBuffer<std::int16_t> pair_keypoints_;
   DeviceBuffer<DockingRecord> dockings_;
   DeviceBuffer<std::uint32_t> docking_count_;
   DeviceBuffer<std::uint32_t> evaluated_;  // by sample

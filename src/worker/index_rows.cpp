@@ -49,12 +49,16 @@ std::vector<std::uint8_t> rows_of(const std::vector<PadBox>& boxes, std::size_t 
 
 }  // namespace
 
+IndexKind index_kind(const MatchingContext& context) {
+  return {context.pad.levels, context.stances.limits_rotations()};
+}
+
 std::vector<IndexPart> index_parts(const MatchRecord& match) {
   std::vector<IndexPart> parts;
   u32 node = 0;
   u32 root = 0;
-  for (u32 first = 0; first < match.shapes; first += kSegmentShapes) {
-    const u32 shapes = std::min(kSegmentShapes, match.shapes - first);
+  for (u32 first = 0, shapes = 0; first < match.shapes; first += shapes) {
+    shapes = std::min(kSegmentShapes - (match.first_shape + first) % kSegmentShapes, match.shapes - first);
     for (u32 level = 0; level < match.level_count; ++level) {
       const u32 nodes = divided_up(shapes * match.level[level].count, kFilterLanes * kFilterLanes);
       const u32 roots = divided_up(nodes, kFilterLanes);
@@ -67,14 +71,16 @@ std::vector<IndexPart> index_parts(const MatchRecord& match) {
 }
 
 IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::span<const IndexedPad> pads,
-                          int pad_levels) {
+                          const IndexKind& kind, std::vector<u32> order) {
+  const int pad_levels = kind.pad_levels;
   const LevelRecord& level = match.level[part.level];
   const std::size_t elements = std::size_t(elements_of(pad_levels));
   /// The source of the segment that is the i-th of the level.
   const auto source_of = [&](u32 i) { return i / level.count * match.sources + level.first + i % level.count; };
   std::vector<PadBytes> bytes(std::size_t(part.shapes) * level.count);
   for (u32 i = 0; i < bytes.size(); ++i) bytes[i] = bytes_of(pads[source_of(i)]);
-  const PadIndex index = make_pad_index(bytes, elements_of(pad_levels));
+  if (order.empty()) order = pad_order(bytes, elements_of(pad_levels));
+  const PadIndex index = boxed(std::move(order), bytes);
 
   IndexRows result;
   for (u32 root = 0; root < part.roots; ++root) {
@@ -85,6 +91,7 @@ IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::
   result.block_boxes = rows_of(index.blocks, blocks, pad_levels);
   result.rows.resize(blocks * kFilterLanes * filter_rows(pad_levels));
   result.places.resize(blocks * kFilterLanes * place_words(pad_levels));
+  if (kind.with_chords) result.chords.resize(blocks * kFilterLanes);
   for (std::size_t i = 0; i < index.order.size(); ++i) {
     const PadBytes& pad = bytes[index.order[i]];
     std::uint8_t* const row =
@@ -99,17 +106,20 @@ IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::
     std::memcpy(place, low.data(), (place_words(pad_levels) - 2) * sizeof(u32));
     place[place_words(pad_levels) - 2] = std::bit_cast<u32>(pads[source].scale_length);
     place[place_words(pad_levels) - 1] = part.first_shape * match.sources + source;
+    if (kind.with_chords) result.chords[i] = pads[source].chord;
   }
   return result;
 }
 
-std::size_t index_bytes(const MatchRecord& match, int pad_levels) {
+std::size_t index_bytes(const MatchRecord& match, const IndexKind& kind) {
+  const std::size_t pad_bytes = filter_rows(kind.pad_levels) + place_words(kind.pad_levels) * sizeof(u32) +
+                                (kind.with_chords ? sizeof(ChordRecord) : 0);
   std::size_t bytes = 0;
   for (const IndexPart& part : index_parts(match)) {
     const std::size_t lanes_of_nodes = std::size_t(part.roots) * kFilterLanes;
     const std::size_t lanes_of_blocks = std::size_t(part.nodes) * kFilterLanes;
-    bytes += part.roots * sizeof(RootRecord) + (lanes_of_nodes + lanes_of_blocks) * box_rows(pad_levels) +
-             lanes_of_blocks * kFilterLanes * (filter_rows(pad_levels) + place_words(pad_levels) * sizeof(u32));
+    bytes += part.roots * sizeof(RootRecord) + (lanes_of_nodes + lanes_of_blocks) * box_rows(kind.pad_levels) +
+             lanes_of_blocks * kFilterLanes * pad_bytes;
   }
   return bytes;
 }

@@ -7,15 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "core/matching/matching_context.h"
 #include "core/pad/pad_index.h"
 #include "records.h"
 
 namespace tessera::worker {
 
-/// As many as fill a root with a level of 128 samples a shape.
-inline constexpr u32 kSegmentShapes = 2048;
-
-/// One level of a segment, and where it lies in the shard's index. A root has up to 64 nodes, a node 64 blocks, a block 64
+/// One level of a segment, or of what the shard has of it, and where it lies in the shard's index. A root has up to 64 nodes, a node 64 blocks, a block 64
 /// PADs; nodes are filled up with blocks, but roots not with nodes.
 struct IndexPart {
   u32 first_shape;  // of the segment, in the shard
@@ -27,7 +25,7 @@ struct IndexPart {
   u32 roots;
 };
 
-/// Those of a shard, segment by segment.
+/// Those of a shard, segment by segment: segments begin at multiples of kSegmentShapes of the library.
 std::vector<IndexPart> index_parts(const MatchRecord& match);
 
 struct IndexRows {
@@ -36,6 +34,7 @@ struct IndexRows {
   std::vector<std::uint8_t> block_boxes;  // by node: of its blocks' boxes
   std::vector<std::uint8_t> rows;         // by block: a row for each element, the scales, the signs; a sign 0: no PAD
   std::vector<u32> places;  // by block and lane: low bytes of the elements, bits of scale_length, source of the shard
+  std::vector<ChordRecord> chords;  // by block and lane, where rotations are limited
 };
 
 /// A source of a shape.
@@ -43,13 +42,22 @@ struct IndexedPad {
   QuantisedPad pad;
   float scale_length = 0;
   float convexity = 0;
+  ChordRecord chord{};
 };
 
-/// `pads`: of the segment's shapes, with all sources of each.
+/// What an index is made for.
+struct IndexKind {
+  int pad_levels = 5;
+  bool with_chords = false;
+};
+IndexKind index_kind(const MatchingContext& context);
+
+/// `pads`: of the segment's shapes, with all sources of each. `order`: of the level's PADs, shape by shape; where it is
+/// empty it is made.
 IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::span<const IndexedPad> pads,
-                          int pad_levels);
+                          const IndexKind& kind, std::vector<u32> order = {});
 
 /// What the index of a shard takes on its device.
-std::size_t index_bytes(const MatchRecord& match, int pad_levels);
+std::size_t index_bytes(const MatchRecord& match, const IndexKind& kind);
 
 }  // namespace tessera::worker

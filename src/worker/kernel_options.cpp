@@ -47,7 +47,6 @@ std::string kernel_options(int pad_levels) {
   DEFINE(kMediumStride);
   DEFINE(kCoarseStride);
   DEFINE(kMaxInteriorPoints);
-  DEFINE(kChordLevel);
   DEFINE(kInsideBound);
   DEFINE(kScaleRounding);
   DEFINE(kRotationRounding_rad);

@@ -3,9 +3,9 @@
 namespace tessera::worker {
 
 OpenCLMatcher::OpenCLMatcher(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
-                             const ModelSource& models, const BetweenLaunches& between_launches,
-                             std::size_t stage_bytes)
-    : library_(device, context, shapes, models, between_launches),
+                             std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches,
+                             std::size_t stage_bytes, const HeldShapes& held)
+    : library_(device, context, shapes, std::move(models), between_launches, held),
       pairs_(library_, stage_bytes),
       docking_(library_, pairs_, stage_bytes),
       refinement_(library_) {}

@@ -16,8 +16,8 @@ class OpenCLMatcher : public Matcher {
   /// `shapes` may be empty. `between_launches` is also called while the shapes are uploaded. Throws EnvironmentError
   /// where the device fails.
   OpenCLMatcher(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
-                const ModelSource& models, const BetweenLaunches& between_launches = {},
-                std::size_t stage_bytes = kStageBytes);
+                std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches = {},
+                std::size_t stage_bytes = kStageBytes, const HeldShapes& held = {});
   OpenCLMatcher(const OpenCLMatcher&) = delete;  // the stages point to the library
   OpenCLMatcher& operator=(const OpenCLMatcher&) = delete;
 

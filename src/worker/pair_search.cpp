@@ -39,7 +39,7 @@ void PairSearch::post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t c
   // How many blocks there are is known on the device alone: as many work items as keep it busy share them.
   const std::uint32_t stride = library_->session().compute_units() * 16 * kBlocksPerGroup;
   launch(library_->session(), find_pairs_, {stride, 1, kBlocksPerGroup}, library_->match_buffer(), stances.stances(),
-         stances.lists(), stances.shape_class(), index.rows(), index.places(), library_->keypoints(), colours.record(),
+         stances.lists(), stances.shape_class(), index.rows(), index.places(), index.chords(), colours.record(),
          colours.near_bits(), samples, stride, block_count_, block_room_, blocks_, pair_room_, pair_count_, pairs_);
   library_->session().flush();
 }

@@ -20,7 +20,7 @@ RefinedDocking refined_docking(Docking docking, const RefinedRecord& record) {
 
 }  // namespace
 
-RefineStage::RefineStage(const DeviceLibrary& library)
+RefineStage::RefineStage(DeviceLibrary& library)
     : library_(&library),
       refine_dockings_(library.session().kernel("refine_dockings")),
       measure_dockings_(library.session().kernel("measure_dockings")),
@@ -34,12 +34,15 @@ std::uint32_t RefineStage::upload(const std::vector<Docking>& dockings) {
   const ShapeRange own{match.first_shape, match.first_shape + match.shapes};
   std::vector<DockingRecord> records;
   records.reserve(dockings.size());
+  std::vector<ShapeId> shapes;
   for (const Docking& docking : dockings) {
     if (!own.contains(docking.shape)) {
       throw std::out_of_range("a docking is of a shape of another part of the library");
     }
     records.push_back(std::bit_cast<DockingRecord>(docking));
+    shapes.push_back(docking.shape);
   }
+  library_->contours().need(shapes);
   dockings_.write(records);
   return std::uint32_t(records.size());
 }
@@ -50,7 +53,7 @@ void RefineStage::post(const std::vector<Docking>& dockings) {
   refined_.reserve(count);
   launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(), library_->stances().stances(),
          library_->size_map(), library_->field(), library_->colours().record(), library_->colours().texels(),
-         library_->contours(), library_->shapes(), count, dockings_, refined_);
+         library_->contours().contours(), library_->contours().places(), library_->shapes(), count, dockings_, refined_);
   library_->session().flush();
 }
 
@@ -67,8 +70,8 @@ void RefineStage::post_measure(const std::vector<Docking>& dockings) {
   measured_ = count;
   terms_.reserve(count);
   launch(library_->session(), measure_dockings_, {count}, library_->match_buffer(), library_->field(),
-         library_->colours().record(), library_->colours().texels(), library_->contours(), library_->shapes(), count,
-         dockings_, terms_);
+         library_->colours().record(), library_->colours().texels(), library_->contours().contours(),
+         library_->contours().places(), library_->shapes(), count, dockings_, terms_);
   library_->session().flush();
 }
 

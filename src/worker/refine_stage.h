@@ -7,7 +7,7 @@ namespace tessera::worker {
 
 class RefineStage {
  public:
-  explicit RefineStage(const DeviceLibrary& library);
+  explicit RefineStage(DeviceLibrary& library);
 
   /// Throws std::out_of_range for a docking whose shape is not in the shard.
   void post(const std::vector<Docking>& dockings);
@@ -18,7 +18,7 @@ class RefineStage {
  private:
   std::uint32_t upload(const std::vector<Docking>& dockings);
 
-  const DeviceLibrary* library_;
+  DeviceLibrary* library_;
   cl::Kernel refine_dockings_;
   cl::Kernel measure_dockings_;
   std::vector<Docking> posted_;

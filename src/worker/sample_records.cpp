@@ -35,6 +35,9 @@ SampleRecord make_sample_record(const TargetSample& sample, const MatchRecord& m
   r.signs = sign_byte(r.convexity);
   r.near_list = NearColours::kAny;
   put_scale_windows(r, match);
+  const Vec2 turn = chord(sample.pyramid, pad_levels);
+  r.chord_x = turn.x;
+  r.chord_y = turn.y;
   for (int i = 0; i < kMaxKeypoints; ++i) {
     r.keypoint_x[i] = sample.pyramid.keypoint[i].x;
     r.keypoint_y[i] = sample.pyramid.keypoint[i].y;

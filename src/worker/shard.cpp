@@ -20,16 +20,10 @@ void check_levels(const MatchRecord& match, const ShapeModel& model) {
   if (!fits) throw std::logic_error("a shape model does not have the levels and samples of its matching context");
 }
 
-void append_keypoints(std::vector<std::int16_t>& keypoints, const ModelSample& sample, int pad_levels) {
-  const int count = 2 * pad_levels + 1;
-  for (int i = 0; i < count; ++i) keypoints.push_back(sample.keypoint[i].x);
-  for (int i = 0; i < count; ++i) keypoints.push_back(sample.keypoint[i].y);
-}
-
 void append_level(Shard& shard, const ModelLevel& level, int pad_levels) {
   for (const ModelSample& sample : level.samples) {
-    shard.pads.push_back({sample.pad, sample.scale_length, sample.convexity});
-    append_keypoints(shard.keypoints, sample, pad_levels);
+    const Vec2 across = chord(sample, pad_levels);
+    shard.pads.push_back({sample.pad, sample.scale_length, sample.convexity, {across.x, across.y}});
   }
 }
 
@@ -42,8 +36,7 @@ void put_points(float* set, const Points& points, std::size_t stride, std::size_
   }
 }
 
-void put_colours(float* contour, const ColourModel& colour) {
-  float* const cells = contour + kColourCellsAt;
+void put_colours(float* cells, const ColourModel& colour) {
   put_points(cells, colour.at, 1, kColourCells);
   for (std::size_t i = 0; i < kColourCells; ++i) {
     cells[2 * kColourCells + i] = colour.colour[i].lightness;
@@ -51,26 +44,47 @@ void put_colours(float* contour, const ColourModel& colour) {
     cells[4 * kColourCells + i] = colour.colour[i].b;
     cells[5 * kColourCells + i] = colour.part[i];
   }
-  float* const mean = contour + kColourMeanAt;
-  mean[0] = colour.mean.lightness;
-  mean[1] = colour.mean.a;
-  mean[2] = colour.mean.b;
-  mean[3] = colour.cell;
 }
 
-void append_contour(std::vector<float>& contours, const ShapeModel& model) {
-  contours.resize(contours.size() + kContourFloats, 0.f);
-  float* const contour = contours.data() + contours.size() - kContourFloats;
-  put_points(contour + kFineAt, model.boundary, 1, kBoundaryPoints);
-  put_points(contour + kTangentAt, model.tangent, 1, kBoundaryPoints);
-  put_points(contour + kMediumAt, model.boundary, kMediumStride, kMediumPoints);
-  put_points(contour + kCoarseAt, model.boundary, kCoarseStride, kCoarsePoints);
-  put_points(contour + kInteriorAt, model.interior, 1, kMaxInteriorPoints);
-  put_points(contour + kCoarseInteriorAt, model.interior, kInteriorStride, kCoarseInteriorPoints);
-  put_colours(contour, model.colour);
+/// Room for so many floats behind those that are there, zeros.
+float* append_floats(std::vector<float>& floats, std::size_t count) {
+  floats.resize(floats.size() + count, 0.f);
+  return floats.data() + floats.size() - count;
+}
+
+void append_sketch(std::vector<float>& sketches, const ShapeModel& model) {
+  float* const sketch = append_floats(sketches, kSketchFloats);
+  put_points(sketch + kCoarseAt, model.boundary, kCoarseStride, kCoarsePoints);
+  put_points(sketch + kCoarseInteriorAt, model.interior, kInteriorStride, kCoarseInteriorPoints);
+}
+
+ShapeRecord shape_record(const ShapeModel& model) {
+  const ColourModel& colour = model.colour;
+  return {model.perimeter,     model.radius,      keypoint_step(model.radius), model.disc_centre.x,
+          model.disc_centre.y, model.disc_radius, u32(model.interior.size()),  colour.mean.lightness,
+          colour.mean.a,       colour.mean.b,     colour.cell};
 }
 
 }  // namespace
+
+void append_contour(std::vector<float>& contours, const ShapeModel& model) {
+  float* const contour = append_floats(contours, kContourFloats);
+  put_points(contour + kFineAt, model.boundary, 1, kBoundaryPoints);
+  put_points(contour + kTangentAt, model.tangent, 1, kBoundaryPoints);
+  put_points(contour + kMediumAt, model.boundary, kMediumStride, kMediumPoints);
+  put_points(contour + kInteriorAt, model.interior, 1, kMaxInteriorPoints);
+  put_colours(contour + kColourCellsAt, model.colour);
+}
+
+void append_keypoints(std::vector<std::int16_t>& keypoints, const ShapeModel& model, int pad_levels) {
+  const std::size_t count = std::size_t(2 * pad_levels + 1);
+  for (const ModelLevel& level : model.levels) {
+    for (const ModelSample& sample : level.samples) {
+      for (std::size_t i = 0; i < count; ++i) keypoints.push_back(sample.keypoint[i].x);
+      for (std::size_t i = 0; i < count; ++i) keypoints.push_back(sample.keypoint[i].y);
+    }
+  }
+}
 
 MatchRecord make_match_record(const MatchingContext& c, const ShapeRange& shapes) {
   MatchRecord m{};
@@ -98,18 +112,15 @@ MatchRecord make_match_record(const MatchingContext& c, const ShapeRange& shapes
 
 Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<ShapeModel>& models) {
   Shard shard;
-  const std::size_t sources = models.size() * match.sources;
-  shard.pads.reserve(sources);
-  shard.keypoints.reserve(sources * 2 * (2 * pad_levels + 1));
-  shard.contours.reserve(models.size() * kContourFloats);
+  shard.pads.reserve(models.size() * match.sources);
+  shard.sketches.reserve(models.size() * kSketchFloats);
   for (const ShapeModel& model : models) {
     check_levels(match, model);
     for (const ModelLevel& level : model.levels) {
       append_level(shard, level, pad_levels);
     }
-    append_contour(shard.contours, model);
-    shard.shapes.push_back({model.perimeter, model.radius, keypoint_step(model.radius), model.disc_centre.x,
-                            model.disc_centre.y, model.disc_radius, u32(model.interior.size())});
+    append_sketch(shard.sketches, model);
+    shard.shapes.push_back(shape_record(model));
   }
   return shard;
 }
@@ -121,7 +132,9 @@ std::size_t shard_bytes(const MatchingContext& context, std::size_t shapes) {
     model.levels.push_back({level, std::vector<ModelSample>(samples)});
   }
   const std::size_t of_one = make_shard(make_match_record(context, {0, 1}), context.pad.levels, {model}).bytes();
-  return of_one * shapes + index_bytes(make_match_record(context, {0, u32(shapes)}), context.pad.levels);
+  const std::size_t contours = std::size_t(kContourFloats) * sizeof(float) * shapes;
+  return of_one * shapes + contours +
+         index_bytes(make_match_record(context, {0, u32(shapes)}), index_kind(context));
 }
 
 }  // namespace tessera::worker

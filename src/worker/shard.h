@@ -14,18 +14,22 @@ namespace tessera::worker {
 
 struct Shard {
   std::vector<IndexedPad> pads;  // by shape and source
-  /// By shape and source: x of the key points, then y, in steps of the shape's keypoint_step.
-  std::vector<std::int16_t> keypoints;
-  /// By shape: the sets of points of RecordSizes. Shape units.
-  std::vector<float> contours;
+  std::vector<float> sketches;   // by shape: the sets of points of RecordSizes, shape units
   std::vector<ShapeRecord> shapes;
 
-  /// What it takes on the device, without the index.
-  std::size_t bytes() const {
-    return keypoints.size() * sizeof(std::int16_t) + contours.size() * sizeof(float) +
-           shapes.size() * sizeof(ShapeRecord);
-  }
+  /// What it takes on the device, without index and contours.
+  std::size_t bytes() const { return sketches.size() * sizeof(float) + shapes.size() * sizeof(ShapeRecord); }
 };
+
+
+/// The sets of points of a model's contour (RecordSizes) behind others. Shape units.
+void append_contour(std::vector<float>& contours, const ShapeModel& model);
+
+/// Of a PAD: x and y of its 2 n + 1 key points.
+inline std::size_t keypoint_numbers(int pad_levels) { return std::size_t(2 * (2 * pad_levels + 1)); }
+
+/// x of the key points of a PAD, then y, of all the model's PADs, in steps of the shape's keypoint_step.
+void append_keypoints(std::vector<std::int16_t>& keypoints, const ShapeModel& model, int pad_levels);
 
 /// The record with everything but the field's place.
 MatchRecord make_match_record(const MatchingContext& context, const ShapeRange& shapes);
@@ -34,7 +38,7 @@ MatchRecord make_match_record(const MatchingContext& context, const ShapeRange& 
 /// std::logic_error).
 Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<ShapeModel>& models);
 
-/// What so many shapes will take on a device, with their index.
+/// What so many shapes will take on a device, with their index and contours.
 std::size_t shard_bytes(const MatchingContext& context, std::size_t shapes);
 
 }  // namespace tessera::worker

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "core/base/interrupted.h"
+#include "support/single_models.h"
 #include "worker/device_group.h"
 #include "worker/opencl_devices.h"
 #include "worker/opencl_matcher.h"
@@ -23,9 +24,20 @@ std::unique_ptr<Matcher> make_with_little_room(const MatchingContext& context, s
                                                  given(models, first), worker::BetweenLaunches(), 1);
 }
 
+/// Contours and key points are read as they are needed, and few contours are kept.
+std::unique_ptr<Matcher> make_that_reads(const MatchingContext& context, std::uint32_t first,
+                                         std::vector<ShapeModel> models) {
+  const ShapeRange shapes = all_of(models, first);
+  return std::make_unique<worker::OpenCLMatcher>(
+      worker::opencl_devices().front(), context, shapes,
+      std::make_shared<SingleModels>(std::move(models), first, context.pad.levels), worker::BetweenLaunches(),
+      worker::kStageBytes, worker::HeldShapes{.most_whole = 0, .contours = 3});
+}
+
 INSTANTIATE_TEST_SUITE_P(OpenCL, MatcherSuite,
                          testing::Values(MatcherKind{"AllDevices", make_on_all_devices},
-                                         MatcherKind{"LittleRoom", make_with_little_room}),
+                                         MatcherKind{"LittleRoom", make_with_little_room},
+                                         MatcherKind{"Reads", make_that_reads}),
                          [](const auto& info) { return info.param.name; });
 
 TEST(DeviceGroup, UsesAllDevicesThatThereAre) {
@@ -69,6 +81,62 @@ TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
   set_field(*matcher, scene.field);
   set_field(reference, scene.field);
   expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
+}
+
+/// Of a library so large that draws are from a deck; the matchers have ten shapes of it that are in the deck.
+MatchingScene scene_of_a_large_library(bool with_colours, std::uint32_t& first_shape) {
+  constexpr std::uint32_t kShapes = kWholeDeck + 5000;
+  CollageSettings settings = scene_settings();
+  settings.match.tangent_dockings = 3000;
+  if (with_colours) {
+    std::vector<Lab> of_shapes;
+    for (std::uint32_t i = 0; i < kShapes; ++i) of_shapes.push_back(numbered_colour(i / 16));
+    settings.colour = wish_for(picture(260, 260, [](Vec2) { return opaque(numbered_colour(3)); }), of_shapes);
+  }
+  MatchingScene scene = make_scene(settings, {.samples = 4});
+  scene.context = make_matching_context(settings, kShapes);
+  const Deck deck = draw_deck(scene.context.seed, scene.samples, kShapes, kShapes, 0);
+  first_shape = deck.open[deck.open.size() / 2] / kDeckRun * kDeckRun;
+  return scene;
+}
+
+TEST(OpenCLMatcher, ADeckIsTheSameAsForTheReference) {
+  for (const bool with_colours : {false, true}) {
+    std::uint32_t first = 0;
+    const MatchingScene scene = scene_of_a_large_library(with_colours, first);
+    ReferenceMatcher reference(scene.context, first, scene.models);
+    set_field(reference, scene.field);
+    const Round expected = run_round(reference, scene);
+    EXPECT_TRUE(std::any_of(expected.docked.dockings.begin(), expected.docked.dockings.end(),
+                            [](const Docking& d) { return d.source >= kTangentSource; }));
+    for (const auto& make : {make_on_all_devices, make_that_reads}) {
+      const auto matcher = make(scene.context, first, scene.models);
+      set_field(*matcher, scene.field);
+      expect_same_round(run_round(*matcher, scene), expected);
+    }
+  }
+}
+
+/// A contour that is there is not read again, nor one of another part of the library.
+TEST(DeviceContours, AreReadOnce) {
+  const MatchingScene scene = make_scene(scene_settings(), {6, 150, 0, 2});
+  const auto models = std::make_shared<SingleModels>(scene.models, 100, scene.context.pad.levels);
+  worker::DeviceLibrary library(worker::opencl_devices().front(), scene.context, {100, 106}, models, {},
+                                {.most_whole = 0, .contours = 4});
+  const auto need = [&](std::vector<std::uint32_t> shapes) {
+    std::vector<ShapeId> ids;
+    for (const std::uint32_t shape : shapes) ids.push_back(ShapeId{shape});
+    const std::size_t before = models->contours_read();
+    library.contours().need(ids);
+    return models->contours_read() - before;
+  };
+  EXPECT_EQ(need({100, 103, 103, 99, 106}), 2u);
+  EXPECT_EQ(need({103, 100}), 0u);
+  EXPECT_EQ(need({100, 101, 102}), 2u);
+  EXPECT_EQ(need({100, 103, 104}), 1u) << "one that is not needed makes room";
+  EXPECT_EQ(need({100, 103, 104}), 0u);
+  EXPECT_EQ(need({100, 101, 102, 103, 104, 105}), 6u) << "more than there are places: all are read anew";
+  EXPECT_EQ(need({105, 101}), 0u);
 }
 
 TEST(OpenCLMatcher, AQuestionIsGivenUpBetweenLaunches) {

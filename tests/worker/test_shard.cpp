@@ -14,7 +14,7 @@ namespace {
 
 std::size_t bytes_of(const IndexRows& rows) {
   return rows.roots.size() * sizeof(RootRecord) + rows.node_boxes.size() + rows.block_boxes.size() + rows.rows.size() +
-         rows.places.size() * sizeof(u32);
+         rows.places.size() * sizeof(u32) + rows.chords.size() * sizeof(ChordRecord);
 }
 
 TEST(Shard, bytes_are_known_beforehand) {
@@ -22,12 +22,16 @@ TEST(Shard, bytes_are_known_beforehand) {
   for (const float max_scale_px : {40.f, 160.f, 600.f}) {
     CollageSettings settings;
     settings.pieces.max_scale_px = max_scale_px;
+    if (max_scale_px > 500) settings.pieces.max_rotation_rad = 0.5f;  // with chords
     const MatchingContext context = make_matching_context(settings, 3);
     const MatchRecord match = make_match_record(context, {0, 3});
-    const Shard shard = make_shard(match, context.pad.levels, test::models_of(shapes, context, 0, 3));
-    std::size_t bytes = shard.bytes();
+    const std::vector<ShapeModel> models = test::models_of(shapes, context, 0, 3);
+    const Shard shard = make_shard(match, context.pad.levels, models);
+    std::vector<float> contours;
+    for (const ShapeModel& model : models) append_contour(contours, model);
+    std::size_t bytes = shard.bytes() + contours.size() * sizeof(float);
     for (const IndexPart& part : index_parts(match)) {
-      bytes += bytes_of(make_index_rows(part, match, shard.pads, context.pad.levels));
+      bytes += bytes_of(make_index_rows(part, match, shard.pads, index_kind(context)));
     }
     EXPECT_EQ(shard_bytes(context, 3), bytes);
   }
@@ -51,6 +55,7 @@ std::vector<IndexedPad> random_pads(const MatchRecord& match) {
     for (std::uint16_t& element : pad.pad.element) element = std::uint16_t(random());
     pad.scale_length = 0.01f + float(random() % 1000) / 100;
     pad.convexity = float(int(random() % 3) - 1);
+    pad.chord = {float(random() % 60000), 0};
   }
   return pads;
 }
@@ -64,7 +69,7 @@ TEST(IndexRows, hold_each_pad_once) {
     const std::size_t words = (elements + 3) / 4 + 2;
     std::vector<int> seen(pads.size(), 0);
     for (const IndexPart& part : index_parts(match)) {
-      const IndexRows rows = make_index_rows(part, match, pads, pad_levels);
+      const IndexRows rows = make_index_rows(part, match, pads, {pad_levels, true});
       for (std::size_t place = 0; place < rows.places.size() / words; ++place) {
         const std::uint8_t* const row =
             rows.rows.data() + place / kFilterLanes * kFilterLanes * (elements + 2) + place % kFilterLanes;
@@ -77,6 +82,7 @@ TEST(IndexRows, hold_each_pad_once) {
           EXPECT_EQ(row[e * kFilterLanes] << 8 | low[e], pads[source].pad.element[e]);
         }
         EXPECT_EQ(std::bit_cast<float>(exact[words - 2]), pads[source].scale_length);
+        EXPECT_EQ(rows.chords[place].x, pads[source].chord.x);
         EXPECT_EQ(row[elements * kFilterLanes], scale_byte(pads[source].scale_length));
         EXPECT_EQ(row[(elements + 1) * kFilterLanes], sign_byte(pads[source].convexity));
       }
@@ -102,6 +108,30 @@ TEST(IndexRows, parts_follow_one_another) {
   EXPECT_EQ(parts[3].nodes, kFilterLanes);
   EXPECT_EQ(parts.back().shapes, 5u);
   EXPECT_EQ(parts.back().first_shape, 2 * kSegmentShapes);
+}
+
+/// So that a part of a segment takes its order from that of the whole, wherever the shard begins.
+TEST(IndexRows, segments_are_those_of_the_library) {
+  MatchRecord match = two_levels(kSegmentShapes);
+  match.first_shape = 3 * kSegmentShapes - 5;
+  const std::vector<IndexPart> parts = index_parts(match);
+  ASSERT_EQ(parts.size(), 4u);
+  EXPECT_EQ(parts[0].shapes, 5u);
+  EXPECT_EQ(parts[2].first_shape, 5u);
+  EXPECT_EQ(parts[2].shapes, kSegmentShapes - 5);
+}
+
+/// Another order of the same PADs.
+TEST(IndexRows, take_an_order_that_is_given) {
+  const MatchRecord match = two_levels(70);
+  const std::vector<IndexedPad> pads = random_pads(match);
+  const IndexPart part = index_parts(match).front();
+  std::vector<u32> order(part.shapes * match.level[0].count);
+  std::iota(order.rbegin(), order.rend(), 0u);
+  const IndexRows rows = make_index_rows(part, match, pads, {5, false}, order);
+  const u32 last = part.shapes - 1;
+  EXPECT_EQ(rows.places[3], last * match.sources + match.level[0].count - 1);
+  EXPECT_EQ(rows.places[4 * (order.size() - 1) + 3], 0u);
 }
 
 }  // namespace

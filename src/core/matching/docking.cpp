@@ -97,7 +97,7 @@ Alignment align_pyramids(const Keypoints& shape, const ArclengthPyramid& target,
 }
 
 TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw,
-                         std::span<const std::uint32_t> near) {
+                         std::span<const std::uint32_t> near, const Deck& deck) {
   const std::uint64_t key =
       mix_bits(context.seed ^ mix_bits(mix_bits((std::uint64_t(edge_number(sample.id)) << 32) | sample.pass) ^ draw));
   const std::uint64_t more = mix_bits(key);
@@ -108,10 +108,12 @@ TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sam
   result.drawn = true;
   const std::uint64_t shape_bits = key >> 32;
   if (near.empty() || draw % kAnyColourDraws == 0) {
-    result.shape = stances.open_shape(std::uint32_t((shape_bits * open) >> 32));
+    const auto place = [&](std::size_t all) { return std::uint32_t((shape_bits * all) >> 32); };
+    result.shape = stances.open_shape(deck.open.empty() ? place(open) : deck.open[place(deck.open.size())]);
   } else {
     const std::uint64_t squared = (shape_bits * shape_bits) >> 32;
-    result.shape = ShapeId(near[std::size_t((squared * near.size()) >> 32)]);
+    const auto place = [&](std::size_t all) { return std::size_t((squared * all) >> 32); };
+    result.shape = ShapeId(near[deck.near.empty() ? place(near.size()) : deck.near[place(deck.near.size())]]);
   }
   const StanceList& list = stances.list(result.shape);
   result.stance = list.first + std::uint32_t(((more & 0xffffffffull) * list.count) >> 32);

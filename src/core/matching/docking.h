@@ -7,6 +7,7 @@
 
 #include "core/field/field_lookup.h"
 #include "core/field/target_sample.h"
+#include "core/matching/deck.h"
 #include "core/matching/matching_context.h"
 #include "core/shape/shape_id.h"
 #include "core/shape/shape_model.h"
@@ -56,9 +57,9 @@ struct TangentDraw {
   std::uint32_t point_bits = 0;  // choose among the boundary points that come into question
   float scale_px = 0;
 };
-/// Where there is a list of `near` colours, most draws take one of those shapes, the nearer the more likely.
+/// Of the shapes that may stand, or those of a deck. Where there is a list of `near` colours, most draws take one of those shapes, the nearer the more likely.
 TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw,
-                         std::span<const std::uint32_t> near = {});
+                         std::span<const std::uint32_t> near = {}, const Deck& deck = {});
 
 /// The boundary point that the draw docks: any of those whose tangent implies one of docked_rotations is as likely;
 /// kNoPoint where there is none.

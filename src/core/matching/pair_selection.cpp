@@ -17,20 +17,7 @@ struct Target {
   Vec2 chord;
 };
 
-/// Between the ends of the level whose length estimates the scale, too: the rotation before any alignment.
-struct ChordEnds {
-  int first;
-  int last;
-};
-ChordEnds chord_ends(int levels) {
-  const int level = std::min(kChordLevel, levels - 1);
-  return {levels - 1 - level, levels + 1 + level};
-}
-
-bool may_turn(const ModelSample& sample, const Target& target, const ChordEnds& ends, std::span<const Stance> stances) {
-  const ModelSample::Step first = sample.keypoint[ends.first];
-  const ModelSample::Step last = sample.keypoint[ends.last];
-  const Vec2 chord{float(last.x) - float(first.x), float(last.y) - float(first.y)};
+bool may_turn(Vec2 chord, const Target& target, std::span<const Stance> stances) {
   const Vec2 turn{dot(chord, target.chord), cross(chord, target.chord)};
   return std::any_of(stances.begin(), stances.end(),
                      [&](const Stance& s) { return s.docked_rotations.contains(turn, 1, 0); });
@@ -40,14 +27,13 @@ bool may_turn(const ModelSample& sample, const Target& target, const ChordEnds& 
 std::vector<std::uint32_t> level_distances(const ModelLevel& level, const Target& target, const ScaleRange& scales,
                                            std::span<const Stance> stances, const MatchingContext& context) {
   const int levels = context.pad.levels;
-  const ChordEnds ends = chord_ends(levels);
   std::vector<std::uint32_t> result(level.samples.size(), kNoPair);
   for (std::size_t j = 0; j < level.samples.size(); ++j) {
     const ModelSample& sample = level.samples[j];
     if (target.length < sample.scale_length * (scales.low * kScaleWindowLow)) continue;
     if (target.length > sample.scale_length * (scales.high * kScaleWindowHigh)) continue;
     if ((sign_byte(target.convexity) & sign_byte(sample.convexity)) == 0) continue;
-    if (!may_turn(sample, target, ends, stances)) continue;
+    if (!may_turn(chord(sample, levels), target, stances)) continue;
     result[j] = pad_distance(target.pad, sample.pad, levels);
   }
   return result;
@@ -68,9 +54,8 @@ std::vector<PadPair> select_pairs(const ShapeModel& shape, const TargetSample& s
                                   const MatchingContext& context, std::uint32_t reach_steps) {
   if (list.count == 0) return {};
   const int levels = context.pad.levels;
-  const Target target{
-      quantised(make_pad(sample.pyramid, levels)), scale_length(sample.pyramid, levels), sample.pyramid.convexity,
-      sample.pyramid.keypoint[chord_ends(levels).last] - sample.pyramid.keypoint[chord_ends(levels).first]};
+  const Target target{quantised(make_pad(sample.pyramid, levels)), scale_length(sample.pyramid, levels),
+                      sample.pyramid.convexity, chord(sample.pyramid, levels)};
   std::vector<PadPair> pairs;
   std::uint32_t first = 0;
   for (std::size_t slot = 0; slot < shape.levels.size(); ++slot) {

@@ -106,7 +106,7 @@ std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& reque
   const std::span<const std::uint32_t> near =
       list == NearColours::kAny ? std::span<const std::uint32_t>() : near_colours_.shapes(list);
   for (std::uint32_t i = 0; i < request.tangent_dockings; ++i) {
-    const TangentDraw draw = draw_tangent(context_, request.samples[t], i, near);
+    const TangentDraw draw = draw_tangent(context_, request.samples[t], i, near, deck_);
     if (!draw.drawn || !shapes().contains(draw.shape)) continue;
     const ShapeModel& model = model_of(draw.shape);
     const Stance stance = sized_at(context_, context_.stances[draw.stance], request.samples[t].position);
@@ -123,6 +123,8 @@ std::vector<Docking> ReferenceMatcher::tangent_dockings(const DockRequest& reque
 
 void ReferenceMatcher::post_dock(const DockRequest& request) {
   docked_ = {};
+  deck_ = draw_deck(context_.seed, request.samples, context_.library_shapes, context_.stances.open_shapes(),
+                    near_colours_.length());
   for (std::uint32_t t = 0; t < request.samples.size(); ++t) {
     std::vector<Docking> all = pad_dockings(request, t, docked_);
     const std::vector<Docking> tangent = tangent_dockings(request, t, docked_);

@@ -136,6 +136,10 @@ StanceTable StanceTable::limited(const StandingLimits& limits) const {
   return table;
 }
 
+bool StanceTable::limits_rotations() const {
+  return std::any_of(stances_.begin(), stances_.end(), [](const Stance& s) { return !s.docked_rotations.all(); });
+}
+
 void StanceTable::list_open_shapes() {
   open_.clear();
   for (std::uint32_t shape = 0; shape < library_shapes_; ++shape) {

@@ -68,6 +68,8 @@ class StanceTable {
   ShapeId open_shape(std::uint32_t place) const { return ShapeId(all_open_ ? place : open_[place]); }
   /// Every shape may stand.
   bool all_open() const { return all_open_; }
+  /// Some rotations are not allowed.
+  bool limits_rotations() const;
 
  private:
   StanceList add_list(std::vector<Interval> scales_px, const std::vector<Interval>& rotations_rad, float weight);

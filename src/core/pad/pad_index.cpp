@@ -102,18 +102,27 @@ void enclose(PadBox& box, const PadBox& part) {
 
 }  // namespace
 
-PadIndex make_pad_index(std::span<const PadBytes> pads, int elements) {
-  PadIndex index;
-  index.order.resize(pads.size());
-  std::iota(index.order.begin(), index.order.end(), 0u);
-  const auto others = std::stable_partition(index.order.begin(), index.order.end(),
+std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements) {
+  std::vector<std::uint32_t> order(pads.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto others = std::stable_partition(order.begin(), order.end(),
                                             [&](std::uint32_t i) { return pads[i].sign == sign_byte(1); });
-  Splitter(pads, elements).split_by_sign(index.order, std::size_t(others - index.order.begin()), kNodePads);
+  Splitter(pads, elements).split_by_sign(order, std::size_t(others - order.begin()), kNodePads);
+  return order;
+}
+
+PadIndex boxed(std::vector<std::uint32_t> order, std::span<const PadBytes> pads) {
+  PadIndex index;
+  index.order = std::move(order);
   index.blocks.resize((pads.size() + kIndexFanOut - 1) / kIndexFanOut);
   for (std::size_t i = 0; i < pads.size(); ++i) enclose(index.blocks[i / kIndexFanOut], box_of(pads[index.order[i]]));
   index.nodes.resize((index.blocks.size() + kIndexFanOut - 1) / kIndexFanOut);
   for (std::size_t b = 0; b < index.blocks.size(); ++b) enclose(index.nodes[b / kIndexFanOut], index.blocks[b]);
   return index;
+}
+
+PadIndex make_pad_index(std::span<const PadBytes> pads, int elements) {
+  return boxed(pad_order(pads, elements), pads);
 }
 
 }  // namespace tessera

@@ -18,6 +18,10 @@ namespace tessera {
 
 inline constexpr std::uint32_t kIndexFanOut = 64;
 
+/// Each level of so many shapes of a library has an index of its own, so that it can be made, kept and read piece by
+/// piece. As many as fill kIndexFanOut nodes with a level of 128 samples a shape.
+inline constexpr std::uint32_t kSegmentShapes = 2048;
+
 /// What the filter knows of a PAD.
 struct PadBytes {
   std::array<std::uint8_t, kMaxPadElements> element{};  // pad_byte()
@@ -47,7 +51,12 @@ struct PadIndex {
   std::vector<PadBox> nodes;
 };
 
-/// `elements`: of a PAD, from the first on. The same PADs give the same index.
+/// The order of an index. `elements`: of a PAD, from the first on. The same PADs give the same order.
+std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements);
+
+/// The index with an order of all these PADs. Whatever the order, a search finds the same; it decides how fast.
+PadIndex boxed(std::vector<std::uint32_t> order, std::span<const PadBytes> pads);
+
 PadIndex make_pad_index(std::span<const PadBytes> pads, int elements);
 
 }  // namespace tessera

@@ -8,6 +8,9 @@
 namespace tessera {
 namespace {
 
+/// The level whose interval estimates scale and rotation.
+int chord_level(int levels) { return std::min(kChordLevel, levels - 1); }
+
 std::int16_t to_step(float length, float step) {
   return std::int16_t(std::lround(std::clamp(length / step, -32767.f, 32767.f)));
 }
@@ -15,8 +18,20 @@ std::int16_t to_step(float length, float step) {
 }  // namespace
 
 float scale_length(const ArclengthPyramid& pyramid, int levels) {
-  const int k = std::min(kChordLevel, levels - 1);
+  const int k = chord_level(levels);
   return pyramid.left[k] + pyramid.right[k];
+}
+
+Vec2 chord(const ArclengthPyramid& pyramid, int levels) {
+  const int k = chord_level(levels);
+  return pyramid.keypoint[levels + 1 + k] - pyramid.keypoint[levels - 1 - k];
+}
+
+Vec2 chord(const ModelSample& sample, int levels) {
+  const int k = chord_level(levels);
+  const ModelSample::Step first = sample.keypoint[levels - 1 - k];
+  const ModelSample::Step last = sample.keypoint[levels + 1 + k];
+  return {float(last.x) - float(first.x), float(last.y) - float(first.y)};
 }
 
 ModelSample make_model_sample(const ArclengthPyramid& pyramid, int levels, float keypoint_step) {

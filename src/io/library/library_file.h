@@ -54,6 +54,8 @@ class LibraryFile : public ShapeLibrary {
   /// What shapes [begin, end) are known by. Throws as read().
   std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;
+  /// Libraries of older versions hold none.
+  std::shared_ptr<const ModelSource> stored_models(const MatchingContext& context) const override;
 
  private:
   struct State;

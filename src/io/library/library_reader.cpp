@@ -9,6 +9,8 @@
 #include "io/library/library_file.h"
 #include "io/library/library_open.h"
 #include "io/library/library_parts.h"
+#include "io/library/segment_columns.h"
+#include "io/library/stored_models.h"
 
 namespace tessera::io {
 namespace {
@@ -45,7 +47,8 @@ struct LibraryFile::State {
         original(file.get(), format.first_original_byte, format.original_bytes, layout::kMaxOriginalBytes),
         part_digest(ColumnReader::if_present(file.get(), format.part_digest)),
         variant_of(ColumnReader::if_present(file.get(), format.variant_of)),
-        style(ColumnReader::if_present(file.get(), format.style)) {
+        style(ColumnReader::if_present(file.get(), format.style)),
+        segments(segment_places(file.get(), pad, std::uint32_t(head.shapes()))) {
     for (std::size_t k = 0; k < format.levels.size(); ++k) levels.emplace_back(file.get(), format.levels[k], k);
     check_rows();
     check_declared_bytes();
@@ -74,6 +77,7 @@ struct LibraryFile::State {
   ArtworkReader artwork;
   BytesReader original;
   std::optional<ColumnReader> part_digest, variant_of, style;
+  SegmentPlaces segments;
   std::vector<LevelReader> levels;
 };
 
@@ -219,6 +223,7 @@ LibrarySummary LibraryFile::State::summary() const {
     if (parts.empty() || parts.back().first != part) parts.emplace_back(part, 0);
     parts.back().second += column->stored_bytes();
   }
+  if (segments.bytes > 0) summary.stored_bytes_of_part.emplace_back("models", segments.bytes);
   return summary;
 }
 
@@ -261,6 +266,22 @@ std::vector<std::uint32_t> LibraryFile::drawings() const {
 
 std::vector<ShapeHead> LibraryFile::heads(std::size_t begin, std::size_t end) const {
   return naming_the_file(path(), [&] { return state_->heads(begin, end); });
+}
+
+std::shared_ptr<const ModelSource> LibraryFile::stored_models(const MatchingContext& context) const {
+  if (state_->segments.begins.empty() || context.pad != pad_parameters()) return nullptr;
+  auto reader = std::make_shared<const SegmentReader>(path(), library_segments(pad_parameters()),
+                                                      std::uint32_t(size()), state_->segments.begins);
+  const auto owners = [state = state_.get()](const ShapeRange& range) {
+    return naming_the_file(state->path, [&] {
+      std::vector<SegmentOwner> owners;
+      for (const PartDigests& digests : state->digests(range.begin, range.end)) {
+        owners.push_back(segment_owner(digests));
+      }
+      return owners;
+    });
+  };
+  return std::make_shared<StoredModels>(std::move(reader), context, owners);
 }
 
 std::vector<Shape> LibraryFile::read(std::size_t begin, std::size_t end, const LibraryParts& parts) const {

@@ -317,6 +317,10 @@ std::vector<ShapeHead> LibraryView::heads(std::size_t begin, std::size_t end) co
   return heads;
 }
 
+std::shared_ptr<const ModelSource> LibraryView::stored_models(const MatchingContext& context) const {
+  return whole_file() ? files_.front().stored_models(context) : nullptr;
+}
+
 std::vector<Shape> LibraryView::read(std::size_t begin, std::size_t end, const LibraryParts& parts) const {
   if (whole_file()) return files_.front().read(begin, end, parts);
   end = std::min(end, size());

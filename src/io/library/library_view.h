@@ -67,6 +67,8 @@ class LibraryView : public ShapeLibrary {
   std::vector<StyleFeatures> styles() const override;
   std::vector<std::uint32_t> drawings() const override;
   std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const override;
+  /// Of one file as a whole.
+  std::shared_ptr<const ModelSource> stored_models(const MatchingContext& context) const override;
 
   /// Of the shapes [begin, end).
   std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;

@@ -12,6 +12,7 @@
 #include "io/library/library_create.h"
 #include "io/library/library_file.h"
 #include "io/library/part_digest.h"
+#include "io/library/segment_columns.h"
 
 namespace tessera::io {
 namespace {
@@ -90,6 +91,19 @@ float step_of(const ShapeField& field) {
   return step;
 }
 
+/// 16 bits, with a step for each shape: a step is about a ten-thousandth of a shape unit.
+struct QuantisedField {
+  explicit QuantisedField(const ShapeField& field) : step(step_of(field)) {
+    distance.reserve(field.distance.data().size());
+    for (const float d : field.distance.data()) {
+      distance.push_back(std::int16_t(std::clamp(std::round(d / step), -kLargestStep, kLargestStep)));
+    }
+  }
+
+  float step;
+  std::vector<std::int16_t> distance;
+};
+
 class FieldWriter {
  public:
   FieldWriter(hid_t file, const layout::Columns& columns)
@@ -97,18 +111,11 @@ class FieldWriter {
         scale_(file, columns.field_scale),
         extent_(file, columns.field_extent) {}
 
-  /// 16 bits, with a step for each shape: a step is about a ten-thousandth of a shape unit.
-  std::uint64_t append(const ShapeField& field) {
-    const float step = step_of(field);
-    std::vector<std::int16_t> quantised;
-    quantised.reserve(field.distance.data().size());
-    for (const float d : field.distance.data()) {
-      quantised.push_back(std::int16_t(std::clamp(std::round(d / step), -kLargestStep, kLargestStep)));
-    }
-    distance_.append(quantised.data(), 1);
-    scale_.append(&step, 1);
-    extent_.append(&field.extent, 1);
-    return field_digest(quantised, step, field.extent);
+  std::uint64_t append(const QuantisedField& field, float extent) {
+    distance_.append(field.distance.data(), 1);
+    scale_.append(&field.step, 1);
+    extent_.append(&extent, 1);
+    return field_digest(field.distance, field.step, extent);
   }
 
  private:
@@ -195,6 +202,14 @@ class OutlineWriter {
   RaggedWriter curves_;
 };
 
+/// The shape as it will be read.
+Shape as_read(const Shape& shape, const QuantisedField& field) {
+  Shape read = shape;
+  std::transform(field.distance.begin(), field.distance.end(), read.field.distance.data().begin(),
+                 [&](std::int16_t steps) { return float(steps) * field.step; });
+  return read;
+}
+
 }  // namespace
 
 struct LibraryWriter::State {
@@ -205,7 +220,7 @@ struct LibraryWriter::State {
 
   /// Members are destroyed from the last to the first: the columns before their file.
   struct Content {
-    Content(hid_t file, const layout::Columns& columns, const std::filesystem::path& folder)
+    Content(hid_t file, const layout::Columns& columns, const PadParameters& pad, const std::filesystem::path& folder)
         : name(file, columns.name),
           perimeter(file, columns.perimeter),
           radius(file, columns.radius),
@@ -218,7 +233,8 @@ struct LibraryWriter::State {
           field(file, columns),
           artwork(file, columns, folder),
           part_digest(file, columns.part_digest),
-          variant_of(file, columns.variant_of) {
+          variant_of(file, columns.variant_of),
+          segments(file, pad) {
       for (const layout::LevelColumns& level : columns.levels) levels.emplace_back(file, level);
     }
 
@@ -229,6 +245,7 @@ struct LibraryWriter::State {
     ArtworkWriter artwork;
     ColumnWriter part_digest, variant_of;
     std::vector<LevelWriter> levels;
+    SegmentWriter segments;
   };
 
   void remove_temporary() {
@@ -257,7 +274,7 @@ LibraryWriter::LibraryWriter(const std::string& path, const PadParameters& pad) 
   try {
     state_ = std::make_unique<State>(path, pad);
     write_library_header(state_->file.get(), pad);
-    state_->content.emplace(state_->file.get(), layout::library_columns(pad.levels),
+    state_->content.emplace(state_->file.get(), layout::library_columns(pad.levels), pad,
                             std::filesystem::absolute(path).lexically_normal().parent_path());
   } catch (const Hdf5Error& error) {
     if (state_) state_->remove_temporary();
@@ -283,9 +300,12 @@ void LibraryWriter::append(const Shape& shape, std::optional<std::uint32_t> vari
     to.drawn_scale.append(&shape.drawn_scale_px, 1);
     to.colour_grid.append(shape.colour_grid.bytes.data(), 1);
     to.style.append(&style, 1);
-    std::vector<std::uint64_t> digests{to.outline.append(shape.outline), to.field.append(shape.field)};
-    for (std::size_t k = 0; k < to.levels.size(); ++k)
-      digests.push_back(to.levels[k].append(shape.levels[k], state_->pad.levels));
+    const QuantisedField field(shape.field);
+    PartDigests digests{to.outline.append(shape.outline), to.field.append(field, shape.field.extent)};
+    for (std::size_t k = 0; k < to.levels.size(); ++k) {
+      digests[2 + k] = to.levels[k].append(shape.levels[k], state_->pad.levels);
+    }
+    to.segments.append(as_read(shape, field), segment_owner(digests));
     const auto first = std::int32_t(variant_of.value_or(std::uint32_t(to.variant_of.rows())));
     to.part_digest.append(digests.data(), 1);
     to.variant_of.append(&first, 1);
@@ -299,6 +319,7 @@ void LibraryWriter::finish() {
   const Hdf5Silence silence;
   State& state = *state_;
   try {
+    state.content->segments.finish();
     // Flushed while the columns are open: closing a column cannot report that the disk is full.
     hdf5_checked(H5Fflush(state.file.get(), H5F_SCOPE_GLOBAL), "flush");
     state.content.reset();

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/matching/model_source.h"
 #include "core/shape/shape.h"
 #include "core/style/style_features.h"
 
@@ -40,6 +42,8 @@ class ShapeLibrary {
   virtual std::vector<std::uint32_t> drawings() const = 0;
   /// Shapes [begin, end). Throws InputError that names file and data set where what is read is damaged.
   virtual std::vector<Shape> read(std::size_t begin, std::size_t end, const LibraryParts& parts) const = 0;
+  /// The models as they lie in the file; nothing where they must be made of the shapes. The library outlives them.
+  virtual std::shared_ptr<const ModelSource> stored_models(const MatchingContext&) const { return {}; }
 
  protected:
   ShapeLibrary() = default;

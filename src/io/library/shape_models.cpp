@@ -29,8 +29,10 @@ std::vector<ShapeModel> read_models(const ShapeLibrary& library, const ShapeRang
   return models;
 }
 
-ModelSource models_of(const ShapeLibrary& library, const MatchingContext& context) {
-  return [&](const ShapeRange& range) { return read_models(library, range, context); };
+std::shared_ptr<const ModelSource> models_of(const ShapeLibrary& library, const MatchingContext& context) {
+  if (auto stored = library.stored_models(context)) return stored;
+  return std::make_shared<MadeModels>(
+      [&library, context](const ShapeRange& range) { return read_models(library, range, context); });
 }
 
 }  // namespace tessera::io

@@ -1,6 +1,7 @@
 // Reads from the library file what matching needs of it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/matching/model_source.h"
@@ -13,7 +14,7 @@ namespace tessera::io {
 std::vector<ShapeModel> read_models(const ShapeLibrary& library, const ShapeRange& range,
                                     const MatchingContext& context);
 
-/// Reads when it is asked; library and context outlive it.
-ModelSource models_of(const ShapeLibrary& library, const MatchingContext& context);
+/// As they are stored in the library's file, or read and made when it is asked. The library outlives it.
+std::shared_ptr<const ModelSource> models_of(const ShapeLibrary& library, const MatchingContext& context);
 
 }  // namespace tessera::io

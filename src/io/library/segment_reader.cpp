@@ -1,0 +1,218 @@
+#include "io/library/segment_reader.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "io/library/library_check.h"
+#include "io/library/library_layout.h"
+
+namespace tessera::io {
+namespace {
+
+template <class T>
+T value_at(const std::uint8_t* bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+
+/// Whether the check at the end of a row of `bytes`, itself included, is right.
+bool is_row_of(const std::uint8_t* row, std::size_t bytes, std::uint64_t owner) {
+  const std::size_t content = bytes - sizeof(RowCheck);
+  return value_at<RowCheck>(row + content) == row_check(row, content, owner);
+}
+
+bool are_keypoints_of(const std::uint8_t* row, std::size_t bytes, std::uint64_t owner, std::uint64_t sample) {
+  const std::size_t content = bytes - sizeof(KeypointCheck);
+  return value_at<KeypointCheck>(row + content) == KeypointCheck(row_check(row, content, owner, sample));
+}
+
+/// False where a number is none that a PAD has.
+bool set_pads(std::vector<ModelSample>& samples, const std::uint8_t* row, std::size_t elements) {
+  const std::uint8_t* const lengths = row + samples.size() * elements * sizeof(std::uint16_t);
+  const std::uint8_t* const signs = lengths + samples.size() * sizeof(float);
+  bool fits = true;
+  for (std::size_t j = 0; j < samples.size(); ++j) {
+    ModelSample& sample = samples[j];
+    std::memcpy(sample.pad.element.data(), row + j * elements * sizeof(std::uint16_t),
+                elements * sizeof(std::uint16_t));
+    sample.scale_length = value_at<float>(lengths + j * sizeof(float));
+    const std::int8_t sign = value_at<std::int8_t>(signs + j);
+    sample.convexity = float(sign);
+    fits = fits && sign >= -1 && sign <= 1 &&
+           all_within(&sample.scale_length, 1, layout::kLeastLength, 2 * layout::kMaxCoordinate);
+  }
+  return fits;
+}
+
+bool is_permutation_of_all(std::span<const std::uint32_t> order) {
+  std::vector<bool> seen(order.size(), false);
+  for (const std::uint32_t place : order) {
+    if (place >= seen.size() || seen[place]) return false;
+    seen[place] = true;
+  }
+  return true;
+}
+
+}  // namespace
+
+/// Shapes [first, first + owners.size()) of a segment.
+struct SegmentReader::Part {
+  std::uint32_t segment;
+  std::uint32_t first;
+  std::span<const SegmentOwner> owners;
+};
+
+SegmentReader::SegmentReader(const std::string& path, SegmentKind kind, std::uint32_t shapes,
+                             std::vector<std::uint64_t> begins)
+    : path_(path),
+      file_(open_regular_file(path)),
+      kind_(std::move(kind)),
+      shapes_(shapes),
+      begins_(std::move(begins)),
+      whole_(kind_, kSegmentShapes),
+      last_(kind_, shapes - (std::uint32_t(begins_.size()) - 1) * kSegmentShapes) {}
+
+void SegmentReader::fail(const std::string& what) const {
+  throw InputError(path_ + ": models: " + what + "; build the library again with tessera library build");
+}
+
+const SegmentLayout& SegmentReader::layout_of(std::uint32_t segment) const {
+  return segment + 1 == begins_.size() ? last_ : whole_;
+}
+
+const LevelSection& SegmentReader::section_of(const SegmentLayout& layout, int level) const {
+  return *std::find_if(layout.levels.begin(), layout.levels.end(),
+                       [&](const LevelSection& section) { return section.level == level; });
+}
+
+void SegmentReader::read_into(void* data, std::uint32_t segment, std::size_t at, std::size_t bytes) const {
+  auto* to = static_cast<std::uint8_t*>(data);
+  std::uint64_t from = begins_[segment] + at;
+  while (bytes > 0) {
+    const ssize_t got = ::pread(file_.number(), to, bytes, off_t(from));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw InputError(path_ + ": cannot be read: " + std::generic_category().message(errno));
+    if (got == 0) fail("the file ends too early");
+    to += got;
+    from += std::uint64_t(got);
+    bytes -= std::size_t(got);
+  }
+}
+
+std::vector<std::uint8_t> SegmentReader::read(std::uint32_t segment, std::size_t at, std::size_t bytes) const {
+  std::vector<std::uint8_t> data(bytes);
+  read_into(data.data(), segment, at, bytes);
+  return data;
+}
+
+void SegmentReader::add_sketches(std::span<ShapeModel> models, const Part& part) const {
+  constexpr std::size_t kRow = SegmentLayout::kSketchBytes;
+  const auto rows =
+      read(part.segment, layout_of(part.segment).sketches_at + part.first * kRow, models.size() * kRow);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const std::uint8_t* const row = rows.data() + i * kRow;
+    if (!is_row_of(row, kRow, part.owners[i].contour) || !set_sketch(models[i], value_at<SketchRow>(row))) {
+      fail("a sketch is damaged");
+    }
+  }
+}
+
+void SegmentReader::add_contours(std::span<ShapeModel> models, const Part& part) const {
+  constexpr std::size_t kRow = SegmentLayout::kContourBytes;
+  const auto rows =
+      read(part.segment, layout_of(part.segment).contours_at + part.first * kRow, models.size() * kRow);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const std::uint8_t* const row = rows.data() + i * kRow;
+    if (!is_row_of(row, kRow, part.owners[i].contour) || !set_contour(models[i], value_at<ContourRow>(row))) {
+      fail("a contour is damaged");
+    }
+  }
+}
+
+void SegmentReader::add_level(std::span<ShapeModel> models, const Part& part, int level, bool keypoints) const {
+  const SegmentLayout& layout = layout_of(part.segment);
+  const LevelSection& section = section_of(layout, level);
+  const auto pads = read(part.segment, section.pads_at + part.first * section.pads_row, models.size() * section.pads_row);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    models[i].levels.push_back({level, std::vector<ModelSample>(section.samples)});
+    std::vector<ModelSample>& samples = models[i].levels.back().samples;
+    const std::uint8_t* const row = pads.data() + i * section.pads_row;
+    const std::uint64_t owner = part.owners[i].level[std::size_t(level)];
+    if (!is_row_of(row, section.pads_row, owner) || !set_pads(samples, row, layout.elements)) fail("PADs are damaged");
+  }
+  if (!keypoints) return;
+  const std::size_t of_shape = section.samples * section.keypoints_row;
+  const auto points = read(part.segment, section.keypoints_at + part.first * of_shape, models.size() * of_shape);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    for (std::size_t j = 0; j < section.samples; ++j) {
+      const std::uint8_t* const row = points.data() + i * of_shape + j * section.keypoints_row;
+      if (!are_keypoints_of(row, section.keypoints_row, part.owners[i].level[std::size_t(level)], j)) {
+        fail("key points are damaged");
+      }
+      std::memcpy(models[i].levels.back().samples[j].keypoint.data(), row,
+                  layout.keypoint_points * sizeof(ModelSample::Step));
+    }
+  }
+}
+
+std::vector<ShapeModel> SegmentReader::models(const ShapeRange& range, const std::vector<int>& levels,
+                                              const ModelParts& parts, std::span<const SegmentOwner> owners) const {
+  std::vector<ShapeModel> models(range.size());
+  for (std::uint32_t at = range.begin, next = at; at < range.end; at = next) {
+    const std::uint32_t segment = at / kSegmentShapes;
+    next = std::min(range.end, (segment + 1) * kSegmentShapes);
+    const Part part{segment, at % kSegmentShapes, owners.subspan(at - range.begin, next - at)};
+    const std::span<ShapeModel> own = std::span(models).subspan(at - range.begin, next - at);
+    add_sketches(own, part);
+    if (parts.contours) add_contours(own, part);
+    for (const int level : levels) add_level(own, part, level, parts.keypoints);
+  }
+  return models;
+}
+
+ShapeModel SegmentReader::contour(ShapeId shape, const SegmentOwner& owner) const {
+  const Part part{index_of(shape) / kSegmentShapes, index_of(shape) % kSegmentShapes, std::span(&owner, 1)};
+  ShapeModel model;
+  add_contours(std::span(&model, 1), part);
+  return model;
+}
+
+void SegmentReader::keypoints(ShapeId shape, int level, std::uint32_t sample, const SegmentOwner& owner,
+                              ModelSample::Step* points) const {
+  const std::uint32_t segment = index_of(shape) / kSegmentShapes;
+  const SegmentLayout& layout = layout_of(segment);
+  const LevelSection& section = section_of(layout, level);
+  const std::size_t row = std::size_t(index_of(shape) % kSegmentShapes) * section.samples + sample;
+  std::array<std::uint8_t, sizeof(Keypoints)> bytes;
+  read_into(bytes.data(), segment, section.keypoints_at + row * section.keypoints_row, section.keypoints_row);
+  if (!are_keypoints_of(bytes.data(), section.keypoints_row, owner.level[std::size_t(level)], sample)) {
+    fail("key points are damaged");
+  }
+  std::memcpy(points, bytes.data(), layout.keypoint_points * sizeof(ModelSample::Step));
+}
+
+std::vector<std::uint32_t> SegmentReader::pad_order(const ShapeRange& range, int level) const {
+  const std::uint32_t segment = range.begin / kSegmentShapes;
+  const SegmentLayout& layout = layout_of(segment);
+  const LevelSection& section = section_of(layout, level);
+  std::vector<std::uint32_t> order(layout.shapes * section.samples);
+  read_into(order.data(), segment, section.order_at, order.size() * sizeof order[0]);
+  if (!is_permutation_of_all(order)) fail("an order of PADs is damaged");
+  const auto first = std::uint32_t((range.begin % kSegmentShapes) * section.samples);
+  const auto count = std::uint32_t(range.size() * section.samples);
+  if (count == order.size()) return order;
+  std::vector<std::uint32_t> own;
+  own.reserve(count);
+  for (const std::uint32_t place : order) {
+    if (place - first < count) own.push_back(place - first);
+  }
+  return own;
+}
+
+}  // namespace tessera::io

@@ -1,0 +1,57 @@
+// Reads models out of a library file (segment_layout.h), as many at a time and as much of them as is wanted. The file is
+// anyone's: what is read is checked.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/matching/model_source.h"
+#include "io/library/segment_layout.h"
+#include "io/regular_file.h"
+
+namespace tessera::io {
+
+class SegmentReader {
+ public:
+  /// `begins`: where each segment begins in the file; the last one has what is left of `shapes`. Throws InputError where
+  /// the file cannot be opened or is too short.
+  SegmentReader(const std::string& path, SegmentKind kind, std::uint32_t shapes, std::vector<std::uint64_t> begins);
+
+  const SegmentKind& kind() const { return kind_; }
+
+  /// Shapes [begin, end) with these smoothing levels, which the file has. `owners`: of these shapes. Throws InputError
+  /// that names the file where something is damaged, as do all others.
+  std::vector<ShapeModel> models(const ShapeRange& range, const std::vector<int>& levels, const ModelParts& parts,
+                                 std::span<const SegmentOwner> owners) const;
+  /// A model with boundary, tangents, interior and colours.
+  ShapeModel contour(ShapeId shape, const SegmentOwner& owner) const;
+  /// The key points of one PAD, into `points`: 2 n + 1 of them.
+  void keypoints(ShapeId shape, int level, std::uint32_t sample, const SegmentOwner& owner,
+                 ModelSample::Step* points) const;
+  /// Of the shapes of a range within one segment, shape by shape: an order of their PADs.
+  std::vector<std::uint32_t> pad_order(const ShapeRange& range, int level) const;
+
+ private:
+  struct Part;  // of a range, within one segment
+
+  const SegmentLayout& layout_of(std::uint32_t segment) const;
+  std::vector<std::uint8_t> read(std::uint32_t segment, std::size_t at, std::size_t bytes) const;
+  void read_into(void* data, std::uint32_t segment, std::size_t at, std::size_t bytes) const;
+  void add_sketches(std::span<ShapeModel> models, const Part& part) const;
+  void add_contours(std::span<ShapeModel> models, const Part& part) const;
+  void add_level(std::span<ShapeModel> models, const Part& part, int level, bool keypoints) const;
+  [[noreturn]] void fail(const std::string& what) const;
+  const LevelSection& section_of(const SegmentLayout& layout, int level) const;
+
+  std::string path_;
+  FileDescriptor file_;
+  SegmentKind kind_;
+  std::uint32_t shapes_;
+  std::vector<std::uint64_t> begins_;
+  SegmentLayout whole_;  // of kSegmentShapes
+  SegmentLayout last_;
+};
+
+}  // namespace tessera::io

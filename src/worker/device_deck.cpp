@@ -1,0 +1,62 @@
+#include "worker/device_deck.h"
+
+namespace tessera::worker {
+namespace {
+
+/// Of each list of `length` shapes those at these places.
+std::vector<std::uint32_t> picked(const std::vector<std::uint32_t>& lists, std::uint32_t length,
+                                  const std::vector<std::uint32_t>& places) {
+  std::vector<std::uint32_t> result;
+  for (std::size_t first = 0; first < lists.size(); first += length) {
+    for (const std::uint32_t place : places) result.push_back(lists[first + place]);
+  }
+  return result;
+}
+
+}  // namespace
+
+DeviceDeck::DeviceDeck(DeviceLibrary& library)
+    : library_(&library),
+      open_shapes_(library.session()),
+      near_shapes_(library.session()) {}
+
+void DeviceDeck::deal(const std::vector<TargetSample>& samples) {
+  const StanceTable& standing = library_->standing();
+  const NearColours& colours = library_->colours().near_colours();
+  deck_ = draw_deck(library_->match().seed, samples, standing.library_shapes(), standing.open_shapes(),
+                    colours.length());
+  std::vector<std::uint32_t> open;
+  for (const std::uint32_t place : deck_.open) open.push_back(index_of(standing.open_shape(place)));
+  const std::vector<std::uint32_t> near =
+      deck_.near.empty() ? colours.all_shapes() : picked(colours.all_shapes(), colours.length(), deck_.near);
+  if (!deck_.open.empty()) open_shapes_.write(open);
+  if (!deck_.near.empty()) near_shapes_.write(near);
+  if (!library_->contours().reads()) return;
+  if (deck_.open.empty()) {
+    for (std::uint32_t place = 0; place < standing.open_shapes(); ++place) {
+      open.push_back(index_of(standing.open_shape(place)));
+    }
+  }
+  std::vector<ShapeId> drawn;
+  for (const std::uint32_t shape : open) drawn.push_back(ShapeId(shape));
+  for (const std::uint32_t shape : near) drawn.push_back(ShapeId(shape));
+  library_->contours().need(drawn);
+}
+
+const DeviceBuffer<std::uint32_t>& DeviceDeck::open_shapes() const {
+  return deck_.open.empty() ? library_->stances().open_shapes() : open_shapes_;
+}
+
+std::uint32_t DeviceDeck::open_count() const {
+  return deck_.open.empty() ? library_->stances().open_count() : std::uint32_t(deck_.open.size());
+}
+
+const DeviceBuffer<std::uint32_t>& DeviceDeck::near_shapes() const {
+  return deck_.near.empty() ? library_->colours().near_shapes() : near_shapes_;
+}
+
+std::uint32_t DeviceDeck::near_length() const {
+  return deck_.near.empty() ? library_->colours().near_colours().length() : std::uint32_t(deck_.near.size());
+}
+
+}  // namespace tessera::worker
