@@ -58,6 +58,7 @@ Report bench_replacing(const Setting& setting, const SquareJob& job);
 struct LibraryOptions {
   std::string library;
   std::vector<std::uint32_t> sizes = {100, 1000, 10000, 100000};
+  std::string models;  // folder where models are kept and read from (model_file.h); empty: they are held in memory
 };
 /// Time and memory as the library grows.
 Report bench_library(const Setting& setting, const LibraryOptions& options);

@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <optional>
 
 #include "bench/benchmarks.h"
 #include "bench/devices.h"
 #include "bench/library_matcher.h"
+#include "bench/model_file.h"
 #include "bench/process_memory.h"
 #include "bench/varied_shapes.h"
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "io/number_text.h"
 #include "io/text_table.h"
 #include "master/collage_loop.h"
@@ -19,22 +22,51 @@ constexpr std::uint32_t kMostShapes = 1'000'000;
 
 struct Grown {
   RunStatistics statistics;
+  double start_s = 0;        // until the matcher is ready
+  double first_piece_s = 0;  // from the start of all, making shapes left out
   double making_s = 0;  // of the loop, spent on making shapes that a real library would have
   std::uint64_t peak_bytes = 0;
   std::uint64_t device_bytes = 0;
 };
 
+/// Notes when the first piece was placed.
+class FirstPiece : public master::Observer {
+ public:
+  explicit FirstPiece(const VariedShapes& shapes) : shapes_(shapes) {}
+
+  void progressed(const master::Progress& progress) override {
+    if (!seconds_ && progress.pieces > 0) seconds_ = watch_.seconds() - shapes_.making_s();
+  }
+  const char* stop_requested() override { return nullptr; }
+  double seconds() const { return seconds_.value_or(0); }
+
+ private:
+  const VariedShapes& shapes_;
+  Stopwatch watch_;
+  std::optional<double> seconds_;
+};
+
+std::shared_ptr<const ModelSource> models_of(const VariedShapes& shapes, std::uint32_t count,
+                                             const MatchingContext& context, const std::string& folder) {
+  if (!folder.empty()) {
+    return models_in_file(folder, shapes, count, context);
+  }
+  return std::make_shared<MadeModels>([&](const ShapeRange& range) { return shapes.models(range, context); });
+}
+
 Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas& canvas,
-               const CollageSettings& settings, const std::string& devices_use) {
-  reset_peak_memory();
+               const CollageSettings& settings, const std::string& devices_use, const std::string& folder) {
   VariedShapes shapes(library);
   const MatchingContext context = make_matching_context(settings, count);
-  const auto matcher = worker::make_device_matcher(
-      devices_use, context, {0, count},
-      std::make_shared<MadeModels>([&](const ShapeRange& range) { return shapes.models(range, context); }));
-  master::SilentObserver silent;
+  const std::shared_ptr<const ModelSource> models = models_of(shapes, count, context, folder);
+  reset_peak_memory();
   Grown grown;
-  grown.statistics = master::make_collage(canvas, settings, *matcher, shapes, silent).statistics;
+  const Stopwatch watch;
+  const auto matcher = worker::make_device_matcher(devices_use, context, {0, count}, models);
+  grown.start_s = watch.seconds();
+  FirstPiece first(shapes);
+  grown.statistics = master::make_collage(canvas, settings, *matcher, shapes, first).statistics;
+  grown.first_piece_s = grown.start_s + first.seconds();
   grown.making_s = shapes.making_s();
   grown.peak_bytes = peak_memory_bytes();
   grown.device_bytes = worker::shard_bytes(context, count);
@@ -58,7 +90,8 @@ void add_size(io::TextTable& table, Json& sizes, std::uint32_t size, const Grown
   const auto ms = [&](double seconds) { return io::fixed(1000 * seconds / pieces, 1); };
   const auto megabytes = [](std::uint64_t bytes) { return io::fixed(double(bytes) / 1e6, 0); };
   table.add({std::to_string(size), ms(s.total_s - grown.making_s), ms(s.prune_s), ms(s.dock_s), ms(master_s),
-             ms(grown.making_s), megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
+             ms(grown.making_s), io::fixed(grown.start_s, 1), io::fixed(grown.first_piece_s, 1),
+             megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
   sizes.push_back({{"shapes", size},
                    {"pieces", s.rounds},
                    {"target_samples", s.target_samples},
@@ -67,6 +100,8 @@ void add_size(io::TextTable& table, Json& sizes, std::uint32_t size, const Grown
                    {"dock_s", rounded(s.dock_s)},
                    {"master_s", rounded(master_s)},
                    {"making_s", rounded(grown.making_s)},
+                   {"start_s", rounded(grown.start_s)},
+                   {"first_piece_s", rounded(grown.first_piece_s)},
                    {"peak_memory_bytes", grown.peak_bytes},
                    {"device_bytes", grown.device_bytes}});
 }
@@ -92,7 +127,8 @@ Report bench_library(const Setting& setting, const LibraryOptions& options) {
   settings.stop.pieces = setting.quick ? 3 : 20;
 
   io::TextTable table(
-      {"shapes", "ms a piece", "prune", "dock", "objective, merge", "(making shapes)", "peak memory MB", "device MB"});
+      {"shapes", "ms a piece", "prune", "dock", "objective, merge", "(making shapes)", "start s", "first piece s",
+       "peak memory MB", "device MB"});
   Report report;
   report.json = report_head("library", setting);
   report.json.update({{"library", options.library},
@@ -101,7 +137,7 @@ Report bench_library(const Setting& setting, const LibraryOptions& options) {
                       {"pieces", settings.stop.pieces},
                       {"sizes", Json::array()}});
   for (const std::uint32_t size : sizes) {
-    add_size(table, report.json["sizes"], size, run_size(library, size, canvas, settings, setting.devices));
+    add_size(table, report.json["sizes"], size, run_size(library, size, canvas, settings, setting.devices, options.models));
   }
   report.text = table.text() + "\n" + explanation(settings.stop.pieces, size_px, library.size());
   return report;

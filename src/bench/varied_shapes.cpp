@@ -1,8 +1,10 @@
 #include "bench/varied_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/base/portable_math.h"
 #include "core/base/stopwatch.h"
 #include "io/parallel_for.h"
 
@@ -17,6 +19,21 @@ float fraction(double x) { return float(x - std::floor(x)); }
 
 }  // namespace
 
+void change_pads(ShapeModel& model, std::uint32_t number) {
+  if (number < VariedShapes::kDifferent) return;
+  constexpr float kMostChange = 0.02f;
+  std::uint64_t bits = number;
+  for (ModelLevel& level : model.levels) {
+    for (ModelSample& sample : level.samples) {
+      for (std::uint16_t& element : sample.pad.element) {
+        bits = mix_bits(bits);
+        const float factor = 1 + kMostChange * (2 * unit_float(std::uint32_t(bits >> 32)) - 1);
+        element = std::uint16_t(std::min(float(element) * factor, float(kPadSteps)));
+      }
+    }
+  }
+}
+
 ShapeVariation variation_number(std::uint32_t number) {
   const std::uint32_t stretch = number / 2;
   ShapeVariation variation;
@@ -30,10 +47,11 @@ ShapeVariation variation_number(std::uint32_t number) {
 
 VariedShapes::VariedShapes(const io::LibraryFile& library)
     : outlines_(library.read(0, library.size(), kOutlines)),
-      pad_(library.pad_parameters()) {}
+      pad_(library.pad_parameters()),
+      digest_(library.content_digest()) {}
 
 Shape VariedShapes::make(ShapeId id) const {
-  const std::uint32_t index = index_of(id);
+  const std::uint32_t index = index_of(id) % kDifferent;
   const std::uint32_t originals = std::uint32_t(outlines_.size());
   return varied_shape(outlines_[index % originals], variation_number(index / originals), pad_);
 }
@@ -55,6 +73,7 @@ std::vector<ShapeModel> VariedShapes::models(const ShapeRange& range, const Matc
   std::vector<ShapeModel> models(range.size());
   io::parallel_for(models.size(), [&](std::size_t i) {
     models[i] = make_shape_model(make(range.at(std::uint32_t(i))), pad_, context.pad, context.levels);
+    change_pads(models[i], index_of(range.at(std::uint32_t(i))));
   });
   return models;
 }

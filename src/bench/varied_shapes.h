@@ -12,6 +12,11 @@ namespace tessera::bench {
 ShapeVariation variation_number(std::uint32_t number);
 
 /// Shape i is variation i / n of shape i % n of the file's n. Made when asked for: only outlines are kept of the file.
+/// From kDifferent on the outlines come again, and models with other PADs, each element changed by up to a fiftieth: to
+/// make a million outlines takes an hour.
+/// The model of shape `number`, whose outline is that of an earlier one, gets PADs of its own.
+void change_pads(ShapeModel& model, std::uint32_t number);
+
 class VariedShapes : public CachedShapes {
  public:
   explicit VariedShapes(const io::LibraryFile& library);
@@ -19,6 +24,11 @@ class VariedShapes : public CachedShapes {
   /// Makes the shapes of the range on all cores.
   std::vector<Shape> shapes(const ShapeRange& range) const;
   std::vector<ShapeModel> models(const ShapeRange& range, const MatchingContext& context) const;
+
+  static constexpr std::uint32_t kDifferent = 100'000;
+
+  /// Of the file that they are made of.
+  std::uint64_t content_digest() const { return digest_; }
 
   /// The time spent on making whole shapes for those who asked for one at a time.
   double making_s() const { return making_s_; }
@@ -31,6 +41,7 @@ class VariedShapes : public CachedShapes {
 
   std::vector<Shape> outlines_;
   PadParameters pad_;
+  std::uint64_t digest_;
   double making_s_ = 0;
 };
 

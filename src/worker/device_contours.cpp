@@ -75,8 +75,10 @@ void DeviceContours::make_places(std::size_t count) {
 
 /// The next place, going round, that this question does not need.
 std::uint32_t DeviceContours::next_place() {
-  while (held_[hand_].needed == question_) hand_ = (hand_ + 1) % std::uint32_t(held_.size());
-  return hand_;
+  std::uint32_t place = hand_;
+  while (held_[place].needed == question_) place = (place + 1) % std::uint32_t(held_.size());
+  hand_ = (place + 1) % std::uint32_t(held_.size());
+  return place;
 }
 
 void DeviceContours::read(std::span<const std::uint32_t> shapes) {

@@ -1,0 +1,18 @@
+// The models of a very large library in a file of their own, as a library file holds them (io/library/segment_layout.h)
+// and without the rest of it, which no matcher reads: a million shapes are 27 GB.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "bench/varied_shapes.h"
+#include "core/matching/model_source.h"
+
+namespace tessera::bench {
+
+/// Of the first `count` varied shapes, with the levels of the context, in a file of the folder. It is made where it is
+/// not there, or is of other shapes. Throws EnvironmentError where it cannot be written.
+std::shared_ptr<const ModelSource> models_in_file(const std::string& folder, const VariedShapes& shapes,
+                                                  std::uint32_t count, const MatchingContext& context);
+
+}  // namespace tessera::bench
