@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "worker/kernel_options.h"
+#include "worker/opencl_devices.h"
 
 namespace tessera::worker {
 
@@ -15,9 +15,11 @@ constexpr std::uint32_t kShapesAtATime = 512;
 }  // namespace
 
 DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
-                             const ModelSource& models, const BetweenLaunches& between_launches)
+                             const ModelSource& models, const BetweenLaunches& between_launches,
+                             std::optional<DockingLanes> lanes)
     : pad_levels_(context.pad.levels),
-      session_(device, kernel_source, kernel_options(context.pad.levels), between_launches),
+      lanes_(lanes ? *lanes : lanes_for(device)),
+      session_(device, kernel_source, kernel_options(context.pad.levels, lanes_), between_launches),
       match_(make_match_record(context, shapes)),
       match_buffer_(session_, {match_}),
       index_(session_, match_, pad_levels_),

@@ -1,11 +1,14 @@
 // What stays on a device from request to request: the shard and the free field.
 #pragma once
 
+#include <optional>
+
 #include "core/matching/matching_context.h"
 #include "core/matching/model_source.h"
 #include "worker/device_colours.h"
 #include "worker/device_index.h"
 #include "worker/device_stances.h"
+#include "worker/kernel_options.h"
 #include "worker/opencl_runtime.h"
 #include "worker/shard.h"
 
@@ -14,7 +17,8 @@ namespace tessera::worker {
 class DeviceLibrary {
  public:
   DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
-                const ModelSource& models, const BetweenLaunches& between_launches = {});
+                const ModelSource& models, const BetweenLaunches& between_launches = {},
+                std::optional<DockingLanes> lanes = std::nullopt);
 
   void start_field(int width, int height, Vec2 origin);
   void update_field(const FieldPatch& patch);
@@ -22,6 +26,7 @@ class DeviceLibrary {
 
   const DeviceSession& session() const { return session_; }
   int pad_levels() const { return pad_levels_; }
+  DockingLanes lanes() const { return lanes_; }
   const MatchRecord& match() const { return match_; }
   const DeviceBuffer<MatchRecord>& match_buffer() const { return match_buffer_; }
   const DeviceIndex& index() const { return index_; }
@@ -39,6 +44,7 @@ class DeviceLibrary {
   void upload(const Shard& part, std::uint32_t first);
 
   int pad_levels_;
+  DockingLanes lanes_;
   DeviceSession session_;
   MatchRecord match_;
   DeviceBuffer<MatchRecord> match_buffer_;

@@ -4,8 +4,8 @@ namespace tessera::worker {
 
 OpenCLMatcher::OpenCLMatcher(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
                              const ModelSource& models, const BetweenLaunches& between_launches,
-                             std::size_t stage_bytes)
-    : library_(device, context, shapes, models, between_launches),
+                             std::size_t stage_bytes, std::optional<DockingLanes> lanes)
+    : library_(device, context, shapes, models, between_launches, lanes),
       pairs_(library_, stage_bytes),
       docking_(library_, pairs_, stage_bytes),
       refinement_(library_) {}
