@@ -22,7 +22,7 @@ typedef struct Cells {
 
 // `node`: of each lane the place of q0.
 #if kLanesAreItems
-void load_nodes(const Field* f, LaneInt node, Cells* c) {
+INLINE void load_nodes(const Field* f, LaneInt node, Cells* c) {
   global const float* q = f->value + node;
   c->q0 = q[0];
   c->q1 = q[1];
@@ -35,7 +35,7 @@ void load_nodes(const Field* f, LaneInt node, Cells* c) {
   vstore2(vload2(0, f->value + node.s##k), 0x##k, upper);                  \
   vstore2(vload2(0, f->value + f->width + node.s##k), 0x##k, lower)
 
-void load_nodes(const Field* f, LaneInt node, Cells* c) {
+INLINE void load_nodes(const Field* f, LaneInt node, Cells* c) {
   float upper[2 * kLanes];
   float lower[2 * kLanes];
   LOAD_ROWS(0); LOAD_ROWS(1); LOAD_ROWS(2); LOAD_ROWS(3);

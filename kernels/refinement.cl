@@ -62,8 +62,8 @@ PoseRecord moved(PoseRecord s, float dx, float dy, float growth, float angle) {
 }
 
 // Points [16 block, 16 block + 16) of a set that are nearer than `radius`, or outside; the others weigh nothing.
-void add_points(Lanes lanes, NormalEquations* equations, PoseRecord s, global const float* set, int count, int block,
-                const Field* field, float arm, float radius, float overlap_weight) {
+INLINE void add_points(Lanes lanes, NormalEquations* equations, PoseRecord s, global const float* set, int count, int block,
+                       const Field* field, float arm, float radius, float overlap_weight) {
   const Points p = placed_points(lanes, s, set, count, block);
   const FieldSamples f = field_samples(field, p.x, p.y);
   const LaneInt near = f.value <= radius;
@@ -161,24 +161,27 @@ float depth_px(Lanes lanes, PoseRecord s, const Piece* piece) {
   return largest_lane(lanes, deepest);
 }
 
-// Gives whether the refined pose is feasible.
+// Gives whether the refined pose is feasible. A descent and a depth stand here once, as devices inline them: first
+// the pose is brought near in two descents, then it is pushed while it is too deep.
 bool refine(Lanes lanes, PoseRecord* pose, const Piece* piece, float hard_depth_px) {
   PoseRecord s = *pose;
   const Descent nestle = DESCENT(kNestle);
   const Descent push = DESCENT(kPush);
   Descent approach = DESCENT(kApproach);
   approach.first_radius_px = max(approach.first_radius_px, kApproachRadius * scale_of(s));
-  s = descended(lanes, s, piece, approach);
-  s = descended(lanes, s, piece, nestle);
-  float depth = depth_px(lanes, s, piece);
-  for (int pushed = 0; pushed < kPushSteps && depth > hard_depth_px && depth <= kHopelessDepth_px; ++pushed) {
+  float depth = 0;
+  bool too_deep = true;
+  for (int pushed = -1; pushed < kPushSteps && too_deep; ++pushed) {
     if (pushed > 0) {
       s.a *= kPushShrink;
       s.b *= kPushShrink;
       s = pulled_in(&piece->stance, s);
     }
-    s = descended(lanes, s, piece, push);
+    for (int k = pushed < 0 ? 0 : 2; k < (pushed < 0 ? 2 : 3); ++k) {
+      s = descended(lanes, s, piece, k == 0 ? approach : k == 1 ? nestle : push);
+    }
     depth = depth_px(lanes, s, piece);
+    too_deep = depth > hard_depth_px && depth <= kHopelessDepth_px;
   }
   *pose = s;
   return depth <= hard_depth_px && pose_allowed(&piece->stance, s);
