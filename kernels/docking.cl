@@ -198,7 +198,8 @@ int next_docking(SHARED const DockingRecord* dockings, int count, int i) {
 }
 
 // Work item: a pair. The items of a docking align one each, then its lanes look at what is left, one docking after the
-// other. It is added where the early reject leaves it. `evaluated`: dockings that looked at the field, by target sample.
+// other. They are added where the early reject leaves them. `evaluated`: dockings that looked at the field, by target
+// sample.
 DOCKING_KERNEL void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const float* size_map, global const float* field_value,

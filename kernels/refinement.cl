@@ -62,8 +62,8 @@ PoseRecord moved(PoseRecord s, float dx, float dy, float growth, float angle) {
 }
 
 // Points [16 block, 16 block + 16) of a set that are nearer than `radius`, or outside; the others weigh nothing.
-INLINE void add_points(Lanes lanes, NormalEquations* equations, PoseRecord s, global const float* set, int count, int block,
-                       const Field* field, float arm, float radius, float overlap_weight) {
+INLINE void add_points(Lanes lanes, NormalEquations* equations, PoseRecord s, global const float* set, int count,
+                       int block, const Field* field, float arm, float radius, float overlap_weight) {
   const Points p = placed_points(lanes, s, set, count, block);
   const FieldSamples f = field_samples(field, p.x, p.y);
   const LaneInt near = f.value <= radius;

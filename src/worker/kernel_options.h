@@ -10,8 +10,8 @@ namespace tessera::worker {
 /// All files of kernels/, joined (made by cmake/EmbedKernels.cmake).
 extern const char* const kernel_source;
 
-/// Who has the 16 lanes of a docking (kernels/lanes.cl): one work item, in vectors, as suits CPUs, or a group of 16 work
-/// items, one each, as suits GPUs. Both give the same bits.
+/// Who has the 16 lanes of a docking (kernels/lanes.cl): one work item, in vectors, as suits CPUs; or 16 work items of a
+/// group have one each, as suits GPUs. Both give the same bits.
 enum class DockingLanes { vectors, items };
 
 /// Work items of a docking.
