@@ -1,7 +1,7 @@
 // core/colour and core/matching/colour_fit.cpp in OpenCL C: CIEDE2000, look-ups in the picture that pieces are to show,
 // and how far a piece is from it.
 
-// core/colour/ciede2000.cpp, for one pair of colours and for 16: F is float or float16.
+// core/colour/ciede2000.cpp, for one pair of colours and for one of each lane: F is float or LaneFloat.
 #define DEFINE_CIEDE2000(NAME, F, EXP2)                                                                              \
   F NAME##_saturation(F chroma) {                                                                                    \
     const F c2 = chroma * chroma;                                                                                    \
@@ -64,7 +64,7 @@
   }
 
 DEFINE_CIEDE2000(ciede2000, float, portable_exp2)
-DEFINE_CIEDE2000(ciede2000_lanes, float16, portable_exp2_lanes)
+DEFINE_CIEDE2000(ciede2000_lanes, LaneFloat, portable_exp2_lanes)
 
 // ColourTarget; without one no levels.
 typedef struct Picture {
@@ -99,17 +99,19 @@ float mean_colour_difference(const Picture* picture, global const ShapeRecord* s
                    covered.z / covered.w);
 }
 
-float sum_of_lanes(float16 v) {
-  const float8 a = v.lo + v.hi;
-  const float4 b = a.lo + a.hi;
-  const float2 c = b.lo + b.hi;
-  return c.x + c.y;
-}
+// What lies beneath a point of each lane, times the weight, and that.
+typedef struct LaneColours {
+  LaneFloat lightness, a, b, weight;
+} LaneColours;
 
-float colour_difference(const Picture* picture, global const float* contour, global const ShapeRecord* shape,
-                        PoseRecord s) {
-  const uint level = colour_level_for(picture, shape->colour_cell * scale_of(s));
-  const Points p = placed_points(s, contour + kColourCellsAt, kLanes, 0);
+#if kLanesAreItems
+LaneColours colours_at(const Picture* picture, uint level, Points p) {
+  const float4 covered = colour_at(picture, level, p.x, p.y);
+  const LaneColours colours = {covered.x, covered.y, covered.z, covered.w};
+  return colours;
+}
+#else
+LaneColours colours_at(const Picture* picture, uint level, Points p) {
   float x[kLanes], y[kLanes], lightness[kLanes], a[kLanes], b[kLanes], weight[kLanes];
   vstore16(p.x, 0, x);
   vstore16(p.y, 0, y);
@@ -120,21 +122,32 @@ float colour_difference(const Picture* picture, global const float* contour, glo
     b[k] = covered.z;
     weight[k] = covered.w;
   }
+  const LaneColours colours = {vload16(0, lightness), vload16(0, a), vload16(0, b), vload16(0, weight)};
+  return colours;
+}
+#endif
+
+// A lane has a cell of the piece.
+float colour_difference(Lanes lanes, const Picture* picture, global const float* contour,
+                        global const ShapeRecord* shape, PoseRecord s) {
+  const uint level = colour_level_for(picture, shape->colour_cell * scale_of(s));
+  const LaneColours covered = colours_at(picture, level, placed_points(lanes, s, contour + kColourCellsAt, kLanes, 0));
   global const float* cells = contour + kColourCellsAt + 2 * kLanes;
-  const float16 covered = vload16(0, weight);
-  const int16 wished = covered >= kLeastColourWeight;
-  const float16 weights = wished ? vload16(3, cells) * covered : (float16)0;
-  const float16 covered_lightness = wished ? vload16(0, lightness) / covered : (float16)0;
-  const float16 covered_a = wished ? vload16(0, a) / covered : (float16)0;
-  const float16 covered_b = wished ? vload16(0, b) / covered : (float16)0;
-  const float16 differences = ciede2000_lanes(vload16(0, cells), vload16(1, cells), vload16(2, cells),
-                                              covered_lightness, covered_a, covered_b);
-  const float all = sum_of_lanes(weights);
+  const LaneInt wished = covered.weight >= kLeastColourWeight;
+  const LaneFloat lightness = wished ? covered.lightness / covered.weight : (LaneFloat)0;
+  const LaneFloat a = wished ? covered.a / covered.weight : (LaneFloat)0;
+  const LaneFloat b = wished ? covered.b / covered.weight : (LaneFloat)0;
+  const LaneFloat weights = wished ? load_lanes(lanes, 3, cells) * covered.weight : (LaneFloat)0;
+  const LaneFloat differences = ciede2000_lanes(load_lanes(lanes, 0, cells), load_lanes(lanes, 1, cells),
+                                                load_lanes(lanes, 2, cells), lightness, a, b);
+  const LaneFloat parts[5] = {weights, weights * differences, weights * lightness, weights * a, weights * b};
+  float sums[5];
+  sums_of_lanes(lanes, 5, parts, sums);
+  const float all = sums[0];
   if (all < kLeastColourWeight) return 0;
-  const float of_cells = sum_of_lanes(weights * differences) / all;
-  const float of_means = ciede2000(shape->mean_lightness, shape->mean_a, shape->mean_b,
-                                   sum_of_lanes(weights * covered_lightness) / all,
-                                   sum_of_lanes(weights * covered_a) / all, sum_of_lanes(weights * covered_b) / all);
+  const float of_cells = sums[1] / all;
+  const float of_means = ciede2000(shape->mean_lightness, shape->mean_a, shape->mean_b, sums[2] / all, sums[3] / all,
+                                   sums[4] / all);
   return kColourOfMeans * of_means + (1 - kColourOfMeans) * of_cells;
 }
 

@@ -93,39 +93,49 @@ Alignment align_pyramids(const Stances* stances, float sizes, global const short
   return result;
 }
 
-// How a pose ranks by 32 boundary points and a third of the interior points; where that is below kLeastDockingKey
-// anything below it.
-float docking_key(global const float* sketch, global const ShapeRecord* shape, PoseRecord s, const Field* field,
-                  float max_scale_px) {
+float hopeless_depth_px(float scale) { return max(kHopelessDocking_px, kHopelessDocking * scale); }
+
+// One look-up settles most: where the disc does not fit, the piece does not.
+bool disc_fits(global const ShapeRecord* shape, PoseRecord s, const Field* field) {
   const float scale = scale_of(s);
-  const float hopeless_px = max(kHopelessDocking_px, kHopelessDocking * scale);
-  const float near_px = max(kNearDocking_px, kNearDocking * scale);
-  // One look-up settles most: where the disc does not fit, the piece does not.
   const float disc_x = s.tx + (s.a * shape->disc_x - s.b * shape->disc_y);
   const float disc_y = s.ty + (s.b * shape->disc_x + s.a * shape->disc_y);
-  if (field_value(field, disc_x, disc_y) < shape->disc_radius * scale - hopeless_px) return NO_DOCKING;
-  int hits = 0;
-  int bad = 0;
-  for (int block = 0; block < kCoarsePoints / kLanes; ++block) {
-    const Points p = placed_points(s, sketch + kCoarseAt, kCoarsePoints, block);
-    const float16 d = field_values(field, p.x, p.y);
-    if (any_lane(d < -hopeless_px)) return NO_DOCKING;
-    const int16 deep = d < -near_px;
-    bad += count_lanes(deep);
-    if (bad > kMostBadPoints) return NO_DOCKING;
-    hits += count_lanes(~deep & (d < near_px));
+  return field_value(field, disc_x, disc_y) >= shape->disc_radius * scale - hopeless_depth_px(scale);
+}
+
+// What a boundary point counts: added up over a block, each kind has digits of its own.
+enum Tally { HIT = 1, BAD = 1 << 8, TOO_BAD = (kMostBadPoints + 1) * BAD, HOPELESS = 1 << 16 };
+
+// How a pose whose disc fits ranks by 32 boundary points and a third of the interior points; where that is below
+// kLeastDockingKey anything below it.
+float docking_key(Lanes lanes, global const float* sketch, global const ShapeRecord* shape, PoseRecord s,
+                  const Field* field, float max_scale_px) {
+  const float scale = scale_of(s);
+  const float hopeless_px = hopeless_depth_px(scale);
+  const float near_px = max(kNearDocking_px, kNearDocking * scale);
+  int tally = 0;
+  for (int block = 0; block < kCoarsePoints / kLanes && tally < TOO_BAD; ++block) {
+    const Points p = placed_points(lanes, s, sketch + kCoarseAt, kCoarsePoints, block);
+    const LaneFloat d = field_values(field, p.x, p.y);
+    const LaneInt near = d < near_px ? (LaneInt)HIT : (LaneInt)0;
+    const LaneInt deep = d < -hopeless_px ? (LaneInt)HOPELESS : (LaneInt)BAD;
+    tally += int_sum_of_lanes(lanes, d < -near_px ? deep : near);
   }
+  const int hits = tally % BAD;
+  const int bad = tally / BAD;
   const float contact = ((float)hits - kBadPointCost * (float)bad) / (float)kCoarsePoints;
   // Large pieces first: they are harder to place later.
   const float size = sqrt(sqrt(scale / max_scale_px));
-  if (contact * size < kLeastDockingKey) return NO_DOCKING;  // interior points can only make it less
+  // Interior points can only make it less.
+  const bool rejected = tally >= TOO_BAD || contact * size < kLeastDockingKey;
   int covered = 0;
   const int coarse_points = ((int)shape->interior_points + kInteriorStride - 1) / kInteriorStride;
-  for (int block = 0; block * kLanes < coarse_points; ++block) {
-    const Points p = placed_points(s, sketch + kCoarseInteriorAt, kCoarseInteriorPoints, block);
-    const int16 used = lane_index() + block * kLanes < coarse_points;
-    covered += count_lanes(used & (field_values(field, p.x, p.y) < 0));
+  for (int block = 0; block * kLanes < coarse_points && !rejected; ++block) {
+    const Points p = placed_points(lanes, s, sketch + kCoarseInteriorAt, kCoarseInteriorPoints, block);
+    const LaneInt used = numbers_of_block(lanes, block) < coarse_points;
+    covered += count_lanes(lanes, used & (field_values(field, p.x, p.y) < 0));
   }
+  if (rejected) return NO_DOCKING;
   const float points = (float)shape->interior_points;
   const float interior = shape->interior_points == 0 ? 0.f : kCoveredCost * (float)covered / points;
   return (contact - interior) * size;
@@ -150,9 +160,47 @@ void add_docking(DockingRecord docking, uint capacity, global uint* count, globa
   if (place < capacity) dockings[place] = docking;
 }
 
-// Work item: a pair, whose shape's key points are `pair_keypoints`: all x, then all y, steps. Its docking is added where
-// the early reject leaves it. `evaluated`: dockings that looked at the field, by target sample.
-kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
+// Adds the docking, which comes without its key, where the early reject leaves it.
+INLINE void dock(Lanes lanes, DockingRecord docking, constant MatchRecord* match, global const StanceRecord* stances,
+                 global const float* sketches, global const ShapeRecord* shapes, const Field* field,
+                 const Picture* picture, uint capacity, global uint* count, global DockingRecord* dockings) {
+  const uint shape = docking.shape - match->first_shape;
+  global const float* sketch = sketches + (size_t)shape * kSketchFloats;
+  const float key = docking_key(lanes, sketch, shapes + shape, docking.canvas_from_shape, field, match->max_scale_px);
+  if (key < kLeastDockingKey) return;
+  docking.key =
+      key * docking_colour_worth(picture, shapes + shape, docking.canvas_from_shape) * stances[docking.stance].weight;
+  if (lanes.item == 0) add_docking(docking, capacity, count, dockings);
+}
+
+// The docking that a pair implies; its key is NO_DOCKING where there is none, or its disc does not fit.
+DockingRecord aligned_pair(PairRecord pair, constant MatchRecord* match, const Stances* standing, float sizes,
+                           global const short* keypoint, global const ShapeRecord* shape,
+                           global const SampleRecord* target, const Field* field, global uint* evaluated) {
+  const uint source = pair.source % match->sources;
+  DockingRecord docking = {pair.sample, match->first_shape + pair.source / match->sources, source, 0, NO_DOCKING,
+                           {0, 0, 0, 0}};
+  constant LevelRecord* level = match->level + level_of_source(match, source);
+  const Alignment aligned = align_pyramids(standing, sizes, keypoint, keypoint + kPadKeypoints, shape->keypoint_step,
+                                           target, level->scale_low_px, level->scale_high_px);
+  if (!aligned.valid) return docking;
+  atomic_inc(evaluated);
+  docking.stance = standing->list.first + aligned.stance;
+  docking.canvas_from_shape = aligned.canvas_from_shape;
+  if (disc_fits(shape, aligned.canvas_from_shape, field)) docking.key = 0;
+  return docking;
+}
+
+// The first from `i` on that is one, or `count`.
+int next_docking(SHARED const DockingRecord* dockings, int count, int i) {
+  while (i < count && dockings[i].key == NO_DOCKING) ++i;
+  return i;
+}
+
+// Work item: a pair, whose shape's key points are `pair_keypoints`: all x, then all y, steps. The items of a docking align
+// one each, then its lanes look at what is left, one docking after the other. They are added where the early reject
+// leaves them. `evaluated`: dockings that looked at the field, by target sample.
+DOCKING_KERNEL void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const float* size_map, global const float* field_value,
                        constant ColourRecord* colour, global const float* texels,
@@ -160,71 +208,67 @@ kernel void dock_pairs(constant MatchRecord* match, global const StanceRecord* s
                        global const SampleRecord* samples, uint count, global const PairRecord* pairs,
                        global const short* pair_keypoints, global uint* evaluated, uint capacity,
                        global uint* docking_count, global DockingRecord* dockings) {
-  const uint i = get_global_id(0);
-  if (i >= count) return;
-  const PairRecord pair = pairs[i];
-  const uint shape = pair.source / match->sources;
-  const uint source = pair.source % match->sources;
-  global const SampleRecord* target = samples + pair.sample;
-  const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
-  const float sizes = size_part(match, size_map, target->position_x, target->position_y);
-  constant LevelRecord* level = match->level + level_of_source(match, source);
-  global const short* keypoint = pair_keypoints + (size_t)i * 2 * kPadKeypoints;
-  const Alignment aligned =
-      align_pyramids(&standing, sizes, keypoint, keypoint + kPadKeypoints, shapes[shape].keypoint_step, target,
-                     level->scale_low_px, level->scale_high_px);
-  if (!aligned.valid) return;
-  atomic_inc(evaluated + pair.sample);
+  SHARED int scratch[kScratch];
+  SHARED DockingRecord aligned[kItems];
+  const Lanes lanes = lanes_of_docking(scratch);
   const Field field = free_field(match, field_value);
-  const float key = docking_key(sketches + (size_t)shape * kSketchFloats, shapes + shape, aligned.canvas_from_shape,
-                                &field, match->max_scale_px);
-  if (key < kLeastDockingKey) return;
+  const uint i = get_global_id(0);
+  aligned[lanes.item].key = NO_DOCKING;
+  if (i < count) {
+    const PairRecord pair = pairs[i];
+    const uint shape = pair.source / match->sources;
+    global const SampleRecord* target = samples + pair.sample;
+    const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
+    const float sizes = size_part(match, size_map, target->position_x, target->position_y);
+    aligned[lanes.item] =
+        aligned_pair(pair, match, &standing, sizes, pair_keypoints + (size_t)i * 2 * kPadKeypoints,
+                     shapes + shape, target, &field, evaluated + pair.sample);
+  }
+  sync_lanes();
   const Picture picture = {colour, texels};
-  const float worth = docking_colour_worth(&picture, shapes + shape, aligned.canvas_from_shape);
-  const DockingRecord docking = {pair.sample, match->first_shape + shape, source,
-                                 standing.list.first + aligned.stance,
-                                 key * worth * standing.stance[aligned.stance].weight, aligned.canvas_from_shape};
-  add_docking(docking, capacity, docking_count, dockings);
+  for (int k = next_docking(aligned, kItems, 0); k < kItems; k = next_docking(aligned, kItems, k + 1)) {
+    dock(lanes, aligned[k], match, stances, sketches, shapes, &field, &picture, capacity, docking_count, dockings);
+  }
 }
 
-// Which of 16 boundary points' tangents imply a rotation that docks.
-int16 docking_points(DirectionRange range, global const float* contour, int block, global const SampleRecord* target) {
-  const float16 ux = vload16(block, contour + kTangentAt);
-  const float16 uy = vload16(block, contour + kTangentAt + kBoundaryPoints);
-  const float16 x = ux * target->tangent_x + uy * target->tangent_y;
-  const float16 y = ux * target->tangent_y - uy * target->tangent_x;
-  const float16 along = x * range.middle_x + y * range.middle_y;
-  const float16 across = fabs(range.middle_x * y - range.middle_y * x);
-  const int16 inside = across * range.edge_x - along * range.edge_y <= 0;
+// Which boundary points of a block have tangents that imply a rotation that docks.
+LaneInt docking_points(Lanes lanes, DirectionRange range, global const float* contour, int block,
+                       global const SampleRecord* target) {
+  const LaneFloat ux = load_lanes(lanes, block, contour + kTangentAt);
+  const LaneFloat uy = load_lanes(lanes, block, contour + kTangentAt + kBoundaryPoints);
+  const LaneFloat x = ux * target->tangent_x + uy * target->tangent_y;
+  const LaneFloat y = ux * target->tangent_y - uy * target->tangent_x;
+  const LaneFloat along = x * range.middle_x + y * range.middle_y;
+  const LaneFloat across = fabs(range.middle_x * y - range.middle_y * x);
+  const LaneInt inside = across * range.edge_x - along * range.edge_y <= 0;
   return range.edge_x > 0 ? inside & (along > 0) : inside;
 }
 
-// The boundary point that a draw docks, or NO_POINT.
+// The boundary point that a draw docks: NO_POINT where there is none, POINT_TO_FIND where all of them have to be asked.
 #define NO_POINT (-1)
-INLINE int docked_point(global const StanceRecord* allowed, global const float* contour, uint point_bits,
-                        global const SampleRecord* target) {
+#define POINT_TO_FIND (-2)
+
+INLINE int drawn_point(const StanceRecord* stance, uint point_bits) {
+  if (docked_rotations(stance).edge_x > -1) return POINT_TO_FIND;
+  return (int)(((ulong)point_bits * kBoundaryPoints) >> 32);
+}
+
+INLINE int found_point(Lanes lanes, global const StanceRecord* allowed, global const float* contour, uint point_bits,
+                       global const SampleRecord* target) {
   const StanceRecord stance = *allowed;
   const DirectionRange range = docked_rotations(&stance);
-  if (range.edge_x <= -1) return (int)(((ulong)point_bits * kBoundaryPoints) >> 32);
-  int count = 0;
+  LaneInt docks = 0;
   for (int block = 0; block < kBoundaryPoints / kLanes; ++block) {
-    count += count_lanes(docking_points(range, contour, block, target));
+    docks += docking_points(lanes, range, contour, block, target) ? (LaneInt)1 : (LaneInt)0;
   }
+  const int count = int_sum_of_lanes(lanes, docks);
   int before = (int)(((ulong)point_bits * (ulong)count) >> 32);
-  for (int block = 0; count > 0 && block < kBoundaryPoints / kLanes; ++block) {
-    const int16 docks = docking_points(range, contour, block, target);
-    const int here = count_lanes(docks);
-    if (before >= here) {
-      before -= here;
-      continue;
-    }
-    int lane[kLanes];
-    vstore16(docks, 0, lane);
-    for (int k = 0; k < kLanes; ++k) {
-      if (lane[k] && before-- == 0) return block * kLanes + k;
-    }
+  int point = NO_POINT;
+  for (int block = 0; block < kBoundaryPoints / kLanes && point == NO_POINT; ++block) {
+    const int lane = set_lane(lanes, docking_points(lanes, range, contour, block, target), &before);
+    if (lane != NO_LANE) point = block * kLanes + lane;
   }
-  return NO_POINT;
+  return point;
 }
 
 // A boundary point and its tangent there. Shape units.
@@ -255,10 +299,10 @@ INLINE PoseRecord tangent_docking(const StanceRecord* stance, PointFrame point, 
 // What random bits say.
 typedef struct TangentDraw {
   uint library_shape;
-  uint stance;  // place in the shape's list
+  uint stance;  // of the table
   float scale_px;
   uint point_bits;
-  bool docks;  // the shape is of this shard
+  int point;  // NO_POINT: the shape is not of this shard, or no point docks
 } TangentDraw;
 
 #define NO_SHAPE 0xffffffffu
@@ -276,10 +320,29 @@ INLINE uint drawn_shape(ulong bits, uint draw, global const SampleRecord* target
   return near_shapes[(size_t)target->near_list * near_length + ((squared * near_length) >> 32)];
 }
 
-// Work item: (kDrawsPerItem draws, target sample). Their dockings are added where the shape is of this shard and the
-// early reject leaves them. A draw's shape lies anywhere in memory: what several draws need of it is asked for before
-// any of it is used. `contour_places`: by shape of the shard, for those that may be drawn.
-kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord* stances,
+// The docking that a draw implies; its key is NO_DOCKING where its disc does not fit.
+INLINE DockingRecord drawn_docking(TangentDraw drawn, uint draw, uint t, const StanceRecord* stance,
+                                   global const float* contour, global const ShapeRecord* shape,
+                                   global const SampleRecord* target, const Field* field) {
+  const PoseRecord pose = tangent_docking(stance, point_frame(contour, (uint)drawn.point), drawn.scale_px, target);
+  const DockingRecord docking = {t, drawn.library_shape, kTangentSource + draw, drawn.stance,
+                                 disc_fits(shape, pose, field) ? 0 : NO_DOCKING, pose};
+  return docking;
+}
+
+enum { kDraws = kItems * kDrawsPerItem };  // of a docking's items
+
+// The first from `i` on whose point is to be found, or kDraws.
+int next_to_find(SHARED const TangentDraw* drawn, int i) {
+  while (i < kDraws && drawn[i].point != POINT_TO_FIND) ++i;
+  return i;
+}
+
+// Work item: (kDrawsPerItem draws, target sample). The items of a docking make their draws, then its lanes look at what
+// is left, one docking after the other. They are added where the shape is of this shard and the early reject leaves
+// them. A draw's shape lies anywhere in memory: what several draws need of it is asked for before any of it is used.
+// `contour_places`: by shape of the shard, for those that may be drawn.
+DOCKING_KERNEL void dock_tangents(constant MatchRecord* match, global const StanceRecord* stances,
                           global const StanceListRecord* stance_lists, global const uint* shape_class,
                           global const float* size_map, uint open_count, uint all_open, global const uint* open_shapes,
                           uint near_length, global const uint* near_shapes, global const float* field_value,
@@ -288,54 +351,57 @@ kernel void dock_tangents(constant MatchRecord* match, global const StanceRecord
                           global const ShapeRecord* shapes, global const SampleRecord* samples, uint draws,
                           global uint* evaluated, uint capacity, global uint* docking_count,
                           global DockingRecord* dockings) {
-  const uint first = (uint)get_global_id(0) * kDrawsPerItem;
+  SHARED int scratch[kScratch];
+  SHARED TangentDraw drawn[kDraws];
+  SHARED DockingRecord docked[kDraws];
+  const Lanes lanes = lanes_of_docking(scratch);
+  const uint first = (uint)(get_global_id(0) - lanes.item) * kDrawsPerItem;
   const uint t = get_global_id(1);
   global const SampleRecord* target = samples + t;
   const float sizes = size_part(match, size_map, target->position_x, target->position_y);
-  TangentDraw drawn[kDrawsPerItem];
-  for (uint i = 0; i < kDrawsPerItem; ++i) {
+  for (int i = lanes.item; i < kDraws; i += kItems) {
     const uint draw = first + i;
     const ulong bits = mix_bits(match->seed ^ mix_bits(mix_bits(((ulong)target->edge << 32) | target->pass) ^ draw));
     const ulong more = mix_bits(bits);
     drawn[i].library_shape =
         drawn_shape(bits, draw, target, open_count, all_open, open_shapes, near_length, near_shapes);
+    drawn[i].point = NO_POINT;
     const uint shape = drawn[i].library_shape - match->first_shape;  // wraps round below the shard
-    drawn[i].docks = draw < draws && open_count > 0 && shape < match->shapes;
-    if (!drawn[i].docks) continue;
+    if (draw >= draws || open_count == 0 || shape >= match->shapes) continue;
     const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
-    drawn[i].stance = (uint)(((more & 0xffffffffu) * standing.list.count) >> 32);
-    const StanceRecord stance = with_sizes_up_to(sizes, standing.stance[drawn[i].stance]);
+    const uint place = (uint)(((more & 0xffffffffu) * standing.list.count) >> 32);
+    const StanceRecord stance = with_sizes_up_to(sizes, standing.stance[place]);
+    drawn[i].stance = standing.list.first + place;
     drawn[i].scale_px =
         stance.min_scale_px * portable_exp2(unit_float((uint)(more >> 32)) * stance.log2_scale_ratio);
     drawn[i].point_bits = (uint)(bits & 0xffffffffu);
+    drawn[i].point = drawn_point(&stance, drawn[i].point_bits);
   }
-  PointFrame frames[kDrawsPerItem];
-  for (uint i = 0; i < kDrawsPerItem; ++i) {
-    if (!drawn[i].docks) continue;
+  sync_lanes();
+  for (int i = next_to_find(drawn, 0); i < kDraws; i = next_to_find(drawn, i + 1)) {
     const uint shape = drawn[i].library_shape - match->first_shape;
-    const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
-    global const float* contour = contours + (size_t)contour_places[shape] * kContourFloats;
-    const int point = docked_point(standing.stance + drawn[i].stance, contour, drawn[i].point_bits, target);
-    drawn[i].docks = point != NO_POINT;
-    frames[i] = point_frame(contour, (uint)max(point, 0));
+    const int point = found_point(lanes, stances + drawn[i].stance, contours + (size_t)contour_places[shape] * kContourFloats,
+                                  drawn[i].point_bits, target);
+    if (lanes.item == 0) drawn[i].point = point;
   }
+  sync_lanes();
   const Field field = free_field(match, field_value);
+  for (int i = lanes.item; i < kDraws; i += kItems) {
+    docked[i].key = NO_DOCKING;
+    if (drawn[i].point == NO_POINT) continue;
+    const uint shape = drawn[i].library_shape - match->first_shape;
+    const StanceRecord stance = with_sizes_up_to(sizes, stances[drawn[i].stance]);
+    docked[i] = drawn_docking(drawn[i], first + i, t, &stance, contours + (size_t)contour_places[shape] * kContourFloats,
+                              shapes + shape, target, &field);
+  }
+  sync_lanes();
   const Picture picture = {colour, texels};
   uint looked_at = 0;
-  for (uint i = 0; i < kDrawsPerItem; ++i) {
-    if (!drawn[i].docks) continue;
-    const uint shape = drawn[i].library_shape - match->first_shape;
-    const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
-    const StanceRecord stance = with_sizes_up_to(sizes, standing.stance[drawn[i].stance]);
-    const PoseRecord pose = tangent_docking(&stance, frames[i], drawn[i].scale_px, target);
-    const float key = docking_key(sketches + (size_t)shape * kSketchFloats, shapes + shape, pose, &field,
-                                  match->max_scale_px);
-    ++looked_at;
-    if (key < kLeastDockingKey) continue;
-    const float weighted = key * docking_colour_worth(&picture, shapes + shape, pose) * stance.weight;
-    const DockingRecord docking = {t, drawn[i].library_shape, kTangentSource + first + i,
-                                   standing.list.first + drawn[i].stance, weighted, pose};
-    add_docking(docking, capacity, docking_count, dockings);
+  for (int i = 0; i < kDraws; ++i) {
+    if (drawn[i].point != NO_POINT) ++looked_at;
   }
-  if (looked_at > 0) atomic_add(evaluated + t, looked_at);
+  for (int i = next_docking(docked, kDraws, 0); i < kDraws; i = next_docking(docked, kDraws, i + 1)) {
+    dock(lanes, docked[i], match, stances, sketches, shapes, &field, &picture, capacity, docking_count, dockings);
+  }
+  if (lanes.item == 0 && looked_at > 0) atomic_add(evaluated + t, looked_at);
 }

@@ -13,28 +13,34 @@ void finish_run(TermsRecord* terms, int run, float area_px2) {
 }
 
 // Distances of all boundary points; gives the first one in contact, or 0.
-int boundary_distances(global const float* contour, PoseRecord s, const Field* field, float* distance) {
+int boundary_distances(Lanes lanes, global const float* contour, PoseRecord s, const Field* field,
+                       SHARED float* distance) {
+  LaneFloat first = kBoundaryPoints;
   for (int block = 0; block < kBoundaryPoints / kLanes; ++block) {
-    const Points p = placed_points(s, contour + kFineAt, kBoundaryPoints, block);
-    vstore16(field_values(field, p.x, p.y), block, distance);
+    const Points p = placed_points(lanes, s, contour + kFineAt, kBoundaryPoints, block);
+    const LaneFloat d = field_values(field, p.x, p.y);
+    store_lanes(lanes, d, block, distance);
+    const LaneFloat point = convert_lane_float(numbers_of_block(lanes, block));
+    first = min(first, fabs(d) < kContact_px ? point : (LaneFloat)kBoundaryPoints);
   }
-  for (int i = 0; i < kBoundaryPoints; ++i) {
-    if (fabs(distance[i]) < kContact_px) return i;
-  }
-  return 0;
+  sync_lanes();
+  const int first_of_all = (int)smallest_lane(lanes, first);
+  return first_of_all < kBoundaryPoints ? first_of_all : 0;
 }
 
-int covered_interior_points(global const float* contour, int interior_points, PoseRecord s, const Field* field) {
-  int covered = 0;
+int covered_interior_points(Lanes lanes, global const float* contour, int interior_points, PoseRecord s,
+                            const Field* field) {
+  LaneInt covered = 0;
   for (int block = 0; block * kLanes < interior_points; ++block) {
-    const Points p = placed_points(s, contour + kInteriorAt, kMaxInteriorPoints, block);
-    const int16 used = lane_index() + block * kLanes < interior_points;
-    covered += count_lanes(used & (field_values(field, p.x, p.y) < 0));
+    const Points p = placed_points(lanes, s, contour + kInteriorAt, kMaxInteriorPoints, block);
+    const LaneInt used = numbers_of_block(lanes, block) < interior_points;
+    covered += (used & (field_values(field, p.x, p.y) < 0)) ? (LaneInt)1 : (LaneInt)0;
   }
-  return covered;
+  return int_sum_of_lanes(lanes, covered);
 }
 
-void add_runs(TermsRecord* terms, const float* distance, int first, float step_px, constant MatchRecord* match) {
+// One run after the other: all lanes do the same.
+void add_runs(TermsRecord* terms, SHARED const float* distance, int first, float step_px, constant MatchRecord* match) {
   int run = NO_RUN;
   float area_px2 = 0;
   for (int k = 0; k < kBoundaryPoints; ++k) {
@@ -51,14 +57,15 @@ void add_runs(TermsRecord* terms, const float* distance, int first, float step_p
   finish_run(terms, run, area_px2);
 }
 
-TermsRecord docking_terms(constant MatchRecord* match, global const float* contour, global const ShapeRecord* shape,
-                          PoseRecord s, const Field* field, const Picture* picture) {
+// `distance`: room for kBoundaryPoints of them.
+TermsRecord docking_terms(Lanes lanes, SHARED float* distance, constant MatchRecord* match,
+                          global const float* contour, global const ShapeRecord* shape, PoseRecord s,
+                          const Field* field, const Picture* picture) {
   TermsRecord terms = {0, 0, 0, 0, 0, 0};
-  float distance[kBoundaryPoints];
-  const int first = boundary_distances(contour, s, field, distance);
+  const int first = boundary_distances(lanes, contour, s, field, distance);
   const float scale = scale_of(s);
   add_runs(&terms, distance, first, shape->perimeter * scale / (float)kBoundaryPoints, match);
-  const int covered = covered_interior_points(contour, shape->interior_points, s, field);
+  const int covered = covered_interior_points(lanes, contour, shape->interior_points, s, field);
   if (covered > 0) {
     const float seen_px2 = (float)covered / (float)shape->interior_points * (scale * scale);
     if (seen_px2 > terms.overlap_px2) {
@@ -67,6 +74,6 @@ TermsRecord docking_terms(constant MatchRecord* match, global const float* conto
       terms.overlap_px2 = seen_px2;
     }
   }
-  if (picture->record->levels > 0) terms.colour_difference = colour_difference(picture, contour, shape, s);
+  if (picture->record->levels > 0) terms.colour_difference = colour_difference(lanes, picture, contour, shape, s);
   return terms;
 }

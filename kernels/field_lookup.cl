@@ -1,4 +1,4 @@
-// core/field/field_lookup.h in OpenCL C, 16 points at once: bilinear look-up in the free field.
+// core/field/field_lookup.h in OpenCL C, for the points of all lanes at once: bilinear look-up in the free field.
 
 typedef struct Field {
   global const float* value;
@@ -15,28 +15,27 @@ Field free_field(constant MatchRecord* match, global const float* value) {
 
 // The cell of each point: its nodes q (above) and r (below), and where in it the point lies.
 typedef struct Cells {
-  float16 q0, q1, r0, r1;
-  float16 s, t;
-  int16 on_grid;
+  LaneFloat q0, q1, r0, r1;
+  LaneFloat s, t;
+  LaneInt on_grid;
 } Cells;
 
+// `node`: of each lane the place of q0.
+#if kLanesAreItems
+INLINE void load_nodes(const Field* f, LaneInt node, Cells* c) {
+  global const float* q = f->value + node;
+  c->q0 = q[0];
+  c->q1 = q[1];
+  c->r0 = q[f->width];
+  c->r1 = q[f->width + 1];
+}
+#else
 // Two nodes of a row lie side by side: one 8-byte load for both.
 #define LOAD_ROWS(k)                                                       \
   vstore2(vload2(0, f->value + node.s##k), 0x##k, upper);                  \
   vstore2(vload2(0, f->value + f->width + node.s##k), 0x##k, lower)
 
-Cells cells_at(const Field* f, float16 x, float16 y) {
-  Cells c;
-  const float16 u = x - f->origin_x;
-  const float16 v = y - f->origin_y;
-  c.on_grid = (u >= 0) & (v >= 0) & (u < (float)(f->width - 1)) & (v < (float)(f->height - 1));
-  const float16 u_on = c.on_grid ? u : (float16)0;
-  const float16 v_on = c.on_grid ? v : (float16)0;
-  const int16 i = convert_int16(u_on);
-  const int16 j = convert_int16(v_on);
-  c.s = u_on - convert_float16(i);
-  c.t = v_on - convert_float16(j);
-  const int16 node = j * f->width + i;
+INLINE void load_nodes(const Field* f, LaneInt node, Cells* c) {
   float upper[2 * kLanes];
   float lower[2 * kLanes];
   LOAD_ROWS(0); LOAD_ROWS(1); LOAD_ROWS(2); LOAD_ROWS(3);
@@ -47,17 +46,32 @@ Cells cells_at(const Field* f, float16 x, float16 y) {
   const float16 upper1 = vload16(1, upper);
   const float16 lower0 = vload16(0, lower);
   const float16 lower1 = vload16(1, lower);
-  c.q0 = (float16)(upper0.even, upper1.even);
-  c.q1 = (float16)(upper0.odd, upper1.odd);
-  c.r0 = (float16)(lower0.even, lower1.even);
-  c.r1 = (float16)(lower0.odd, lower1.odd);
+  c->q0 = (float16)(upper0.even, upper1.even);
+  c->q1 = (float16)(upper0.odd, upper1.odd);
+  c->r0 = (float16)(lower0.even, lower1.even);
+  c->r1 = (float16)(lower0.odd, lower1.odd);
+}
+#endif
+
+Cells cells_at(const Field* f, LaneFloat x, LaneFloat y) {
+  Cells c;
+  const LaneFloat u = x - f->origin_x;
+  const LaneFloat v = y - f->origin_y;
+  c.on_grid = (u >= 0) & (v >= 0) & (u < (float)(f->width - 1)) & (v < (float)(f->height - 1));
+  const LaneFloat u_on = c.on_grid ? u : (LaneFloat)0;
+  const LaneFloat v_on = c.on_grid ? v : (LaneFloat)0;
+  const LaneInt i = convert_lane_int(u_on);
+  const LaneInt j = convert_lane_int(v_on);
+  c.s = u_on - convert_lane_float(i);
+  c.t = v_on - convert_lane_float(j);
+  load_nodes(f, j * f->width + i, &c);
   return c;
 }
 
-float16 value_in(const Cells* c) {
-  const float16 value =
+LaneFloat value_in(const Cells* c) {
+  const LaneFloat value =
       (c->q0 * (1 - c->s) + c->q1 * c->s) * (1 - c->t) + (c->r0 * (1 - c->s) + c->r1 * c->s) * c->t;
-  return c->on_grid ? value : (float16)kOffGridDistance;
+  return c->on_grid ? value : (LaneFloat)kOffGridDistance;
 }
 
 // One point.
@@ -74,24 +88,24 @@ float field_value(const Field* f, float x, float y) {
 }
 
 // `x`, `y` in canvas px.
-float16 field_values(const Field* f, float16 x, float16 y) {
+LaneFloat field_values(const Field* f, LaneFloat x, LaneFloat y) {
   const Cells c = cells_at(f, x, y);
   return value_in(&c);
 }
 
 typedef struct FieldSamples {
-  float16 value;
-  float16 gradient_x;
-  float16 gradient_y;
+  LaneFloat value;
+  LaneFloat gradient_x;
+  LaneFloat gradient_y;
 } FieldSamples;
 
 // With the gradient; off the grid it points back to the middle, for a pose that strayed to be pulled in.
-FieldSamples field_samples(const Field* f, float16 x, float16 y) {
+FieldSamples field_samples(const Field* f, LaneFloat x, LaneFloat y) {
   const Cells c = cells_at(f, x, y);
-  const float16 inward_x = x - f->origin_x < (float)f->width * 0.5f ? (float16)1.f : (float16)-1.f;
-  const float16 inward_y = y - f->origin_y < (float)f->height * 0.5f ? (float16)1.f : (float16)-1.f;
-  const float16 slope_x = (c.q1 - c.q0) * (1 - c.t) + (c.r1 - c.r0) * c.t;
-  const float16 slope_y = (c.r0 - c.q0) * (1 - c.s) + (c.r1 - c.q1) * c.s;
+  const LaneFloat inward_x = x - f->origin_x < (float)f->width * 0.5f ? (LaneFloat)1.f : (LaneFloat)-1.f;
+  const LaneFloat inward_y = y - f->origin_y < (float)f->height * 0.5f ? (LaneFloat)1.f : (LaneFloat)-1.f;
+  const LaneFloat slope_x = (c.q1 - c.q0) * (1 - c.t) + (c.r1 - c.r0) * c.t;
+  const LaneFloat slope_y = (c.r0 - c.q0) * (1 - c.s) + (c.r1 - c.q1) * c.s;
   FieldSamples result;
   result.value = value_in(&c);
   result.gradient_x = c.on_grid ? slope_x : inward_x;

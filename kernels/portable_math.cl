@@ -1,4 +1,4 @@
-// core/base/portable_math.h in OpenCL C, bit for bit, and reductions over the lanes of a vector.
+// core/base/portable_math.h in OpenCL C, bit for bit.
 //
 // All kernels together: only + - * / sqrt floor fabs min max and comparisons, in the order in which the reference does
 // them; no built-in whose rounding may differ (mad, fma, native_*, dot, length). Tunables come from the host under
@@ -17,7 +17,7 @@ uint claim_places(global uint* count, uint n) {
   return place;
 }
 
-// e^(f ln 2) for 0 <= f < 1: for a float and for 16.
+// e^(f ln 2) for 0 <= f < 1: for a float and for lanes of them.
 #define EXP2_OF_FRACTION(F, p, f)  \
   const F y = f * 0.69314718f;     \
   F p = 1.98412698e-4f;            \
@@ -37,12 +37,6 @@ float portable_exp2(float x) {
   return p;
 }
 
-float16 portable_exp2_lanes(float16 x) {
-  const float16 whole = floor(x);
-  EXP2_OF_FRACTION(float16, p, (x - whole));
-  return p * as_float16((convert_int16(whole) + 127) << 23);  // by a power of two: exact, however it is done
-}
-
 ulong mix_bits(ulong z) {
   z += 0x9e3779b97f4a7c15ul;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ul;
@@ -51,29 +45,3 @@ ulong mix_bits(ulong z) {
 }
 
 float unit_float(uint bits) { return (float)(bits >> 8) * (1.f / 16777216.f); }
-
-// Comparisons of vectors give 0 or -1 in each lane.
-int any_lane(int16 mask) {
-  const int8 a = mask.lo | mask.hi;
-  const int4 b = a.lo | a.hi;
-  const int2 c = b.lo | b.hi;
-  return c.x | c.y;
-}
-
-int count_lanes(int16 mask) {
-  const int8 a = mask.lo + mask.hi;
-  const int4 b = a.lo + a.hi;
-  const int2 c = b.lo + b.hi;
-  return -(c.x + c.y);
-}
-
-float largest_lane(float16 v) {
-  const float8 a = max(v.lo, v.hi);
-  const float4 b = max(a.lo, a.hi);
-  const float2 c = max(b.lo, b.hi);
-  return max(c.x, c.y);
-}
-
-float smallest_lane(float16 v) { return -largest_lane(-v); }
-
-int16 lane_index(void) { return (int16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15); }

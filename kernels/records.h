@@ -10,6 +10,7 @@ typedef ulong u64;
 #else
 #include <cstdint>
 
+#include "core/base/lanes.h"
 #include "core/colour/colour_target.h"
 #include "core/pad/pad.h"
 #include "core/shape/shape_model.h"
@@ -20,9 +21,8 @@ using u32 = std::uint32_t;
 using u64 = std::uint64_t;
 #endif
 
-// The kernels handle boundary points, interior points and PADs in vectors of 16.
+// The kernels handle boundary points and interior points in 16 lanes (lanes.cl).
 enum RecordSizes {
-  kLanes = 16,
   kSmoothingLevelCount = 5,
   kFilterLanes = 64,  // PADs of a block of the index, boxes of a row
   kMaxKeypoints = 2 * kMaxPadLevels + 1,

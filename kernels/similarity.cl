@@ -76,16 +76,16 @@ float2 turn_limits(const StanceRecord* stance, PoseRecord s) {
   return limits;
 }
 
-// Canvas px of 16 points.
+// Canvas px of a point of each lane.
 typedef struct Points {
-  float16 x;
-  float16 y;
+  LaneFloat x;
+  LaneFloat y;
 } Points;
 
 // Points [16 block, 16 block + 16) of a set of `count` points (all x, then all y).
-Points placed_points(PoseRecord s, global const float* set, int count, int block) {
-  const float16 x = vload16(block, set);
-  const float16 y = vload16(block, set + count);
+Points placed_points(Lanes lanes, PoseRecord s, global const float* set, int count, int block) {
+  const LaneFloat x = load_lanes(lanes, block, set);
+  const LaneFloat y = load_lanes(lanes, block, set + count);
   Points p;
   p.x = s.a * x - s.b * y + s.tx;
   p.y = s.b * x + s.a * y + s.ty;

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "worker/kernel_options.h"
+#include "worker/opencl_devices.h"
 
 namespace tessera::worker {
 
@@ -17,11 +17,12 @@ constexpr std::uint32_t kShapesAtATime = 512;
 
 DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
                              std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches,
-                             const HeldShapes& held)
+                             const HeldShapes& held, std::optional<DockingLanes> lanes)
     : models_(std::move(models)),
       pad_levels_(context.pad.levels),
       reads_(models_->reads_singly() && shapes.size() > held.most_whole),
-      session_(device, kernel_source, kernel_options(context.pad.levels), between_launches),
+      lanes_(lanes ? *lanes : lanes_for(device)),
+      session_(device, kernel_source, kernel_options(context.pad.levels, lanes_), between_launches),
       match_(make_match_record(context, shapes)),
       match_buffer_(session_, {match_}),
       index_(session_, match_, index_kind(context), *models_),

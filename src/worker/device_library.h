@@ -1,12 +1,15 @@
 // What stays on a device from request to request: the shard and the free field.
 #pragma once
 
+#include <optional>
+
 #include "core/matching/matching_context.h"
 #include "core/matching/model_source.h"
 #include "worker/device_colours.h"
 #include "worker/device_contours.h"
 #include "worker/device_index.h"
 #include "worker/device_stances.h"
+#include "worker/kernel_options.h"
 #include "worker/opencl_runtime.h"
 #include "worker/pair_keypoints.h"
 #include "worker/shard.h"
@@ -26,7 +29,7 @@ class DeviceLibrary {
  public:
   DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
                 std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches = {},
-                const HeldShapes& held = {});
+                const HeldShapes& held = {}, std::optional<DockingLanes> lanes = std::nullopt);
 
   void start_field(int width, int height, Vec2 origin);
   void update_field(const FieldPatch& patch);
@@ -34,6 +37,7 @@ class DeviceLibrary {
 
   const DeviceSession& session() const { return session_; }
   int pad_levels() const { return pad_levels_; }
+  DockingLanes lanes() const { return lanes_; }
   const MatchRecord& match() const { return match_; }
   const DeviceBuffer<MatchRecord>& match_buffer() const { return match_buffer_; }
   const DeviceIndex& index() const { return index_; }
@@ -57,6 +61,7 @@ class DeviceLibrary {
   std::shared_ptr<const ModelSource> models_;
   int pad_levels_;
   bool reads_;
+  DockingLanes lanes_;
   DeviceSession session_;
   MatchRecord match_;
   DeviceBuffer<MatchRecord> match_buffer_;

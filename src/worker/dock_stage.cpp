@@ -12,7 +12,7 @@
 namespace tessera::worker {
 namespace {
 
-constexpr std::size_t kDockingsPerGroup = 32;
+constexpr std::size_t kPairsPerGroup = 32;  // where they need not have the lanes of a docking
 
 static_assert(sizeof(Docking) == sizeof(DockingRecord) && offsetof(Docking, key) == offsetof(DockingRecord, key) &&
               offsetof(Docking, canvas_from_shape) == offsetof(DockingRecord, canvas_from_shape));
@@ -46,18 +46,20 @@ void DockStage::post(const DockRequest& request, std::vector<SampleRecord> sampl
 }
 
 void DockStage::launch_all() {
+  const DockingLanes lanes = library_->lanes();
+  const std::size_t group = items_of_docking(lanes);
   dockings_.reserve(docking_capacity_);
   docking_count_.clear(1);
   evaluated_.clear(sample_count_);
   const DeviceStances& stances = library_->stances();
   const DeviceColours& colours = library_->colours();
-  launch(library_->session(), dock_pairs_, {pair_count_, 1, kDockingsPerGroup}, library_->match_buffer(),
-         stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), library_->field(),
-         colours.record(), colours.texels(), library_->sketches(), library_->shapes(), samples_, pair_count_,
-         docked_pairs_, pair_keypoints_, evaluated_, docking_capacity_, docking_count_, dockings_);
-  const std::uint32_t items = (draws_ + kDrawsPerItem - 1) / kDrawsPerItem;
-  launch(library_->session(), dock_tangents_, {items, sample_count_, 1}, library_->match_buffer(), stances.stances(),
-         stances.lists(), stances.shape_class(), library_->size_map(), deck_.open_count(),
+  launch(library_->session(), dock_pairs_, {pair_count_, 1, group == 1 ? kPairsPerGroup : group},
+         library_->match_buffer(), stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(),
+         library_->field(), colours.record(), colours.texels(), library_->sketches(), library_->shapes(), samples_,
+         pair_count_, docked_pairs_, pair_keypoints_, evaluated_, docking_capacity_, docking_count_, dockings_);
+  const std::uint32_t items = (draws_ + draws_per_item(lanes) - 1) / draws_per_item(lanes);
+  launch(library_->session(), dock_tangents_, {items, sample_count_, group}, library_->match_buffer(),
+         stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), deck_.open_count(),
          std::uint32_t(deck_.all_open()), deck_.open_shapes(), deck_.near_length(), deck_.near_shapes(),
          library_->field(), colours.record(), colours.texels(), library_->contours().contours(),
          library_->contours().places(), library_->sketches(), library_->shapes(), samples_, draws_, evaluated_,

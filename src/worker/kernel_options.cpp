@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "core/base/lanes.h"
 #include "core/field/field_lookup.h"
 #include "core/matching/docking.h"
 #include "core/matching/near_colours.h"
@@ -35,12 +36,18 @@ void define(std::string& options, const std::string& name, const Descent& descen
 
 }  // namespace
 
-std::string kernel_options(int pad_levels) {
+std::uint32_t items_of_docking(DockingLanes lanes) { return lanes == DockingLanes::items ? kLanes : 1; }
+
+std::uint32_t draws_per_item(DockingLanes lanes) { return lanes == DockingLanes::items ? 1 : 8; }
+
+std::string kernel_options(int pad_levels, DockingLanes lanes) {
   std::string options = "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt";
   define(options, "kPadLevels", pad_levels);
   define(options, "kPadKeypoints", 2 * pad_levels + 1);
-  define(options, "kDrawsPerItem", int(kDrawsPerItem));
+  define(options, "kLanesAreItems", int(lanes == DockingLanes::items));
+  define(options, "kDrawsPerItem", int(draws_per_item(lanes)));
 #define DEFINE(constant) define(options, #constant, constant)
+  DEFINE(kLanes);
   DEFINE(kMaxPadLevels);
   DEFINE(kMaxPadElements);
   DEFINE(kBoundaryPoints);

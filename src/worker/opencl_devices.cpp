@@ -108,6 +108,10 @@ std::vector<cl::Device> opencl_devices() {
   return all;
 }
 
+DockingLanes lanes_for(const cl::Device& device) {
+  return device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU ? DockingLanes::vectors : DockingLanes::items;
+}
+
 DeviceDescription describe(const cl::Device& device) {
   const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
   return {kind_name(device), device.getInfo<CL_DEVICE_NAME>(), platform.getInfo<CL_PLATFORM_NAME>(),

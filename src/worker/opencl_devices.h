@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/ranks/rank_site.h"
+#include "worker/kernel_options.h"
 
 namespace tessera::worker {
 
@@ -16,6 +17,9 @@ std::vector<cl::Device> opencl_devices();
 /// Describes a device for records and lists.
 DeviceDescription describe(const cl::Device& device);
 std::vector<DeviceDescription> describe(const std::vector<cl::Device>& devices);
+
+/// How dockings are best handled on the device.
+DockingLanes lanes_for(const cl::Device& device);
 
 /// One of the workers of a node. Each takes `per_worker` devices of its own; 0: each takes all.
 struct DeviceShare {

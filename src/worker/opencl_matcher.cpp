@@ -4,8 +4,8 @@ namespace tessera::worker {
 
 OpenCLMatcher::OpenCLMatcher(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
                              std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches,
-                             std::size_t stage_bytes, const HeldShapes& held)
-    : library_(device, context, shapes, std::move(models), between_launches, held),
+                             std::size_t stage_bytes, const HeldShapes& held, std::optional<DockingLanes> lanes)
+    : library_(device, context, shapes, std::move(models), between_launches, held, lanes),
       pairs_(library_, stage_bytes),
       docking_(library_, pairs_, stage_bytes),
       refinement_(library_) {}

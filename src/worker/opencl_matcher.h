@@ -13,11 +13,12 @@ inline constexpr std::size_t kStageBytes = std::size_t(4) << 20;
 
 class OpenCLMatcher : public Matcher {
  public:
-  /// `shapes` may be empty. `between_launches` is also called while the shapes are uploaded. Throws EnvironmentError
-  /// where the device fails.
+  /// `shapes` may be empty. `between_launches` is also called while the shapes are uploaded. `lanes`: as suits the
+  /// device unless given. Throws EnvironmentError where the device fails.
   OpenCLMatcher(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,
                 std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches = {},
-                std::size_t stage_bytes = kStageBytes, const HeldShapes& held = {});
+                std::size_t stage_bytes = kStageBytes, const HeldShapes& held = {},
+                std::optional<DockingLanes> lanes = std::nullopt);
   OpenCLMatcher(const OpenCLMatcher&) = delete;  // the stages point to the library
   OpenCLMatcher& operator=(const OpenCLMatcher&) = delete;
 

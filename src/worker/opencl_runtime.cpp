@@ -26,6 +26,21 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// What the kernel may have on this device: it may need more registers, or the device allows less.
+std::size_t allowed_group(const DeviceSession& session, const cl::Kernel& kernel, std::size_t wished) {
+  const std::size_t most =
+      std::max<std::size_t>(1, kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(session.device()));
+  const std::size_t needed = kernel.getWorkGroupInfo<CL_KERNEL_COMPILE_WORK_GROUP_SIZE>(session.device())[0];
+  if (needed == 0) return std::min(wished, most);
+  const std::string name = kernel.getInfo<CL_KERNEL_FUNCTION_NAME>();
+  if (needed != wished) throw std::logic_error(name + ": launched in groups of another size than it needs");
+  if (needed > most) {
+    throw EnvironmentError("OpenCL device \"" + session.name() + "\": " + name + " needs work groups of " +
+                           std::to_string(needed) + ", and the device allows " + std::to_string(most));
+  }
+  return needed;
+}
+
 }  // namespace
 
 EnvironmentError opencl_error(const cl::Error& error, const std::string& device) {
@@ -74,9 +89,7 @@ void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& s
   if (kernel.getInfo<CL_KERNEL_NUM_ARGS>() != arguments) {
     throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": wrong number of arguments");
   }
-  // What the kernel may have on this device: it may need more registers, or the device allows less.
-  const std::size_t group = std::min<std::size_t>(
-      size.group, std::max<std::size_t>(1, kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(session.device())));
+  const std::size_t group = allowed_group(session, kernel, size.group);
   const std::size_t x = (size.x + group - 1) / group * group;
   if (std::max(x, size.y) > std::numeric_limits<std::uint32_t>::max()) {
     throw std::logic_error(kernel.getInfo<CL_KERNEL_FUNCTION_NAME>() + ": more work than 32-bit indices count");

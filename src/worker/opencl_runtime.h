@@ -136,7 +136,8 @@ inline constexpr std::size_t kMostWorkItems = std::size_t(1) << 20;
 inline constexpr std::size_t kMostRows = 65535;
 
 /// Work items; the first dimension comes in groups of `group` (at most kMostWorkItems), or smaller ones where the device
-/// allows no more for a kernel, rounded up: kernels check it.
+/// allows no more for a kernel, rounded up: kernels check it. A kernel that needs groups of a certain size
+/// (reqd_work_group_size) gets these alone, of which `group` then is the size.
 struct WorkSize {
   std::size_t x = 0;
   std::size_t y = 1;
@@ -149,6 +150,7 @@ void set_argument(cl::Kernel& kernel, cl_uint index, const DeviceBuffer<T>& buff
   kernel.setArg(index, buffer.get());
 }
 
+/// Throws EnvironmentError where the device does not allow the groups that the kernel needs.
 void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, cl_uint arguments);
 
 /// Posts `kernel` with its arguments: buffers and 32-bit numbers. Does nothing where there is no work.

@@ -18,6 +18,11 @@ RefinedDocking refined_docking(Docking docking, const RefinedRecord& record) {
           record.radius};
 }
 
+/// A work group each.
+WorkSize work_of(std::size_t dockings, DockingLanes lanes) {
+  return {dockings * items_of_docking(lanes), 1, items_of_docking(lanes)};
+}
+
 }  // namespace
 
 RefineStage::RefineStage(DeviceLibrary& library)
@@ -51,9 +56,10 @@ void RefineStage::post(const std::vector<Docking>& dockings) {
   const std::uint32_t count = upload(dockings);
   posted_ = dockings;
   refined_.reserve(count);
-  launch(library_->session(), refine_dockings_, {count}, library_->match_buffer(), library_->stances().stances(),
-         library_->size_map(), library_->field(), library_->colours().record(), library_->colours().texels(),
-         library_->contours().contours(), library_->contours().places(), library_->shapes(), count, dockings_, refined_);
+  launch(library_->session(), refine_dockings_, work_of(count, library_->lanes()), library_->match_buffer(),
+         library_->stances().stances(), library_->size_map(), library_->field(), library_->colours().record(),
+         library_->colours().texels(), library_->contours().contours(), library_->contours().places(),
+         library_->shapes(), count, dockings_, refined_);
   library_->session().flush();
 }
 
@@ -69,9 +75,9 @@ void RefineStage::post_measure(const std::vector<Docking>& dockings) {
   const std::uint32_t count = upload(dockings);
   measured_ = count;
   terms_.reserve(count);
-  launch(library_->session(), measure_dockings_, {count}, library_->match_buffer(), library_->field(),
-         library_->colours().record(), library_->colours().texels(), library_->contours().contours(),
-         library_->contours().places(), library_->shapes(), count, dockings_, terms_);
+  launch(library_->session(), measure_dockings_, work_of(count, library_->lanes()), library_->match_buffer(),
+         library_->field(), library_->colours().record(), library_->colours().texels(),
+         library_->contours().contours(), library_->contours().places(), library_->shapes(), count, dockings_, terms_);
   library_->session().flush();
 }
 

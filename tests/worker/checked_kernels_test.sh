@@ -39,7 +39,7 @@ case $tool in
   *) echo "no such tool: $tool" >&2; exit 2 ;;
 esac
 
-for run in "$test_kernels --gtest_filter=Kernels.*:*seed1:*seed2" "$test_pair_search"; do
+for run in "$test_kernels --gtest_filter=*Kernels.*:*seed1*:*seed2*" "$test_pair_search"; do
   log=$folder/$(basename "${run%% *}").log
   # shellcheck disable=SC2086  # a command and its argument
   if ! checked "$log" $run >"$folder/output.txt" 2>&1; then

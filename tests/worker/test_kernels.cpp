@@ -2,10 +2,14 @@
 // which meet more of the arithmetic's corners than shapes do.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <map>
 #include <memory>
 #include <random>
 
+#include "core/base/lanes.h"
 #include "core/base/portable_math.h"
 #include "core/matching/reference_matcher.h"
 #include "support/matcher_round.h"
@@ -27,32 +31,85 @@ kernel void probe_mix_bits(global const ulong* key, global ulong* bits, global f
   unit[i] = unit_float((uint)(bits[i] >> 32));
 }
 
-kernel void probe_field(constant MatchRecord* match, global const float* value, global const float* x,
+// Work items of a docking: 16 points.
+DOCKING_KERNEL void probe_field(constant MatchRecord* match, global const float* value, global const float* x,
                         global const float* y, global float* looked_up, global float* sampled, global float* slope_x,
                         global float* slope_y) {
-  const size_t i = get_global_id(0);
+  SHARED int scratch[kScratch];
+  const Lanes lanes = lanes_of_docking(scratch);
+  const int i = (int)get_global_id(0) / kItems;
   const Field field = free_field(match, value);
-  vstore16(field_values(&field, vload16(i, x), vload16(i, y)), i, looked_up);
-  const FieldSamples samples = field_samples(&field, vload16(i, x), vload16(i, y));
-  vstore16(samples.value, i, sampled);
-  vstore16(samples.gradient_x, i, slope_x);
-  vstore16(samples.gradient_y, i, slope_y);
+  const LaneFloat px = load_lanes(lanes, i, x);
+  const LaneFloat py = load_lanes(lanes, i, y);
+  const FieldSamples samples = field_samples(&field, px, py);
+  const float16 all_looked_up = floats_of_lanes(lanes, field_values(&field, px, py));
+  const float16 all_sampled = floats_of_lanes(lanes, samples.value);
+  const float16 all_slopes_x = floats_of_lanes(lanes, samples.gradient_x);
+  const float16 all_slopes_y = floats_of_lanes(lanes, samples.gradient_y);
+  if (lanes.item != 0) return;
+  vstore16(all_looked_up, i, looked_up);
+  vstore16(all_sampled, i, sampled);
+  vstore16(all_slopes_x, i, slope_x);
+  vstore16(all_slopes_y, i, slope_y);
+}
+
+// Of each 16 numbers: what lanes say together, ten numbers.
+DOCKING_KERNEL void probe_lanes(global const float* numbers, global float* said) {
+  SHARED int scratch[kScratch];
+  SHARED float shared_numbers[kLanes];
+  const Lanes lanes = lanes_of_docking(scratch);
+  const int i = (int)get_global_id(0) / kItems;
+  const LaneFloat v = load_lanes(lanes, i, numbers);
+  store_lanes(lanes, v, 0, shared_numbers);
+  sync_lanes();
+  const LaneFloat several[3] = {v, v * 3, v * v};
+  float sums[3];
+  sums_of_lanes(lanes, 3, several, sums);
+  const float sum = sum_of_lanes(lanes, v);
+  const LaneInt set = v > 0;
+  const int count = count_lanes(lanes, set);
+  const int any = any_lane(lanes, v > 0.9f) ? 1 : 0;
+  int before = count - 1;
+  const int last = set_lane(lanes, set, &before);
+  const float smallest = smallest_lane(lanes, v);
+  const float largest = largest_lane(lanes, v);
+  const int numbered = int_sum_of_lanes(lanes, numbers_of_block(lanes, 2));
+  if (lanes.item != 0) return;
+  const float16 all = (float16)(sum, sums[0], sums[1], sums[2], count, any, last, smallest, largest, numbered,
+                                shared_numbers[13], 0, 0, 0, 0, 0);
+  vstore16(all, i, said);
 }
 )";
 
-/// The program with the probes, built once; gone before main ends, as the OpenCL runtime may go then.
-class Kernels : public testing::Test {
+std::string name_of(DockingLanes lanes) { return lanes == DockingLanes::items ? "items" : "vectors"; }
+
+constexpr std::array kBothLanes = {DockingLanes::vectors, DockingLanes::items};
+
+/// The program with the probes, built once in both ways; gone before main ends, as the OpenCL runtime may go then.
+class Kernels : public testing::TestWithParam<DockingLanes> {
  protected:
   static void SetUpTestSuite() {
     const cl::Device device = opencl_devices().front();
-    session_ = std::make_unique<DeviceSession>(device, std::string(kernel_source) + kProbes, kernel_options(5));
+    for (const DockingLanes lanes : kBothLanes) {
+      sessions_[lanes] =
+          std::make_unique<DeviceSession>(device, std::string(kernel_source) + kProbes, kernel_options(5, lanes));
+    }
   }
-  static void TearDownTestSuite() { session_.reset(); }
-  static const DeviceSession& session() { return *session_; }
+  static void TearDownTestSuite() { sessions_.clear(); }
+  static const DeviceSession& session() { return *sessions_.at(GetParam()); }
+
+  /// 16 numbers each.
+  static WorkSize blocks(std::size_t count) {
+    const std::size_t items = items_of_docking(GetParam());
+    return {count * items, 1, items};
+  }
 
  private:
-  inline static std::unique_ptr<DeviceSession> session_;
+  inline static std::map<DockingLanes, std::unique_ptr<DeviceSession>> sessions_;
 };
+
+INSTANTIATE_TEST_SUITE_P(Lanes, Kernels, testing::ValuesIn(kBothLanes),
+                         [](const auto& info) { return name_of(info.param); });
 
 class Random {
  public:
@@ -80,7 +137,7 @@ void expect_same_bits(const std::vector<float>& found, const std::vector<float>&
                            << ": " << found[worst] << " for " << expected[worst];
 }
 
-TEST_F(Kernels, Exp2) {
+TEST_P(Kernels, Exp2) {
   Random random(1);
   std::vector<float> x = {0.f, -0.f, 1.f, -1.f, 63.9f, -63.9f, 0.99999994f, -1e-20f};
   while (x.size() < 4096) x.push_back(random.between(-64, 64));
@@ -94,7 +151,7 @@ TEST_F(Kernels, Exp2) {
   expect_same_bits(output.read(x.size()), expected, "portable_exp2");
 }
 
-TEST_F(Kernels, RandomBits) {
+TEST_P(Kernels, RandomBits) {
   Random random(2);
   std::vector<std::uint64_t> keys = {0, 1, ~std::uint64_t(0), std::uint64_t(1) << 63};
   while (keys.size() < 4096) keys.push_back(random.bits());
@@ -113,6 +170,34 @@ TEST_F(Kernels, RandomBits) {
   launch(session(), kernel, {keys.size()}, input, bits, unit);
   EXPECT_EQ(bits.read(keys.size()), expected_bits);
   expect_same_bits(unit.read(keys.size()), expected_unit, "unit_float");
+}
+
+TEST_P(Kernels, WhatLanesSayTogether) {
+  Random random(4);
+  std::vector<float> numbers(16, -0.5f), expected;
+  while (numbers.size() < 4096) numbers.push_back(random.between(-1, 1));
+  for (std::size_t first = 0; first < numbers.size(); first += kLanes) {
+    Lanes v, three, square;
+    int count = 0, last = -1;
+    for (int i = 0; i < kLanes; ++i) {
+      v[i] = numbers[first + std::size_t(i)];
+      three[i] = v[i] * 3;
+      square[i] = v[i] * v[i];
+      if (v[i] > 0) ++count, last = i;
+    }
+    const auto [smallest, largest] = std::minmax_element(v.begin(), v.end());
+    for (const float said :
+         {sum_of_lanes(v), sum_of_lanes(v), sum_of_lanes(three), sum_of_lanes(square), float(count),
+          float(*largest > 0.9f), float(last), *smallest, *largest, 2 * 256 + 120.f, v[13], 0.f, 0.f, 0.f, 0.f, 0.f}) {
+      expected.push_back(said);
+    }
+  }
+  const DeviceBuffer<float> input(session(), numbers);
+  DeviceBuffer<float> output(session());
+  output.reserve(numbers.size());
+  cl::Kernel kernel = session().kernel("probe_lanes");
+  launch(session(), kernel, blocks(numbers.size() / kLanes), input, output);
+  expect_same_bits(output.read(numbers.size()), expected, "what lanes say");
 }
 
 CanvasField random_field(Random& random, int width, int height, float reach_px) {
@@ -139,7 +224,7 @@ std::vector<Vec2> points_on(const CanvasField& field, Random& random, std::size_
   return points;
 }
 
-TEST_F(Kernels, FieldLookUps) {
+TEST_P(Kernels, FieldLookUps) {
   Random random(3);
   const CanvasField field = random_field(random, 71, 53, 30);
   const std::size_t count = 4096;
@@ -165,8 +250,8 @@ TEST_F(Kernels, FieldLookUps) {
   std::vector<DeviceBuffer<float>> results(4, DeviceBuffer<float>(session()));
   for (DeviceBuffer<float>& result : results) result.reserve(count);
   cl::Kernel kernel = session().kernel("probe_field");
-  launch(session(), kernel, {count / kLanes}, match_buffer, field_buffer, x_buffer, y_buffer, results[0], results[1],
-         results[2], results[3]);
+  launch(session(), kernel, blocks(count / kLanes), match_buffer, field_buffer, x_buffer, y_buffer, results[0],
+         results[1], results[2], results[3]);
   expect_same_bits(results[0].read(count), value, "field_value");
   expect_same_bits(results[1].read(count), value, "value of field_sample");
   expect_same_bits(results[2].read(count), slope_x, "gradient x");
@@ -253,15 +338,18 @@ test::MatchingScene random_scene(std::uint32_t seed) {
   return scene;
 }
 
-class RandomScenes : public testing::TestWithParam<std::uint32_t> {
+class RandomScenes : public testing::TestWithParam<std::tuple<std::uint32_t, DockingLanes>> {
  protected:
   RandomScenes()
-      : scene(random_scene(GetParam())),
-        kernels(opencl_devices().front(), scene.context, all_of(scene.models), given(scene.models)),
+      : scene(random_scene(seed())),
+        kernels(opencl_devices().front(), scene.context, all_of(scene.models), given(scene.models), {}, kStageBytes,
+                std::get<DockingLanes>(GetParam())),
         reference(scene.context, 0, scene.models) {
     test::set_field(kernels, scene.field);
     test::set_field(reference, scene.field);
   }
+
+  static std::uint32_t seed() { return std::get<std::uint32_t>(GetParam()); }
 
   const test::MatchingScene scene;
   OpenCLMatcher kernels;
@@ -288,7 +376,7 @@ TEST_P(RandomScenes, AllPairs) {
 
 /// From anywhere, off the canvas too: more of the descent's branches than from good dockings.
 TEST_P(RandomScenes, RefinementFromAnywhere) {
-  Random random(GetParam() + 1000);
+  Random random(seed() + 1000);
   std::vector<Docking> dockings(200);
   for (Docking& docking : dockings) {
     docking.shape = ShapeId(random.below(int(scene.models.size())));
@@ -307,8 +395,10 @@ TEST_P(RandomScenes, RefinementFromAnywhere) {
   test::expect_same_refined(kernels.take_refine(), expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, testing::Range(1u, 9u),
-                         [](const auto& info) { return "seed" + std::to_string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, testing::Combine(testing::Range(1u, 9u), testing::ValuesIn(kBothLanes)),
+                         [](const auto& info) {
+                           return "seed" + std::to_string(std::get<0>(info.param)) + name_of(std::get<1>(info.param));
+                         });
 
 }  // namespace
 }  // namespace tessera::worker

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "core/base/interrupted.h"
+#include "core/base/lanes.h"
 #include "support/single_models.h"
 #include "worker/device_group.h"
 #include "worker/opencl_devices.h"
@@ -34,11 +35,48 @@ std::unique_ptr<Matcher> make_that_reads(const MatchingContext& context, std::ui
       worker::kStageBytes, worker::HeldShapes{.most_whole = 0, .contours = 3});
 }
 
-INSTANTIATE_TEST_SUITE_P(OpenCL, MatcherSuite,
-                         testing::Values(MatcherKind{"AllDevices", make_on_all_devices},
-                                         MatcherKind{"LittleRoom", make_with_little_room},
-                                         MatcherKind{"Reads", make_that_reads}),
+/// As on a GPU.
+std::unique_ptr<Matcher> make_with_items_for_lanes(const MatchingContext& context, std::uint32_t first,
+                                                   std::vector<ShapeModel> models) {
+  return std::make_unique<worker::OpenCLMatcher>(worker::opencl_devices().front(), context, all_of(models, first),
+                                                 given(models, first), worker::BetweenLaunches(), worker::kStageBytes,
+                                                 worker::HeldShapes(), worker::DockingLanes::items);
+}
+
+std::vector<MatcherKind> matcher_kinds() {
+  std::vector<MatcherKind> kinds = {
+      {"AllDevices", make_on_all_devices}, {"LittleRoom", make_with_little_room}, {"Reads", make_that_reads}};
+  if (worker::opencl_devices().front().getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>() >= kLanes) {
+    kinds.push_back({"ItemsForLanes", make_with_items_for_lanes});
+  }
+  return kinds;
+}
+
+INSTANTIATE_TEST_SUITE_P(OpenCL, MatcherSuite, testing::ValuesIn(matcher_kinds()),
                          [](const auto& info) { return info.param.name; });
+
+TEST(DockingLanes, AreVectorsOnACpu) {
+  const cl::Device device = worker::opencl_devices().front();
+  if (!(device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU)) GTEST_SKIP() << "the first device is no CPU";
+  EXPECT_EQ(worker::lanes_for(device), worker::DockingLanes::vectors);
+}
+
+/// Where the device allows groups of 8 only (tests/worker/CMakeLists.txt).
+TEST(DockingLanes, AreNoItemsWhereGroupsOf16AreNotAllowed) {
+  if (worker::opencl_devices().front().getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>() >= kLanes) {
+    GTEST_SKIP() << "runs where groups are limited";
+  }
+  const MatchingScene scene = make_scene(scene_settings(), {2, 150, 0, 2});
+  const auto matcher = make_with_items_for_lanes(scene.context, 0, scene.models);
+  set_field(*matcher, scene.field);
+  try {
+    run_round(*matcher, scene);
+    FAIL() << "groups of 16 ran";
+  } catch (const EnvironmentError& error) {
+    EXPECT_NE(std::string(error.what()).find("needs work groups of 16, and the device allows 8"), std::string::npos)
+        << error.what();
+  }
+}
 
 TEST(DeviceGroup, UsesAllDevicesThatThereAre) {
   const char* const expected = std::getenv("TESSERA_TEST_DEVICES");

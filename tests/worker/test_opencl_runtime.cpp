@@ -77,6 +77,26 @@ TEST(Launch, KnowsTheGroupsThatTheDeviceAllows) {
   EXPECT_EQ(opencl_devices().front().getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>(), std::size_t(std::atoi(most)));
 }
 
+/// Where the device allows groups of 8 only, it gets none (tests/worker/CMakeLists.txt).
+TEST(Launch, AKernelThatNeedsGroupsGetsThemAndNoOthers) {
+  const cl::Device device = opencl_devices().front();
+  const DeviceSession session(device,
+                              "kernel __attribute__((reqd_work_group_size(16, 1, 1))) void sizes(global uint* size) {\n"
+                              "  size[get_global_id(0)] = get_local_size(0);\n"
+                              "}\n",
+                              "-cl-std=CL1.2");
+  cl::Kernel kernel = session.kernel("sizes");
+  DeviceBuffer<std::uint32_t> size(session);
+  size.clear(48);
+  EXPECT_THROW(launch(session, kernel, {48, 1, 8}, size), std::logic_error);
+  if (device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>() < 16) {
+    EXPECT_THROW(launch(session, kernel, {48, 1, 16}, size), EnvironmentError);
+  } else {
+    launch(session, kernel, {48, 1, 16}, size);
+    EXPECT_EQ(size.read(48), std::vector<std::uint32_t>(48, 16));
+  }
+}
+
 TEST(Launch, OfManyRowsKeepsWithinAGrid) {
   EXPECT_EQ(launches_for({1, kMostRows, 1}), 1);
   EXPECT_EQ(launches_for({1, kMostRows + 1, 1}), 2);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/base/lanes.h"
 #include "core/colour/ciede2000.h"
 #include "core/colour/fading.h"
 #include "core/tuning.h"
@@ -11,15 +12,7 @@
 namespace tessera {
 namespace {
 
-using Lanes = std::array<float, kColourCells>;
-
-/// In the order in which the kernels add the lanes of a vector.
-float sum_of(Lanes v) {
-  for (std::size_t half = kColourCells / 2; half > 0; half /= 2) {
-    for (std::size_t i = 0; i < half; ++i) v[i] += v[i + half];
-  }
-  return v[0];
-}
+static_assert(kColourCells == kLanes);
 
 /// What lies beneath each cell of a piece.
 struct CoveredCells {
@@ -27,7 +20,7 @@ struct CoveredCells {
   std::array<Lab, kColourCells> colour;
 
   std::optional<Lab> mean() const {
-    const float all = sum_of(weight);
+    const float all = sum_of_lanes(weight);
     if (all < kLeastColourWeight) return std::nullopt;
     Lanes lightness, a, b;
     for (std::size_t i = 0; i < kColourCells; ++i) {
@@ -35,7 +28,7 @@ struct CoveredCells {
       a[i] = weight[i] * colour[i].a;
       b[i] = weight[i] * colour[i].b;
     }
-    return Lab{sum_of(lightness) / all, sum_of(a) / all, sum_of(b) / all};
+    return Lab{sum_of_lanes(lightness) / all, sum_of_lanes(a) / all, sum_of_lanes(b) / all};
   }
 };
 
@@ -74,7 +67,7 @@ float colour_difference(const ColourModel& piece, const Similarity& canvas_from_
   for (std::size_t i = 0; i < kColourCells; ++i) {
     difference[i] = covered.weight[i] * ciede2000(piece.colour[i], covered.colour[i]);
   }
-  const float of_cells = sum_of(difference) / sum_of(covered.weight);
+  const float of_cells = sum_of_lanes(difference) / sum_of_lanes(covered.weight);
   return kColourOfMeans * ciede2000(piece.mean, *mean) + (1 - kColourOfMeans) * of_cells;
 }
 

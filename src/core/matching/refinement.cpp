@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/lanes.h"
 #include "core/tuning.h"
 
 namespace tessera {
@@ -19,15 +20,6 @@ struct Limits {
 struct NormalEquations {
   float m[4][4] = {};
   float g[4] = {};
-  int points = 0;
-
-  void add(const float (&j)[4], float value, float weight) {
-    for (int r = 0; r < 4; ++r) {
-      g[r] += weight * j[r] * value;
-      for (int c = 0; c <= r; ++c) m[r][c] += weight * j[r] * j[c];
-    }
-    ++points;
-  }
 
   /// Solves (M + damping) x = -g by L D L^T, in place, x[2] and x[3] within their limits. Each limit is applied before
   /// the unknowns above it follow, so that those are the best that go with it.
@@ -60,6 +52,79 @@ struct NormalEquations {
   }
 };
 
+/// 16 boundary points where they lie.
+struct PlacedPoints {
+  Lanes x, y, value, gradient_x, gradient_y;
+
+  int nearer_than(float radius) const {
+    return int(std::count_if(value.begin(), value.end(), [&](float v) { return v <= radius; }));
+  }
+};
+
+/// Points 16 * block and so on of those that `stride` leaves.
+PlacedPoints placed_points(const Similarity& s, const ShapeModel& shape, const FieldView& field, int block,
+                           int stride) {
+  PlacedPoints points;
+  for (int i = 0; i < kLanes; ++i) {
+    const Vec2 z = s.apply(shape.boundary[(block * kLanes + i) * stride]);
+    const FieldSample f = field_sample(field, z);
+    points.x[i] = z.x;
+    points.y[i] = z.y;
+    points.value[i] = f.value;
+    points.gradient_x[i] = f.gradient.x;
+    points.gradient_y[i] = f.gradient.y;
+  }
+  return points;
+}
+
+/// How much each point weighs; those farther than `radius` nothing.
+Lanes weights_of(const PlacedPoints& points, float radius, float overlap_weight) {
+  Lanes weights;
+  for (int i = 0; i < kLanes; ++i) {
+    const float q = points.value[i] / radius;
+    const float fade = (1 - q * q) * (1 - q * q);
+    const float inside = points.value[i] <= radius ? fade : 0.f;
+    weights[i] = points.value[i] >= 0 ? inside : overlap_weight;
+  }
+  return weights;
+}
+
+/// NormalEquations on the way: point i of the set that is walked is added to lane i % 16.
+struct LaneEquations {
+  Lanes m[4][4] = {};
+  Lanes g[4] = {};
+
+  void add(const PlacedPoints& points, const Lanes& weights, Vec2 centre, float arm) {
+    Lanes j[4] = {points.gradient_x, points.gradient_y, {}, {}};
+    for (int i = 0; i < kLanes; ++i) {
+      const float ux = points.x[i] - centre.x;
+      const float uy = points.y[i] - centre.y;
+      j[2][i] = (points.gradient_x[i] * ux + points.gradient_y[i] * uy) / arm;
+      j[3][i] = (points.gradient_y[i] * ux - points.gradient_x[i] * uy) / arm;
+    }
+    for (int r = 0; r < 4; ++r) {
+      Lanes weighted;
+      for (int i = 0; i < kLanes; ++i) weighted[i] = weights[i] * j[r][i];
+      add_products(g[r], weighted, points.value);
+      for (int c = 0; c <= r; ++c) add_products(m[r][c], weighted, j[c]);
+    }
+  }
+
+  NormalEquations sums() const {
+    NormalEquations equations;
+    for (int r = 0; r < 4; ++r) {
+      equations.g[r] = sum_of_lanes(g[r]);
+      for (int c = 0; c <= r; ++c) equations.m[r][c] = sum_of_lanes(m[r][c]);
+    }
+    return equations;
+  }
+
+ private:
+  static void add_products(Lanes& sums, const Lanes& a, const Lanes& b) {
+    for (int i = 0; i < kLanes; ++i) sums[i] += a[i] * b[i];
+  }
+};
+
 /// Turns and scales about the piece's own centre, then shifts. The rotation is the Cayley form of `angle`: no sine.
 void move(Similarity& s, float dx, float dy, float growth, float angle) {
   const float t = 0.5f * angle;
@@ -79,28 +144,23 @@ void move(Similarity& s, float dx, float dy, float growth, float angle) {
 void descend(Similarity& s, const ShapeModel& shape, const FieldView& field, const Descent& descent,
              const PoseRange& poses) {
   const int stride = descent.all_points ? 1 : kMediumStride;
+  static_assert(kBoundaryPoints % (kMediumStride * kLanes) == 0);
   for (int step = 0; step < descent.steps; ++step) {
     const float progress = descent.steps > 1 ? float(step) / float(descent.steps - 1) : 1.f;
     const float radius = descent.first_radius_px + (descent.last_radius_px - descent.first_radius_px) * progress;
     const float scale = s.scale();
     const float arm = shape.radius * scale * kArm;
-    NormalEquations equations;
-    for (int i = 0; i < kBoundaryPoints; i += stride) {
-      const Vec2 z = s.apply(shape.boundary[i]);
-      const FieldSample f = field_sample(field, z);
-      if (f.value > radius) continue;
-      float weight = descent.overlap_weight;
-      if (f.value >= 0) {
-        const float q = f.value / radius;
-        weight = (1 - q * q) * (1 - q * q);
-      }
-      const float ux = z.x - s.tx;
-      const float uy = z.y - s.ty;
-      const Vec2 n = f.gradient;
-      const float j[4] = {n.x, n.y, (n.x * ux + n.y * uy) / arm, (n.y * ux - n.x * uy) / arm};
-      equations.add(j, f.value, weight);
+    LaneEquations lanes;
+    int drawn = 0;
+    for (int block = 0; block * kLanes * stride < kBoundaryPoints; ++block) {
+      const PlacedPoints points = placed_points(s, shape, field, block, stride);
+      const int nearer = points.nearer_than(radius);
+      if (nearer == 0) continue;
+      lanes.add(points, weights_of(points, radius, descent.overlap_weight), s.translation(), arm);
+      drawn += nearer;
     }
-    if (equations.points < kLeastDrawnPoints) return;
+    if (drawn < kLeastDrawnPoints) return;
+    NormalEquations equations = lanes.sums();
     float x[4];
     const TurnLimits turns = poses.turns(s);
     equations.solve(x, {(poses.min_scale_px / scale - 1) * arm, (poses.max_scale_px / scale - 1) * arm},
