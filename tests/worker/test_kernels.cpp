@@ -342,7 +342,7 @@ class RandomScenes : public testing::TestWithParam<std::tuple<std::uint32_t, Doc
  protected:
   RandomScenes()
       : scene(random_scene(seed())),
-        kernels(opencl_devices().front(), scene.context, all_of(scene.models), given(scene.models), {}, kStageBytes,
+        kernels(opencl_devices().front(), scene.context, all_of(scene.models), given(scene.models), {}, kStageBytes, {},
                 std::get<DockingLanes>(GetParam())),
         reference(scene.context, 0, scene.models) {
     test::set_field(kernels, scene.field);
