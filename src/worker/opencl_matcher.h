@@ -27,6 +27,7 @@ class OpenCLMatcher : public Matcher {
   void update_field(const FieldPatch& patch) override { library_.update_field(patch); }
   void limit(const StandingLimits& limits) override;
   void post_count(const CountRequest& request) override;
+  bool step_count() override { return pairs_.step_count(); }
   std::vector<DistanceHistogram> take_count() override { return pairs_.take_count(); }
   void post_dock(const DockRequest& request) override;
   DockReply take_dock() override { return docking_.take(); }

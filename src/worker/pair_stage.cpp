@@ -74,7 +74,7 @@ void PairStage::post_search(const std::vector<std::uint32_t>& bins) {
 /// The next samples of those that are searched.
 void PairStage::post_run() {
   run_end_ = std::uint32_t(std::min<std::size_t>(searched_.size(), run_begin_ + run_samples_));
-  if (run_begin_ == run_end_) return;
+  if (!run_is_posted()) return;
   std::vector<SampleRecord> records;
   for (std::uint32_t place = run_begin_; place < run_end_; ++place) {
     records.push_back(samples_[searched_[place].sample]);
@@ -84,17 +84,14 @@ void PairStage::post_run() {
   search_.post(run_records_, std::uint32_t(records.size()));
 }
 
-void PairStage::take_search() {
-  while (run_begin_ < run_end_) {
-    if (const auto pairs = search_.take()) {
-      hold(*pairs);
-      run_begin_ = run_end_;
-    } else {
-      run_samples_ = (run_end_ - run_begin_) / 2;  // too many for all of them
-    }
-    post_run();
+void PairStage::take_run() {
+  if (const auto pairs = search_.take()) {
+    hold(*pairs);
+    run_begin_ = run_end_;
+  } else {
+    run_samples_ = (run_end_ - run_begin_) / 2;  // too many for all of them
   }
-  searched_.clear();
+  post_run();
 }
 
 void PairStage::hold(const std::vector<PairRecord>& pairs) {
@@ -122,10 +119,15 @@ void PairStage::post_count(std::vector<SampleRecord> samples, std::uint64_t most
   post_search(next_bins());
 }
 
+bool PairStage::step_count() {
+  if (!run_is_posted()) return false;
+  take_run();
+  if (!run_is_posted()) post_search(next_bins());
+  return run_is_posted();
+}
+
 std::vector<DistanceHistogram> PairStage::take_count() {
-  while (!searched_.empty()) {
-    take_search();
-    post_search(next_bins());
+  while (step_count()) {
   }
   std::vector<DistanceHistogram> histograms(samples_.size());
   for (std::size_t t = 0; t < samples_.size(); ++t) {
@@ -141,7 +143,7 @@ std::vector<PairRecord> PairStage::pairs_of(std::vector<SampleRecord> samples,
                                             const std::vector<std::uint32_t>& bin_limit) {
   set_samples(std::move(samples));
   post_search(bin_limit);
-  take_search();
+  while (run_is_posted()) take_run();
   std::vector<PairRecord> pairs;
   for (std::size_t t = 0; t < samples_.size(); ++t) {
     const std::uint32_t reach = reach_of_bins(bin_limit[t], library_->match().beta_steps);

@@ -13,6 +13,8 @@ class PairStage {
 
   /// `samples`: records without reach. Looks as far as it takes to find more than `most_pairs` of each.
   void post_count(std::vector<SampleRecord> samples, std::uint64_t most_pairs);
+  /// Waits for what is on the device and posts what is to be searched next; false where nothing is.
+  bool step_count();
   std::vector<DistanceHistogram> take_count();
 
   /// The pairs of these samples whose bins are below each one's limit, by sample, then by shape, best first. Waits for
@@ -35,7 +37,9 @@ class PairStage {
   /// Searches for each sample the bins below `bins[t]`, where they are more than it holds.
   void post_search(const std::vector<std::uint32_t>& bins);
   void post_run();
-  void take_search();
+  /// Takes what is on the device and posts the next samples of the same search.
+  void take_run();
+  bool run_is_posted() const { return run_begin_ < run_end_; }
   void hold(const std::vector<PairRecord>& pairs);
   /// How far to look next: nowhere where there are enough pairs.
   std::vector<std::uint32_t> next_bins() const;
@@ -51,7 +55,8 @@ class PairStage {
     std::uint32_t sample;
     std::uint32_t bins;
   };
-  std::vector<Searched> searched_;  // what is being searched, some after others: [run_begin_, run_end_) are on the device
+  std::vector<Searched>
+      searched_;  // what is being searched, some after others: [run_begin_, run_end_) are on the device
   std::uint32_t run_begin_ = 0;
   std::uint32_t run_end_ = 0;
   std::uint32_t run_samples_ = 0;  // at a time

@@ -105,6 +105,26 @@ TEST(OpenCLMatcher, ManySamplesAreTheSameAsForTheReference) {
   expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
 }
 
+/// 256 samples at a time, some of them farther than at first: a step waits for one launch of the search and posts the
+/// next, so that whoever has several devices keeps all of them busy. Nothing is left for take_count to wait for.
+TEST(OpenCLMatcher, CountsInSteps) {
+  const MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 300});
+  const CountRequest request{scene.samples, 50};
+  int launches = 0;
+  worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, all_of(scene.models),
+                                given(scene.models), [&] { ++launches; });
+  matcher.post_count(request);
+  int steps = 1;
+  for (int before = launches; matcher.step_count(); before = launches, ++steps) EXPECT_LE(launches - before, 2);
+  EXPECT_GT(steps, 3);
+  const int launches_of_steps = launches;
+  const std::vector<DistanceHistogram> counted = matcher.take_count();
+  EXPECT_EQ(launches, launches_of_steps);
+  ReferenceMatcher reference(scene.context, 0, scene.models);
+  reference.post_count(request);
+  EXPECT_EQ(counted, reference.take_count());
+}
+
 /// More shapes than go to the device at a time, and than a segment of the index has.
 TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
   MatchingScene scene = make_scene(scene_settings(), {10, 200, 3, 3});

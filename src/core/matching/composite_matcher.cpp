@@ -46,7 +46,16 @@ void CompositeMatcher::post_count(const CountRequest& request) {
   for (const auto& part : parts_) part->post_count(request);
 }
 
+bool CompositeMatcher::step_count() {
+  bool more = false;
+  for (const auto& part : parts_) more |= part->step_count();
+  return more;
+}
+
+/// Devices take all of their steps first: parts that wait for other ranks, which step by themselves, would hold them up.
 std::vector<DistanceHistogram> CompositeMatcher::take_count() {
+  while (step_count()) {
+  }
   std::vector<DistanceHistogram> sum = parts_.front()->take_count();
   for (std::size_t p = 1; p < parts_.size(); ++p) {
     const std::vector<DistanceHistogram> more = parts_[p]->take_count();

@@ -18,6 +18,8 @@ class CompositeMatcher : public Matcher {
   void update_field(const FieldPatch& patch) override;
   void limit(const StandingLimits& limits) override;
   void post_count(const CountRequest& request) override;
+  /// One step of each part.
+  bool step_count() override;
   std::vector<DistanceHistogram> take_count() override;
   void post_dock(const DockRequest& request) override;
   DockReply take_dock() override;

@@ -9,7 +9,9 @@
 //   refine  given dockings moved to their best pose, with the terms of the objective and what else scoring needs
 //   measure the terms of given poses, after the field has changed
 //
-// A question is posted, then taken: whoever joins several matchers posts to all before it takes from any.
+// A question is posted, then taken: whoever joins several matchers posts to all before it takes from any. One of them may
+// have to look several times to count, each time a little farther: whoever joins several has all of them take their steps in
+// turns, so that none of them idles while another one goes on.
 #pragma once
 
 #include <array>
@@ -77,6 +79,9 @@ class Matcher {
   virtual void limit(const StandingLimits& limits) = 0;
 
   virtual void post_count(const CountRequest& request) = 0;
+  /// Takes the next step of the count that was posted, which waits for no more than this matcher's own devices, and
+  /// tells whether there may be another one. take_count takes the steps that are left; without steps there are none.
+  virtual bool step_count() { return false; }
   virtual std::vector<DistanceHistogram> take_count() = 0;
   virtual void post_dock(const DockRequest& request) = 0;
   virtual DockReply take_dock() = 0;

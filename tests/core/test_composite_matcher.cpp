@@ -1,0 +1,96 @@
+// The order in which a composite matcher asks its parts. That their answers are joined rightly is for MatcherSuite.
+#include "core/matching/composite_matcher.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace tessera {
+namespace {
+
+/// Counts in as many steps as it is told, and notes in `calls` what it is asked: "post 0" is of the part with shape 0.
+class SteppingMatcher : public Matcher {
+ public:
+  SteppingMatcher(std::uint32_t shape, int steps, std::vector<std::string>& calls)
+      : shape_(shape),
+        steps_(steps),
+        calls_(&calls) {}
+
+  ShapeRange shapes() const override { return {shape_, shape_ + 1}; }
+  void post_count(const CountRequest&) override { note("post"); }
+  bool step_count() override {
+    if (steps_ == 0) return false;
+    note("step");
+    return --steps_ > 0;
+  }
+  std::vector<DistanceHistogram> take_count() override {
+    EXPECT_EQ(steps_, 0) << "steps are left for the take of part " << shape_;
+    note("take");
+    return {};
+  }
+
+  void start_field(int, int, Vec2) override {}
+  void update_field(const FieldPatch&) override {}
+  void limit(const StandingLimits&) override {}
+  void post_dock(const DockRequest&) override {}
+  DockReply take_dock() override { return {}; }
+  void post_refine(const std::vector<Docking>&) override {}
+  std::vector<RefinedDocking> take_refine() override { return {}; }
+  void post_measure(const std::vector<Docking>&) override {}
+  std::vector<DockingTerms> take_measure() override { return {}; }
+
+ private:
+  void note(const std::string& call) { calls_->push_back(call + " " + std::to_string(shape_)); }
+
+  std::uint32_t shape_;
+  int steps_;
+  std::vector<std::string>* calls_;
+};
+
+using Calls = std::vector<std::string>;
+
+/// Its parts count in so many steps; they have the shapes from `first` on.
+std::unique_ptr<Matcher> stepping_parts(std::uint32_t first, const std::vector<int>& steps, Calls& calls) {
+  std::vector<std::unique_ptr<Matcher>> parts;
+  for (const int s : steps) {
+    parts.push_back(std::make_unique<SteppingMatcher>(first + std::uint32_t(parts.size()), s, calls));
+  }
+  return std::make_unique<CompositeMatcher>(std::move(parts));
+}
+
+TEST(CompositeMatcher, PartsTakeTheirStepsInTurns) {
+  Calls calls;
+  const auto matcher = stepping_parts(0, {3, 1, 2}, calls);
+  matcher->post_count({});
+  matcher->take_count();
+  EXPECT_EQ(calls, (Calls{"post 0", "post 1", "post 2",  //
+                          "step 0", "step 1", "step 2",  //
+                          "step 0", "step 2", "step 0",  //
+                          "take 0", "take 1", "take 2"}));
+}
+
+/// As on a worker with others below it, of which the first part is one: it steps by itself, and is slow to answer.
+TEST(CompositeMatcher, DevicesTakeAllTheirStepsBeforeAnythingIsTaken) {
+  Calls calls;
+  std::vector<std::unique_ptr<Matcher>> parts;
+  parts.push_back(std::make_unique<SteppingMatcher>(0, 0, calls));
+  parts.push_back(stepping_parts(1, {2, 2}, calls));
+  CompositeMatcher matcher(std::move(parts));
+  matcher.post_count({});
+  matcher.take_count();
+  EXPECT_EQ(calls, (Calls{"post 0", "post 1", "post 2",            //
+                          "step 1", "step 2", "step 1", "step 2",  //
+                          "take 0", "take 1", "take 2"}));
+}
+
+TEST(CompositeMatcher, AStepIsOneOfEachPartAndTellsWhetherAnyIsLeft) {
+  Calls calls;
+  const auto matcher = stepping_parts(0, {2, 1}, calls);
+  EXPECT_TRUE(matcher->step_count());
+  EXPECT_EQ(calls, (Calls{"step 0", "step 1"}));
+  EXPECT_FALSE(matcher->step_count());
+  EXPECT_EQ(calls, (Calls{"step 0", "step 1", "step 0"}));
+}
+
+}  // namespace
+}  // namespace tessera
