@@ -69,7 +69,7 @@ Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas
   grown.first_piece_s = grown.start_s + first.seconds();
   grown.making_s = shapes.making_s();
   grown.peak_bytes = peak_memory_bytes();
-  grown.device_bytes = worker::shard_bytes(context, count);
+  grown.device_bytes = worker::shard_bytes(context, count, models->reads_singly()).device;
   return grown;
 }
 

@@ -23,13 +23,12 @@ constexpr double kSamplesOfAPiece = 80;
 // The most samples that were open at a time, by the pieces of the whole collage: 10.3 to 11.6 (four runs).
 constexpr double kOpenSamplesOfAPiece = 11;
 
-// prune_s by samples: a line through PADs of the library and their square root, as the best pairs are nearer in a
-// denser library. Measured 0.5 to 1.2 times what it says.
-constexpr double kPairs_s = 0.16e-9;
-constexpr double kPairsOfRoot_s = 0.27e-6;
-// dock_s by samples: 80 us (120 shapes) to 280 (10,000), by the square root of shapes; 0.8 to 1.5 times what it says.
-constexpr double kDocking_s = 85e-6;
-constexpr double kDockingOfRoot_s = 2e-6;
+// prune_s by samples, `tessera bench library`: 57, 113 and 203 us with 120, 1,000 and 10,000 shapes, by the cube root of
+// the library's PADs, as the best pairs are nearer in a denser library; 0.86 to 1.05 times what it says.
+constexpr double kPairsOfCubeRoot_s = 1.6e-6;
+// dock_s by samples: 100, 130 and 133 us, by the square root of shapes; 0.9 to 1.2 times what it says.
+constexpr double kDocking_s = 95e-6;
+constexpr double kDockingOfRoot_s = 0.5e-6;
 // objective_s + merge_s: 1.9 to 4.2 ms a piece.
 constexpr double kMasterOfAPiece_s = 2.5e-3;
 // improve_s by trials: 19 ms (185 shapes) and 30 ms (1,138).
@@ -63,7 +62,7 @@ constexpr double kFieldNode_bytes = 10;
 constexpr double kWholeShape_bytes = 80e3;
 constexpr double kKeptShapes = 1024;
 constexpr double kPassingShapes = 512;
-// Lists of pairs on a device, by shapes, for as many samples as are matched at a time; those of dockings take no more.
+// Lists of pairs on a device, by shapes, at most: those of several samples grow so far; those of dockings take no more.
 constexpr double kPairsOfAShape_bytes = 15e3;
 
 // The checkpoint's format, not a measurement: bytes of a piece, of an open target sample with as many candidates as the
@@ -90,12 +89,14 @@ double expected_pieces(const PlanInput& input) {
 /// A device that is the host itself holds its part of the library, and the lists of pairs, in the worker's memory.
 void add_memory(const PlanInput& input, const MatchingContext& context, PlanEstimate& plan) {
   const double shapes = double(plan.shapes_per_worker);
-  const double shard = double(worker::shard_bytes(context, plan.shapes_per_worker));
-  const double lists = std::min(double(worker::kStageBytes), shapes * kPairsOfAShape_bytes);
+  constexpr bool kReads = true;  // one whole library file; a choice of shapes holds all of a large part
+  const worker::ShardBytes shard = worker::shard_bytes(context, plan.shapes_per_worker, kReads);
+  const double lists = std::min(double(worker::kMostGrowth * worker::kStageBytes), shapes * kPairsOfAShape_bytes);
   const double passing = kWholeShape_bytes * std::min(shapes, kPassingShapes);
   const double field = kFieldNode_bytes * input.canvas_nodes;
-  plan.device_bytes = shard + sizeof(float) * input.canvas_nodes + 2 * lists;
-  const double library = passing + (input.host_devices ? shard + lists : 0);
+  plan.device_bytes = double(shard.device) + sizeof(float) * input.canvas_nodes + 2 * lists;
+  const double on_host = input.host_devices ? double(shard.device) + lists : 0;
+  const double library = passing + double(shard.host) + on_host;
   const double kept = kWholeShape_bytes * std::min(double(input.shapes), kKeptShapes);
   const double counting = priced(input.canvas_nodes, kFineCanvas_px2, kCountedNode_bytes, kCoarseNode_bytes);
   const double drawing =
@@ -122,7 +123,7 @@ void add_times(const PlanInput& input, PlanEstimate& plan) {
   const double shapes = double(input.shapes);
   const double pads = shapes * double(plan.pads_per_shape);
   const double sample_s =
-      kPairs_s * pads + kPairsOfRoot_s * std::sqrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
+      kPairsOfCubeRoot_s * std::cbrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
   const double filling_s = plan.pieces * kSamplesOfAPiece * sample_s;
   const double trial_s = kSamplesOfATrial * sample_s;
   const double trials = s.improve.trials > 0    ? double(s.improve.trials)

@@ -1,6 +1,7 @@
 #include "worker/device_index.h"
 
 #include <algorithm>
+#include <future>
 #include <limits>
 
 namespace tessera::worker {
@@ -29,19 +30,29 @@ void DeviceIndex::add(const std::vector<IndexedPad>& pads) {
   while (next_part_ < parts_.size()) {
     const std::size_t whole = std::size_t(parts_[next_part_].shapes) * match_.sources;
     if (waiting_.size() < whole) return;
-    const u32 segment = parts_[next_part_].first_shape;
-    for (; next_part_ < parts_.size() && parts_[next_part_].first_shape == segment; ++next_part_) {
-      upload(parts_[next_part_]);
-    }
+    add_segment();
     waiting_.erase(waiting_.begin(), waiting_.begin() + std::ptrdiff_t(whole));
   }
   waiting_ = {};
 }
 
-void DeviceIndex::upload(const IndexPart& part) {
+/// Its levels at the same time: to make them takes most of the time until a large library is there.
+void DeviceIndex::add_segment() {
+  const std::size_t first = next_part_;
+  std::vector<std::future<IndexRows>> made;
+  for (; next_part_ < parts_.size() && parts_[next_part_].first_shape == parts_[first].first_shape; ++next_part_) {
+    made.push_back(std::async(std::launch::async, [this, &part = parts_[next_part_]] { return rows_of(part); }));
+  }
+  for (std::size_t i = 0; i < made.size(); ++i) upload(parts_[first + i], made[i].get());
+}
+
+IndexRows DeviceIndex::rows_of(const IndexPart& part) const {
   const u32 first = match_.first_shape + part.first_shape;
-  const IndexRows made = make_index_rows(part, match_, waiting_, kind_,
-                                         models_->pad_order({first, first + part.shapes}, part.level));
+  return make_index_rows(part, match_, waiting_, kind_,
+                         models_->pad_order({first, first + part.shapes}, part.level));
+}
+
+void DeviceIndex::upload(const IndexPart& part, const IndexRows& made) {
   const u32 all_nodes = parts_.back().first_node + parts_.back().nodes;
   roots_.write_part(made.roots, part.first_root, part.roots, root_count_);
   node_boxes_.write_part(made.node_boxes, part.first_root, part.roots, root_count_);

@@ -25,7 +25,9 @@ class DeviceIndex {
   const DeviceBuffer<ChordRecord>& chords() const { return chords_; }
 
  private:
-  void upload(const IndexPart& part);
+  void add_segment();
+  IndexRows rows_of(const IndexPart& part) const;
+  void upload(const IndexPart& part, const IndexRows& made);
 
   MatchRecord match_;
   IndexKind kind_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <future>
 #include <optional>
 
 #include "worker/opencl_devices.h"
@@ -45,8 +46,18 @@ void DeviceLibrary::load(const BetweenLaunches& between_launches) {
   const bool limits_rotations = all_stances_.limits_rotations();
   const ModelParts parts{.contours = !reads_, .keypoints = !reads_ || limits_rotations};
   const std::uint32_t end = match_.first_shape + match_.shapes;
+  // The next ones are read while these are put on the device. One thread at a time reads.
+  const auto read_from = [&](std::uint32_t first) {
+    return std::async(std::launch::async, [this, parts, first, end] {
+      return first < end ? models_->models({first, std::min(end, first + kShapesAtATime)}, parts)
+                         : std::vector<ShapeModel>();
+    });
+  };
+  auto next = read_from(match_.first_shape);
   for (std::uint32_t first = match_.first_shape; first < end; first += kShapesAtATime) {
-    add(models_->models({first, std::min(end, first + kShapesAtATime)}, parts), first - match_.first_shape);
+    const std::vector<ShapeModel> models = next.get();
+    next = read_from(first + kShapesAtATime);
+    add(models, first - match_.first_shape);
     if (between_launches) between_launches();
   }
 }

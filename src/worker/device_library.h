@@ -16,15 +16,6 @@
 
 namespace tessera::worker {
 
-/// How many shapes' contours and key points are kept where they can be read, too.
-struct HeldShapes {
-  /// A shard of no more has all of them from the start: 5 KB a shape on the device and 14 KB in memory.
-  std::uint32_t most_whole = 65536;
-  /// Of a larger one so many contours are on the device, 77 MB, or as many as one question needs: the dockings of a
-  /// round that are refined and measured are of some thousand shapes.
-  std::uint32_t contours = 16384;
-};
-
 class DeviceLibrary {
  public:
   DeviceLibrary(const cl::Device& device, const MatchingContext& context, const ShapeRange& shapes,

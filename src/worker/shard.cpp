@@ -125,16 +125,20 @@ Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<Sha
   return shard;
 }
 
-std::size_t shard_bytes(const MatchingContext& context, std::size_t shapes) {
+ShardBytes shard_bytes(const MatchingContext& context, std::size_t shapes, bool reads) {
+  const MatchRecord match = make_match_record(context, {0, u32(shapes)});
   ShapeModel model;  // all shapes are of one size
   for (const int level : context.levels) {
     const std::size_t samples = std::size_t(kSmoothingLevels[std::size_t(level)].samples);
     model.levels.push_back({level, std::vector<ModelSample>(samples)});
   }
   const std::size_t of_one = make_shard(make_match_record(context, {0, 1}), context.pad.levels, {model}).bytes();
-  const std::size_t contours = std::size_t(kContourFloats) * sizeof(float) * shapes;
-  return of_one * shapes + contours +
-         index_bytes(make_match_record(context, {0, u32(shapes)}), index_kind(context));
+  const HeldShapes held;
+  const bool whole = !reads || shapes <= held.most_whole;
+  const std::size_t contours = whole ? shapes : held.contours;
+  const std::size_t keypoints = whole ? shapes * match.sources * keypoint_numbers(context.pad.levels) : 0;
+  return {of_one * shapes + index_bytes(match, index_kind(context)) + contours * kContourFloats * sizeof(float),
+          keypoints * sizeof(std::int16_t)};
 }
 
 }  // namespace tessera::worker

@@ -38,7 +38,21 @@ MatchRecord make_match_record(const MatchingContext& context, const ShapeRange& 
 /// std::logic_error).
 Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<ShapeModel>& models);
 
-/// What so many shapes will take on a device, with their index and contours.
-std::size_t shard_bytes(const MatchingContext& context, std::size_t shapes);
+/// How many shapes' contours and key points are kept where they can be read, too.
+struct HeldShapes {
+  /// A shard of no more has all of them from the start: 5 KB a shape on the device and 14 KB in memory.
+  std::uint32_t most_whole = 65536;
+  /// Of a larger one so many contours are on the device, 77 MB, or as many as one question needs: the dockings of a
+  /// round that are refined and measured are of some thousand shapes.
+  std::uint32_t contours = 16384;
+};
+
+/// What so many shapes will take: on a device, with their index and contours, and beside it in memory. `reads`: contours
+/// and key points can be read.
+struct ShardBytes {
+  std::size_t device = 0;
+  std::size_t host = 0;
+};
+ShardBytes shard_bytes(const MatchingContext& context, std::size_t shapes, bool reads);
 
 }  // namespace tessera::worker

@@ -33,9 +33,24 @@ TEST(Shard, bytes_are_known_beforehand) {
     for (const IndexPart& part : index_parts(match)) {
       bytes += bytes_of(make_index_rows(part, match, shard.pads, index_kind(context)));
     }
-    EXPECT_EQ(shard_bytes(context, 3), bytes);
+    std::vector<std::int16_t> keypoints;
+    for (const ShapeModel& model : models) append_keypoints(keypoints, model, context.pad.levels);
+    for (const bool reads : {false, true}) {
+      EXPECT_EQ(shard_bytes(context, 3, reads).device, bytes);
+      EXPECT_EQ(shard_bytes(context, 3, reads).host, keypoints.size() * sizeof keypoints[0]);
+    }
   }
-  EXPECT_EQ(shard_bytes(make_matching_context(CollageSettings(), 1), 0), 0u);
+  EXPECT_EQ(shard_bytes(make_matching_context(CollageSettings(), 1), 0, true).device, 0u);
+}
+
+/// Of a large part that can be read, contours and key points come when they are needed.
+TEST(Shard, a_large_one_holds_few_contours) {
+  const MatchingContext context = make_matching_context(CollageSettings(), 1);
+  const std::size_t shapes = HeldShapes().most_whole + 1;
+  const ShardBytes reads = shard_bytes(context, shapes, true);
+  const ShardBytes holds = shard_bytes(context, shapes, false);
+  EXPECT_EQ(reads.host, 0u);
+  EXPECT_EQ(holds.device - reads.device, (shapes - HeldShapes().contours) * kContourFloats * sizeof(float));
 }
 
 MatchRecord two_levels(u32 shapes) {
