@@ -15,7 +15,6 @@ std::vector<cl::Device> opencl_devices();
 
 /// Describes a device for records and lists.
 DeviceDescription describe(const cl::Device& device);
-std::vector<DeviceDescription> describe(const std::vector<cl::Device>& devices);
 
 /// One of the workers of a node. Each takes `per_worker` devices of its own; 0: each takes all.
 struct DeviceShare {
