@@ -27,7 +27,8 @@ struct SitedMatcher {
   RankSite site;
 };
 
-/// Of a run without workers: the whole library on this rank's devices. What asks to stop ends a question by Interrupted.
+/// Of a run without workers: the whole library on this rank's devices. What asks to stop ends a question by
+/// Interrupted.
 SitedMatcher own_matcher(const io::Job& job, const io::ShapeLibrary& library, const StopReason& stop_reason);
 
 /// Of a run with workers, which do the matching: rank 0 has no devices then.

@@ -23,10 +23,11 @@ struct DevicePart {
   ShapeRange shapes;
 };
 
-/// The devices that the job names, each with its part of `shapes`, in order: equal devices get equal parts, give or take one
-/// shape, different ones as many as they search in the same time (device_speed.h). With fewer shapes than devices the
-/// first devices are used. `devices_use`: job key devices.use; `pad`: the job's. Throws InputError or EnvironmentError where
-/// the devices are not there (opencl_devices.h) or fail. `between_launches` may throw to give up.
+/// The devices that the job names, each with its part of `shapes`, in order: equal devices get equal parts, give or
+/// take one shape, different ones as many as they search in the same time (device_speed.h). With fewer shapes than
+/// devices the first devices are used. `devices_use`: job key devices.use; `pad`: the job's. Throws InputError or
+/// EnvironmentError where the devices are not there (opencl_devices.h) or fail. `between_launches` may throw to give
+/// up.
 std::vector<DevicePart> device_parts(const std::string& devices_use, const PadParameters& pad, const ShapeRange& shapes,
                                      const DeviceShare& share = {}, const BetweenLaunches& between_launches = {});
 

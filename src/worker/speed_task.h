@@ -1,5 +1,5 @@
-// A small matching task on formula shapes, to measure devices by: the questions of a round, of about the kind and length
-// that a collage asks for a piece.
+// A small matching task on formula shapes, to measure devices by: the questions of a round, of about the kind and
+// length that a collage asks for a piece.
 #pragma once
 
 #include <vector>
