@@ -137,20 +137,21 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
   announce_run(ranks, program_identity(), input.job, input.origin.library_digest);
   announce_overlays(ranks, input.job);
-  const std::unique_ptr<Matcher> matcher =
-      ranks.size() > 1 ? comm::gather_workers(ranks) : own_matcher(input.job, input.library, stop_reason);
+  const SitedMatcher matching =
+      ranks.size() > 1 ? workers_matcher(ranks) : own_matcher(input.job, input.library, stop_reason);
   io::LibraryShapes shapes(input.library);
   const std::unique_ptr<Replacer> replacer =
       ranks.size() > 1 ? comm::gather_replacers(ranks) : own_replacer(shapes, stop_reason);
   // Over those that LLVM brings with the first kernel: they reset themselves when they are called, and a second signal
   // at that moment, as timeout(1) sends it, would end the process.
   comm::install_stop_handlers();
-  journal->ranks_are(comm::gather_sites(ranks, master_site(ranks, input.job)));
+  journal->ranks_are(comm::gather_sites(ranks, matching.site));
   if (input.start == Start::restart) input.checkpoints.remove();
 
   CollageCheckpoints checkpoints(input.checkpoints, input.origin);
   comm::LoopClock clock(ranks);
-  const master::CollageResult result = run_loop(arguments, input, limit, *matcher, *replacer, shapes, checkpoints);
+  const master::CollageResult result =
+      run_loop(arguments, input, limit, *matching.matcher, *replacer, shapes, checkpoints);
   const RankStatistics times = times_of(clock, result);
   journal->warn(empty_result_warning(input.folder, input.job, result));
   journal->warn(used_up_warning(input.job, input.canvas, result));

@@ -10,6 +10,7 @@
 #include "comm/matcher_server.h"
 #include "comm/node_turn.h"
 #include "comm/rank_sites.h"
+#include "comm/worker_team.h"
 #include "core/base/interrupted.h"
 #include "core/matching/matching_context.h"
 #include "core/matching/sized_settings.h"
@@ -48,10 +49,6 @@ std::string host_name() {
   return name;
 }
 
-RankSite site_with(const io::Job& job, const worker::DeviceShare& share) {
-  return {host_name(), worker::describe(worker::chosen_devices(job.devices, share))};
-}
-
 }  // namespace
 
 void run_collage_worker(comm::Communicator& ranks) {
@@ -66,29 +63,29 @@ void run_collage_worker(comm::Communicator& ranks) {
   const worker::DeviceShare share = share_of_node(ranks, job);
   const int cores = cores_of(share);
   worker::limit_cpu_threads(cores);
-  comm::tell_site(ranks, site_with(job, share));
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
   const auto look = [&ranks] { ranks.look(); };
+  const std::vector<worker::DevicePart> parts = worker::device_parts(job.devices, context.pad, part, share, look);
+  comm::tell_site(ranks, {host_name(), worker::describe(parts)});
   io::LibraryShapes shapes(library);
-  comm::serve(ranks,
-              worker::make_device_matcher(job.devices, context, part, io::models_of(library, context), share, look),
+  comm::serve(ranks, worker::make_device_matcher(parts, context, io::models_of(library, context), look),
               std::make_unique<OwnReplacer>(shapes, cores, look));
 }
 
-std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::ShapeLibrary& library,
-                                     const StopReason& stop_reason) {
+SitedMatcher own_matcher(const io::Job& job, const io::ShapeLibrary& library, const StopReason& stop_reason) {
   const MatchingContext context = context_of(job, library);
   const ShapeRange all = even_range(library.size(), 0, 1);
-  return worker::make_device_matcher(job.devices, context, all, io::models_of(library, context),
-                                     {.per_worker = job.devices_per_worker}, give_up_when(stop_reason));
+  const auto give_up = give_up_when(stop_reason);
+  const std::vector<worker::DevicePart> parts =
+      worker::device_parts(job.devices, context.pad, all, {.per_worker = job.devices_per_worker}, give_up);
+  return {worker::make_device_matcher(parts, context, io::models_of(library, context), give_up),
+          {host_name(), worker::describe(parts)}};
 }
+
+SitedMatcher workers_matcher(comm::Communicator& ranks) { return {comm::gather_workers(ranks), {host_name(), {}}}; }
 
 std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopReason& stop_reason) {
   return std::make_unique<OwnReplacer>(shapes, io::available_cores(), give_up_when(stop_reason));
-}
-
-RankSite master_site(const comm::Communicator& ranks, const io::Job& job) {
-  return ranks.size() > 1 ? RankSite{host_name(), {}} : site_with(job, {.per_worker = job.devices_per_worker});
 }
 
 }  // namespace tessera::cli

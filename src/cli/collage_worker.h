@@ -21,16 +21,21 @@ namespace tessera::cli {
 /// The reason to stop within a round, or null.
 using StopReason = std::function<const char*()>;
 
-/// The matcher of a run without workers: the whole library on this rank's devices. What asks to stop ends a question by
+/// Rank 0's matcher, and where that rank runs.
+struct SitedMatcher {
+  std::unique_ptr<Matcher> matcher;
+  RankSite site;
+};
+
+/// Of a run without workers: the whole library on this rank's devices. What asks to stop ends a question by
 /// Interrupted.
-std::unique_ptr<Matcher> own_matcher(const io::Job& job, const io::ShapeLibrary& library,
-                                     const StopReason& stop_reason);
+SitedMatcher own_matcher(const io::Job& job, const io::ShapeLibrary& library, const StopReason& stop_reason);
+
+/// Of a run with workers, which do the matching: rank 0 has no devices then.
+SitedMatcher workers_matcher(comm::Communicator& ranks);
 
 /// The replacer of a run without workers: on all cores of this rank. What asks to stop ends a question by Interrupted.
 /// The shapes outlive it.
 std::unique_ptr<Replacer> own_replacer(ShapeSource& shapes, const StopReason& stop_reason);
-
-/// Where rank 0 runs: with devices where it is alone, without where workers do the matching.
-RankSite master_site(const comm::Communicator& ranks, const io::Job& job);
 
 }  // namespace tessera::cli

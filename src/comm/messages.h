@@ -154,7 +154,7 @@ void serialize(Archive& archive, tessera::ReplacementOutcome& outcome, unsigned)
 
 template <class Archive>
 void serialize(Archive& archive, tessera::DeviceDescription& device, unsigned) {
-  archive& device.kind& device.name& device.platform& device.driver;
+  archive& device.kind& device.name& device.platform& device.driver& device.shapes;
 }
 
 template <class Archive>

@@ -5,6 +5,7 @@
 
 #include "core/matching/composite_matcher.h"
 #include "core/ranks/partition.h"
+#include "worker/device_speed.h"
 #include "worker/opencl_devices.h"
 #include "worker/opencl_matcher.h"
 
@@ -15,20 +16,42 @@ void limit_cpu_threads(int threads) {
   setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(std::max(1, threads)).c_str(), keep_users_choice);
 }
 
-std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
-                                             const ShapeRange& shapes, std::shared_ptr<const ModelSource> models,
-                                             const DeviceShare& share, const BetweenLaunches& between_launches) {
-  const std::vector<cl::Device> devices = chosen_devices(devices_use, share);
+std::vector<DevicePart> device_parts(const std::string& devices_use, const PadParameters& pad, const ShapeRange& shapes,
+                                     const DeviceShare& share, const BetweenLaunches& between_launches) {
+  std::vector<cl::Device> devices = chosen_devices(devices_use, share);
   const std::size_t count = shapes.end - shapes.begin;
-  const std::vector<std::uint64_t> weights(count, 1);
-  const int used = int(std::clamp<std::size_t>(count, 1, devices.size()));
-  std::vector<std::unique_ptr<Matcher>> parts;
-  for (const ShapeRange& part : balanced_ranges(weights, used)) {
-    const ShapeRange own{shapes.begin + part.begin, shapes.begin + part.end};
-    parts.push_back(std::make_unique<OpenCLMatcher>(devices[parts.size()], context, own, models, between_launches));
+  devices.resize(std::clamp<std::size_t>(count, 1, devices.size()));
+  std::vector<double> speeds(devices.size(), 1);
+  if (count > devices.size()) speeds = device_speeds(devices, pad, between_launches);
+  std::vector<DevicePart> parts;
+  for (const ShapeRange& part : ranges_by_speed(count, speeds)) {
+    parts.push_back({devices[parts.size()], {shapes.begin + part.begin, shapes.begin + part.end}});
   }
-  if (parts.size() == 1) return std::move(parts.front());
-  return std::make_unique<CompositeMatcher>(std::move(parts));
+  return parts;
+}
+
+std::vector<DeviceDescription> describe(const std::vector<DevicePart>& parts) {
+  std::vector<DeviceDescription> descriptions;
+  for (const DevicePart& part : parts) {
+    descriptions.push_back(describe(part.device));
+    descriptions.back().shapes = part.shapes.end - part.shapes.begin;
+  }
+  return descriptions;
+}
+
+std::unique_ptr<Matcher> make_device_matcher(const std::vector<DevicePart>& parts, const MatchingContext& context,
+                                             const std::shared_ptr<const ModelSource>& models, const BetweenLaunches& between_launches) {
+  std::vector<std::unique_ptr<Matcher>> matchers;
+  for (const DevicePart& part : parts) {
+    matchers.push_back(std::make_unique<OpenCLMatcher>(part.device, context, part.shapes, models, between_launches));
+  }
+  if (matchers.size() == 1) return std::move(matchers.front());
+  return std::make_unique<CompositeMatcher>(std::move(matchers));
+}
+
+std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
+                                             const ShapeRange& shapes, const std::shared_ptr<const ModelSource>& models) {
+  return make_device_matcher(device_parts(devices_use, context.pad, shapes), context, models);
 }
 
 void compile_kernels(const std::string& devices_use, const MatchingContext& context) {

@@ -17,14 +17,29 @@ namespace tessera::worker {
 /// (POCL_MAX_PTHREAD_COUNT). To be called before the first call of OpenCL.
 void limit_cpu_threads(int threads);
 
-/// Joins the devices that the job names. Every shape has the same number of samples, so that all devices get the same
-/// number of shapes, give or take one; with fewer shapes than devices the first devices are used. `devices_use`: job
-/// key devices.use. Throws InputError or EnvironmentError where the devices are not there (opencl_devices.h) or fail.
-/// `between_launches` may throw to give a question up; the matcher must not be asked again then.
+/// A device with the shapes that it searches.
+struct DevicePart {
+  cl::Device device;
+  ShapeRange shapes;
+};
+
+/// The devices that the job names, each with its part of `shapes`, in order: equal devices get equal parts, give or
+/// take one shape, different ones as many as they search in the same time (device_speed.h). With fewer shapes than
+/// devices the first devices are used. `devices_use`: job key devices.use; `pad`: the job's. Throws InputError or
+/// EnvironmentError where the devices are not there (opencl_devices.h) or fail. `between_launches` may throw to give
+/// up.
+std::vector<DevicePart> device_parts(const std::string& devices_use, const PadParameters& pad, const ShapeRange& shapes,
+                                     const DeviceShare& share = {}, const BetweenLaunches& between_launches = {});
+
+std::vector<DeviceDescription> describe(const std::vector<DevicePart>& parts);
+
+/// Joins the parts. `between_launches` may throw to give a question up; the matcher must not be asked again then.
+std::unique_ptr<Matcher> make_device_matcher(const std::vector<DevicePart>& parts, const MatchingContext& context,
+                                             const std::shared_ptr<const ModelSource>& models, const BetweenLaunches& between_launches = {});
+
+/// On all devices that the job names.
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
-                                             const ShapeRange& shapes, std::shared_ptr<const ModelSource> models,
-                                             const DeviceShare& share = {},
-                                             const BetweenLaunches& between_launches = {});
+                                             const ShapeRange& shapes, const std::shared_ptr<const ModelSource>& models);
 
 /// Compiles the kernels for the job's devices where they are not in the cache on disk.
 void compile_kernels(const std::string& devices_use, const MatchingContext& context);

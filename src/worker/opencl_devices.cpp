@@ -118,12 +118,6 @@ DeviceDescription describe(const cl::Device& device) {
           device.getInfo<CL_DRIVER_VERSION>()};
 }
 
-std::vector<DeviceDescription> describe(const std::vector<cl::Device>& devices) {
-  std::vector<DeviceDescription> descriptions;
-  for (const cl::Device& device : devices) descriptions.push_back(describe(device));
-  return descriptions;
-}
-
 std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& share) {
   const std::size_t count = share.per_worker > 0 ? std::size_t(share.per_worker) : devices;
   const std::size_t first = share.per_worker > 0 ? count * std::size_t(share.worker) : 0;
@@ -154,8 +148,9 @@ std::string missing_arithmetic(cl_device_fp_config single_precision) {
 void check_arithmetic(const std::string& device, cl_device_fp_config single_precision, const std::string& all) {
   const std::string missing = missing_arithmetic(single_precision);
   if (missing.empty()) return;
-  throw EnvironmentError("OpenCL device \"" + device + "\" has no " + missing +
-                         ": a collage would have other bytes there than elsewhere; choose others by devices.use: " + all);
+  throw EnvironmentError(
+      "OpenCL device \"" + device + "\" has no " + missing +
+      ": a collage would have other bytes there than elsewhere; choose others by devices.use: " + all);
 }
 
 std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share) {

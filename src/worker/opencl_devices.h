@@ -16,7 +16,6 @@ std::vector<cl::Device> opencl_devices();
 
 /// Describes a device for records and lists.
 DeviceDescription describe(const cl::Device& device);
-std::vector<DeviceDescription> describe(const std::vector<cl::Device>& devices);
 
 /// How dockings are best handled on the device.
 DockingLanes lanes_for(const cl::Device& device);

@@ -32,7 +32,7 @@ class Journal : public testing::Test {
 };
 
 TEST_F(Journal, keeps_what_happens_in_the_record_and_in_the_log) {
-  journal_.ranks_are({{"node1", {}}, {"node2", {{"gpu", "G", "P", "D"}}}});
+  journal_.ranks_are({{"node1", {}}, {"node2", {{"gpu", "G", "P", "D", 80}}}});
   CheckpointState from;
   from.name = "out/checkpoint.h5";
   from.placements.resize(3);
@@ -47,7 +47,7 @@ TEST_F(Journal, keeps_what_happens_in_the_record_and_in_the_log) {
   EXPECT_FALSE(record.ended_utc.empty());
   for (const char* text :
        {"start: tessera 1.2, commit abc", "command: tessera collage my.toml", "rank 0 of 2 on node1: no devices",
-        "rank 1 of 2 on node2: gpu \"G\" of P, driver D", "going on from out/checkpoint.h5, 3 pieces",
+        "rank 1 of 2 on node2: gpu \"G\" of P, driver D: 80 shapes", "going on from out/checkpoint.h5, 3 pieces",
         "warning: no checkpoint", "end: stopped by full, 7 pieces"}) {
     EXPECT_TRUE(log_has(text)) << text;
   }

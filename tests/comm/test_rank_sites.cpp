@@ -10,7 +10,9 @@ namespace {
 
 RankSite site_of(int rank) {
   RankSite site{"host" + std::to_string(rank), {}};
-  for (int i = 0; i < rank % 3; ++i) site.devices.push_back({"gpu", "device " + std::to_string(i), "platform", "1.2"});
+  for (int i = 0; i < rank % 3; ++i) {
+    site.devices.push_back({"gpu", "device " + std::to_string(i), "platform", "1.2", 70});
+  }
   return site;
 }
 

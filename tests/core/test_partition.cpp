@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/ranks/partition.h"
@@ -71,6 +73,57 @@ RC_GTEST_PROP(EvenRange, CoversTheLibraryEvenly, ()) {
 }
 
 TEST(BalancedRanges, NeedsAPart) { EXPECT_THROW(balanced_ranges({}, 0), std::invalid_argument); }
+
+std::vector<double> some_speeds() {
+  const auto speed = rc::gen::map(rc::gen::inRange(-20, 20), [](int halvings) { return std::exp2(0.5 * halvings); });
+  return *rc::gen::nonEmpty(rc::gen::container<std::vector<double>>(speed));
+}
+
+std::vector<std::size_t> sizes_of(const std::vector<ShapeRange>& ranges) {
+  std::vector<std::size_t> sizes;
+  for (const ShapeRange& range : ranges) sizes.push_back(range.end - range.begin);
+  return sizes;
+}
+
+RC_GTEST_PROP(RangesBySpeed, FollowOneAnotherOverAllItems, ()) {
+  const std::size_t items = *rc::gen::inRange<std::size_t>(0, 3000);
+  const std::vector<double> speeds = some_speeds();
+  const std::vector<ShapeRange> ranges = ranges_by_speed(items, speeds);
+  RC_ASSERT(ranges.size() == speeds.size());
+  RC_ASSERT(ranges.front().begin == 0u);
+  RC_ASSERT(ranges.back().end == items);
+  for (std::size_t i = 1; i < ranges.size(); ++i) RC_ASSERT(ranges[i].begin == ranges[i - 1].end);
+}
+
+RC_GTEST_PROP(RangesBySpeed, NoneHasMoreThanItsShareAndOneItem, ()) {
+  const std::size_t items = *rc::gen::inRange<std::size_t>(0, 3000);
+  const std::vector<double> speeds = some_speeds();
+  const std::vector<std::size_t> sizes = sizes_of(ranges_by_speed(items, speeds));
+  const double all = std::accumulate(speeds.begin(), speeds.end(), 0.0);
+  for (std::size_t p = 0; p < speeds.size(); ++p) {
+    RC_ASSERT(double(sizes[p]) <= double(items) * speeds[p] / all + 1 + 1e-6);
+  }
+}
+
+RC_GTEST_PROP(RangesBySpeed, NoneIsEmptyAsLongAsThereAreItems, ()) {
+  const std::size_t items = *rc::gen::inRange<std::size_t>(0, 60);
+  const std::vector<std::size_t> sizes = sizes_of(ranges_by_speed(items, some_speeds()));
+  for (std::size_t p = 0; p < std::min(items, sizes.size()); ++p) RC_ASSERT(sizes[p] > 0u);
+}
+
+TEST(RangesBySpeed, AreInProportionToTheSpeeds) {
+  using Sizes = std::vector<std::size_t>;
+  EXPECT_EQ(sizes_of(ranges_by_speed(1000, std::vector{3.0, 1.0})), (Sizes{750, 250}));
+  EXPECT_EQ(sizes_of(ranges_by_speed(7, std::vector{1.0, 1.0, 1.0})), (Sizes{2, 3, 2}));
+  EXPECT_EQ(sizes_of(ranges_by_speed(100'100, std::vector{1.0, 1000.0})), (Sizes{100, 100'000}));
+  EXPECT_EQ(sizes_of(ranges_by_speed(100, std::vector{1000.0, 1.0, 1.0})), (Sizes{98, 1, 1})) << "one at least";
+}
+
+TEST(RangesBySpeed, NeedSpeeds) {
+  EXPECT_THROW(ranges_by_speed(5, {}), std::invalid_argument);
+  EXPECT_THROW(ranges_by_speed(5, std::vector{1.0, 0.0}), std::invalid_argument);
+  EXPECT_THROW(ranges_by_speed(5, std::vector{1.0, std::numeric_limits<double>::infinity()}), std::invalid_argument);
+}
 
 std::vector<int> some_breadths() {
   return *rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(1, 200)));

@@ -103,7 +103,7 @@ TEST(Card, JsonTellsWhatMadeTheResult) {
   record.started_utc = "2026-11-21T22:53:07Z";
   record.resumed_from = "out/checkpoint.h5";
   record.resumed_pieces = 12;
-  record.ranks = {{"node1", {}}, {"node2", {{"gpu", "G", "P", "D"}}}};
+  record.ranks = {{"node1", {}}, {"node2", {{"gpu", "G", "P", "D", 80}}}};
   record.warnings = {"no checkpoint"};
   const auto card = nlohmann::json::parse(card_json(sample_quality(), sample_run(), {}, {}, record))["provenance"];
   EXPECT_EQ(card["version"], "1.2");
@@ -116,6 +116,7 @@ TEST(Card, JsonTellsWhatMadeTheResult) {
   EXPECT_EQ(card["ranks"][0]["host"], "node1");
   EXPECT_TRUE(card["ranks"][0]["devices"].empty());
   EXPECT_EQ(card["ranks"][1]["devices"][0]["driver"], "D");
+  EXPECT_EQ(card["ranks"][1]["devices"][0]["shapes"], 80);
 }
 
 TEST(Card, JsonHasTheColumnsOfTable2) {

@@ -49,7 +49,7 @@ TEST(ResultFormat, has_every_key_of_the_card) {
   RankStatistics ranks;
   ranks.workers.resize(2);
   RunRecord record;
-  record.ranks = {{"host", {{"cpu", "device", "platform", "driver"}}}};
+  record.ranks = {{"host", {{"cpu", "device", "platform", "driver", 1}}}};
   const json card = json::parse(card_json({}, {}, {}, ranks, record, DeformationFigures{}));
   ASSERT_EQ(card.size(), 5u);
   for (const auto& [name, section] : card.items()) expect_all_named(section, documented_section("### " + name));

@@ -76,8 +76,8 @@ TEST(RunRecord, texts) {
   EXPECT_EQ(digest_text(0xab), "00000000000000ab");
   EXPECT_EQ(digest_text(~0ull), "ffffffffffffffff");
   EXPECT_EQ(devices_text({}), "no devices");
-  EXPECT_EQ(devices_text({{"cpu", "Xeon", "PoCL", "3.1"}, {"gpu", "G", "P", "2"}}),
-            "cpu \"Xeon\" of PoCL, driver 3.1, gpu \"G\" of P, driver 2");
+  EXPECT_EQ(devices_text({{"cpu", "Xeon", "PoCL", "3.1", 40}, {"gpu", "G", "P", "2", 80}}),
+            "cpu \"Xeon\" of PoCL, driver 3.1: 40 shapes, gpu \"G\" of P, driver 2: 80 shapes");
 }
 
 TEST(UtcText, is_iso_8601) {

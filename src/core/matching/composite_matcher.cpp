@@ -52,7 +52,8 @@ bool CompositeMatcher::step_count() {
   return more;
 }
 
-/// Devices take all of their steps first: parts that wait for other ranks, which step by themselves, would hold them up.
+/// Devices take all of their steps first: parts that wait for other ranks, which step by themselves, would hold them
+/// up.
 std::vector<DistanceHistogram> CompositeMatcher::take_count() {
   while (step_count()) {
   }

@@ -9,9 +9,9 @@
 //   refine  given dockings moved to their best pose, with the terms of the objective and what else scoring needs
 //   measure the terms of given poses, after the field has changed
 //
-// A question is posted, then taken: whoever joins several matchers posts to all before it takes from any. One of them may
-// have to look several times to count, each time a little farther: whoever joins several has all of them take their steps in
-// turns, so that none of them idles while another one goes on.
+// A question is posted, then taken: whoever joins several matchers posts to all before it takes from any. One of them
+// may have to look several times to count, each time a little farther: whoever joins several has all of them take their
+// steps in turns, so that none of them idles while another one goes on.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 #include "core/ranks/partition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -22,6 +23,14 @@ std::size_t nearest_border(const std::vector<std::uint64_t>& weight_before, std:
   return std::size_t(above - weight_before.begin()) - (below_is_nearer ? 1 : 0);
 }
 
+/// The end of a part that begins at `begin`: as near to `goal` as leaves an item for this part and for each of the
+/// `parts_left` after it. The last part ends with the items.
+std::size_t end_near(std::size_t goal, std::size_t begin, std::size_t items, std::size_t parts_left) {
+  if (parts_left == 0) return items;
+  const std::size_t latest = items > parts_left ? items - parts_left : 0;
+  return std::max(std::min(goal, latest), std::min(begin + 1, items));
+}
+
 }  // namespace
 
 std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, int parts) {
@@ -33,10 +42,7 @@ std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, 
   std::size_t begin = 0;
   for (int p = 1; p <= parts; ++p) {
     const std::uint64_t goal = total / parts * p + total % parts * p / parts;
-    const std::size_t parts_left = std::size_t(parts - p);
-    const std::size_t latest = items > parts_left ? items - parts_left : 0;  // leaves one item for each later part
-    std::size_t end = p == parts ? items : std::min(nearest_border(weight_before, goal), latest);
-    end = std::max(end, std::min(begin + 1, items));
+    const std::size_t end = end_near(nearest_border(weight_before, goal), begin, items, std::size_t(parts - p));
     ranges.push_back({std::uint32_t(begin), std::uint32_t(end)});
     begin = end;
   }
@@ -46,6 +52,25 @@ std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, 
 ShapeRange even_range(std::size_t shapes, int part, int parts) {
   const std::vector<std::uint64_t> weights(shapes, 1);
   return balanced_ranges(weights, parts)[std::size_t(part)];
+}
+
+std::vector<ShapeRange> ranges_by_speed(std::size_t items, std::span<const double> speeds) {
+  const auto usable = [](double speed) { return speed > 0 && std::isfinite(speed); };
+  if (speeds.empty() || !std::all_of(speeds.begin(), speeds.end(), usable)) {
+    throw std::invalid_argument("ranges_by_speed: at least one part is needed, and speeds above 0");
+  }
+  const double all = std::accumulate(speeds.begin(), speeds.end(), 0.0);
+  std::vector<ShapeRange> ranges;
+  double sum = 0;
+  std::size_t begin = 0;
+  for (std::size_t p = 0; p < speeds.size(); ++p) {
+    sum += speeds[p];
+    const auto goal = std::size_t(std::llround(double(items) * (sum / all)));
+    const std::size_t end = end_near(goal, begin, items, speeds.size() - 1 - p);
+    ranges.push_back({std::uint32_t(begin), std::uint32_t(end)});
+    begin = end;
+  }
+  return ranges;
 }
 
 std::vector<std::vector<std::size_t>> fair_shares(std::span<const std::uint64_t> weights,

@@ -1,6 +1,7 @@
 // Where a rank of a job runs, for the records of a run. It never decides anything about the picture.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ struct DeviceDescription {
   std::string kind;  // "cpu", "gpu" or "accelerator"
   std::string name;
   std::string platform;
-  std::string driver;  // its version
+  std::string driver;        // its version
+  std::uint32_t shapes = 0;  // of the library, that it searches
 
   friend bool operator==(const DeviceDescription&, const DeviceDescription&) = default;
 };

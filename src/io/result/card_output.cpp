@@ -91,7 +91,8 @@ Json provenance_json(const RunRecord& record) {
   for (const RankSite& site : record.ranks) {
     Json devices = Json::array();
     for (const DeviceDescription& d : site.devices) {
-      devices.push_back({{"kind", d.kind}, {"name", d.name}, {"platform", d.platform}, {"driver", d.driver}});
+      devices.push_back(
+          {{"kind", d.kind}, {"name", d.name}, {"platform", d.platform}, {"driver", d.driver}, {"shapes", d.shapes}});
     }
     ranks.push_back({{"host", site.host}, {"devices", devices}});
   }

@@ -16,7 +16,8 @@ std::string devices_text(const std::vector<DeviceDescription>& devices) {
   std::string text;
   for (const DeviceDescription& device : devices) {
     if (!text.empty()) text += ", ";
-    text += device.kind + " \"" + device.name + "\" of " + device.platform + ", driver " + device.driver;
+    text += device.kind + " \"" + device.name + "\" of " + device.platform + ", driver " + device.driver + ": " +
+            std::to_string(device.shapes) + " shapes";
   }
   return text;
 }
