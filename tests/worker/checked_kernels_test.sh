@@ -2,7 +2,8 @@
 # checked_kernels_test.sh memcheck|helgrind TEST_KERNELS TEST_PAIR_SEARCH TEST_OPENCL_RUNTIME NEW_FOLDER: every kernel
 # runs on PoCL under valgrind, which sees what the compiled kernels do: reads beyond buffers and of what nobody wrote
 # (memcheck), work items of two threads at the same place (helgrind). That they still give the reference's bits is
-# seen on the way, on a CPU without AVX-512, as valgrind has none. Faulty kernels show that faults are found.
+# seen on the way, on a CPU without AVX-512, as valgrind has none. Faulty kernels show that faults are found. Work items
+# for lanes are left out but for the building blocks: to compile all of them takes PoCL longer there than all the rest.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tool=$1 test_kernels=$2 test_pair_search=$3 test_opencl_runtime=$4 folder=$5
@@ -39,7 +40,7 @@ case $tool in
   *) echo "no such tool: $tool" >&2; exit 2 ;;
 esac
 
-for run in "$test_kernels --gtest_filter=*Kernels.*:*seed1*:*seed2*" "$test_pair_search"; do
+for run in "$test_kernels --gtest_filter=*Kernels.*:*seed1vectors:*seed2vectors" "$test_pair_search"; do
   log=$folder/$(basename "${run%% *}").log
   # shellcheck disable=SC2086  # a command and its argument
   if ! checked "$log" $run >"$folder/output.txt" 2>&1; then
