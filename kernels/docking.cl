@@ -197,9 +197,9 @@ int next_docking(SHARED const DockingRecord* dockings, int count, int i) {
   return i;
 }
 
-// Work item: a pair, whose shape's key points are `pair_keypoints`: all x, then all y, steps. The items of a docking align
-// one each, then its lanes look at what is left, one docking after the other. They are added where the early reject
-// leaves them. `evaluated`: dockings that looked at the field, by target sample.
+// Work item: a pair, whose shape's key points are `pair_keypoints`: all x, then all y, steps. The items of a docking
+// align one each, then its lanes look at what is left, one docking after the other. They are added where the early
+// reject leaves them. `evaluated`: dockings that looked at the field, by target sample.
 DOCKING_KERNEL void dock_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const float* size_map, global const float* field_value,
@@ -307,8 +307,8 @@ typedef struct TangentDraw {
 
 #define NO_SHAPE 0xffffffffu
 
-// `open_shapes`: the shapes of the whole library that may be drawn, unless all may; `near_shapes`: `near_length` of each
-// list of shapes of about one colour.
+// `open_shapes`: the shapes of the whole library that may be drawn, unless all may; `near_shapes`: `near_length` of
+// each list of shapes of about one colour.
 INLINE uint drawn_shape(ulong bits, uint draw, global const SampleRecord* target, uint open_count, uint all_open,
                         global const uint* open_shapes, uint near_length, global const uint* near_shapes) {
   if (open_count == 0) return NO_SHAPE;
@@ -380,8 +380,8 @@ DOCKING_KERNEL void dock_tangents(constant MatchRecord* match, global const Stan
   sync_lanes();
   for (int i = next_to_find(drawn, 0); i < kDraws; i = next_to_find(drawn, i + 1)) {
     const uint shape = drawn[i].library_shape - match->first_shape;
-    const int point = found_point(lanes, stances + drawn[i].stance, contours + (size_t)contour_places[shape] * kContourFloats,
-                                  drawn[i].point_bits, target);
+    global const float* contour = contours + (size_t)contour_places[shape] * kContourFloats;
+    const int point = found_point(lanes, stances + drawn[i].stance, contour, drawn[i].point_bits, target);
     if (lanes.item == 0) drawn[i].point = point;
   }
   sync_lanes();
@@ -391,8 +391,8 @@ DOCKING_KERNEL void dock_tangents(constant MatchRecord* match, global const Stan
     if (drawn[i].point == NO_POINT) continue;
     const uint shape = drawn[i].library_shape - match->first_shape;
     const StanceRecord stance = with_sizes_up_to(sizes, stances[drawn[i].stance]);
-    docked[i] = drawn_docking(drawn[i], first + i, t, &stance, contours + (size_t)contour_places[shape] * kContourFloats,
-                              shapes + shape, target, &field);
+    global const float* contour = contours + (size_t)contour_places[shape] * kContourFloats;
+    docked[i] = drawn_docking(drawn[i], first + i, t, &stance, contour, shapes + shape, target, &field);
   }
   sync_lanes();
   const Picture picture = {colour, texels};

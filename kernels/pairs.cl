@@ -95,10 +95,10 @@ INLINE uint pad_distance(global const uchar* rows, uint lane, global const uchar
 kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const uchar* index_rows, global const uint* index_places,
-                       global const ChordRecord* index_chords, constant ColourRecord* colour, global const uint* near_bits, global const SampleRecord* samples,
-                       uint stride, global const uint* block_count, uint block_capacity,
-                       global const BlockRecord* blocks, uint capacity, global uint* pair_count,
-                       global PairRecord* pairs) {
+                       global const ChordRecord* index_chords, constant ColourRecord* colour,
+                       global const uint* near_bits, global const SampleRecord* samples, uint stride,
+                       global const uint* block_count, uint block_capacity, global const BlockRecord* blocks,
+                       uint capacity, global uint* pair_count, global PairRecord* pairs) {
   const uint count = get_global_id(0) < stride ? min(*block_count, block_capacity) : 0;
   for (uint i = get_global_id(0); i < count; i += stride) {
     const BlockRecord block = blocks[i];

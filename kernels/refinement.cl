@@ -207,8 +207,8 @@ ExtentRecord extent_of(Lanes lanes, PoseRecord s, global const float* contour) {
 DOCKING_KERNEL void refine_dockings(constant MatchRecord* match, global const StanceRecord* stances,
                             global const float* size_map, global const float* field_value,
                             constant ColourRecord* colour, global const float* texels, global const float* contours,
-                            global const uint* contour_places, global const ShapeRecord* shapes, uint count, global const DockingRecord* dockings,
-                            global RefinedRecord* refined) {
+                            global const uint* contour_places, global const ShapeRecord* shapes, uint count,
+                            global const DockingRecord* dockings, global RefinedRecord* refined) {
   SHARED int scratch[kScratch];
   SHARED float distance[kBoundaryPoints];
   const Lanes lanes = lanes_of_docking(scratch);
@@ -247,7 +247,8 @@ DOCKING_KERNEL void measure_dockings(constant MatchRecord* match, global const f
   const uint shape = dockings[i].shape - match->first_shape;
   const Field field = free_field(match, field_value);
   const Picture picture = {colour, texels};
-  const TermsRecord measured = docking_terms(lanes, distance, match, contours + (size_t)contour_places[shape] * kContourFloats,
-                                             shapes + shape, dockings[i].canvas_from_shape, &field, &picture);
+  global const float* contour = contours + (size_t)contour_places[shape] * kContourFloats;
+  const TermsRecord measured =
+      docking_terms(lanes, distance, match, contour, shapes + shape, dockings[i].canvas_from_shape, &field, &picture);
   if (lanes.item == 0) terms[i] = measured;
 }

@@ -24,7 +24,7 @@ struct Grown {
   RunStatistics statistics;
   double start_s = 0;        // until the matcher is ready
   double first_piece_s = 0;  // from the start of all, making shapes left out
-  double making_s = 0;  // of the loop, spent on making shapes that a real library would have
+  double making_s = 0;       // of the loop, spent on making shapes that a real library would have
   std::uint64_t peak_bytes = 0;
   std::uint64_t device_bytes = 0;
 };
@@ -126,9 +126,8 @@ Report bench_library(const Setting& setting, const LibraryOptions& options) {
   CollageSettings settings;
   settings.stop.pieces = setting.quick ? 3 : 20;
 
-  io::TextTable table(
-      {"shapes", "ms a piece", "prune", "dock", "objective, merge", "(making shapes)", "start s", "first piece s",
-       "peak memory MB", "device MB"});
+  io::TextTable table({"shapes", "ms a piece", "prune", "dock", "objective, merge", "(making shapes)", "start s",
+                       "first piece s", "peak memory MB", "device MB"});
   Report report;
   report.json = report_head("library", setting);
   report.json.update({{"library", options.library},
@@ -137,7 +136,8 @@ Report bench_library(const Setting& setting, const LibraryOptions& options) {
                       {"pieces", settings.stop.pieces},
                       {"sizes", Json::array()}});
   for (const std::uint32_t size : sizes) {
-    add_size(table, report.json["sizes"], size, run_size(library, size, canvas, settings, setting.devices, options.models));
+    add_size(table, report.json["sizes"], size,
+             run_size(library, size, canvas, settings, setting.devices, options.models));
   }
   report.text = table.text() + "\n" + explanation(settings.stop.pieces, size_px, library.size());
   return report;

@@ -64,7 +64,8 @@ void write(const std::string& path, std::uint64_t digest, std::uint32_t count, c
   file.write(reinterpret_cast<const char*>(&digest), sizeof digest);
   for (std::uint32_t first = 0; first < count && file; first += kSegmentShapes) {
     const ShapeRange range{first, std::min(count, first + kSegmentShapes)};
-    const std::vector<std::uint8_t> bytes = io::segment_bytes(kind, make(range), std::vector<io::SegmentOwner>(range.size()));
+    const std::vector<std::uint8_t> bytes =
+        io::segment_bytes(kind, make(range), std::vector<io::SegmentOwner>(range.size()));
     file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
   }
   file.close();

@@ -126,9 +126,10 @@ void add_library(CLI::App& bench, Command& selected) {
       ->type_name("N,..")
       ->delimiter(',')
       ->capture_default_str();
-  sub->add_option("--models", options->models,
-                  "Folder for files of the shapes' models, 27 KB a shape, which are read as a large library's; default: "
-                  "models are made each time, and held in memory")
+  sub->add_option(
+         "--models", options->models,
+         "Folder for files of the shapes' models, 27 KB a shape, which are read as a large library's; default: "
+         "models are made each time, and held in memory")
       ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory);
 }

@@ -23,8 +23,8 @@ constexpr double kSamplesOfAPiece = 80;
 // The most samples that were open at a time, by the pieces of the whole collage: 10.3 to 11.6 (four runs).
 constexpr double kOpenSamplesOfAPiece = 11;
 
-// prune_s by samples, `tessera bench library`: 57, 113 and 203 us with 120, 1,000 and 10,000 shapes, by the cube root of
-// the library's PADs, as the best pairs are nearer in a denser library; 0.86 to 1.05 times what it says.
+// prune_s by samples, `tessera bench library`: 57, 113 and 203 us with 120, 1,000 and 10,000 shapes, by the cube root
+// of the library's PADs, as the best pairs are nearer in a denser library; 0.86 to 1.05 times what it says.
 constexpr double kPairsOfCubeRoot_s = 1.6e-6;
 // dock_s by samples: 100, 130 and 133 us, by the square root of shapes; 0.9 to 1.2 times what it says.
 constexpr double kDocking_s = 95e-6;
@@ -122,8 +122,7 @@ void add_times(const PlanInput& input, PlanEstimate& plan) {
   const CollageSettings& s = input.settings;
   const double shapes = double(input.shapes);
   const double pads = shapes * double(plan.pads_per_shape);
-  const double sample_s =
-      kPairsOfCubeRoot_s * std::cbrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
+  const double sample_s = kPairsOfCubeRoot_s * std::cbrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
   const double filling_s = plan.pieces * kSamplesOfAPiece * sample_s;
   const double trial_s = kSamplesOfATrial * sample_s;
   const double trials = s.improve.trials > 0    ? double(s.improve.trials)

@@ -70,7 +70,7 @@ inline constexpr int kRematchTangentDockings = 2000;  // when the pool is dry
 // from runs of them: three draws of one shape a target sample are rare, and 2,048 contours, 10 MB, are read at once.
 inline constexpr std::uint32_t kWholeDeck = 65536;
 inline constexpr std::uint32_t kDeckRuns = 32;
-inline constexpr std::uint32_t kDeckRun = 64;  // shapes that follow one another
+inline constexpr std::uint32_t kDeckRun = 64;      // shapes that follow one another
 inline constexpr std::uint32_t kNearDeckRuns = 4;  // of each list of shapes of about one colour
 inline constexpr std::uint32_t kNearDeckRun = 32;
 

@@ -50,7 +50,7 @@ class DeviceContours {
   };
   std::vector<std::uint32_t> place_of_shape_;
   std::vector<Place> held_;  // by place
-  std::uint32_t hand_ = 0;  // where the search for a free place goes on
+  std::uint32_t hand_ = 0;   // where the search for a free place goes on
   std::uint64_t question_ = 0;
 };
 

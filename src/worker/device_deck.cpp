@@ -23,8 +23,8 @@ DeviceDeck::DeviceDeck(DeviceLibrary& library)
 void DeviceDeck::deal(const std::vector<TargetSample>& samples) {
   const StanceTable& standing = library_->standing();
   const NearColours& colours = library_->colours().near_colours();
-  deck_ = draw_deck(library_->match().seed, samples, standing.library_shapes(), standing.open_shapes(),
-                    colours.length());
+  deck_ =
+      draw_deck(library_->match().seed, samples, standing.library_shapes(), standing.open_shapes(), colours.length());
   std::vector<std::uint32_t> open;
   for (const std::uint32_t place : deck_.open) open.push_back(index_of(standing.open_shape(place)));
   const std::vector<std::uint32_t> near =

@@ -40,7 +40,8 @@ std::vector<DeviceDescription> describe(const std::vector<DevicePart>& parts) {
 }
 
 std::unique_ptr<Matcher> make_device_matcher(const std::vector<DevicePart>& parts, const MatchingContext& context,
-                                             const std::shared_ptr<const ModelSource>& models, const BetweenLaunches& between_launches) {
+                                             const std::shared_ptr<const ModelSource>& models,
+                                             const BetweenLaunches& between_launches) {
   std::vector<std::unique_ptr<Matcher>> matchers;
   for (const DevicePart& part : parts) {
     matchers.push_back(std::make_unique<OpenCLMatcher>(part.device, context, part.shapes, models, between_launches));
@@ -50,7 +51,8 @@ std::unique_ptr<Matcher> make_device_matcher(const std::vector<DevicePart>& part
 }
 
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
-                                             const ShapeRange& shapes, const std::shared_ptr<const ModelSource>& models) {
+                                             const ShapeRange& shapes,
+                                             const std::shared_ptr<const ModelSource>& models) {
   return make_device_matcher(device_parts(devices_use, context.pad, shapes), context, models);
 }
 

@@ -35,11 +35,13 @@ std::vector<DeviceDescription> describe(const std::vector<DevicePart>& parts);
 
 /// Joins the parts. `between_launches` may throw to give a question up; the matcher must not be asked again then.
 std::unique_ptr<Matcher> make_device_matcher(const std::vector<DevicePart>& parts, const MatchingContext& context,
-                                             const std::shared_ptr<const ModelSource>& models, const BetweenLaunches& between_launches = {});
+                                             const std::shared_ptr<const ModelSource>& models,
+                                             const BetweenLaunches& between_launches = {});
 
 /// On all devices that the job names.
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
-                                             const ShapeRange& shapes, const std::shared_ptr<const ModelSource>& models);
+                                             const ShapeRange& shapes,
+                                             const std::shared_ptr<const ModelSource>& models);
 
 /// Compiles the kernels for the job's devices where they are not in the cache on disk.
 void compile_kernels(const std::string& devices_use, const MatchingContext& context);

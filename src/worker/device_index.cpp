@@ -48,8 +48,7 @@ void DeviceIndex::add_segment() {
 
 IndexRows DeviceIndex::rows_of(const IndexPart& part) const {
   const u32 first = match_.first_shape + part.first_shape;
-  return make_index_rows(part, match_, waiting_, kind_,
-                         models_->pad_order({first, first + part.shapes}, part.level));
+  return make_index_rows(part, match_, waiting_, kind_, models_->pad_order({first, first + part.shapes}, part.level));
 }
 
 void DeviceIndex::upload(const IndexPart& part, const IndexRows& made) {

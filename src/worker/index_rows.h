@@ -13,8 +13,8 @@
 
 namespace tessera::worker {
 
-/// One level of a segment, or of what the shard has of it, and where it lies in the shard's index. A root has up to 64 nodes, a node 64 blocks, a block 64
-/// PADs; nodes are filled up with blocks, but roots not with nodes.
+/// One level of a segment, or of what the shard has of it, and where it lies in the shard's index. A root has up to 64
+/// nodes, a node 64 blocks, a block 64 PADs; nodes are filled up with blocks, but roots not with nodes.
 struct IndexPart {
   u32 first_shape;  // of the segment, in the shard
   u32 shapes;

@@ -30,8 +30,6 @@ void OpenCLMatcher::post_count(const CountRequest& request) {
   pairs_.post_count(records_of(request.samples), request.most_pairs);
 }
 
-void OpenCLMatcher::post_dock(const DockRequest& request) {
-  docking_.post(request, records_of(request.samples));
-}
+void OpenCLMatcher::post_dock(const DockRequest& request) { docking_.post(request, records_of(request.samples)); }
 
 }  // namespace tessera::worker

@@ -100,8 +100,8 @@ void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& s
     for (std::size_t first_column = 0; first_column < x; first_column += columns) {
       const cl::NDRange part(std::min(columns, x - first_column), std::min(rows, size.y - first_row));
       cl::Event launched;
-      session.queue().enqueueNDRangeKernel(kernel, cl::NDRange(first_column, first_row), part,
-                                           cl::NDRange(group, 1), nullptr, &launched);
+      session.queue().enqueueNDRangeKernel(kernel, cl::NDRange(first_column, first_row), part, cl::NDRange(group, 1),
+                                           nullptr, &launched);
       session.add_launch(std::move(launched));
     }
   }

@@ -76,8 +76,8 @@ void RefineStage::post_measure(const std::vector<Docking>& dockings) {
   measured_ = count;
   terms_.reserve(count);
   launch(library_->session(), measure_dockings_, work_of(count, library_->lanes()), library_->match_buffer(),
-         library_->field(), library_->colours().record(), library_->colours().texels(),
-         library_->contours().contours(), library_->contours().places(), library_->shapes(), count, dockings_, terms_);
+         library_->field(), library_->colours().record(), library_->colours().texels(), library_->contours().contours(),
+         library_->contours().places(), library_->shapes(), count, dockings_, terms_);
   library_->session().flush();
 }
 

@@ -60,9 +60,17 @@ void append_sketch(std::vector<float>& sketches, const ShapeModel& model) {
 
 ShapeRecord shape_record(const ShapeModel& model) {
   const ColourModel& colour = model.colour;
-  return {model.perimeter,     model.radius,      keypoint_step(model.radius), model.disc_centre.x,
-          model.disc_centre.y, model.disc_radius, u32(model.interior.size()),  colour.mean.lightness,
-          colour.mean.a,       colour.mean.b,     colour.cell};
+  return {model.perimeter,
+          model.radius,
+          keypoint_step(model.radius),
+          model.disc_centre.x,
+          model.disc_centre.y,
+          model.disc_radius,
+          u32(model.interior.size()),
+          colour.mean.lightness,
+          colour.mean.a,
+          colour.mean.b,
+          colour.cell};
 }
 
 }  // namespace

@@ -21,7 +21,6 @@ struct Shard {
   std::size_t bytes() const { return sketches.size() * sizeof(float) + shapes.size() * sizeof(ShapeRecord); }
 };
 
-
 /// The sets of points of a model's contour (RecordSizes) behind others. Shape units.
 void append_contour(std::vector<float>& contours, const ShapeModel& model);
 
@@ -47,8 +46,8 @@ struct HeldShapes {
   std::uint32_t contours = 16384;
 };
 
-/// What so many shapes will take: on a device, with their index and contours, and beside it in memory. `reads`: contours
-/// and key points can be read.
+/// What so many shapes will take: on a device, with their index and contours, and beside it in memory. `reads`:
+/// contours and key points can be read.
 struct ShardBytes {
   std::size_t device = 0;
   std::size_t host = 0;

@@ -271,8 +271,8 @@ TEST_F(DamagedModels, OfOtherVersionsAreMadeAnew) {
     ASSERT_GE(H5Adelete_by_name(file.get(), "/models", "version", H5P_DEFAULT), 0);
     const Hdf5Handle space(H5Screate(H5S_SCALAR), "space");
     const Hdf5Handle group(H5Gopen2(file.get(), "/models", H5P_DEFAULT), "group");
-    const Hdf5Handle attribute(
-        H5Acreate2(group.get(), "version", H5T_STD_I32LE, space.get(), H5P_DEFAULT, H5P_DEFAULT), "attribute");
+    const Hdf5Handle attribute(H5Acreate2(group.get(), "version", H5T_STD_I32LE, space.get(), H5P_DEFAULT, H5P_DEFAULT),
+                               "attribute");
     const int version = 1000;
     ASSERT_GE(H5Awrite(attribute.get(), H5T_NATIVE_INT, &version), 0);
   }

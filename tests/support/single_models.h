@@ -1,4 +1,5 @@
-// Models that are read shape by shape and PAD by PAD, as those of a very large library. What was not asked for is wrong.
+// Models that are read shape by shape and PAD by PAD, as those of a very large library. What was not asked for is
+// wrong.
 #pragma once
 
 #include "core/matching/model_source.h"

@@ -71,8 +71,6 @@ float colour_difference(const ColourModel& piece, const Similarity& canvas_from_
   return kColourOfMeans * ciede2000(piece.mean, *mean) + (1 - kColourOfMeans) * of_cells;
 }
 
-float colour_worth(float difference, float weight) {
-  return faded(kColourFading * weight * difference);
-}
+float colour_worth(float difference, float weight) { return faded(kColourFading * weight * difference); }
 
 }  // namespace tessera

@@ -57,7 +57,8 @@ struct TangentDraw {
   std::uint32_t point_bits = 0;  // choose among the boundary points that come into question
   float scale_px = 0;
 };
-/// Of the shapes that may stand, or those of a deck. Where there is a list of `near` colours, most draws take one of those shapes, the nearer the more likely.
+/// Of the shapes that may stand, or those of a deck. Where there is a list of `near` colours, most draws take one of
+/// those shapes, the nearer the more likely.
 TangentDraw draw_tangent(const MatchingContext& context, const TargetSample& sample, std::uint32_t draw,
                          std::span<const std::uint32_t> near = {}, const Deck& deck = {});
 

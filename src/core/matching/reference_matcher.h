@@ -38,7 +38,7 @@ class ReferenceMatcher : public Matcher {
   MatchingContext context_;  // with the stances within the limits
   StanceTable all_stances_;
   std::uint32_t first_shape_;
-  Deck deck_;                  // of the question
+  Deck deck_;                 // of the question
   NearColours near_colours_;  // of the shapes within the limits
   std::vector<ShapeModel> models_;
   CanvasField field_;

@@ -105,8 +105,8 @@ void enclose(PadBox& box, const PadBox& part) {
 std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements) {
   std::vector<std::uint32_t> order(pads.size());
   std::iota(order.begin(), order.end(), 0u);
-  const auto others = std::stable_partition(order.begin(), order.end(),
-                                            [&](std::uint32_t i) { return pads[i].sign == sign_byte(1); });
+  const auto others =
+      std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return pads[i].sign == sign_byte(1); });
   Splitter(pads, elements).split_by_sign(order, std::size_t(others - order.begin()), kNodePads);
   return order;
 }
@@ -121,8 +121,6 @@ PadIndex boxed(std::vector<std::uint32_t> order, std::span<const PadBytes> pads)
   return index;
 }
 
-PadIndex make_pad_index(std::span<const PadBytes> pads, int elements) {
-  return boxed(pad_order(pads, elements), pads);
-}
+PadIndex make_pad_index(std::span<const PadBytes> pads, int elements) { return boxed(pad_order(pads, elements), pads); }
 
 }  // namespace tessera

@@ -31,8 +31,8 @@ struct ModelSample {
 /// Length of the interval that estimates the scale before any alignment.
 float scale_length(const ArclengthPyramid& pyramid, int levels);
 
-/// From end to end of that interval: it tells the rotation before any alignment. Of a sample in steps of its shape's key
-/// points, in whole numbers.
+/// From end to end of that interval: it tells the rotation before any alignment. Of a sample in steps of its shape's
+/// key points, in whole numbers.
 Vec2 chord(const ArclengthPyramid& pyramid, int levels);
 Vec2 chord(const ModelSample& sample, int levels);
 

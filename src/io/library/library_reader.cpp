@@ -270,8 +270,8 @@ std::vector<ShapeHead> LibraryFile::heads(std::size_t begin, std::size_t end) co
 
 std::shared_ptr<const ModelSource> LibraryFile::stored_models(const MatchingContext& context) const {
   if (state_->segments.begins.empty() || context.pad != pad_parameters()) return nullptr;
-  auto reader = std::make_shared<const SegmentReader>(path(), library_segments(pad_parameters()),
-                                                      std::uint32_t(size()), state_->segments.begins);
+  auto reader = std::make_shared<const SegmentReader>(path(), library_segments(pad_parameters()), std::uint32_t(size()),
+                                                      state_->segments.begins);
   const auto owners = [state = state_.get()](const ShapeRange& range) {
     return naming_the_file(state->path, [&] {
       std::vector<SegmentOwner> owners;

@@ -29,8 +29,9 @@ Hdf5Handle create_group(hid_t file) {
   write_attribute(group.get(), layout::kVersionAttribute, kModelsVersion);
   write_attribute(group.get(), kSegmentShapesAttribute, int(kSegmentShapes));
   write_attribute(group.get(), layout::kUnitsAttribute, std::string("bytes"));
-  write_attribute(group.get(), layout::kDescriptionAttribute,
-                  std::string("what matching needs of the shapes, made of the other data sets: docs/library-format.md"));
+  write_attribute(
+      group.get(), layout::kDescriptionAttribute,
+      std::string("what matching needs of the shapes, made of the other data sets: docs/library-format.md"));
   return group;
 }
 

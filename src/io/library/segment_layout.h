@@ -1,6 +1,6 @@
-// How the models of up to kSegmentShapes shapes that follow one another in a library lie in its file, so that ranks need
-// not make them again (docs/library-format.md, "Models"): sections of rows of equal length, and at the end of each row a
-// number that tells whether it is what was written for this shape. Numbers are as in memory, little-endian.
+// How the models of up to kSegmentShapes shapes that follow one another in a library lie in its file, so that ranks
+// need not make them again (docs/library-format.md, "Models"): sections of rows of equal length, and at the end of each
+// row a number that tells whether it is what was written for this shape. Numbers are as in memory, little-endian.
 //
 //   sketches, contours    a row a shape
 //   of each smoothing level:
@@ -24,7 +24,8 @@ namespace tessera::io {
 
 static_assert(std::endian::native == std::endian::little, "segments are written as they lie in memory");
 
-/// What a row is of: the digests of the shape's parts as its columns hold them (part_digest.h), outline and field in one.
+/// What a row is of: the digests of the shape's parts as its columns hold them (part_digest.h), outline and field in
+/// one.
 struct SegmentOwner {
   std::uint64_t contour = 0;
   std::array<std::uint64_t, kSmoothingLevels.size()> level{};

@@ -113,8 +113,7 @@ std::vector<std::uint8_t> SegmentReader::read(std::uint32_t segment, std::size_t
 
 void SegmentReader::add_sketches(std::span<ShapeModel> models, const Part& part) const {
   constexpr std::size_t kRow = SegmentLayout::kSketchBytes;
-  const auto rows =
-      read(part.segment, layout_of(part.segment).sketches_at + part.first * kRow, models.size() * kRow);
+  const auto rows = read(part.segment, layout_of(part.segment).sketches_at + part.first * kRow, models.size() * kRow);
   for (std::size_t i = 0; i < models.size(); ++i) {
     const std::uint8_t* const row = rows.data() + i * kRow;
     if (!is_row_of(row, kRow, part.owners[i].contour) || !set_sketch(models[i], value_at<SketchRow>(row))) {
@@ -125,8 +124,7 @@ void SegmentReader::add_sketches(std::span<ShapeModel> models, const Part& part)
 
 void SegmentReader::add_contours(std::span<ShapeModel> models, const Part& part) const {
   constexpr std::size_t kRow = SegmentLayout::kContourBytes;
-  const auto rows =
-      read(part.segment, layout_of(part.segment).contours_at + part.first * kRow, models.size() * kRow);
+  const auto rows = read(part.segment, layout_of(part.segment).contours_at + part.first * kRow, models.size() * kRow);
   for (std::size_t i = 0; i < models.size(); ++i) {
     const std::uint8_t* const row = rows.data() + i * kRow;
     if (!is_row_of(row, kRow, part.owners[i].contour) || !set_contour(models[i], value_at<ContourRow>(row))) {
@@ -138,7 +136,8 @@ void SegmentReader::add_contours(std::span<ShapeModel> models, const Part& part)
 void SegmentReader::add_level(std::span<ShapeModel> models, const Part& part, int level, bool keypoints) const {
   const SegmentLayout& layout = layout_of(part.segment);
   const LevelSection& section = section_of(layout, level);
-  const auto pads = read(part.segment, section.pads_at + part.first * section.pads_row, models.size() * section.pads_row);
+  const auto pads =
+      read(part.segment, section.pads_at + part.first * section.pads_row, models.size() * section.pads_row);
   for (std::size_t i = 0; i < models.size(); ++i) {
     models[i].levels.push_back({level, std::vector<ModelSample>(section.samples)});
     std::vector<ModelSample>& samples = models[i].levels.back().samples;

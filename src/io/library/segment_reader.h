@@ -1,5 +1,5 @@
-// Reads models out of a library file (segment_layout.h), as many at a time and as much of them as is wanted. The file is
-// anyone's: what is read is checked.
+// Reads models out of a library file (segment_layout.h), as many at a time and as much of them as is wanted. The file
+// is anyone's: what is read is checked.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace tessera::io {
 
 class SegmentReader {
  public:
-  /// `begins`: where each segment begins in the file; the last one has what is left of `shapes`. Throws InputError where
-  /// the file cannot be opened or is too short.
+  /// `begins`: where each segment begins in the file; the last one has what is left of `shapes`. Throws InputError
+  /// where the file cannot be opened.
   SegmentReader(const std::string& path, SegmentKind kind, std::uint32_t shapes, std::vector<std::uint64_t> begins);
 
   const SegmentKind& kind() const { return kind_; }

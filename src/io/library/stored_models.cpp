@@ -19,8 +19,7 @@ void in_portions(std::size_t count, std::size_t portion, Body&& body) {
 
 }  // namespace
 
-StoredModels::StoredModels(std::shared_ptr<const SegmentReader> segments, const MatchingContext& context,
-                           Owners owners)
+StoredModels::StoredModels(std::shared_ptr<const SegmentReader> segments, const MatchingContext& context, Owners owners)
     : segments_(std::move(segments)),
       levels_(context.levels),
       owners_of_(std::move(owners)) {}
