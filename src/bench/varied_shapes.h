@@ -13,7 +13,7 @@ ShapeVariation variation_number(std::uint32_t number);
 
 /// Shape i is variation i / n of shape i % n of the file's n. Made when asked for: only outlines are kept of the file.
 /// From kDifferent on the outlines come again, and models with other PADs, each element changed by up to a fiftieth: to
-/// make a million outlines takes an hour.
+/// make a hundred thousand outlines takes 15 minutes of a core, a million some hours.
 /// The model of shape `number`, whose outline is that of an earlier one, gets PADs of its own.
 void change_pads(ShapeModel& model, std::uint32_t number);
 
@@ -25,7 +25,7 @@ class VariedShapes : public CachedShapes {
   std::vector<Shape> shapes(const ShapeRange& range) const;
   std::vector<ShapeModel> models(const ShapeRange& range, const MatchingContext& context) const;
 
-  static constexpr std::uint32_t kDifferent = 100'000;
+  static constexpr std::uint32_t kDifferent = 20'000;
 
   /// Of the file that they are made of.
   std::uint64_t content_digest() const { return digest_; }
