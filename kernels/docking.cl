@@ -321,10 +321,10 @@ INLINE uint drawn_shape(ulong bits, uint draw, global const SampleRecord* target
 }
 
 // The docking that a draw implies; its key is NO_DOCKING where its disc does not fit.
-INLINE DockingRecord drawn_docking(TangentDraw drawn, uint draw, uint t, const StanceRecord* stance,
-                                   global const float* contour, global const ShapeRecord* shape,
-                                   global const SampleRecord* target, const Field* field) {
-  const PoseRecord pose = tangent_docking(stance, point_frame(contour, (uint)drawn.point), drawn.scale_px, target);
+INLINE DockingRecord drawn_docking(TangentDraw drawn, uint draw, uint t, const StanceRecord* stance, PointFrame frame,
+                                   global const ShapeRecord* shape, global const SampleRecord* target,
+                                   const Field* field) {
+  const PoseRecord pose = tangent_docking(stance, frame, drawn.scale_px, target);
   const DockingRecord docking = {t, drawn.library_shape, kTangentSource + draw, drawn.stance,
                                  disc_fits(shape, pose, field) ? 0 : NO_DOCKING, pose};
   return docking;
@@ -385,14 +385,21 @@ DOCKING_KERNEL void dock_tangents(constant MatchRecord* match, global const Stan
     if (lanes.item == 0) drawn[i].point = point;
   }
   sync_lanes();
+  PointFrame frames[kDrawsPerItem];
+  for (int k = 0; k < kDrawsPerItem; ++k) {
+    const TangentDraw draw = drawn[lanes.item + k * kItems];
+    if (draw.point == NO_POINT) continue;
+    const uint place = contour_places[draw.library_shape - match->first_shape];
+    frames[k] = point_frame(contours + (size_t)place * kContourFloats, (uint)draw.point);
+  }
   const Field field = free_field(match, field_value);
-  for (int i = lanes.item; i < kDraws; i += kItems) {
+  for (int k = 0; k < kDrawsPerItem; ++k) {
+    const int i = lanes.item + k * kItems;
     docked[i].key = NO_DOCKING;
     if (drawn[i].point == NO_POINT) continue;
     const uint shape = drawn[i].library_shape - match->first_shape;
     const StanceRecord stance = with_sizes_up_to(sizes, stances[drawn[i].stance]);
-    global const float* contour = contours + (size_t)contour_places[shape] * kContourFloats;
-    docked[i] = drawn_docking(drawn[i], first + i, t, &stance, contour, shapes + shape, target, &field);
+    docked[i] = drawn_docking(drawn[i], first + i, t, &stance, frames[k], shapes + shape, target, &field);
   }
   sync_lanes();
   const Picture picture = {colour, texels};
