@@ -11,6 +11,7 @@
 #include "bench/replacing_case.h"
 #include "bench/scaling_case.h"
 #include "core/base/error.h"
+#include "io/scratch_folder.h"
 
 namespace tessera::bench {
 namespace {
@@ -46,7 +47,8 @@ TEST(Benchmarks, Pairs) {
 TEST(Benchmarks, Headline) {
   const Report report = bench_headline(kQuick);
   expect_head(report, "headline");
-  expect_keys(report.json, {"pair_tests", "runs", "prune_s", "dock_s", "dockings_evaluated", "dockings_refined", "thorough_score"});
+  expect_keys(report.json,
+              {"pair_tests", "runs", "prune_s", "dock_s", "dockings_evaluated", "dockings_refined", "thorough_score"});
   EXPECT_GT(report.json.at("median_s").get<double>(), 0);
   EXPECT_EQ(report.json.at("positions").get<int>(),
             report.json.at("target_samples").get<int>() * report.json.at("shape_points").get<int>());
@@ -164,21 +166,39 @@ TEST(Benchmarks, ReplacingReportsThatAreNone) {
 }
 
 TEST(Benchmarks, Library) {
-  const Report report = bench_library(kQuick, {.library = library()});
+  LibraryOptions options;
+  options.library = library();
+  const Report report = bench_library(kQuick, options);
   expect_head(report, "library");
   const Json& sizes = report.json.at("sizes");
   ASSERT_EQ(sizes.size(), 2u);
   EXPECT_EQ(sizes[1].at("shapes"), 30) << "more than the file has";
   for (const Json& size : sizes) {
-    expect_keys(size, {"prune_s", "dock_s", "master_s", "making_s", "target_samples"});
+    expect_keys(size, {"prune_s", "dock_s", "master_s", "making_s", "target_samples", "start_s", "first_piece_s"});
     EXPECT_EQ(size.at("pieces"), 3);
     EXPECT_GT(size.at("s_per_piece").get<double>(), 0);
     EXPECT_GT(size.at("peak_memory_bytes").get<double>(), 1e6);
   }
 }
 
+/// The models of a file are those that are made: the same is matched, from a file that is new and one that is there.
+TEST(Benchmarks, LibraryReadsModelsOfAFile) {
+  LibraryOptions options;
+  options.library = library();
+  const auto samples = [&] { return bench_library(kQuick, options).json.at("sizes")[1].at("target_samples"); };
+  const Json made = samples();
+  const test::ScratchFolder folder;
+  options.models = folder.path("");
+  EXPECT_EQ(samples(), made);
+  EXPECT_TRUE(std::filesystem::exists(folder.path("models_30")));
+  EXPECT_EQ(samples(), made);
+}
+
 TEST(Benchmarks, LibraryChecksItsSizes) {
-  EXPECT_THROW(bench_library({}, {.library = library(), .sizes = {100, 0}}), InputError);
+  LibraryOptions options;
+  options.library = library();
+  options.sizes = {100, 0};
+  EXPECT_THROW(bench_library({}, options), InputError);
 }
 
 ScalingOptions scaling(const std::vector<int>& ranks, int repeats) {
