@@ -25,22 +25,34 @@ void DeviceDeck::deal(const std::vector<TargetSample>& samples) {
   const NearColours& colours = library_->colours().near_colours();
   deck_ =
       draw_deck(library_->match().seed, samples, standing.library_shapes(), standing.open_shapes(), colours.length());
+  if (!deck_.open.empty()) open_shapes_.write(open_of_deck());
+  if (!deck_.near.empty()) near_shapes_.write(near_of_deck());
+  if (library_->contours().reads()) library_->contours().need(all_drawn());
+}
+
+std::vector<std::uint32_t> DeviceDeck::open_of_deck() const {
   std::vector<std::uint32_t> open;
-  for (const std::uint32_t place : deck_.open) open.push_back(index_of(standing.open_shape(place)));
-  const std::vector<std::uint32_t> near =
-      deck_.near.empty() ? colours.all_shapes() : picked(colours.all_shapes(), colours.length(), deck_.near);
-  if (!deck_.open.empty()) open_shapes_.write(open);
-  if (!deck_.near.empty()) near_shapes_.write(near);
-  if (!library_->contours().reads()) return;
-  if (deck_.open.empty()) {
-    for (std::uint32_t place = 0; place < standing.open_shapes(); ++place) {
-      open.push_back(index_of(standing.open_shape(place)));
-    }
-  }
+  for (const std::uint32_t place : deck_.open) open.push_back(index_of(library_->standing().open_shape(place)));
+  return open;
+}
+
+std::vector<std::uint32_t> DeviceDeck::near_of_deck() const {
+  const NearColours& colours = library_->colours().near_colours();
+  return picked(colours.all_shapes(), colours.length(), deck_.near);
+}
+
+std::vector<ShapeId> DeviceDeck::all_drawn() const {
+  const StanceTable& standing = library_->standing();
   std::vector<ShapeId> drawn;
-  for (const std::uint32_t shape : open) drawn.push_back(ShapeId(shape));
-  for (const std::uint32_t shape : near) drawn.push_back(ShapeId(shape));
-  library_->contours().need(drawn);
+  if (deck_.open.empty()) {
+    for (std::uint32_t place = 0; place < standing.open_shapes(); ++place) drawn.push_back(standing.open_shape(place));
+  }
+  for (const std::uint32_t shape : open_of_deck()) drawn.push_back(ShapeId(shape));
+  const NearColours& colours = library_->colours().near_colours();
+  for (const std::uint32_t shape : deck_.near.empty() ? colours.all_shapes() : near_of_deck()) {
+    drawn.push_back(ShapeId(shape));
+  }
+  return drawn;
 }
 
 const DeviceBuffer<std::uint32_t>& DeviceDeck::open_shapes() const {

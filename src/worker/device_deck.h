@@ -26,6 +26,10 @@ class DeviceDeck {
   std::uint32_t near_length() const;
 
  private:
+  std::vector<std::uint32_t> open_of_deck() const;
+  std::vector<std::uint32_t> near_of_deck() const;
+  std::vector<ShapeId> all_drawn() const;
+
   DeviceLibrary* library_;
   Deck deck_;
   DeviceBuffer<std::uint32_t> open_shapes_;  // of the deck

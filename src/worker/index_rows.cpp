@@ -19,14 +19,6 @@ std::size_t filter_rows(int pad_levels) { return std::size_t(elements_of(pad_lev
 std::size_t place_words(int pad_levels) { return std::size_t((elements_of(pad_levels) + 3) / 4 + 2); }
 constexpr std::size_t kMaxPlaceBytes = (kMaxPadElements + 3) / 4 * 4;
 
-PadBytes bytes_of(const IndexedPad& pad) {
-  PadBytes bytes;
-  for (std::size_t e = 0; e < bytes.element.size(); ++e) bytes.element[e] = pad_byte(pad.pad.element[e]);
-  bytes.scale = scale_byte(pad.scale_length);
-  bytes.sign = sign_byte(pad.convexity);
-  return bytes;
-}
-
 u32 divided_up(u32 count, u32 by) { return (count + by - 1) / by; }
 
 /// Of `places` boxes, in groups of 64; those beyond `boxes` hold nothing.
@@ -78,7 +70,10 @@ IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::
   /// The source of the segment that is the i-th of the level.
   const auto source_of = [&](u32 i) { return i / level.count * match.sources + level.first + i % level.count; };
   std::vector<PadBytes> bytes(std::size_t(part.shapes) * level.count);
-  for (u32 i = 0; i < bytes.size(); ++i) bytes[i] = bytes_of(pads[source_of(i)]);
+  for (u32 i = 0; i < bytes.size(); ++i) {
+    const IndexedPad& pad = pads[source_of(i)];
+    bytes[i] = pad_bytes(pad.pad, pad.scale_length, pad.convexity);
+  }
   if (order.empty()) order = pad_order(bytes, elements_of(pad_levels));
   const PadIndex index = boxed(std::move(order), bytes);
 

@@ -14,6 +14,7 @@
 #include "idle_replacer.h"
 #include "job_fixture.h"
 #include "on_all_ranks.h"
+#include "support/idle_matcher.h"
 
 namespace tessera::comm {
 namespace {
@@ -26,24 +27,15 @@ constexpr double kNap_s = 0.02;
 constexpr double kRounding_s = 1e-6;
 
 /// Takes its time to count; has nothing to dock or refine.
-class SlowCounter : public Matcher {
+class SlowCounter : public tessera::test::IdleMatcher {
  public:
   explicit SlowCounter(ShapeRange shapes) : shapes_(shapes) {}
   ShapeRange shapes() const override { return shapes_; }
-  void start_field(int, int, Vec2) override {}
-  void update_field(const FieldPatch&) override {}
-  void limit(const StandingLimits&) override {}
   void post_count(const CountRequest& request) override { samples_ = request.samples.size(); }
   std::vector<DistanceHistogram> take_count() override {
     std::this_thread::sleep_for(kNap);
     return std::vector<DistanceHistogram>(samples_);
   }
-  void post_dock(const DockRequest&) override {}
-  DockReply take_dock() override { return {}; }
-  void post_refine(const std::vector<Docking>&) override {}
-  std::vector<RefinedDocking> take_refine() override { return {}; }
-  void post_measure(const std::vector<Docking>&) override {}
-  std::vector<DockingTerms> take_measure() override { return {}; }
 
  private:
   ShapeRange shapes_;

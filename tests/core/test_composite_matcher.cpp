@@ -5,11 +5,13 @@
 
 #include <string>
 
+#include "support/idle_matcher.h"
+
 namespace tessera {
 namespace {
 
 /// Counts in as many steps as it is told, and notes in `calls` what it is asked: "post 0" is of the part with shape 0.
-class SteppingMatcher : public Matcher {
+class SteppingMatcher : public test::IdleMatcher {
  public:
   SteppingMatcher(std::uint32_t shape, int steps, std::vector<std::string>& calls)
       : shape_(shape),
@@ -28,16 +30,6 @@ class SteppingMatcher : public Matcher {
     note("take");
     return {};
   }
-
-  void start_field(int, int, Vec2) override {}
-  void update_field(const FieldPatch&) override {}
-  void limit(const StandingLimits&) override {}
-  void post_dock(const DockRequest&) override {}
-  DockReply take_dock() override { return {}; }
-  void post_refine(const std::vector<Docking>&) override {}
-  std::vector<RefinedDocking> take_refine() override { return {}; }
-  void post_measure(const std::vector<Docking>&) override {}
-  std::vector<DockingTerms> take_measure() override { return {}; }
 
  private:
   void note(const std::string& call) { calls_->push_back(call + " " + std::to_string(shape_)); }

@@ -152,10 +152,7 @@ TEST_F(StoredModelsTest, GiveOrdersOfTheirPads) {
     std::vector<PadBytes> pads;
     for (std::uint32_t i = kSegmentShapes; i < kShapes; ++i) {
       for (const ModelSample& sample : made_[i].levels[k].samples) {
-        PadBytes& bytes = pads.emplace_back();
-        std::transform(sample.pad.element.begin(), sample.pad.element.end(), bytes.element.begin(), pad_byte);
-        bytes.scale = scale_byte(sample.scale_length);
-        bytes.sign = sign_byte(sample.convexity);
+        pads.push_back(pad_bytes(sample.pad, sample.scale_length, sample.convexity));
       }
     }
     EXPECT_EQ(stored_->pad_order({kSegmentShapes, kShapes}, k), pad_order(pads, 8));

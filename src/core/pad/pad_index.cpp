@@ -102,6 +102,14 @@ void enclose(PadBox& box, const PadBox& part) {
 
 }  // namespace
 
+PadBytes pad_bytes(const QuantisedPad& pad, float scale_length, float convexity) {
+  PadBytes bytes;
+  std::transform(pad.element.begin(), pad.element.end(), bytes.element.begin(), pad_byte);
+  bytes.scale = scale_byte(scale_length);
+  bytes.sign = sign_byte(convexity);
+  return bytes;
+}
+
 std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int elements) {
   std::vector<std::uint32_t> order(pads.size());
   std::iota(order.begin(), order.end(), 0u);

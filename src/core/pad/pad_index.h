@@ -29,6 +29,8 @@ struct PadBytes {
   std::uint8_t sign = 0;                                // sign_byte(), never 0
 };
 
+PadBytes pad_bytes(const QuantisedPad& pad, float scale_length, float convexity);
+
 /// Bounds of the bytes of some PADs, inclusive. As it is made it holds none.
 struct PadBox {
   PadBox() {

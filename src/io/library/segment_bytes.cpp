@@ -45,18 +45,12 @@ void put_keypoints(std::uint8_t* at, const ModelSample& sample, std::size_t poin
   row.put(KeypointCheck(row.check(owner, number)));
 }
 
-PadBytes bytes_of(const ModelSample& sample) {
-  PadBytes bytes;
-  for (std::size_t e = 0; e < bytes.element.size(); ++e) bytes.element[e] = pad_byte(sample.pad.element[e]);
-  bytes.scale = scale_byte(sample.scale_length);
-  bytes.sign = sign_byte(sample.convexity);
-  return bytes;
-}
-
 void put_order(std::uint8_t* at, std::span<const ShapeModel> models, std::size_t level, std::size_t elements) {
   std::vector<PadBytes> pads;
   for (const ShapeModel& model : models) {
-    for (const ModelSample& sample : model.levels[level].samples) pads.push_back(bytes_of(sample));
+    for (const ModelSample& sample : model.levels[level].samples) {
+      pads.push_back(pad_bytes(sample.pad, sample.scale_length, sample.convexity));
+    }
   }
   const std::vector<std::uint32_t> order = pad_order(pads, int(elements));
   std::memcpy(at, order.data(), order.size() * sizeof order[0]);

@@ -111,26 +111,26 @@ std::vector<std::uint8_t> SegmentReader::read(std::uint32_t segment, std::size_t
   return data;
 }
 
-void SegmentReader::add_sketches(std::span<ShapeModel> models, const Part& part) const {
-  constexpr std::size_t kRow = SegmentLayout::kSketchBytes;
-  const auto rows = read(part.segment, layout_of(part.segment).sketches_at + part.first * kRow, models.size() * kRow);
+/// A row a shape, from `section_at` on.
+template <class Row, class SetRow>
+void SegmentReader::add_rows(std::span<ShapeModel> models, const Part& part, std::size_t section_at, SetRow set_row,
+                             const char* what) const {
+  constexpr std::size_t kRow = sizeof(Row) + sizeof(RowCheck);
+  const auto rows = read(part.segment, section_at + part.first * kRow, models.size() * kRow);
   for (std::size_t i = 0; i < models.size(); ++i) {
     const std::uint8_t* const row = rows.data() + i * kRow;
-    if (!is_row_of(row, kRow, part.owners[i].contour) || !set_sketch(models[i], value_at<SketchRow>(row))) {
-      fail("a sketch is damaged");
+    if (!is_row_of(row, kRow, part.owners[i].contour) || !set_row(models[i], value_at<Row>(row))) {
+      fail(std::string(what) + " is damaged");
     }
   }
 }
 
+void SegmentReader::add_sketches(std::span<ShapeModel> models, const Part& part) const {
+  add_rows<SketchRow>(models, part, layout_of(part.segment).sketches_at, set_sketch, "a sketch");
+}
+
 void SegmentReader::add_contours(std::span<ShapeModel> models, const Part& part) const {
-  constexpr std::size_t kRow = SegmentLayout::kContourBytes;
-  const auto rows = read(part.segment, layout_of(part.segment).contours_at + part.first * kRow, models.size() * kRow);
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const std::uint8_t* const row = rows.data() + i * kRow;
-    if (!is_row_of(row, kRow, part.owners[i].contour) || !set_contour(models[i], value_at<ContourRow>(row))) {
-      fail("a contour is damaged");
-    }
-  }
+  add_rows<ContourRow>(models, part, layout_of(part.segment).contours_at, set_contour, "a contour");
 }
 
 void SegmentReader::add_level(std::span<ShapeModel> models, const Part& part, int level, bool keypoints) const {

@@ -39,6 +39,9 @@ class SegmentReader {
   const SegmentLayout& layout_of(std::uint32_t segment) const;
   std::vector<std::uint8_t> read(std::uint32_t segment, std::size_t at, std::size_t bytes) const;
   void read_into(void* data, std::uint32_t segment, std::size_t at, std::size_t bytes) const;
+  template <class Row, class SetRow>
+  void add_rows(std::span<ShapeModel> models, const Part& part, std::size_t section_at, SetRow set_row,
+                const char* what) const;
   void add_sketches(std::span<ShapeModel> models, const Part& part) const;
   void add_contours(std::span<ShapeModel> models, const Part& part) const;
   void add_level(std::span<ShapeModel> models, const Part& part, int level, bool keypoints) const;

@@ -1,0 +1,21 @@
+// A matcher that finds nothing, for tests of who asks matchers what.
+#pragma once
+
+#include "core/matching/matcher.h"
+
+namespace tessera::test {
+
+class IdleMatcher : public Matcher {
+ public:
+  void start_field(int, int, Vec2) override {}
+  void update_field(const FieldPatch&) override {}
+  void limit(const StandingLimits&) override {}
+  void post_dock(const DockRequest&) override {}
+  DockReply take_dock() override { return {}; }
+  void post_refine(const std::vector<Docking>&) override {}
+  std::vector<RefinedDocking> take_refine() override { return {}; }
+  void post_measure(const std::vector<Docking>&) override {}
+  std::vector<DockingTerms> take_measure() override { return {}; }
+};
+
+}  // namespace tessera::test
