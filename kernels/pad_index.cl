@@ -7,7 +7,10 @@ enum IndexSizes {
   kPadElements = 2 * (kPadLevels - 1),
   kFilterRows = kPadElements + 2,
   kBoxRows = 2 * kPadElements + 3,  // the elements' least bytes, their largest, the scales', the signs
-  kPlaceWords = (kPadElements + 3) / 4 + 2  // the elements' low bytes, the length that estimates the scale, the source
+  // Numbers of 16 bits: the elements' low bits, four of each; the upper half of the length that estimates the scale; the
+  // source, lower half first.
+  kLowNumbers = (kPadElements + 3) / 4,
+  kPlaceNumbers = kLowNumbers + 3
 };
 
 // One byte for each lane, 0 or 1.
@@ -26,7 +29,7 @@ INLINE ulong lane_bits(const LaneBytes* lanes) {
   return bits;
 }
 
-// Bytes that a pair of a target sample has, inclusive.
+// Bytes that a pair of a target sample has, inclusive (core/pad/pad_filter.h).
 typedef struct Bounds {
   uchar low[kPadElements];
   uchar high[kPadElements];
@@ -36,16 +39,13 @@ typedef struct Bounds {
 } Bounds;
 
 Bounds bounds_of(global const SampleRecord* sample, uint level) {
-  // pad_window() of core/pad/pad_filter.cpp, within the bytes that there are.
-  const int most = (int)((sample->reach + 255) >> 8);
   Bounds bounds;
   for (int e = 0; e < kPadElements; ++e) {
-    const int byte = (int)(sample->element[e] >> 8);
-    bounds.low[e] = (uchar)max(byte - most, 0);
-    bounds.high[e] = (uchar)min(byte + most, 255);
+    bounds.low[e] = (uchar)sample->pad_low[e];
+    bounds.high[e] = (uchar)sample->pad_high[e];
   }
   bounds.scale_low = (uchar)sample->scale_low[level];
-  bounds.scale_high = (uchar)(sample->scale_low[level] + sample->scale_width[level]);
+  bounds.scale_high = (uchar)sample->scale_high[level];
   bounds.signs = (uchar)sample->signs;
   return bounds;
 }

@@ -22,37 +22,20 @@ Target load_target(global const SampleRecord* sample) {
   return target;
 }
 
-// What the filter lets through of a target sample and one level (core/pad/pad_filter.h).
-typedef struct FilterWindow {
-  uchar low[kPadElements];
-  uchar width;
-  uchar scale_low;
-  uchar scale_width;
-  uchar signs;
-} FilterWindow;
-
-FilterWindow filter_window(global const SampleRecord* sample, uint level) {
-  FilterWindow window;
-  for (int e = 0; e < kPadElements; ++e) window.low[e] = (uchar)sample->pad_low[e];
-  window.width = (uchar)sample->pad_width;
-  window.scale_low = (uchar)sample->scale_low[level];
-  window.scale_width = (uchar)sample->scale_width[level];
-  window.signs = (uchar)sample->signs;
-  return window;
-}
-
 // Bit i is set where PAD i of the block may be near.
-INLINE ulong filter_block(global const uchar* rows, const FilterWindow* window) {
+INLINE ulong filter_block(global const uchar* rows, const Bounds* bounds) {
   LaneBytes passes;
   for (int i = 0; i < kFilterLanes; ++i) {
-    uchar farthest = 0;
+    global const uchar* row = rows + i;
+    global const uchar* rest = row + kPadElements * kFilterLanes;
+    uchar pass = (uchar)((rest[0] >= bounds->scale_low) & (rest[0] <= bounds->scale_high) &
+                         ((rest[kFilterLanes] & bounds->signs) != 0));
 #pragma unroll
     for (int e = 0; e < kPadElements; ++e) {
-      farthest = max(farthest, (uchar)(rows[e * kFilterLanes + i] - window->low[e]));
+      const uchar byte = row[e * kFilterLanes];
+      pass &= (uchar)((byte >= bounds->low[e]) & (byte <= bounds->high[e]));
     }
-    const uchar scale = (uchar)(rows[kPadElements * kFilterLanes + i] - window->scale_low);
-    const uchar sign = rows[(kPadElements + 1) * kFilterLanes + i] & window->signs;
-    passes.byte[i] = (uchar)((farthest <= window->width) & (scale <= window->scale_width) & (sign != 0));
+    passes.byte[i] = pass;
   }
   return lane_bits(&passes);
 }
@@ -76,15 +59,24 @@ bool may_scale(const Stances* stances, constant LevelRecord* level, float scale_
          !(target->scale_length > scale_length * (high_px * kScaleWindowHigh));
 }
 
-// Equation 1, steps, of PAD `lane` of a block. `rows`: the elements' high bytes; `low_bytes`: its low ones.
-INLINE uint pad_distance(global const uchar* rows, uint lane, global const uchar* low_bytes, const Target* target) {
+// Equation 1, steps, of PAD `lane` of a block. `rows`: the elements' high bytes; `place`: its own numbers. The lowest
+// four bits of a library's elements are 0 (core/pad/quantised_pad.h).
+INLINE uint pad_distance(global const uchar* rows, uint lane, global const ushort* place, const Target* target) {
   ushort farthest = 0;
 #pragma unroll
   for (int e = 0; e < kPadElements; ++e) {
-    const ushort element = (ushort)(rows[e * kFilterLanes + lane] << 8 | low_bytes[e]);
+    const ushort element = (ushort)(rows[e * kFilterLanes + lane] << 8 | (place[e / 4] >> 4 * (e % 4) & 15) << 4);
     farthest = max(farthest, abs_diff(target->element[e], element));
   }
   return farthest;
+}
+
+// Asks for a block's rows before they are needed: blocks lie all over the memory, and on a CPU half of a search waited
+// for them. OpenCL's own prefetch() does nothing in PoCL; a GPU has other work to do meanwhile.
+INLINE void ask_for_rows(global const uchar* rows) {
+#if defined(__x86_64__) || defined(__aarch64__)
+  for (int row = 0; row < kFilterRows; ++row) __builtin_prefetch((const void*)(size_t)(rows + row * kFilterLanes));
+#endif
 }
 
 // Work item: `stride` of them share the blocks that were found, each `stride`-th one. `index_rows`: of each block a row
@@ -94,7 +86,7 @@ INLINE uint pad_distance(global const uchar* rows, uint lane, global const uchar
 // but counted.
 kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
-                       global const uchar* index_rows, global const uint* index_places,
+                       global const uchar* index_rows, global const ushort* index_places,
                        global const ChordRecord* index_chords, constant ColourRecord* colour,
                        global const uint* near_bits, global const SampleRecord* samples, uint stride,
                        global const uint* block_count, uint block_capacity, global const BlockRecord* blocks,
@@ -102,23 +94,26 @@ kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* s
   const uint count = get_global_id(0) < stride ? min(*block_count, block_capacity) : 0;
   for (uint i = get_global_id(0); i < count; i += stride) {
     const BlockRecord block = blocks[i];
+    if (i + stride < count) {
+      ask_for_rows(index_rows + (size_t)blocks[i + stride].block * kFilterRows * kFilterLanes);
+    }
     global const SampleRecord* sample = samples + block.sample;
     global const uchar* rows = index_rows + (size_t)block.block * kFilterRows * kFilterLanes;
-    const FilterWindow window = filter_window(sample, block.level);
-    ulong left = filter_block(rows, &window);
+    const Bounds bounds = bounds_of(sample, block.level);
+    ulong left = filter_block(rows, &bounds);
     if (left == 0) continue;
     const Target target = load_target(sample);
     for (; left != 0; left &= left - 1) {
       const uint lane = 63 - (uint)clz(left & -left);
       const size_t pad = (size_t)block.block * kFilterLanes + lane;
-      global const uint* place = index_places + pad * kPlaceWords;
-      const uint distance = pad_distance(rows, lane, (global const uchar*)place, &target);
+      global const ushort* place = index_places + pad * kPlaceNumbers;
+      const uint distance = pad_distance(rows, lane, place, &target);
       if (distance >= sample->reach) continue;
-      const uint source = place[kPlaceWords - 1];
+      const uint source = place[kLowNumbers + 1] | (uint)place[kLowNumbers + 2] << 16;
       const uint shape = source / match->sources;
       const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
       if (standing.list.count == 0 ||
-          !may_scale(&standing, match->level + block.level, as_float(place[kPlaceWords - 2]), &target) ||
+          !may_scale(&standing, match->level + block.level, as_float((uint)place[kLowNumbers] << 16), &target) ||
           !may_turn(&standing, index_chords + pad, &target) ||
           !has_near_colour(sample, near_bits, colour->near_words, match->first_shape + shape)) {
         continue;

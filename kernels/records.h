@@ -141,9 +141,9 @@ typedef struct SampleRecord {
   // core/pad/pad_filter.h: the signs that fit, PadWindow for the reach, ScaleWindow of each level in use.
   u32 signs;
   u32 pad_low[kMaxPadElements];
-  u32 pad_width;
+  u32 pad_high[kMaxPadElements];
   u32 scale_low[kSmoothingLevelCount];
-  u32 scale_width[kSmoothingLevelCount];
+  u32 scale_high[kSmoothingLevelCount];
   float chord_x;  // between the ends of level kChordLevel: it tells the rotation before any alignment
   float chord_y;
   float keypoint_x[kMaxKeypoints];

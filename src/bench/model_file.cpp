@@ -19,6 +19,7 @@ constexpr std::uint64_t kHeadBytes = sizeof(std::uint64_t);  // a digest of what
 std::uint64_t digest_of(const VariedShapes& shapes, std::uint32_t count, const io::SegmentKind& kind) {
   Digest digest;
   digest.add(shapes.content_digest());
+  digest.add(std::uint64_t(io::kModelsVersion));
   digest.add(count);
   digest.add(std::uint64_t(kind.pad_levels));
   for (const int level : kind.levels) digest.add(std::uint64_t(level));
@@ -69,7 +70,11 @@ void write(const std::string& path, std::uint64_t digest, std::uint32_t count, c
     file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
   }
   file.close();
-  if (!file) throw EnvironmentError("cannot write " + path);
+  if (!file) {
+    std::error_code error;
+    std::filesystem::remove(io::temporary_path(path), error);
+    throw EnvironmentError("cannot write " + path);
+  }
   io::commit_temporary_file(path);
 }
 
@@ -90,7 +95,8 @@ std::shared_ptr<const ModelSource> models_in_file(const std::string& folder, con
     }
   }
   begins.pop_back();
-  auto reader = std::make_shared<const io::SegmentReader>(path, kind, count, std::move(begins));
+  auto reader = std::make_shared<const io::SegmentReader>(
+      path, std::make_shared<const io::FileDescriptor>(io::open_regular_file(path)), kind, count, std::move(begins));
   return std::make_shared<io::StoredModels>(
       std::move(reader), context, [](const ShapeRange& range) { return std::vector<io::SegmentOwner>(range.size()); });
 }

@@ -90,9 +90,18 @@ PairScene make_scene(const PairsOptions& options, bool quick) {
 struct DeviceTimes {
   double index_s = 0;
   double scan_s = 0;
-  std::uint64_t index_blocks = 0;  // looked at in the last step of the search
+  std::uint64_t index_blocks = 0;  // looked at
   std::uint64_t scan_blocks = 0;
 };
+
+/// Looked at to find all pairs within the limits, at one go.
+std::uint64_t blocks_for(worker::PairStage& stage, const std::vector<worker::SampleRecord>& samples,
+                         const std::vector<std::uint32_t>& limits) {
+  const std::uint64_t before = stage.search().blocks_visited();
+  stage.forget();
+  stage.pairs_of(samples, limits);
+  return stage.search().blocks_visited() - before;
+}
 
 DeviceTimes device_times(const PairScene& scene, const std::string& devices_use, int runs) {
   const worker::DeviceLibrary library(worker::chosen_devices(devices_use).front(), scene.context, {0, scene.shapes},
@@ -115,10 +124,8 @@ DeviceTimes device_times(const PairScene& scene, const std::string& devices_use,
     by_scan.forget();
     by_scan.pairs_of(samples, limits);
   });
-  by_index.forget();
-  by_index.pairs_of(samples, limits);
-  times.index_blocks = by_index.search().blocks_visited();
-  times.scan_blocks = by_scan.search().blocks_visited();
+  times.index_blocks = blocks_for(by_index, samples, limits);
+  times.scan_blocks = blocks_for(by_scan, samples, limits);
   return times;
 }
 

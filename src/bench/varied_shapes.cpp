@@ -30,6 +30,7 @@ void change_pads(ShapeModel& model, std::uint32_t number) {
         const float factor = 1 + kMostChange * (2 * unit_float(std::uint32_t(bits >> 32)) - 1);
         element = std::uint16_t(std::min(float(element) * factor, float(kPadSteps)));
       }
+      sample.pad = library_pad(sample.pad);
     }
   }
 }

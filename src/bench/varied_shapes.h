@@ -11,12 +11,12 @@ namespace tessera::bench {
 /// Variation 0 changes nothing, 1 mirrors; the further ones stretch by up to 1.5 both ways, every second one mirrored.
 ShapeVariation variation_number(std::uint32_t number);
 
-/// Shape i is variation i / n of shape i % n of the file's n. Made when asked for: only outlines are kept of the file.
-/// From kDifferent on the outlines come again, and models with other PADs, each element changed by up to a fiftieth: to
-/// make a hundred thousand outlines takes 15 minutes of a core, a million some hours.
 /// The model of shape `number`, whose outline is that of an earlier one, gets PADs of its own.
 void change_pads(ShapeModel& model, std::uint32_t number);
 
+/// Shape i is variation i / n of shape i % n of the file's n. Made when asked for: only outlines are kept of the file.
+/// From kDifferent on the outlines come again, and models with other PADs, each element changed by up to a fiftieth: to
+/// make a hundred thousand outlines takes 15 minutes of a core, a million some hours.
 class VariedShapes : public CachedShapes {
  public:
   explicit VariedShapes(const io::LibraryFile& library);

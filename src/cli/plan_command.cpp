@@ -43,11 +43,13 @@ PlanInput plan_input(const PlanArguments& arguments) {
   const io::OutputSpec output = io::on_paper(job.output, job.canvas, canvas);
   const Window nodes = free_field_grid(canvas, job.settings.pieces).nodes();
   const cv::Size picture_px = io::picture_size_px(output, canvas);
+  const MatchingContext context = make_matching_context(job.settings, std::uint32_t(library.size()));
   return {.settings = job.settings,
           .canvas_px2 = room_part * canvas.area_px2,
           .canvas_nodes = double(nodes.width()) * nodes.height(),
           .picture_px2 = double(picture_px.width) * picture_px.height,
           .shapes = library.size(),
+          .reads = library.stored_models(context) != nullptr,
           .host_devices = job.devices != "gpu",
           .ranks = arguments.ranks,
           .nodes = arguments.nodes};

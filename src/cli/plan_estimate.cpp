@@ -89,8 +89,7 @@ double expected_pieces(const PlanInput& input) {
 /// A device that is the host itself holds its part of the library, and the lists of pairs, in the worker's memory.
 void add_memory(const PlanInput& input, const MatchingContext& context, PlanEstimate& plan) {
   const double shapes = double(plan.shapes_per_worker);
-  constexpr bool kReads = true;  // one whole library file; a choice of shapes holds all of a large part
-  const worker::ShardBytes shard = worker::shard_bytes(context, plan.shapes_per_worker, kReads);
+  const worker::ShardBytes shard = worker::shard_bytes(context, plan.shapes_per_worker, input.reads);
   const double lists = std::min(double(worker::kMostGrowth * worker::kStageBytes), shapes * kPairsOfAShape_bytes);
   const double passing = kWholeShape_bytes * std::min(shapes, kPassingShapes);
   const double field = kFieldNode_bytes * input.canvas_nodes;

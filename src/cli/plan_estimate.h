@@ -16,6 +16,7 @@ struct PlanInput {
   double canvas_nodes = 0;   // width times height
   double picture_px2 = 0;    // of collage.png
   std::size_t shapes = 0;    // in the library
+  bool reads = true;         // their models from its file; else each worker holds all of its part's
   bool host_devices = true;  // the workers' OpenCL devices use the host's memory (CPUs)
   int ranks = 1;             // a master and workers; one rank is both
   int nodes = 1;

@@ -20,7 +20,7 @@ class DeviceIndex {
   const DeviceBuffer<std::uint8_t>& node_boxes() const { return node_boxes_; }
   const DeviceBuffer<std::uint8_t>& block_boxes() const { return block_boxes_; }
   const DeviceBuffer<std::uint8_t>& rows() const { return rows_; }
-  const DeviceBuffer<std::uint32_t>& places() const { return places_; }
+  const DeviceBuffer<std::uint16_t>& places() const { return places_; }
   /// Empty where no rotation is limited.
   const DeviceBuffer<ChordRecord>& chords() const { return chords_; }
 
@@ -40,7 +40,7 @@ class DeviceIndex {
   DeviceBuffer<std::uint8_t> node_boxes_;
   DeviceBuffer<std::uint8_t> block_boxes_;
   DeviceBuffer<std::uint8_t> rows_;
-  DeviceBuffer<std::uint32_t> places_;
+  DeviceBuffer<std::uint16_t> places_;
   DeviceBuffer<ChordRecord> chords_;
 };
 

@@ -21,7 +21,7 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
                              const HeldShapes& held, std::optional<DockingLanes> lanes)
     : models_(std::move(models)),
       pad_levels_(context.pad.levels),
-      reads_(models_->reads_singly() && shapes.size() > held.most_whole),
+      reads_(models_->reads_singly() && !held.holds_all(shapes.size())),
       lanes_(lanes ? *lanes : lanes_for(device)),
       session_(device, kernel_source, kernel_options(context.pad.levels, lanes_), between_launches),
       match_(make_match_record(context, shapes)),

@@ -1,9 +1,7 @@
 #include "worker/index_rows.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cstring>
 
 namespace tessera::worker {
 namespace {
@@ -15,9 +13,21 @@ int elements_of(int pad_levels) { return 2 * (pad_levels - 1); }
 std::size_t box_rows(int pad_levels) { return std::size_t(2 * elements_of(pad_levels) + 3); }
 std::size_t filter_rows(int pad_levels) { return std::size_t(elements_of(pad_levels) + 2); }
 
-/// kPlaceWords of kernels/pad_index.cl.
-std::size_t place_words(int pad_levels) { return std::size_t((elements_of(pad_levels) + 3) / 4 + 2); }
-constexpr std::size_t kMaxPlaceBytes = (kMaxPadElements + 3) / 4 * 4;
+/// kLowNumbers and kPlaceNumbers of kernels/pad_index.cl.
+std::size_t low_numbers(int pad_levels) { return std::size_t((elements_of(pad_levels) + 3) / 4); }
+std::size_t place_numbers(int pad_levels) { return low_numbers(pad_levels) + 3; }
+
+/// Of a PAD, all 0 before.
+void put_place(std::uint16_t* place, const IndexedPad& pad, u32 source, int pad_levels) {
+  for (std::size_t e = 0; e < std::size_t(elements_of(pad_levels)); ++e) {
+    const u32 low_bits = pad.pad.element[e] / kLibraryPadSteps % 16;
+    place[e / 4] = std::uint16_t(place[e / 4] | low_bits << 4 * (e % 4));
+  }
+  place += low_numbers(pad_levels);
+  place[0] = std::uint16_t(std::bit_cast<u32>(pad.scale_length) >> 16);
+  place[1] = std::uint16_t(source);
+  place[2] = std::uint16_t(source >> 16);
+}
 
 u32 divided_up(u32 count, u32 by) { return (count + by - 1) / by; }
 
@@ -85,7 +95,7 @@ IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::
   result.node_boxes = rows_of(index.nodes, std::size_t(part.roots) * kFilterLanes, pad_levels);
   result.block_boxes = rows_of(index.blocks, blocks, pad_levels);
   result.rows.resize(blocks * kFilterLanes * filter_rows(pad_levels));
-  result.places.resize(blocks * kFilterLanes * place_words(pad_levels));
+  result.places.resize(blocks * kFilterLanes * place_numbers(pad_levels));
   if (kind.with_chords) result.chords.resize(blocks * kFilterLanes);
   for (std::size_t i = 0; i < index.order.size(); ++i) {
     const PadBytes& pad = bytes[index.order[i]];
@@ -95,19 +105,15 @@ IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::
     row[elements * kFilterLanes] = pad.scale;
     row[(elements + 1) * kFilterLanes] = pad.sign;
     const u32 source = source_of(index.order[i]);
-    u32* const place = result.places.data() + i * place_words(pad_levels);
-    std::array<std::uint8_t, kMaxPlaceBytes> low{};
-    for (std::size_t e = 0; e < elements; ++e) low[e] = std::uint8_t(pads[source].pad.element[e]);
-    std::memcpy(place, low.data(), (place_words(pad_levels) - 2) * sizeof(u32));
-    place[place_words(pad_levels) - 2] = std::bit_cast<u32>(pads[source].scale_length);
-    place[place_words(pad_levels) - 1] = part.first_shape * match.sources + source;
+    put_place(result.places.data() + i * place_numbers(pad_levels), pads[source],
+              part.first_shape * match.sources + source, pad_levels);
     if (kind.with_chords) result.chords[i] = pads[source].chord;
   }
   return result;
 }
 
 std::size_t index_bytes(const MatchRecord& match, const IndexKind& kind) {
-  const std::size_t pad_bytes = filter_rows(kind.pad_levels) + place_words(kind.pad_levels) * sizeof(u32) +
+  const std::size_t pad_bytes = filter_rows(kind.pad_levels) + place_numbers(kind.pad_levels) * sizeof(std::uint16_t) +
                                 (kind.with_chords ? sizeof(ChordRecord) : 0);
   std::size_t bytes = 0;
   for (const IndexPart& part : index_parts(match)) {

@@ -33,14 +33,14 @@ struct IndexRows {
   std::vector<std::uint8_t> node_boxes;   // by root: kBoxRows rows of its nodes' boxes
   std::vector<std::uint8_t> block_boxes;  // by node: of its blocks' boxes
   std::vector<std::uint8_t> rows;         // by block: a row for each element, the scales, the signs; a sign 0: no PAD
-  std::vector<u32> places;  // by block and lane: low bytes of the elements, bits of scale_length, source of the shard
-  std::vector<ChordRecord> chords;  // by block and lane, where rotations are limited
+  std::vector<std::uint16_t> places;      // by block and lane: kPlaceNumbers, the source is one of the shard
+  std::vector<ChordRecord> chords;        // by block and lane, where rotations are limited
 };
 
 /// A source of a shape.
 struct IndexedPad {
-  QuantisedPad pad;
-  float scale_length = 0;
+  QuantisedPad pad;        // a library_pad()
+  float scale_length = 0;  // a library_length()
   float convexity = 0;
   ChordRecord chord{};
 };

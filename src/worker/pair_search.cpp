@@ -49,7 +49,7 @@ std::optional<std::vector<PairRecord>> PairSearch::take() {
     const std::uint32_t blocks = block_count_.read(1).front();
     const std::uint32_t pairs = pair_count_.read(1).front();
     if (blocks <= block_room_ && pairs <= pair_room_) {
-      blocks_visited_ = blocks;
+      blocks_visited_ += blocks;
       return pairs_.read(pairs);
     }
     const bool too_many =

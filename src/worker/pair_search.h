@@ -23,7 +23,7 @@ class PairSearch {
 
   /// From here on all blocks are looked at, to measure what the index saves.
   void scan_all() { look_at_boxes_ = 0; }
-  /// Of the last question.
+  /// Of all questions so far.
   std::uint64_t blocks_visited() const { return blocks_visited_; }
 
  private:

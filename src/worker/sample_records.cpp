@@ -16,7 +16,7 @@ void put_scale_windows(SampleRecord& r, const MatchRecord& match) {
     const ScaleWindow window = scale_window(r.scale_length / (level.scale_high_px * kScaleWindowHigh),
                                             r.scale_length / (level.scale_low_px * kScaleWindowLow));
     r.scale_low[k] = window.low;
-    r.scale_width[k] = window.width;
+    r.scale_high[k] = window.high;
   }
 }
 
@@ -61,7 +61,7 @@ void set_reach(SampleRecord& record, std::uint32_t reach_steps) {
   const PadWindow window = pad_window(pad, reach_steps);
   record.reach = reach_steps;
   std::copy(window.low.begin(), window.low.end(), record.pad_low);
-  record.pad_width = window.width;
+  std::copy(window.high.begin(), window.high.end(), record.pad_high);
 }
 
 bool same_samples(const std::vector<SampleRecord>& a, const std::vector<SampleRecord>& b) {

@@ -142,7 +142,7 @@ ShardBytes shard_bytes(const MatchingContext& context, std::size_t shapes, bool 
   }
   const std::size_t of_one = make_shard(make_match_record(context, {0, 1}), context.pad.levels, {model}).bytes();
   const HeldShapes held;
-  const bool whole = !reads || shapes <= held.most_whole;
+  const bool whole = !reads || held.holds_all(shapes);
   const std::size_t contours = whole ? shapes : held.contours;
   const std::size_t keypoints = whole ? shapes * match.sources * keypoint_numbers(context.pad.levels) : 0;
   return {of_one * shapes + index_bytes(match, index_kind(context)) + contours * kContourFloats * sizeof(float),

@@ -7,6 +7,7 @@
 #include "core/matching/matcher.h"
 #include "core/matching/matching_context.h"
 #include "core/shape/shape_model.h"
+#include "core/tuning.h"
 #include "records.h"
 #include "worker/index_rows.h"
 
@@ -44,7 +45,12 @@ struct HeldShapes {
   /// Of a larger one so many contours are on the device, 77 MB, or as many as one question needs: the dockings of a
   /// round that are refined and measured are of some thousand shapes.
   std::uint32_t contours = 16384;
+
+  bool holds_all(std::size_t shapes) const { return shapes <= most_whole; }
 };
+
+// Else the random dockings of a question would need the contours of a whole library, one by one.
+static_assert(HeldShapes().most_whole >= kWholeDeck);
 
 /// What so many shapes will take: on a device, with their index and contours, and beside it in memory. `reads`:
 /// contours and key points can be read.

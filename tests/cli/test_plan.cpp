@@ -51,6 +51,20 @@ TEST(Plan, warns_of_workers_without_shapes) {
             "--ranks 9: 8 workers divide 5 shapes, so that some have none; --ranks 6 is as good");
 }
 
+/// A choice of a very large library.
+TEST(Plan, counts_what_workers_hold_that_cannot_read) {
+  PlanInput reads = animals();
+  reads.shapes = 400'000;
+  PlanInput holds = reads;
+  holds.reads = false;
+  const MatchingContext context = make_matching_context(reads.settings, std::uint32_t(reads.shapes));
+  const worker::ShardBytes all = worker::shard_bytes(context, reads.shapes / 2, false);
+  const worker::ShardBytes part = worker::shard_bytes(context, reads.shapes / 2, true);
+  EXPECT_GT(all.host, 2e9);
+  EXPECT_NEAR(estimate(holds).worker_bytes - estimate(reads).worker_bytes,
+              double(all.host + all.device) - double(part.host + part.device), 1e6);
+}
+
 TEST(Plan, takes_the_device_bytes_from_the_workers) {
   PlanInput input = animals();
   PlanInput twice = animals();

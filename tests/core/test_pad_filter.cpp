@@ -9,7 +9,15 @@
 namespace tessera {
 namespace {
 
-bool within(std::uint8_t byte, std::uint8_t low, std::uint8_t width) { return std::uint8_t(byte - low) <= width; }
+bool within(std::uint8_t byte, std::uint8_t low, std::uint8_t high) { return low <= byte && byte <= high; }
+
+bool passes(const QuantisedPad& source, const PadWindow& window, int levels) {
+  bool all = true;
+  for (std::size_t e = 0; e < std::size_t(2 * (levels - 1)); ++e) {
+    all &= within(pad_byte(source.element[e]), window.low[e], window.high[e]);
+  }
+  return all;
+}
 
 QuantisedPad random_pad() {
   QuantisedPad pad;
@@ -33,9 +41,7 @@ RC_GTEST_PROP(PadFilter, passes_every_pair_within_reach, ()) {
   const QuantisedPad target = random_pad();
   const QuantisedPad source = random_neighbour(target, int(reach));
   const PadWindow window = pad_window(target, reach);
-  bool passes = true;
-  for (int e = 0; e < 2 * (levels - 1); ++e) passes &= within(pad_byte(source.element[e]), window.low[e], window.width);
-  RC_ASSERT(passes || pad_distance(target, source, levels) >= reach);
+  RC_ASSERT(passes(source, window, levels) || pad_distance(target, source, levels) >= reach);
 }
 
 TEST(PadFilter, KeepsOutWhatIsFar) {
@@ -44,8 +50,21 @@ TEST(PadFilter, KeepsOutWhatIsFar) {
   QuantisedPad source = target;
   source.element[3] = 30000 + 4 * 256;
   const PadWindow window = pad_window(target, 2 * 256);
-  EXPECT_TRUE(within(pad_byte(target.element[3]), window.low[3], window.width));
-  EXPECT_FALSE(within(pad_byte(source.element[3]), window.low[3], window.width));
+  EXPECT_TRUE(within(pad_byte(target.element[3]), window.low[3], window.high[3]));
+  EXPECT_FALSE(within(pad_byte(source.element[3]), window.low[3], window.high[3]));
+}
+
+/// Where bytes end decides, not how far a byte reaches: of a reach below a byte's half two bytes at most.
+RC_GTEST_PROP(PadFilter, keeps_out_all_bytes_of_which_none_is_near, ()) {
+  const QuantisedPad target = random_pad();
+  const auto reach = *rc::gen::inRange<int>(1, 3000);
+  const PadWindow window = pad_window(target, std::uint32_t(reach));
+  for (std::size_t e = 0; e < target.element.size(); ++e) {
+    const int last_of_low = window.low[e] * 256 + 255;
+    const int first_of_high = window.high[e] * 256;
+    RC_ASSERT(target.element[e] - last_of_low < reach);
+    RC_ASSERT(first_of_high - target.element[e] < reach);
+  }
 }
 
 RC_GTEST_PROP(PadFilter, passes_every_length_in_the_window, ()) {
@@ -53,10 +72,10 @@ RC_GTEST_PROP(PadFilter, passes_every_length_in_the_window, ()) {
   const float least = middle / (1 + float(*rc::gen::inRange(0, 1000)) / 250);
   const float most = middle * (1 + float(*rc::gen::inRange(0, 1000)) / 250);
   const ScaleWindow window = scale_window(least, most);
-  for (const float length : {least, middle, most}) RC_ASSERT(within(scale_byte(length), window.low, window.width));
+  for (const float length : {least, middle, most}) RC_ASSERT(within(scale_byte(length), window.low, window.high));
   if (most < 30 && least > 0.01f) {
-    RC_ASSERT(!within(scale_byte(most * 1.2f), window.low, window.width));
-    RC_ASSERT(!within(scale_byte(least / 1.2f), window.low, window.width));
+    RC_ASSERT(!within(scale_byte(most * 1.2f), window.low, window.high));
+    RC_ASSERT(!within(scale_byte(least / 1.2f), window.low, window.high));
   }
 }
 

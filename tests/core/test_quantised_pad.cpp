@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -46,6 +47,39 @@ TEST(QuantisedPad, WhatIsNoNumberIsInRange) {
   EXPECT_EQ(result.element[2], 65535);
   EXPECT_EQ(result.element[3], 65535);
   EXPECT_EQ(result.element[4], 32768);
+}
+
+RC_GTEST_PROP(QuantisedPad, a_library_keeps_twelve_bits, ()) {
+  QuantisedPad pad;
+  for (std::uint16_t& element : pad.element) element = std::uint16_t(*rc::gen::inRange(0, 65536));
+  const QuantisedPad kept = library_pad(pad);
+  for (std::size_t e = 0; e < pad.element.size(); ++e) {
+    RC_ASSERT(kept.element[e] % kLibraryPadSteps == 0u);
+    // Half a step of the library's; what is nearest to 65,536 becomes 65,520.
+    RC_ASSERT(std::abs(int(kept.element[e]) - int(pad.element[e])) <= (pad.element[e] < 65528 ? 8 : 15));
+  }
+  RC_ASSERT(library_pad(kept) == kept);
+}
+
+RC_GTEST_PROP(ModelSample, a_library_keeps_half_the_bits_of_a_length, ()) {
+  const float length = std::ldexp(1 + float(*rc::gen::inRange(0, 1 << 23)) / float(1 << 23), *rc::gen::inRange(-10, 6));
+  const float kept = library_length(length);
+  RC_ASSERT(std::bit_cast<std::uint32_t>(kept) % 65536 == 0u);
+  RC_ASSERT(std::abs(kept - length) <= length / 256);
+  RC_ASSERT(library_length(kept) == kept);
+}
+
+TEST(ModelSample, IsWhatALibraryKeeps) {
+  ArclengthPyramid pyramid;
+  for (int i = 0; i < kMaxPadLevels; ++i) {
+    pyramid.left[std::size_t(i)] = 0.1f * float(i + 1);
+    pyramid.right[std::size_t(i)] = 0.13f * float(i + 1);
+  }
+  const ModelSample sample = make_model_sample(pyramid, 5, keypoint_step(1));
+  EXPECT_EQ(sample.pad, library_pad(quantised(make_pad(pyramid, 5))));
+  EXPECT_NE(sample.pad, quantised(make_pad(pyramid, 5)));
+  EXPECT_EQ(sample.scale_length, library_length(scale_length(pyramid, 5)));
+  EXPECT_NE(sample.scale_length, scale_length(pyramid, 5));
 }
 
 RC_GTEST_PROP(ModelSample, key_points_stay_where_they_were, ()) {

@@ -223,7 +223,7 @@ TEST_F(DamagedCheckpoint, OtherFiles) {
 
 TEST_F(DamagedCheckpoint, AnotherVersionNamesBothAndTheCure) {
   std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out).seekp(27).put('2');
-  expect_complaint("format version 25, this program reads version 15; continue with the program that wrote it");
+  expect_complaint("format version 26, this program reads version 16; continue with the program that wrote it");
 }
 
 TEST_F(DamagedCheckpoint, AHugeHoleIsNotRead) {

@@ -14,7 +14,7 @@ namespace {
 
 std::size_t bytes_of(const IndexRows& rows) {
   return rows.roots.size() * sizeof(RootRecord) + rows.node_boxes.size() + rows.block_boxes.size() + rows.rows.size() +
-         rows.places.size() * sizeof(u32) + rows.chords.size() * sizeof(ChordRecord);
+         rows.places.size() * sizeof(std::uint16_t) + rows.chords.size() * sizeof(ChordRecord);
 }
 
 TEST(Shard, bytes_are_known_beforehand) {
@@ -47,6 +47,7 @@ TEST(Shard, bytes_are_known_beforehand) {
 TEST(Shard, a_large_one_holds_few_contours) {
   const MatchingContext context = make_matching_context(CollageSettings(), 1);
   const std::size_t shapes = HeldShapes().most_whole + 1;
+  EXPECT_EQ(shard_bytes(context, shapes - 1, true).device, shard_bytes(context, shapes - 1, false).device);
   const ShardBytes reads = shard_bytes(context, shapes, true);
   const ShardBytes holds = shard_bytes(context, shapes, false);
   EXPECT_EQ(reads.host, 0u);
@@ -68,7 +69,8 @@ std::vector<IndexedPad> random_pads(const MatchRecord& match) {
   std::vector<IndexedPad> pads(std::size_t(std::min(match.shapes, kSegmentShapes)) * match.sources);
   for (IndexedPad& pad : pads) {
     for (std::uint16_t& element : pad.pad.element) element = std::uint16_t(random());
-    pad.scale_length = 0.01f + float(random() % 1000) / 100;
+    pad.pad = library_pad(pad.pad);
+    pad.scale_length = library_length(0.01f + float(random() % 1000) / 100);
     pad.convexity = float(int(random() % 3) - 1);
     pad.chord = {float(random() % 60000), 0};
   }
@@ -81,22 +83,24 @@ TEST(IndexRows, hold_each_pad_once) {
     const MatchRecord match = two_levels(70);
     const std::vector<IndexedPad> pads = random_pads(match);
     const std::size_t elements = std::size_t(2 * (pad_levels - 1));
-    const std::size_t words = (elements + 3) / 4 + 2;
+    const std::size_t low_numbers = (elements + 3) / 4;
+    const std::size_t numbers = low_numbers + 3;
     std::vector<int> seen(pads.size(), 0);
     for (const IndexPart& part : index_parts(match)) {
       const IndexRows rows = make_index_rows(part, match, pads, {pad_levels, true});
-      for (std::size_t place = 0; place < rows.places.size() / words; ++place) {
+      for (std::size_t place = 0; place < rows.places.size() / numbers; ++place) {
         const std::uint8_t* const row =
             rows.rows.data() + place / kFilterLanes * kFilterLanes * (elements + 2) + place % kFilterLanes;
         if (row[(elements + 1) * kFilterLanes] == 0) continue;  // no PAD
-        const u32* const exact = rows.places.data() + place * words;
-        const u32 source = exact[words - 1];
+        const std::uint16_t* const low = rows.places.data() + place * numbers;
+        const std::uint16_t* const rest = low + low_numbers;
+        const u32 source = rest[1] | u32(rest[2]) << 16;
         ++seen.at(source);
-        const auto* const low = reinterpret_cast<const std::uint8_t*>(exact);
         for (std::size_t e = 0; e < elements; ++e) {
-          EXPECT_EQ(row[e * kFilterLanes] << 8 | low[e], pads[source].pad.element[e]);
+          const int low_bits = low[e / 4] >> 4 * (e % 4) & 15;
+          EXPECT_EQ(row[e * kFilterLanes] << 8 | low_bits << 4, pads[source].pad.element[e]);
         }
-        EXPECT_EQ(std::bit_cast<float>(exact[words - 2]), pads[source].scale_length);
+        EXPECT_EQ(std::bit_cast<float>(u32(rest[0]) << 16), pads[source].scale_length);
         EXPECT_EQ(rows.chords[place].x, pads[source].chord.x);
         EXPECT_EQ(row[elements * kFilterLanes], scale_byte(pads[source].scale_length));
         EXPECT_EQ(row[(elements + 1) * kFilterLanes], sign_byte(pads[source].convexity));
@@ -119,8 +123,8 @@ TEST(IndexRows, parts_follow_one_another) {
     nodes += part.nodes;
     roots += part.roots;
   }
-  EXPECT_EQ(parts[3].roots, 1u) << "a whole segment's level of 128 samples fills a root";
-  EXPECT_EQ(parts[3].nodes, kFilterLanes);
+  EXPECT_EQ(parts[3].nodes, kSegmentShapes * 128 / (kFilterLanes * kFilterLanes));
+  EXPECT_EQ(parts[3].roots, parts[3].nodes / kFilterLanes) << "a whole segment's level of 128 samples fills its roots";
   EXPECT_EQ(parts.back().shapes, 5u);
   EXPECT_EQ(parts.back().first_shape, 2 * kSegmentShapes);
 }
@@ -146,7 +150,7 @@ TEST(IndexRows, take_an_order_that_is_given) {
   const IndexRows rows = make_index_rows(part, match, pads, {5, false}, order);
   const u32 last = part.shapes - 1;
   EXPECT_EQ(rows.places[3], last * match.sources + match.level[0].count - 1);
-  EXPECT_EQ(rows.places[4 * (order.size() - 1) + 3], 0u);
+  EXPECT_EQ(rows.places[5 * (order.size() - 1) + 3], 0u);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Which shapes the random dockings of a question draw from: of a very large library some that lie in runs, so that what
-// is needed of them is read at once. They follow from the question alone, so that every rank knows them, and each
-// question has others.
+// is needed of them is read at once. They follow from the question and what it is asked of (the seed, how many shapes may
+// stand), so that every rank knows them, and each question has others.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@
 //
 // A question is posted, then taken: whoever joins several matchers posts to all before it takes from any. One of them
 // may have to look several times to count, each time a little farther: whoever joins several has all of them take their
-// steps in turns, so that none of them idles while another one goes on.
+// steps in turns, so that they look at the same time.
 #pragma once
 
 #include <array>

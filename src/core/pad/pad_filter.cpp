@@ -17,12 +17,12 @@ std::uint8_t scale_byte(float length) {
 }
 
 PadWindow pad_window(const QuantisedPad& target, std::uint32_t reach_steps) {
-  // |p - t| < reach: the bytes differ by reach / 256, rounded up, at most.
-  const std::uint32_t most = reach_steps == 0 ? 0 : ((reach_steps - 1) >> 8) + 1;
+  const int most = int(std::max(reach_steps, 1u)) - 1;
   PadWindow window;
-  window.width = std::uint8_t(std::min(2 * most, 255u));
   for (std::size_t e = 0; e < window.low.size(); ++e) {
-    window.low[e] = std::uint8_t(pad_byte(target.element[e]) - most);
+    const int element = target.element[e];
+    window.low[e] = pad_byte(std::uint16_t(std::max(element - most, 0)));
+    window.high[e] = pad_byte(std::uint16_t(std::min(element + most, int(kPadSteps))));
   }
   return window;
 }
@@ -31,7 +31,7 @@ ScaleWindow scale_window(float least, float most) {
   // One more on either side: logarithms may round either way.
   const int low = std::max(int(scale_byte(least)) - 1, 0);
   const int high = std::min(int(scale_byte(most)) + 1, 255);
-  return {std::uint8_t(low), std::uint8_t(std::max(high - low, 0))};
+  return {std::uint8_t(low), std::uint8_t(high)};
 }
 
 }  // namespace tessera

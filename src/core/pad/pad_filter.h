@@ -3,7 +3,8 @@
 // (tests/core/test_pad_filter.cpp). kernels/pairs.cl tests the 64 PADs of a block of the index at a time with it; the
 // reference does without.
 //
-// Element e of a sample passes where (byte - low[e]) mod 256 <= width: one subtraction and one maximum an element.
+// Element e of a sample passes where low[e] <= byte <= high[e]. Pairs of large libraries are nearer than a byte: the
+// ends of what is within reach are cut to bytes, not what reach and target are.
 #pragma once
 
 #include <array>
@@ -21,16 +22,16 @@ inline std::uint8_t sign_byte(float convexity) { return convexity > 0 ? 1 : conv
 /// A positive length (shape units) in sixteenths of an octave.
 std::uint8_t scale_byte(float length);
 
-/// The bytes that pairs nearer than a reach must have. Widths are inclusive.
+/// The bytes that pairs nearer than a reach, above 0, must have. Inclusive.
 struct PadWindow {
   std::array<std::uint8_t, kMaxPadElements> low{};
-  std::uint8_t width = 0;
+  std::array<std::uint8_t, kMaxPadElements> high{};
 };
 PadWindow pad_window(const QuantisedPad& target, std::uint32_t reach_steps);
 
 struct ScaleWindow {
   std::uint8_t low = 0;
-  std::uint8_t width = 0;
+  std::uint8_t high = 0;
 };
 /// The window of the lengths between `least` and `most`, shape units.
 ScaleWindow scale_window(float least, float most);

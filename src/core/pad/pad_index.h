@@ -19,7 +19,7 @@ namespace tessera {
 inline constexpr std::uint32_t kIndexFanOut = 64;
 
 /// Each level of so many shapes of a library has an index of its own, so that it can be made, kept and read piece by
-/// piece. As many as fill kIndexFanOut nodes with a level of 128 samples a shape.
+/// piece. The more, the tighter are the boxes, and the more memory it takes to make one.
 inline constexpr std::uint32_t kSegmentShapes = 2048;
 
 /// What the filter knows of a PAD.

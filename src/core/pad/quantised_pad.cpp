@@ -13,6 +13,15 @@ QuantisedPad quantised(const Pad& pad) {
   return result;
 }
 
+QuantisedPad library_pad(QuantisedPad pad) {
+  constexpr std::uint32_t kMost = kPadSteps / kLibraryPadSteps;
+  for (std::uint16_t& element : pad.element) {
+    const std::uint32_t nearest = (element + kLibraryPadSteps / 2) / kLibraryPadSteps;
+    element = std::uint16_t(std::min(nearest, kMost) * kLibraryPadSteps);
+  }
+  return pad;
+}
+
 std::uint32_t pad_distance(const QuantisedPad& p, const QuantisedPad& q, int levels) {
   std::uint32_t distance = 0;
   for (int e = 0; e < 2 * (levels - 1); ++e) {

@@ -19,6 +19,12 @@ struct QuantisedPad {
 
 QuantisedPad quantised(const Pad& pad);
 
+/// Of a library's PADs 12 bits an element are kept, as many as an index of a million shapes has room for: elements are
+/// multiples of so many steps. Those of targets are not rounded.
+inline constexpr std::uint32_t kLibraryPadSteps = 16;
+/// The nearest PAD that a library may have.
+QuantisedPad library_pad(QuantisedPad pad);
+
 /// Equation 1 for PADs of the same convexity, steps.
 std::uint32_t pad_distance(const QuantisedPad& p, const QuantisedPad& q, int levels);
 

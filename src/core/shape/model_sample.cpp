@@ -1,6 +1,7 @@
 #include "core/shape/model_sample.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/tuning.h"
@@ -22,6 +23,10 @@ float scale_length(const ArclengthPyramid& pyramid, int levels) {
   return pyramid.left[k] + pyramid.right[k];
 }
 
+float library_length(float length) {
+  return std::bit_cast<float>((std::bit_cast<std::uint32_t>(length) + 0x8000u) & 0xffff0000u);
+}
+
 Vec2 chord(const ArclengthPyramid& pyramid, int levels) {
   const int k = chord_level(levels);
   return pyramid.keypoint[levels + 1 + k] - pyramid.keypoint[levels - 1 - k];
@@ -36,8 +41,8 @@ Vec2 chord(const ModelSample& sample, int levels) {
 
 ModelSample make_model_sample(const ArclengthPyramid& pyramid, int levels, float keypoint_step) {
   ModelSample sample;
-  sample.pad = quantised(make_pad(pyramid, levels));
-  sample.scale_length = scale_length(pyramid, levels);
+  sample.pad = library_pad(quantised(make_pad(pyramid, levels)));
+  sample.scale_length = library_length(scale_length(pyramid, levels));
   sample.convexity = pyramid.convexity;
   for (int i = 0; i < 2 * levels + 1; ++i) {
     sample.keypoint[i] = {to_step(pyramid.keypoint[i].x, keypoint_step), to_step(pyramid.keypoint[i].y, keypoint_step)};

@@ -20,8 +20,8 @@ struct ModelSample {
     friend bool operator==(const Step&, const Step&) = default;
   };
 
-  QuantisedPad pad;
-  float scale_length = 0;  // scale_length() of the pyramid, shape units
+  QuantisedPad pad;        // a library_pad()
+  float scale_length = 0;  // the library_length() of the pyramid's scale_length(), shape units
   float convexity = 0;
   std::array<Step, 2 * kMaxPadLevels + 1> keypoint{};  // in steps of the shape's keypoint_step()
 
@@ -30,6 +30,10 @@ struct ModelSample {
 
 /// Length of the interval that estimates the scale before any alignment.
 float scale_length(const ArclengthPyramid& pyramid, int levels);
+
+/// The nearest length whose lower 16 bits are 0, all that is kept of a library's scale lengths: to 0.2 %, of which an
+/// octave's window knows nothing.
+float library_length(float length);
 
 /// From end to end of that interval: it tells the rotation before any alignment. Of a sample in steps of its shape's
 /// key points, in whole numbers.

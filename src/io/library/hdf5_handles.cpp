@@ -31,4 +31,15 @@ std::string last_hdf5_message() {
   return system_message_in(text);
 }
 
+void check_hard_links(hid_t file, const std::string& path, const std::string& what) {
+  for (std::size_t slash = path.find('/', 1);; slash = path.find('/', slash + 1)) {
+    const std::string prefix = path.substr(0, slash);
+    H5L_info_t info{};
+    if (H5Lexists(file, prefix.c_str(), H5P_DEFAULT) <= 0) throw Hdf5Error(what + " is missing");
+    hdf5_checked(H5Lget_info(file, prefix.c_str(), &info, H5P_DEFAULT), what);
+    if (info.type != H5L_TYPE_HARD) throw Hdf5Error(what + " is only a link");
+    if (slash == std::string::npos) return;
+  }
+}
+
 }  // namespace tessera::io

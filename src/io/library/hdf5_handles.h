@@ -70,4 +70,8 @@ class Hdf5Handle {
   hid_t id_ = H5I_INVALID_HID;
 };
 
+/// Every link on the way to an object must be a hard one: soft and external links could lead to other files. Throws
+/// Hdf5Error, which begins with `what`.
+void check_hard_links(hid_t file, const std::string& path, const std::string& what);
+
 }  // namespace tessera::io

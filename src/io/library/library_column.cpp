@@ -92,20 +92,8 @@ Hdf5Handle create_data_set(hid_t file, const Column& column) {
           what};
 }
 
-/// Every link on the way must be a hard one: soft and external links could lead to other files.
-void check_links(hid_t file, const Column& column) {
-  for (std::size_t slash = column.path.find('/', 1);; slash = column.path.find('/', slash + 1)) {
-    const std::string prefix = column.path.substr(0, slash);
-    H5L_info_t info{};
-    if (H5Lexists(file, prefix.c_str(), H5P_DEFAULT) <= 0) throw Hdf5Error(name_of(column) + " is missing");
-    hdf5_checked(H5Lget_info(file, prefix.c_str(), &info, H5P_DEFAULT), name_of(column));
-    if (info.type != H5L_TYPE_HARD) throw Hdf5Error(name_of(column) + " is only a link");
-    if (slash == std::string::npos) return;
-  }
-}
-
 Hdf5Handle open_data_set(hid_t file, const Column& column) {
-  check_links(file, column);
+  check_hard_links(file, column.path, name_of(column));
   return {H5Dopen2(file, column.path.c_str(), H5P_DEFAULT), name_of(column)};
 }
 

@@ -1,7 +1,11 @@
+#include <fcntl.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <numeric>
 #include <optional>
+#include <system_error>
 
 #include "core/base/error.h"
 #include "io/library/hdf5_trial.h"
@@ -32,6 +36,14 @@ auto naming_the_file(const std::string& path, Read read) {
   }
 }
 
+std::shared_ptr<const FileDescriptor> descriptor_of(hid_t file) {
+  void* number = nullptr;
+  hdf5_checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &number), "file");
+  const int own = ::fcntl(*static_cast<const int*>(number), F_DUPFD_CLOEXEC, 0);
+  if (own < 0) throw EnvironmentError("no file descriptor is left: " + std::generic_category().message(errno));
+  return std::make_shared<const FileDescriptor>(own);
+}
+
 }  // namespace
 
 struct LibraryFile::State {
@@ -47,11 +59,12 @@ struct LibraryFile::State {
         original(file.get(), format.first_original_byte, format.original_bytes, layout::kMaxOriginalBytes),
         part_digest(ColumnReader::if_present(file.get(), format.part_digest)),
         variant_of(ColumnReader::if_present(file.get(), format.variant_of)),
-        style(ColumnReader::if_present(file.get(), format.style)),
-        segments(segment_places(file.get(), pad, std::uint32_t(head.shapes()))) {
+        style(ColumnReader::if_present(file.get(), format.style)) {
     for (std::size_t k = 0; k < format.levels.size(); ++k) levels.emplace_back(file.get(), format.levels[k], k);
     check_rows();
     check_declared_bytes();
+    segments = segment_places(file.get(), pad, std::uint32_t(head.shapes()));
+    if (!segments.begins.empty()) bytes = descriptor_of(file.get());
   }
 
   std::vector<const ColumnReader*> columns() const;
@@ -78,6 +91,7 @@ struct LibraryFile::State {
   BytesReader original;
   std::optional<ColumnReader> part_digest, variant_of, style;
   SegmentPlaces segments;
+  std::shared_ptr<const FileDescriptor> bytes;  // of the file that is open, whatever its name leads to by now
   std::vector<LevelReader> levels;
 };
 
@@ -270,14 +284,15 @@ std::vector<ShapeHead> LibraryFile::heads(std::size_t begin, std::size_t end) co
 
 std::shared_ptr<const ModelSource> LibraryFile::stored_models(const MatchingContext& context) const {
   if (state_->segments.begins.empty() || context.pad != pad_parameters()) return nullptr;
-  auto reader = std::make_shared<const SegmentReader>(path(), library_segments(pad_parameters()), std::uint32_t(size()),
-                                                      state_->segments.begins);
+  auto reader = std::make_shared<const SegmentReader>(path(), state_->bytes, library_segments(pad_parameters()),
+                                                      std::uint32_t(size()), state_->segments.begins);
   const auto owners = [state = state_.get()](const ShapeRange& range) {
     return naming_the_file(state->path, [&] {
+      std::vector<Shape> shapes(range.size());
+      state->head.read({range.begin, range.end, shapes.data()});
+      const std::vector<PartDigests> digests = state->digests(range.begin, range.end);
       std::vector<SegmentOwner> owners;
-      for (const PartDigests& digests : state->digests(range.begin, range.end)) {
-        owners.push_back(segment_owner(digests));
-      }
+      for (std::size_t i = 0; i < shapes.size(); ++i) owners.push_back(segment_owner(shapes[i], digests[i]));
       return owners;
     });
   };

@@ -202,9 +202,10 @@ class OutlineWriter {
   RaggedWriter curves_;
 };
 
-/// The shape as it will be read.
+/// What models are made of, as it will be read.
 Shape as_read(const Shape& shape, const QuantisedField& field) {
   Shape read = shape;
+  read.artwork = {};
   std::transform(field.distance.begin(), field.distance.end(), read.field.distance.data().begin(),
                  [&](std::int16_t steps) { return float(steps) * field.step; });
   return read;
@@ -305,7 +306,7 @@ void LibraryWriter::append(const Shape& shape, std::optional<std::uint32_t> vari
     for (std::size_t k = 0; k < to.levels.size(); ++k) {
       digests[2 + k] = to.levels[k].append(shape.levels[k], state_->pad.levels);
     }
-    to.segments.append(as_read(shape, field), segment_owner(digests));
+    to.segments.append(as_read(shape, field), segment_owner(shape, digests));
     const auto first = std::int32_t(variant_of.value_or(std::uint32_t(to.variant_of.rows())));
     to.part_digest.append(digests.data(), 1);
     to.variant_of.append(&first, 1);

@@ -34,7 +34,7 @@ void put_pads(std::uint8_t* at, const ModelLevel& level, std::size_t elements, s
     for (std::size_t e = 0; e < elements; ++e) row.put(sample.pad.element[e]);
   }
   for (const ModelSample& sample : level.samples) row.put(sample.scale_length);
-  for (const ModelSample& sample : level.samples) row.put(std::int8_t(sample.convexity));
+  for (const ModelSample& sample : level.samples) row.put(std::int8_t((sample.convexity > 0) - (sample.convexity < 0)));
   row.put(row.check(owner));
 }
 

@@ -12,8 +12,6 @@ namespace tessera::io {
 namespace {
 
 constexpr char kGroup[] = "/models";
-/// Counted up with every change of the models or of their layout. Those of other versions are not read.
-constexpr int kModelsVersion = 1;
 constexpr char kSegmentShapesAttribute[] = "segment_shapes";
 
 std::string segment_name(std::uint32_t segment) {
@@ -47,16 +45,21 @@ void write_in_one_piece(hid_t group, const std::string& name, const std::vector<
   hdf5_checked(H5Dwrite(data_set.get(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), name);
 }
 
-/// Where the bytes of a data set begin in the file; it must be as write_in_one_piece() makes it.
-std::uint64_t place_of(hid_t group, const std::string& name, std::size_t bytes) {
-  const std::string what = std::string("data set ") + kGroup + "/" + name;
-  const Hdf5Handle data_set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), what);
+/// Where the bytes of a segment begin in the file; it must be as write_in_one_piece() makes it.
+std::uint64_t place_of(hid_t file, const std::string& name, std::size_t bytes) {
+  const std::string path = std::string(kGroup) + "/" + name;
+  const std::string what = "data set " + path;
+  check_hard_links(file, path, what);
+  const Hdf5Handle data_set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), what);
+  // Before anything else: the extent of a virtual data set is found by opening other files.
   const Hdf5Handle properties(H5Dget_create_plist(data_set.get()), what);
+  if (H5Pget_layout(properties.get()) != H5D_CONTIGUOUS || H5Pget_external_count(properties.get()) != 0) {
+    throw Hdf5Error(what + " is not in one piece");
+  }
   const Hdf5Handle type(H5Dget_type(data_set.get()), what);
   const Hdf5Handle space(H5Dget_space(data_set.get()), what);
-  if (H5Pget_layout(properties.get()) != H5D_CONTIGUOUS || H5Pget_external_count(properties.get()) != 0 ||
-      H5Tequal(type.get(), H5T_STD_U8LE) <= 0 || H5Sget_simple_extent_npoints(space.get()) != hssize_t(bytes)) {
-    throw Hdf5Error(what + ": not what this program writes");
+  if (H5Tequal(type.get(), H5T_STD_U8LE) <= 0 || H5Sget_simple_extent_npoints(space.get()) != hssize_t(bytes)) {
+    throw Hdf5Error(what + ": not as many bytes as its models have");
   }
   const haddr_t at = H5Dget_offset(data_set.get());
   if (at == HADDR_UNDEF) throw Hdf5Error(what + ": there is nothing in it");
@@ -95,6 +98,7 @@ void SegmentWriter::write() {
 SegmentPlaces segment_places(hid_t file, const PadParameters& pad, std::uint32_t shapes) {
   SegmentPlaces places;
   if (H5Lexists(file, kGroup, H5P_DEFAULT) <= 0) return places;
+  check_hard_links(file, kGroup, std::string("group ") + kGroup);
   const Hdf5Handle group(H5Gopen2(file, kGroup, H5P_DEFAULT), kGroup);
   if (read_int_attribute(group.get(), layout::kVersionAttribute) != kModelsVersion ||
       read_int_attribute(group.get(), kSegmentShapesAttribute) != int(kSegmentShapes)) {
@@ -103,7 +107,7 @@ SegmentPlaces segment_places(hid_t file, const PadParameters& pad, std::uint32_t
   const SegmentKind kind = library_segments(pad);
   for (std::uint32_t first = 0; first < shapes; first += kSegmentShapes) {
     const std::size_t bytes = SegmentLayout(kind, std::min(kSegmentShapes, shapes - first)).bytes;
-    places.begins.push_back(place_of(group.get(), segment_name(first / kSegmentShapes), bytes));
+    places.begins.push_back(place_of(file, segment_name(first / kSegmentShapes), bytes));
     places.bytes += bytes;
   }
   return places;

@@ -46,10 +46,18 @@ SegmentLayout::SegmentLayout(const SegmentKind& kind, std::uint32_t count)
   }
 }
 
-SegmentOwner segment_owner(const PartDigests& digests) {
+SegmentOwner segment_owner(const Shape& head, const PartDigests& digests) {
+  const std::array lengths{head.perimeter, head.radius};
+  const std::uint64_t of_head = PartDigest()
+                                    .add(std::span<const float>(lengths))
+                                    .add(std::span<const float>(head.mean_lab))
+                                    .add(std::span<const std::uint8_t>(head.colour_grid.bytes))
+                                    .value();
   SegmentOwner owner;
-  owner.contour = PartDigest().add(digests[0]).add(digests[1]).value();
-  std::copy(digests.begin() + 2, digests.end(), owner.level.begin());
+  owner.contour = PartDigest().add(digests[0]).add(digests[1]).add(of_head).value();
+  for (std::size_t k = 0; k < owner.level.size(); ++k) {
+    owner.level[k] = PartDigest().add(digests[2 + k]).add(of_head).value();
+  }
   return owner;
 }
 

@@ -24,14 +24,17 @@ namespace tessera::io {
 
 static_assert(std::endian::native == std::endian::little, "segments are written as they lie in memory");
 
-/// What a row is of: the digests of the shape's parts as its columns hold them (part_digest.h), outline and field in
-/// one.
+/// Counted up with every change of the models or of their layout. Those of other versions are not read.
+inline constexpr int kModelsVersion = 2;
+
+/// What a row is of: digests of all of a shape that its models are made of, as its columns hold it.
 struct SegmentOwner {
-  std::uint64_t contour = 0;
+  std::uint64_t contour = 0;  // outline, field, and what the head says
   std::array<std::uint64_t, kSmoothingLevels.size()> level{};
 };
 
-SegmentOwner segment_owner(const PartDigests& digests);
+/// `head`: its lengths and colours count.
+SegmentOwner segment_owner(const Shape& head, const PartDigests& digests);
 
 /// By which dockings are judged at first.
 struct SketchRow {

@@ -44,7 +44,8 @@ bool set_pads(std::vector<ModelSample>& samples, const std::uint8_t* row, std::s
     sample.scale_length = value_at<float>(lengths + j * sizeof(float));
     const std::int8_t sign = value_at<std::int8_t>(signs + j);
     sample.convexity = float(sign);
-    fits = fits && sign >= -1 && sign <= 1 &&
+    fits = fits && sign >= -1 && sign <= 1 && sample.pad == library_pad(sample.pad) &&
+           sample.scale_length == library_length(sample.scale_length) &&
            all_within(&sample.scale_length, 1, layout::kLeastLength, 2 * layout::kMaxCoordinate);
   }
   return fits;
@@ -68,10 +69,10 @@ struct SegmentReader::Part {
   std::span<const SegmentOwner> owners;
 };
 
-SegmentReader::SegmentReader(const std::string& path, SegmentKind kind, std::uint32_t shapes,
-                             std::vector<std::uint64_t> begins)
-    : path_(path),
-      file_(open_regular_file(path)),
+SegmentReader::SegmentReader(std::string path, std::shared_ptr<const FileDescriptor> file, SegmentKind kind,
+                             std::uint32_t shapes, std::vector<std::uint64_t> begins)
+    : path_(std::move(path)),
+      file_(std::move(file)),
       kind_(std::move(kind)),
       shapes_(shapes),
       begins_(std::move(begins)),
@@ -95,7 +96,7 @@ void SegmentReader::read_into(void* data, std::uint32_t segment, std::size_t at,
   auto* to = static_cast<std::uint8_t*>(data);
   std::uint64_t from = begins_[segment] + at;
   while (bytes > 0) {
-    const ssize_t got = ::pread(file_.number(), to, bytes, off_t(from));
+    const ssize_t got = ::pread(file_->number(), to, bytes, off_t(from));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) throw InputError(path_ + ": cannot be read: " + std::generic_category().message(errno));
     if (got == 0) fail("the file ends too early");

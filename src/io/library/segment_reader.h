@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,9 +16,9 @@ namespace tessera::io {
 
 class SegmentReader {
  public:
-  /// `begins`: where each segment begins in the file; the last one has what is left of `shapes`. Throws InputError
-  /// where the file cannot be opened.
-  SegmentReader(const std::string& path, SegmentKind kind, std::uint32_t shapes, std::vector<std::uint64_t> begins);
+  /// `path`: for messages. `begins`: where each segment begins in the file; the last one has what is left of `shapes`.
+  SegmentReader(std::string path, std::shared_ptr<const FileDescriptor> file, SegmentKind kind, std::uint32_t shapes,
+                std::vector<std::uint64_t> begins);
 
   const SegmentKind& kind() const { return kind_; }
 
@@ -49,7 +50,7 @@ class SegmentReader {
   const LevelSection& section_of(const SegmentLayout& layout, int level) const;
 
   std::string path_;
-  FileDescriptor file_;
+  std::shared_ptr<const FileDescriptor> file_;
   SegmentKind kind_;
   std::uint32_t shapes_;
   std::vector<std::uint64_t> begins_;
