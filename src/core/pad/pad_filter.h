@@ -3,8 +3,7 @@
 // (tests/core/test_pad_filter.cpp). kernels/pairs.cl tests the 64 PADs of a block of the index at a time with it; the
 // reference does without.
 //
-// Element e of a sample passes where low[e] <= byte <= high[e]. Pairs of large libraries are nearer than a byte: the
-// ends of what is within reach are cut to bytes, not what reach and target are.
+// Element e of a sample passes where low[e] <= byte <= high[e]: no byte passes of which none is within reach.
 #pragma once
 
 #include <array>

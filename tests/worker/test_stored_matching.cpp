@@ -1,0 +1,58 @@
+// A device that reads models from a library file gives what the reference gives with models made of its shapes.
+#include <gtest/gtest.h>
+
+#include "core/matching/reference_matcher.h"
+#include "io/library/library_file.h"
+#include "io/library/shape_models.h"
+#include "io/scratch_folder.h"
+#include "support/matcher_round.h"
+#include "worker/opencl_devices.h"
+#include "worker/opencl_matcher.h"
+
+namespace tessera::test {
+namespace {
+
+constexpr std::uint32_t kShapes = kSegmentShapes + 150;
+
+/// Few outlines, again and again in other sizes.
+void write_library(const std::string& path) {
+  const std::vector<Shape> some = formula_shapes(10, PadParameters());
+  io::LibraryWriter writer(path, PadParameters());
+  for (std::uint32_t i = 0; i < kShapes; ++i) {
+    Shape shape = some[i * 7 % some.size()];
+    shape.name = "shape " + std::to_string(i);
+    shape.artwork.width_px = shape.artwork.height_px = 600;
+    shape.perimeter *= 1 + float(i) / float(kShapes);  // tells the models apart
+    writer.append(shape);
+  }
+  writer.finish();
+}
+
+/// Of one segment a part and of the next one all, more than go to the device at a time, nothing held that can be read.
+TEST(StoredMatching, IsTheSameAsForTheReference) {
+  const test::ScratchFolder folder;
+  write_library(folder.path("many.h5"));
+  const io::LibraryFile library(folder.path("many.h5"));
+  for (const bool limits_rotations : {false, true}) {
+    CollageSettings settings = scene_settings();
+    if (limits_rotations) settings.pieces.max_rotation_rad = 0.4f;
+    MatchingScene scene = make_scene(settings, {10, 200, 3, 4});
+    scene.context = make_matching_context(settings, kShapes);
+    const ShapeRange range{kSegmentShapes - 500, kShapes};
+    const auto stored = library.stored_models(scene.context);
+    ASSERT_NE(stored, nullptr);
+    worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, range, stored,
+                                  worker::BetweenLaunches(), worker::kStageBytes,
+                                  worker::HeldShapes{.most_whole = 0, .contours = 40});
+    const std::vector<ShapeModel> made = io::read_models(library, range, scene.context);
+    ReferenceMatcher reference(scene.context, range.begin, made);
+    set_field(matcher, scene.field);
+    set_field(reference, scene.field);
+    const Round expected = run_round(reference, scene);
+    EXPECT_FALSE(expected.refined.empty());
+    expect_same_round(run_round(matcher, scene), expected);
+  }
+}
+
+}  // namespace
+}  // namespace tessera::test
