@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "core/matching/reference_matcher.h"
-#include "io/library/library_file.h"
 #include "io/library/shape_models.h"
 #include "io/scratch_folder.h"
+#include "support/many_shapes.h"
 #include "support/matcher_round.h"
 #include "worker/opencl_devices.h"
 #include "worker/opencl_matcher.h"
@@ -14,24 +14,10 @@ namespace {
 
 constexpr std::uint32_t kShapes = kSegmentShapes + 150;
 
-/// Few outlines, again and again in other sizes.
-void write_library(const std::string& path) {
-  const std::vector<Shape> some = formula_shapes(10, PadParameters());
-  io::LibraryWriter writer(path, PadParameters());
-  for (std::uint32_t i = 0; i < kShapes; ++i) {
-    Shape shape = some[i * 7 % some.size()];
-    shape.name = "shape " + std::to_string(i);
-    shape.artwork.width_px = shape.artwork.height_px = 600;
-    shape.perimeter *= 1 + float(i) / float(kShapes);  // tells the models apart
-    writer.append(shape);
-  }
-  writer.finish();
-}
-
 /// Of one segment a part and of the next one all, more than go to the device at a time, nothing held that can be read.
 TEST(StoredMatching, IsTheSameAsForTheReference) {
   const test::ScratchFolder folder;
-  write_library(folder.path("many.h5"));
+  write_many_shapes(folder.path("many.h5"), kShapes);
   const io::LibraryFile library(folder.path("many.h5"));
   for (const bool limits_rotations : {false, true}) {
     CollageSettings settings = scene_settings();

@@ -1,0 +1,24 @@
+// A library file of many shapes, of which no two models are alike, made in little time.
+#pragma once
+
+#include "io/library/library_file.h"
+#include "support/matching_scene.h"
+
+namespace tessera::test {
+
+/// Some outlines again and again, with other lengths.
+inline void write_many_shapes(const std::string& path, std::uint32_t count) {
+  const std::vector<Shape> some = formula_shapes(6, PadParameters());
+  io::LibraryWriter writer(path, PadParameters());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Shape shape = some[i % some.size()];
+    shape.name = "shape " + std::to_string(i);
+    shape.artwork.width_px = shape.artwork.height_px = 600;
+    shape.mean_lab = {50, 10, -20};
+    shape.perimeter *= 1 + float(i) / float(count);  // tells the models apart
+    writer.append(shape);
+  }
+  writer.finish();
+}
+
+}  // namespace tessera::test
