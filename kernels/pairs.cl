@@ -5,6 +5,8 @@
 // Of the blocks that the index leaves (pad_index.cl) an exact filter of bytes first (core/pad/pad_filter.h), then the
 // distance itself where a pair may be near.
 
+enum { kBlocksAtATime = 256 };  // of a work group
+
 // A target sample as its pairs need it.
 typedef struct Target {
   ushort element[kPadElements];
@@ -79,49 +81,53 @@ INLINE void ask_for_rows(global const uchar* rows) {
 #endif
 }
 
-// Work item: `stride` of them share the blocks that were found, each `stride`-th one. `index_rows`: of each block a row
-// for each element, then one for the scales and one for the signs; `index_places`: what a PAD's exact test needs;
-// `index_chords`: what a test of its rotation needs.
+// Work group: portions of the blocks that were found, its items in turns. A portion's blocks are neighbours in the list,
+// and so most of them in the index: what one sample looks at, the next ones find in a CPU's cache.
+// `index_rows`: of each block a row for each element, then one for the scales and one for the signs; `index_places`:
+// what a PAD's exact test needs; `index_chords`: what a test of its rotation needs.
 // `pairs`, in no particular order: those nearer than their sample's reach; of more than `capacity` the rest is lost,
 // but counted.
 kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* stances,
                        global const StanceListRecord* stance_lists, global const uint* shape_class,
                        global const uchar* index_rows, global const ushort* index_places,
                        global const ChordRecord* index_chords, constant ColourRecord* colour,
-                       global const uint* near_bits, global const SampleRecord* samples, uint stride,
+                       global const uint* near_bits, global const SampleRecord* samples,
                        global const uint* block_count, uint block_capacity, global const BlockRecord* blocks,
                        uint capacity, global uint* pair_count, global PairRecord* pairs) {
-  const uint count = get_global_id(0) < stride ? min(*block_count, block_capacity) : 0;
-  for (uint i = get_global_id(0); i < count; i += stride) {
-    const BlockRecord block = blocks[i];
-    if (i + stride < count) {
-      ask_for_rows(index_rows + (size_t)blocks[i + stride].block * kFilterRows * kFilterLanes);
-    }
-    global const SampleRecord* sample = samples + block.sample;
-    global const uchar* rows = index_rows + (size_t)block.block * kFilterRows * kFilterLanes;
-    const Bounds bounds = bounds_of(sample, block.level);
-    ulong left = filter_block(rows, &bounds);
-    if (left == 0) continue;
-    const Target target = load_target(sample);
-    for (; left != 0; left &= left - 1) {
-      const uint lane = 63 - (uint)clz(left & -left);
-      const size_t pad = (size_t)block.block * kFilterLanes + lane;
-      global const ushort* place = index_places + pad * kPlaceNumbers;
-      const uint distance = pad_distance(rows, lane, place, &target);
-      if (distance >= sample->reach) continue;
-      const uint source = place[kLowNumbers + 1] | (uint)place[kLowNumbers + 2] << 16;
-      const uint shape = source / match->sources;
-      const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
-      if (standing.list.count == 0 ||
-          !may_scale(&standing, match->level + block.level, as_float((uint)place[kLowNumbers] << 16), &target) ||
-          !may_turn(&standing, index_chords + pad, &target) ||
-          !has_near_colour(sample, near_bits, colour->near_words, match->first_shape + shape)) {
-        continue;
+  const uint count = min(*block_count, block_capacity);
+  for (uint first = get_group_id(0) * kBlocksAtATime; first < count; first += get_num_groups(0) * kBlocksAtATime) {
+    const uint end = min(first + kBlocksAtATime, count);
+    for (uint i = first + get_local_id(0); i < end; i += get_local_size(0)) {
+      const BlockRecord block = blocks[i];
+      if (i + get_local_size(0) < end) {
+        ask_for_rows(index_rows + (size_t)blocks[i + get_local_size(0)].block * kFilterRows * kFilterLanes);
       }
-      const uint at = claim_places(pair_count, 1);
-      if (at >= capacity) continue;
-      const PairRecord pair = {block.sample, source, distance};
-      pairs[at] = pair;
+      global const SampleRecord* sample = samples + block.sample;
+      global const uchar* rows = index_rows + (size_t)block.block * kFilterRows * kFilterLanes;
+      const Bounds bounds = bounds_of(sample, block.level);
+      ulong left = filter_block(rows, &bounds);
+      if (left == 0) continue;
+      const Target target = load_target(sample);
+      for (; left != 0; left &= left - 1) {
+        const uint lane = 63 - (uint)clz(left & -left);
+        const size_t pad = (size_t)block.block * kFilterLanes + lane;
+        global const ushort* place = index_places + pad * kPlaceNumbers;
+        const uint distance = pad_distance(rows, lane, place, &target);
+        if (distance >= sample->reach) continue;
+        const uint source = place[kLowNumbers + 1] | (uint)place[kLowNumbers + 2] << 16;
+        const uint shape = source / match->sources;
+        const Stances standing = stances_of(stances, stance_lists, shape_class, shape);
+        if (standing.list.count == 0 ||
+            !may_scale(&standing, match->level + block.level, as_float((uint)place[kLowNumbers] << 16), &target) ||
+            !may_turn(&standing, index_chords + pad, &target) ||
+            !has_near_colour(sample, near_bits, colour->near_words, match->first_shape + shape)) {
+          continue;
+        }
+        const uint at = claim_places(pair_count, 1);
+        if (at >= capacity) continue;
+        const PairRecord pair = {block.sample, source, distance};
+        pairs[at] = pair;
+      }
     }
   }
 }

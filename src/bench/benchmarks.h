@@ -63,6 +63,15 @@ struct LibraryOptions {
 /// Time and memory as the library grows.
 Report bench_library(const Setting& setting, const LibraryOptions& options);
 
+struct VarietyOptions {
+  std::vector<std::uint32_t> sizes = {100, 1000, 10000};
+  std::vector<std::uint32_t> pairs = {0, 25, 50, 100, 200, 400};  // docked for a target sample; 0: random dockings alone
+  int seeds = 4;
+  std::string models;  // as in LibraryOptions
+};
+/// What more shapes, and more pairs docked, bring to a collage.
+Report bench_variety(const Setting& setting, const SquareJob& job, const VarietyOptions& options);
+
 struct ScalingOptions {
   std::string library;
   std::uint32_t shapes = 0;         // for the most workers; beyond the library's, varied ones; 0 = the library's

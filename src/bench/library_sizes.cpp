@@ -18,8 +18,6 @@
 namespace tessera::bench {
 namespace {
 
-constexpr std::uint32_t kMostShapes = 1'000'000;
-
 struct Grown {
   RunStatistics statistics;
   double start_s = 0;        // until the matcher is ready
@@ -46,19 +44,11 @@ class FirstPiece : public master::Observer {
   std::optional<double> seconds_;
 };
 
-std::shared_ptr<const ModelSource> models_of(const VariedShapes& shapes, std::uint32_t count,
-                                             const MatchingContext& context, const std::string& folder) {
-  if (!folder.empty()) {
-    return models_in_file(folder, shapes, count, context);
-  }
-  return std::make_shared<MadeModels>([&](const ShapeRange& range) { return shapes.models(range, context); });
-}
-
 Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas& canvas,
                const CollageSettings& settings, const std::string& devices_use, const std::string& folder) {
   VariedShapes shapes(library);
   const MatchingContext context = make_matching_context(settings, count);
-  const std::shared_ptr<const ModelSource> models = models_of(shapes, count, context, folder);
+  const std::shared_ptr<const ModelSource> models = varied_models(shapes, count, context, folder);
   reset_peak_memory();
   Grown grown;
   const Stopwatch watch;
@@ -75,8 +65,8 @@ Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas
 
 std::vector<std::uint32_t> checked_sizes(std::vector<std::uint32_t> sizes) {
   for (const std::uint32_t size : sizes) {
-    if (size < 1 || size > kMostShapes) {
-      throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " + std::to_string(kMostShapes));
+    if (size < 1 || size > kMostVariedShapes) {
+      throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " + std::to_string(kMostVariedShapes));
     }
   }
   std::sort(sizes.begin(), sizes.end());

@@ -15,4 +15,8 @@ namespace tessera::bench {
 std::shared_ptr<const ModelSource> models_in_file(const std::string& folder, const VariedShapes& shapes,
                                                   std::uint32_t count, const MatchingContext& context);
 
+/// The same, or where `folder` is empty, models that are made whenever a matcher asks for them. `shapes` outlive them.
+std::shared_ptr<const ModelSource> varied_models(const VariedShapes& shapes, std::uint32_t count,
+                                                 const MatchingContext& context, const std::string& folder);
+
 }  // namespace tessera::bench

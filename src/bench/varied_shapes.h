@@ -11,6 +11,8 @@ namespace tessera::bench {
 /// Variation 0 changes nothing, 1 mirrors; the further ones stretch by up to 1.5 both ways, every second one mirrored.
 ShapeVariation variation_number(std::uint32_t number);
 
+inline constexpr std::uint32_t kMostVariedShapes = 1'000'000;
+
 /// The model of shape `number`, whose outline is that of an earlier one, gets PADs of its own.
 void change_pads(ShapeModel& model, std::uint32_t number);
 

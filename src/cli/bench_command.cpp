@@ -20,6 +20,7 @@ constexpr const char* kExamples =
     "  tessera bench quality --library out/animals.h5 --scale-px 60,120 --seconds 32\n"
     "  tessera bench replacing --library out/animals.h5 --scale-px 60,120 --size 10000\n"
     "  tessera bench library --library out/animals.h5 --sizes 100,1000,10000\n"
+    "  tessera bench variety --library out/animals.h5 --sizes 100,1000 --pairs 0,100\n"
     "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
     "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
 
@@ -117,21 +118,46 @@ void add_replacing(CLI::App& bench, Command& selected) {
   add_square_job_options(*sub, *job);
 }
 
+void add_models_option(CLI::App& sub, std::string& folder) {
+  sub.add_option("--models", folder,
+                 "Folder for files of the shapes' models, 27 KB a shape, which are read as a large library's; default: "
+                 "models are made each time, and held in memory")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingDirectory);
+}
+
+void add_sizes_option(CLI::App& sub, std::vector<std::uint32_t>& sizes) {
+  sub.add_option("--sizes", sizes, "Numbers of shapes; beyond the library's, mirrored and stretched ones")
+      ->type_name("N,..")
+      ->delimiter(',')
+      ->capture_default_str();
+}
+
 void add_library(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<bench::LibraryOptions>();
   CLI::App* sub = add_benchmark(bench, selected, "library", "Time and memory as the library grows",
                                 [options](const bench::Setting& s) { return bench::bench_library(s, *options); });
   add_library_option(*sub, options->library);
-  sub->add_option("--sizes", options->sizes, "Numbers of shapes; beyond the library's, mirrored and stretched ones")
+  add_sizes_option(*sub, options->sizes);
+  add_models_option(*sub, options->models);
+}
+
+void add_variety(CLI::App& bench, Command& selected) {
+  const auto job = std::make_shared<bench::SquareJob>();
+  job->size_px = 600;
+  const auto options = std::make_shared<bench::VarietyOptions>();
+  CLI::App* sub = add_benchmark(bench, selected, "variety", "What more shapes, and more pairs docked, bring to a collage",
+                                [=](const bench::Setting& s) { return bench::bench_variety(s, *job, *options); });
+  add_square_job_options(*sub, *job);
+  add_sizes_option(*sub, options->sizes);
+  sub->add_option("--pairs", options->pairs, "Pairs docked for a target sample; 0: random dockings alone")
       ->type_name("N,..")
       ->delimiter(',')
       ->capture_default_str();
-  sub->add_option(
-         "--models", options->models,
-         "Folder for files of the shapes' models, 27 KB a shape, which are read as a large library's; default: "
-         "models are made each time, and held in memory")
-      ->type_name("FOLDER")
-      ->check(CLI::ExistingDirectory);
+  sub->add_option("--seeds", options->seeds, "Collages of each kind, whose means are told")
+      ->type_name("N")
+      ->capture_default_str();
+  add_models_option(*sub, options->models);
 }
 
 void add_scaling(CLI::App& bench, Command& selected) {
@@ -171,6 +197,7 @@ void add_bench_command(CLI::App& app, Command& selected) {
   add_quality(*bench, selected);
   add_replacing(*bench, selected);
   add_library(*bench, selected);
+  add_variety(*bench, selected);
   add_scaling(*bench, selected);
 }
 

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kSamplesPerGroup = 16;  // they share a root's boxes in a cache
 constexpr std::uint32_t kBlocksPerGroup = 16;
+constexpr std::uint32_t kGroupsPerUnit = 16;
 
 }  // namespace
 
@@ -36,11 +37,11 @@ void PairSearch::post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t c
   const DeviceColours& colours = library_->colours();
   launch(library_->session(), find_blocks_, {count, index.root_count(), kSamplesPerGroup}, index.roots(),
          index.node_boxes(), index.block_boxes(), look_at_boxes_, samples, count, block_room_, block_count_, blocks_);
-  // How many blocks there are is known on the device alone: as many work items as keep it busy share them.
-  const std::uint32_t stride = library_->session().compute_units() * 16 * kBlocksPerGroup;
-  launch(library_->session(), find_pairs_, {stride, 1, kBlocksPerGroup}, library_->match_buffer(), stances.stances(),
+  // How many blocks there are is known on the device alone: as many work groups as keep it busy share them.
+  const std::uint32_t items = library_->session().compute_units() * kGroupsPerUnit * kBlocksPerGroup;
+  launch(library_->session(), find_pairs_, {items, 1, kBlocksPerGroup}, library_->match_buffer(), stances.stances(),
          stances.lists(), stances.shape_class(), index.rows(), index.places(), index.chords(), colours.record(),
-         colours.near_bits(), samples, stride, block_count_, block_room_, blocks_, pair_room_, pair_count_, pairs_);
+         colours.near_bits(), samples, block_count_, block_room_, blocks_, pair_room_, pair_count_, pairs_);
   library_->session().flush();
 }
 

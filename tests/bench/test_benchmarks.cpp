@@ -201,6 +201,34 @@ TEST(Benchmarks, LibraryChecksItsSizes) {
   EXPECT_THROW(bench_library({}, options), InputError);
 }
 
+/// No pairs are other dockings than some: rows differ, and hold what was asked for.
+TEST(Benchmarks, Variety) {
+  SquareJob job;
+  job.library = library();
+  VarietyOptions options;
+  options.sizes = {10, 30};
+  options.pairs = {0, 5};
+  options.seeds = 2;
+  const Report report = bench_variety(kQuick, job, options);
+  expect_head(report, "variety");
+  const Json& rows = report.json.at("rows");
+  ASSERT_EQ(rows.size(), 4u);
+  for (const Json& row : rows) {
+    expect_keys(row, {"overlap_percent", "shared_boundary_percent", "size_balance", "distinct_shapes", "ms_per_piece"});
+    EXPECT_GT(row.at("coverage_percent").get<double>(), 10);
+    EXPECT_GT(row.at("pieces").get<double>(), 1);
+  }
+  EXPECT_EQ(rows[1].at("pairs"), 5);
+  EXPECT_EQ(rows[2].at("shapes"), 30);
+  EXPECT_NE(rows[0].at("coverage_percent"), rows[1].at("coverage_percent"));
+
+  options.seeds = 0;
+  EXPECT_THROW(bench_variety(kQuick, job, options), InputError);
+  options.seeds = 1;
+  options.sizes = {0};
+  EXPECT_THROW(bench_variety(kQuick, job, options), InputError);
+}
+
 ScalingOptions scaling(const std::vector<int>& ranks, int repeats) {
   ScalingOptions options;
   options.library = library();

@@ -1,0 +1,128 @@
+#include <algorithm>
+
+#include "bench/benchmarks.h"
+#include "bench/devices.h"
+#include "bench/model_file.h"
+#include "bench/varied_shapes.h"
+#include "core/base/error.h"
+#include "core/collage/quality.h"
+#include "io/number_text.h"
+#include "io/text_table.h"
+#include "master/collage_loop.h"
+#include "worker/device_group.h"
+
+namespace tessera::bench {
+namespace {
+
+/// Means of collages that differ in their seeds alone.
+struct Means {
+  double coverage = 0;
+  double overlap = 0;
+  double shared_boundary = 0;
+  double balance = 0;
+  double pieces = 0;
+  double distinct_shapes = 0;
+  double ms_per_piece = 0;
+};
+
+void add(Means& means, const Quality& quality, double seconds, double part) {
+  means.coverage += part * quality.coverage;
+  means.overlap += part * quality.overlap;
+  means.shared_boundary += part * quality.shared_boundary;
+  means.balance += part * (quality.balance ? quality.balance->evenness : 0);
+  means.pieces += part * double(quality.pieces);
+  means.distinct_shapes += part * double(quality.distinct_shapes);
+  means.ms_per_piece += part * 1000 * seconds / double(std::max<std::size_t>(1, quality.pieces));
+}
+
+void add_row(std::uint32_t shapes, std::uint32_t pairs, const Means& means, io::TextTable& table, Json& rows) {
+  table.add({std::to_string(shapes), pairs == 0 ? "none" : std::to_string(pairs), io::fixed(100 * means.coverage, 2),
+             io::fixed(100 * means.overlap, 3), io::fixed(100 * means.shared_boundary, 1), io::fixed(means.balance, 2),
+             io::fixed(means.pieces, 0), io::fixed(means.distinct_shapes, 0), io::fixed(means.ms_per_piece, 0)});
+  rows.push_back({{"shapes", shapes},
+                  {"pairs", pairs},
+                  {"coverage_percent", rounded(100 * means.coverage)},
+                  {"overlap_percent", rounded(100 * means.overlap)},
+                  {"shared_boundary_percent", rounded(100 * means.shared_boundary)},
+                  {"size_balance", rounded(means.balance)},
+                  {"pieces", rounded(means.pieces)},
+                  {"distinct_shapes", rounded(means.distinct_shapes)},
+                  {"ms_per_piece", rounded(means.ms_per_piece)}});
+}
+
+/// `pairs`: of a sample; 0: tangent dockings alone.
+CollageSettings with_pairs(CollageSettings settings, std::uint32_t pairs) {
+  if (pairs == 0) settings.match.top_percent = 0;
+  settings.match.most_pairs = int(pairs);
+  return settings;
+}
+
+void check(const VarietyOptions& options) {
+  for (const std::uint32_t size : options.sizes) {
+    if (size < 1 || size > kMostVariedShapes) {
+      throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " +
+                       std::to_string(kMostVariedShapes));
+    }
+  }
+  if (options.seeds < 1 || options.seeds > 100) {
+    throw InputError("--seeds: found " + std::to_string(options.seeds) + "; allowed: 1 to 100");
+  }
+}
+
+}  // namespace
+
+Report bench_variety(const Setting& setting, const SquareJob& job, const VarietyOptions& options) {
+  check(job);
+  check(options);
+  const io::LibraryFile library(job.library);
+  VariedShapes shapes(library);
+  const int size_px = setting.quick ? std::min(job.size_px, 160) : job.size_px;
+  const Canvas canvas = make_rectangle_canvas(size_px, size_px);
+  CollageSettings settings;
+  settings.pieces.min_scale_px = job.scale_px[0];
+  settings.pieces.max_scale_px = job.scale_px[1];
+  settings.improve.trials = 0;
+
+  io::TextTable table({"shapes", "pairs", "coverage %", "overlap %", "shared boundary %", "balance", "pieces",
+                       "different", "ms a piece"});
+  Report report;
+  report.json = report_head("variety", setting);
+  report.json.update({{"library", job.library},
+                      {"originals", library.size()},
+                      {"canvas_px", size_px},
+                      {"scale_px", job.scale_px},
+                      {"first_seed", job.seed},
+                      {"seeds", options.seeds},
+                      {"rows", Json::array()}});
+  for (const std::uint32_t size : options.sizes) {
+    std::vector<Means> means(options.pairs.size());
+    for (int k = 0; k < options.seeds; ++k) {
+      settings.seed = job.seed + std::uint64_t(k);
+      const MatchingContext context = make_matching_context(settings, size);
+      const auto matcher = worker::make_device_matcher(setting.devices, context, {0, size},
+                                                       varied_models(shapes, size, context, options.models));
+      for (std::size_t i = 0; i < means.size(); ++i) {
+        master::SilentObserver silent;
+        const double making_s = shapes.making_s();
+        const master::CollageResult made =
+            master::make_collage(canvas, with_pairs(settings, options.pairs[i]), *matcher, shapes, silent);
+        const Quality quality = measure_quality(
+            canvas, made.placements, [&](ShapeId id) -> const Shape& { return shapes.shape(id); },
+            SizeRange{job.scale_px[0], job.scale_px[1]});
+        add(means[i], quality, made.statistics.total_s - (shapes.making_s() - making_s), 1. / options.seeds);
+      }
+    }
+    for (std::size_t i = 0; i < means.size(); ++i) {
+      add_row(size, options.pairs[i], means[i], table, report.json["rows"]);
+    }
+  }
+  report.text = table.text() + "\nMeans of " + std::to_string(options.seeds) + " seeds from " +
+                std::to_string(job.seed) + " on; " + std::to_string(size_px) + " x " + std::to_string(size_px) +
+                " px, pieces of " + short_number(job.scale_px[0]) + " to " + short_number(job.scale_px[1]) +
+                " px, not improved. Shapes beyond the\nfile's " + std::to_string(library.size()) +
+                " are mirrored and stretched ones. Pairs: docked for each target sample, beside random dockings; none: "
+                "random\ndockings alone. Making shapes that the master asks for is left out of the time.\n";
+  return report;
+}
+
+}  // namespace tessera::bench
