@@ -3,7 +3,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 
 #include "core/field/free_field.h"
@@ -48,7 +47,7 @@ struct Scene {
     return made;
   }
 
-  CountRequest count_request() const { return {samples, std::numeric_limits<std::uint64_t>::max()}; }
+  CountRequest count_request() const { return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins)}; }
 
   DockRequest dock_request() const { return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins), 600}; }
 };

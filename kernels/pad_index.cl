@@ -82,13 +82,16 @@ INLINE ulong boxes_met(global const uchar* rows, const Bounds* bounds) {
 
 // Work item: (target sample, root). The blocks that may hold pairs within the sample's reach, in no
 // particular order; of more than `capacity` the rest is lost, but counted. Where `look_at_boxes` is 0, all blocks.
+// Segments whose number is no multiple of `segment_stride` are left out.
 kernel void find_blocks(global const RootRecord* roots, global const uchar* node_boxes,
-                        global const uchar* block_boxes, uint look_at_boxes, global const SampleRecord* samples,
+                        global const uchar* block_boxes, uint look_at_boxes, uint segment_stride,
+                        global const SampleRecord* samples,
                         uint sample_count, uint capacity, global uint* block_count,
                         global BlockRecord* blocks) {
   const uint t = get_global_id(0);
   if (t >= sample_count || samples[t].reach == 0) return;
   const RootRecord root = roots[get_global_id(1)];
+  if (root.segment % segment_stride != 0) return;
   Bounds bounds = bounds_of(samples + t, root.level);
   if (!look_at_boxes) bounds = all_bytes();
   global const uchar* root_rows = node_boxes + get_global_id(1) * (kBoxRows * kFilterLanes);

@@ -162,6 +162,7 @@ typedef struct ChordRecord {
 typedef struct RootRecord {
   u32 first_node;
   u32 level;
+  u32 segment;  // of the library
 } RootRecord;
 
 // A block of the index, and a target sample that may have pairs in it.

@@ -9,6 +9,7 @@
 #include "core/field/free_field.h"
 #include "core/geometry/closed_curve.h"
 #include "core/matching/match_round.h"
+#include "core/matching/pair_limits.h"
 #include "core/matching/matcher.h"
 #include "core/shape/level_curve.h"
 #include "core/shape/shape_builder.h"
@@ -141,11 +142,7 @@ std::vector<Docking> best_distinct(std::vector<Docking>& dockings) {
 Docked dock_best(Matcher& matcher, const HeadlineScene& scene, const std::vector<TargetSample>& samples) {
   Docked docked;
   Stopwatch watch;
-  matcher.post_count({samples, kNearestPairs});
-  DockRequest request{samples, {}, 0};
-  for (const DistanceHistogram& found : matcher.take_count()) {
-    request.bin_limit.push_back(bin_limit_for(found, kNearestPairs));
-  }
+  const DockRequest request{samples, pair_limits(matcher, samples, kNearestPairs), 0};
   docked.statistics.prune_s = watch.lap();
   matcher.post_dock(request);
   DockReply reply = matcher.take_dock();

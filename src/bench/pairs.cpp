@@ -10,6 +10,7 @@
 #include "core/field/free_field.h"
 #include "core/field/target_curve.h"
 #include "core/matching/match_round.h"
+#include "core/matching/pair_limits.h"
 #include "io/number_text.h"
 #include "io/text_table.h"
 #include "worker/opencl_devices.h"
@@ -114,10 +115,13 @@ DeviceTimes device_times(const PairScene& scene, const std::string& devices_use,
   DeviceTimes times;
   std::vector<std::uint32_t> limits;
   times.index_s = median_s(runs, [&] {
-    limits.clear();
     by_index.forget();
-    by_index.post_count(samples, scene.wanted());
-    for (const DistanceHistogram& found : by_index.take_count()) limits.push_back(bin_limit_for(found, scene.wanted()));
+    by_index.set_samples(samples);
+    limits = pair_limits(samples.size(), scene.wanted(), scene.shapes,
+                         [&](const std::vector<std::uint32_t>& bins, std::uint32_t segment_stride) {
+                           by_index.post_count(bins, segment_stride);
+                           return by_index.take_count();
+                         });
   });
   // Once, as far as it must be looked: the scan need not find that out.
   times.scan_s = median_s(runs, [&] {

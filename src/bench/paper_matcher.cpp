@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/collage/objective.h"
+#include "core/pad/pad_index.h"
 
 namespace tessera::bench {
 namespace {
@@ -70,13 +71,16 @@ void PaperMatcher::update_field(const FieldPatch& patch) { write_patch(patch, fi
 void PaperMatcher::limit(const StandingLimits& limits) { context_.stances = all_stances_.limited(limits); }
 
 void PaperMatcher::post_count(const CountRequest& request) {
-  histograms_.assign(request.samples.size(), {});
-  for (std::size_t t = 0; t < request.samples.size(); ++t) {
-    for_near_pairs(models_, request.samples[t], context_,
-                   [&](std::uint32_t, std::size_t, std::size_t, std::uint32_t, std::uint32_t distance) {
-                     ++histograms_[t][distance_bin(distance, context_.beta_steps)];
+  if (!request.samples.empty()) counted_ = request.samples;
+  histograms_.clear();
+  for (std::size_t t = 0; t < request.bins.size(); ++t) {
+    if (request.bins[t] == 0) continue;
+    DistanceHistogram& histogram = histograms_.emplace_back();
+    for_near_pairs(models_, counted_[t], context_,
+                   [&](std::uint32_t m, std::size_t, std::size_t, std::uint32_t, std::uint32_t distance) {
+                     const std::uint32_t bin = distance_bin(distance, context_.beta_steps);
+                     if (m / kSegmentShapes % request.segment_stride == 0 && bin < request.bins[t]) ++histogram[bin];
                    });
-    histograms_[t] = ended_histogram(histograms_[t], request.most_pairs);
   }
 }
 

@@ -37,6 +37,7 @@ class PaperMatcher : public Matcher {
   StanceTable all_stances_;
   std::vector<ShapeModel> models_;
   CanvasField field_;
+  std::vector<TargetSample> counted_;
   std::vector<DistanceHistogram> histograms_;
   DockReply docked_;
   std::vector<RefinedDocking> refined_;

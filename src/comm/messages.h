@@ -91,7 +91,7 @@ void serialize(Archive& archive, tessera::StandingLimits& limits, unsigned) {
 
 template <class Archive>
 void serialize(Archive& archive, tessera::CountRequest& request, unsigned) {
-  archive& request.samples& request.most_pairs;
+  archive& request.samples& request.bins& request.segment_stride;
 }
 
 template <class Archive>

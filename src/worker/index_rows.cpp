@@ -89,7 +89,8 @@ IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::
 
   IndexRows result;
   for (u32 root = 0; root < part.roots; ++root) {
-    result.roots.push_back({part.first_node + root * kFilterLanes, part.level});
+    const u32 segment = (match.first_shape + part.first_shape) / kSegmentShapes;
+    result.roots.push_back({part.first_node + root * kFilterLanes, part.level, segment});
   }
   const std::size_t blocks = std::size_t(part.nodes) * kFilterLanes;
   result.node_boxes = rows_of(index.nodes, std::size_t(part.roots) * kFilterLanes, pad_levels);

@@ -27,7 +27,8 @@ std::vector<SampleRecord> OpenCLMatcher::records_of(const std::vector<TargetSamp
 }
 
 void OpenCLMatcher::post_count(const CountRequest& request) {
-  pairs_.post_count(records_of(request.samples), request.most_pairs);
+  if (!request.samples.empty()) pairs_.set_samples(records_of(request.samples));
+  pairs_.post_count(request.bins, request.segment_stride);
 }
 
 void OpenCLMatcher::post_dock(const DockRequest& request) { docking_.post(request, records_of(request.samples)); }

@@ -25,9 +25,10 @@ PairSearch::PairSearch(const DeviceLibrary& library, std::size_t stage_bytes)
       pairs_(library.session()),
       pair_count_(library.session()) {}
 
-void PairSearch::post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t count) {
+void PairSearch::post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t count, std::uint32_t segment_stride) {
   samples_ = &samples;
   count_ = count;
+  segment_stride_ = segment_stride;
   blocks_.reserve(block_room_);
   pairs_.reserve(pair_room_);
   block_count_.clear(1);
@@ -36,7 +37,7 @@ void PairSearch::post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t c
   const DeviceStances& stances = library_->stances();
   const DeviceColours& colours = library_->colours();
   launch(library_->session(), find_blocks_, {count, index.root_count(), kSamplesPerGroup}, index.roots(),
-         index.node_boxes(), index.block_boxes(), look_at_boxes_, samples, count, block_room_, block_count_, blocks_);
+         index.node_boxes(), index.block_boxes(), look_at_boxes_, segment_stride, samples, count, block_room_, block_count_, blocks_);
   // How many blocks there are is known on the device alone: as many work groups as keep it busy share them.
   const std::uint32_t items = library_->session().compute_units() * kGroupsPerUnit * kBlocksPerGroup;
   launch(library_->session(), find_pairs_, {items, 1, kBlocksPerGroup}, library_->match_buffer(), stances.stances(),
@@ -58,7 +59,7 @@ std::optional<std::vector<PairRecord>> PairSearch::take() {
     if (too_many && count_ > 1) return std::nullopt;
     block_room_ = grown_room(block_room_, blocks);
     pair_room_ = grown_room(pair_room_, pairs);
-    post(*samples_, count_);
+    post(*samples_, count_, segment_stride_);
   }
 }
 

@@ -16,8 +16,9 @@ class PairSearch {
   /// more room, up to kMostGrowth times as much for several samples, and as much as it takes for one.
   PairSearch(const DeviceLibrary& library, std::size_t stage_bytes);
 
-  /// Searches for pairs nearer than each sample's reach. `samples` must stay until they are taken.
-  void post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t count);
+  /// Searches for pairs nearer than each sample's reach, in every segment whose number is a multiple of
+  /// `segment_stride`. `samples` must stay until they are taken.
+  void post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t count, std::uint32_t segment_stride = 1);
   /// In no particular order. Nothing where several samples have more than there may be room for: ask for fewer at a time.
   std::optional<std::vector<PairRecord>> take();
 
@@ -32,6 +33,7 @@ class PairSearch {
   cl::Kernel find_pairs_;
   const DeviceBuffer<SampleRecord>* samples_ = nullptr;
   std::uint32_t count_ = 0;
+  std::uint32_t segment_stride_ = 1;
   std::uint32_t look_at_boxes_ = 1;
   std::uint32_t block_room_;
   std::uint32_t pair_room_;

@@ -1,7 +1,6 @@
 #include "worker/pair_stage.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <span>
 
@@ -10,24 +9,7 @@
 namespace tessera::worker {
 namespace {
 
-constexpr std::uint32_t kFewestBins = 2;
 constexpr std::uint32_t kSamplesAtATime = 256;  // or fewer, where they have very many pairs
-
-/// As far as samples look at first: in a larger library as many pairs are nearer, and fewer are nearer still. A third to
-/// half of what most need with 120 and with 10,000 shapes: those that need less have not looked much too far.
-std::uint32_t first_bins(std::uint32_t shapes, std::uint64_t most) {
-  constexpr double kBinsOfOnePairAShape = 27;
-  const double bins = kBinsOfOnePairAShape * std::cbrt((double(most) + 1) / (double(shapes) + 1));
-  return std::uint32_t(std::clamp(bins, double(kFewestBins), kDistanceBins / 2.0));
-}
-
-/// How far to look where `bins` bins held `found` pairs: pairs grow about with the third power of the distance, and half
-/// as many again as are wanted cost little.
-std::uint32_t farther(std::uint32_t bins, std::size_t found, std::uint64_t most) {
-  const double factor = std::cbrt(1.5 * (double(most) + 1) / double(std::max<std::size_t>(found, 1)));
-  const auto next = std::uint32_t(std::ceil(double(bins) * std::clamp(factor, 1.0, 2.0)));
-  return std::clamp(next, std::max(kFewestBins, bins + 1), std::uint32_t(kDistanceBins));
-}
 
 /// Of each sample a part of one list.
 class KeysOfSamples {
@@ -56,15 +38,17 @@ PairStage::PairStage(const DeviceLibrary& library, std::size_t stage_bytes)
       run_records_(library.session()) {}
 
 void PairStage::set_samples(std::vector<SampleRecord> samples) {
-  if (!remembers_ || !same_samples(samples, samples_)) held_.assign(samples.size(), {});
-  remembers_ = true;
+  const bool same = same_samples(samples, samples_);
   samples_ = std::move(samples);
+  if (!same) forget();
 }
 
-void PairStage::post_search(const std::vector<std::uint32_t>& bins) {
+void PairStage::post_search(const std::vector<std::uint32_t>& bins, std::uint32_t segment_stride) {
+  segment_stride_ = segment_stride;
+  if (segment_stride > 1) estimated_.assign(samples_.size(), {});
   searched_.clear();
-  for (std::uint32_t t = 0; t < samples_.size(); ++t) {
-    if (bins[t] > held_[t].bins) searched_.push_back({t, bins[t]});
+  for (std::uint32_t t = 0; t < bins.size(); ++t) {
+    if (bins[t] > (segment_stride > 1 ? 0 : held_[t].bins)) searched_.push_back({t, bins[t]});
   }
   run_begin_ = 0;
   run_samples_ = kSamplesAtATime;
@@ -81,7 +65,7 @@ void PairStage::post_run() {
     set_reach(records.back(), reach_of_bins(searched_[place].bins, library_->match().beta_steps));
   }
   run_records_.write(records);
-  search_.post(run_records_, std::uint32_t(records.size()));
+  search_.post(run_records_, std::uint32_t(records.size()), segment_stride_);
 }
 
 void PairStage::take_run() {
@@ -96,53 +80,48 @@ void PairStage::take_run() {
 
 void PairStage::hold(const std::vector<PairRecord>& pairs) {
   KeysOfSamples found(pairs, run_end_ - run_begin_);
+  std::vector<Held>& held = segment_stride_ > 1 ? estimated_ : held_;
   for (std::uint32_t place = run_begin_; place < run_end_; ++place) {
     const Searched& searched = searched_[place];
-    held_[searched.sample] = {searched.bins,
-                              docked_pairs(searched.sample, found.of(place - run_begin_), library_->match())};
+    held[searched.sample] = {searched.bins,
+                             docked_pairs(searched.sample, found.of(place - run_begin_), library_->match())};
   }
 }
 
-std::vector<std::uint32_t> PairStage::next_bins() const {
-  const std::uint32_t first = first_bins(library_->match().shapes, most_pairs_);
-  std::vector<std::uint32_t> bins;
-  for (const Held& held : held_) {
-    const bool enough = held.pairs.size() > most_pairs_ || held.bins == kDistanceBins;
-    bins.push_back(enough ? 0 : held.bins == 0 ? first : farther(held.bins, held.pairs.size(), most_pairs_));
-  }
-  return bins;
-}
-
-void PairStage::post_count(std::vector<SampleRecord> samples, std::uint64_t most_pairs) {
-  set_samples(std::move(samples));
-  most_pairs_ = most_pairs;
-  post_search(next_bins());
+void PairStage::post_count(std::vector<std::uint32_t> bins, std::uint32_t segment_stride) {
+  asked_bins_ = std::move(bins);
+  post_search(asked_bins_, segment_stride);
 }
 
 bool PairStage::step_count() {
-  if (!run_is_posted()) return false;
-  take_run();
-  if (!run_is_posted()) post_search(next_bins());
+  if (run_is_posted()) take_run();
   return run_is_posted();
 }
 
 std::vector<DistanceHistogram> PairStage::take_count() {
   while (step_count()) {
   }
-  std::vector<DistanceHistogram> histograms(samples_.size());
-  for (std::size_t t = 0; t < samples_.size(); ++t) {
-    for (const PairRecord& pair : held_[t].pairs) {
-      ++histograms[t][distance_bin(pair.distance, library_->match().beta_steps)];
-    }
-    histograms[t] = ended_histogram(histograms[t], most_pairs_);
+  const std::vector<Held>& held = segment_stride_ > 1 ? estimated_ : held_;
+  std::vector<DistanceHistogram> histograms;
+  for (std::size_t t = 0; t < asked_bins_.size(); ++t) {
+    if (asked_bins_[t] > 0) histograms.push_back(counted(held[t].pairs, asked_bins_[t]));
   }
   return histograms;
+}
+
+DistanceHistogram PairStage::counted(const std::vector<PairRecord>& pairs, std::uint32_t bins) const {
+  DistanceHistogram histogram{};
+  for (const PairRecord& pair : pairs) {
+    const std::uint32_t bin = distance_bin(pair.distance, library_->match().beta_steps);
+    if (bin < bins) ++histogram[bin];
+  }
+  return histogram;
 }
 
 std::vector<PairRecord> PairStage::pairs_of(std::vector<SampleRecord> samples,
                                             const std::vector<std::uint32_t>& bin_limit) {
   set_samples(std::move(samples));
-  post_search(bin_limit);
+  post_search(bin_limit, 1);
   while (run_is_posted()) take_run();
   std::vector<PairRecord> pairs;
   for (std::size_t t = 0; t < samples_.size(); ++t) {

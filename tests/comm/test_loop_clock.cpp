@@ -31,7 +31,7 @@ class SlowCounter : public tessera::test::IdleMatcher {
  public:
   explicit SlowCounter(ShapeRange shapes) : shapes_(shapes) {}
   ShapeRange shapes() const override { return shapes_; }
-  void post_count(const CountRequest& request) override { samples_ = request.samples.size(); }
+  void post_count(const CountRequest& request) override { samples_ = tessera::test::samples_asked(request); }
   std::vector<DistanceHistogram> take_count() override {
     std::this_thread::sleep_for(kNap);
     return std::vector<DistanceHistogram>(samples_);
@@ -69,7 +69,7 @@ void play_loop(Matcher& team, Replacer& replacers, RunStatistics& run) {
     Stopwatch stage;
     team.update_field({{0, 0, 3, 2}, std::vector<float>(6)});
     run.merge_s += stage.lap();
-    team.post_count({std::vector<TargetSample>(5), 9});
+    team.post_count({std::vector<TargetSample>(5), std::vector<std::uint32_t>(5, 9)});
     team.take_count();
     run.prune_s += stage.lap();
     team.post_dock({});

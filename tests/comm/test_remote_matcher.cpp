@@ -36,10 +36,16 @@ class EchoMatcher : public Matcher {
   void update_field(const FieldPatch& patch) override { write_patch(patch, field_); }
   void limit(const StandingLimits& limits) override { limits_ = limits; }
 
-  void post_count(const CountRequest& request) override { samples_ = request.samples; }
+  void post_count(const CountRequest& request) override {
+    if (!request.samples.empty()) samples_ = request.samples;
+    counted_ = request;
+  }
   std::vector<DistanceHistogram> take_count() override {
-    std::vector<DistanceHistogram> counts(samples_.size());
-    for (std::size_t t = 0; t < samples_.size(); ++t) counts[t] = {edge_number(samples_[t].id), shapes_.size()};
+    std::vector<DistanceHistogram> counts;
+    for (std::size_t t = 0; t < counted_.bins.size(); ++t) {
+      if (counted_.bins[t] == 0) continue;
+      counts.push_back({edge_number(samples_[t].id), shapes_.size(), counted_.bins[t], counted_.segment_stride});
+    }
     return counts;
   }
 
@@ -77,6 +83,7 @@ class EchoMatcher : public Matcher {
   Grid<float> field_;
   Vec2 origin_;
   std::vector<TargetSample> samples_;
+  CountRequest counted_;
   DockRequest request_;
   StandingLimits limits_;
   std::vector<Docking> dockings_;
@@ -96,7 +103,7 @@ std::vector<TargetSample> samples_of_edges(std::initializer_list<std::uint32_t> 
 }
 
 CountRequest count_of_edges(std::initializer_list<std::uint32_t> edges) {
-  return {samples_of_edges(edges), 100};
+  return {samples_of_edges(edges), std::vector<std::uint32_t>(edges.size(), 9), 3};
 }
 
 /// Runs `master` with the workers' matchers, made by `make_matcher` on each of them, as one.
@@ -135,10 +142,23 @@ TEST(RemoteMatcher, CountsReachAllWorkersAndAreAdded) {
     team.post_count(count_of_edges({7}));
     const auto counts = team.take_count();
     ASSERT_EQ(counts.size(), 1u);
-    EXPECT_EQ(counts[0][0] % 7, 0u);
-    EXPECT_EQ(counts[0][1], kEchoShapes);
+    const std::uint32_t workers = counts[0][0] / 7;
+    EXPECT_EQ(counts[0], (DistanceHistogram{7 * workers, kEchoShapes, 9 * workers, 3 * workers}));
     team.post_count({{}, {}});
     EXPECT_TRUE(team.take_count().empty());
+  });
+}
+
+/// The samples are told once.
+TEST(RemoteMatcher, CountsGoOnWithTheSamplesOfTheLastOne) {
+  with_echo_team([](Matcher& team) {
+    team.post_count(count_of_edges({7, 8, 11}));
+    const std::uint32_t workers = team.take_count().at(0)[0] / 7;
+    team.post_count({{}, {0, 5, 6}});
+    const auto counts = team.take_count();
+    ASSERT_EQ(counts.size(), 2u);
+    EXPECT_EQ(counts[0], (DistanceHistogram{8 * workers, kEchoShapes, 5 * workers, workers}));
+    EXPECT_EQ(counts[1], (DistanceHistogram{11 * workers, kEchoShapes, 6 * workers, workers}));
   });
 }
 

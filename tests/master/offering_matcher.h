@@ -7,6 +7,7 @@
 #include "core/collage/placement.h"
 #include "core/geometry/polygon.h"
 #include "core/matching/matcher.h"
+#include "support/idle_matcher.h"
 #include "support/synthetic_library.h"
 
 namespace tessera::test {
@@ -41,7 +42,7 @@ class OfferingMatcher : public Matcher {
   void start_field(int, int, Vec2) override {}
   void update_field(const FieldPatch&) override {}
   void limit(const StandingLimits&) override {}
-  void post_count(const CountRequest& request) override { samples_ = request.samples.size(); }
+  void post_count(const CountRequest& request) override { samples_ = test::samples_asked(request); }
   std::vector<DistanceHistogram> take_count() override { return std::vector<DistanceHistogram>(samples_); }
   void post_dock(const DockRequest&) override { ++questions; }
   DockReply take_dock() override {

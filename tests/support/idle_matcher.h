@@ -1,9 +1,16 @@
 // A matcher that finds nothing, for tests of who asks matchers what.
 #pragma once
 
+#include <algorithm>
+
 #include "core/matching/matcher.h"
 
 namespace tessera::test {
+
+/// How many samples a count is of.
+inline std::size_t samples_asked(const CountRequest& request) {
+  return std::size_t(std::count_if(request.bins.begin(), request.bins.end(), [](std::uint32_t b) { return b > 0; }));
+}
 
 class IdleMatcher : public Matcher {
  public:

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "core/matching/matcher.h"
 #include "support/matching_scene.h"
@@ -24,7 +23,7 @@ struct Round {
 };
 
 inline CountRequest count_all(const std::vector<TargetSample>& samples) {
-  return {samples, std::numeric_limits<std::uint64_t>::max()};
+  return {samples, std::vector<std::uint32_t>(samples.size(), kDistanceBins)};
 }
 
 /// Pairs below the bins that hold a fiftieth of all pads, as the master asks.

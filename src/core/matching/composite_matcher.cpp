@@ -42,7 +42,6 @@ void CompositeMatcher::limit(const StandingLimits& limits) {
 }
 
 void CompositeMatcher::post_count(const CountRequest& request) {
-  expect_counts(request.most_pairs);
   for (const auto& part : parts_) part->post_count(request);
 }
 
@@ -64,7 +63,6 @@ std::vector<DistanceHistogram> CompositeMatcher::take_count() {
       for (int bin = 0; bin < kDistanceBins; ++bin) sum[t][bin] += more[t][bin];
     }
   }
-  for (DistanceHistogram& histogram : sum) histogram = ended_histogram(histogram, most_pairs_posted_);
   return sum;
 }
 

@@ -31,8 +31,6 @@ class CompositeMatcher : public Matcher {
  protected:
   /// For a sub-class that posts to all parts in its own way: how many samples take_dock will join answers for.
   void expect_docks(std::size_t samples) { samples_posted_ = std::uint32_t(samples); }
-  /// And how many pairs of a sample the histograms that take_count will join were asked for.
-  void expect_counts(std::uint64_t most_pairs) { most_pairs_posted_ = most_pairs; }
 
  private:
   using PostTo = void (Matcher::*)(const std::vector<Docking>&);
@@ -44,7 +42,6 @@ class CompositeMatcher : public Matcher {
 
   std::vector<std::unique_ptr<Matcher>> parts_;
   std::uint32_t samples_posted_ = 0;
-  std::uint64_t most_pairs_posted_ = 0;
   std::vector<std::vector<std::size_t>> posted_to_;  // per part: positions in the request that was divided
 };
 

@@ -4,20 +4,16 @@
 #include <cmath>
 
 #include "core/base/stopwatch.h"
+#include "core/matching/pair_limits.h"
 
 namespace tessera {
 namespace {
 
 /// Per sample: the bins of the pairs that are docked.
 std::vector<std::uint32_t> bin_limits(Matcher& matcher, const std::vector<TargetSample>& samples,
-                                      std::uint64_t pairs_per_sample, const std::function<void()>& meanwhile) {
-  std::vector<std::uint32_t> limits(samples.size(), 0);
-  if (pairs_per_sample == 0) return limits;
-  matcher.post_count({samples, pairs_per_sample});
-  meanwhile();
-  const std::vector<DistanceHistogram> histograms = matcher.take_count();
-  for (std::size_t t = 0; t < samples.size(); ++t) limits[t] = bin_limit_for(histograms[t], pairs_per_sample);
-  return limits;
+                                      std::uint64_t pairs_per_sample) {
+  if (pairs_per_sample == 0) return std::vector<std::uint32_t>(samples.size(), 0);
+  return pair_limits(matcher, samples, pairs_per_sample);
 }
 
 /// The best kRefined distinct dockings of each sample; `dockings` come by sample, best first.
@@ -60,14 +56,13 @@ MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, con
   MatchRound round;
   round.truncated.assign(samples.size(), plan.tangent_dockings > 0);
   if (samples.empty()) return round;
-  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample, meanwhile),
-                      plan.tangent_dockings};
+  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample), plan.tangent_dockings};
   statistics.prune_s += watch.lap();
   for (std::size_t t = 0; t < samples.size(); ++t) {
     if (request.bin_limit[t] > 0 && request.bin_limit[t] < kDistanceBins) round.truncated[t] = true;
   }
   matcher.post_dock(request);
-  if (plan.pairs_per_sample == 0) meanwhile();
+  meanwhile();
   const DockReply docked = matcher.take_dock();
   const std::vector<Docking> chosen = distinct(docked.dockings, round.truncated);
   matcher.post_refine(chosen);

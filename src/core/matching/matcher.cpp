@@ -4,15 +4,6 @@
 
 namespace tessera {
 
-DistanceHistogram ended_histogram(DistanceHistogram histogram, std::uint64_t most) {
-  std::uint64_t sum = 0;
-  for (std::uint32_t& bin : histogram) {
-    if (sum > most) bin = 0;
-    sum += bin;
-  }
-  return histogram;
-}
-
 std::uint32_t bin_limit_for(const DistanceHistogram& histogram, std::uint64_t most) {
   std::uint64_t sum = 0;
   for (std::uint32_t bin = 0; bin < kDistanceBins; ++bin) {

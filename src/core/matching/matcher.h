@@ -3,15 +3,15 @@
 //
 // Matching is four questions. Each selects per (sample, shape) or through a threshold over the whole library, never
 // per part of it, so that the answers do not depend on how the library is divided:
-//   count   how many pairs (target sample, shape PAD) lie in each bin of the PAD distance -> the top K % threshold;
-//           no farther than it takes to find as many as are wanted
+//   count   how many pairs (target sample, shape PAD) lie in each bin of the PAD distance, as far as is asked -> the top
+//           K % threshold (pair_limits.h)
 //   dock    the best dockings of each target sample, from pairs below the threshold and from tangent dockings
 //   refine  given dockings moved to their best pose, with the terms of the objective and what else scoring needs
 //   measure the terms of given poses, after the field has changed
 //
 // A question is posted, then taken: whoever joins several matchers posts to all before it takes from any. One of them
-// may have to look several times to count, each time a little farther: whoever joins several has all of them take their
-// steps in turns, so that they look at the same time.
+// may count some samples after others: whoever joins several has all of them take their steps in turns, so that they
+// work at the same time.
 #pragma once
 
 #include <array>
@@ -37,9 +37,12 @@ struct FieldPatch {
 using DistanceHistogram = std::array<std::uint32_t, kDistanceBins>;
 
 struct CountRequest {
+  /// None: those of the question before, which was to count, too.
   std::vector<TargetSample> samples;
-  /// Of each sample: the histogram ends with the bin by which more are counted (ended_histogram).
-  std::uint64_t most_pairs = 0;
+  /// Of each sample: its pairs in the bins below this are counted; 0 = it is left out.
+  std::vector<std::uint32_t> bins;
+  /// Of the library's segments (kSegmentShapes) only each one whose number is a multiple of this counts, to estimate.
+  std::uint32_t segment_stride = 1;
 };
 
 struct DockRequest {
@@ -82,6 +85,7 @@ class Matcher {
   /// Takes the next step of the count that was posted, which waits for no more than this matcher's own devices, and
   /// tells whether there may be another one. take_count takes the steps that are left; without steps there are none.
   virtual bool step_count() { return false; }
+  /// Of the samples that were not left out, in order.
   virtual std::vector<DistanceHistogram> take_count() = 0;
   virtual void post_dock(const DockRequest& request) = 0;
   virtual DockReply take_dock() = 0;
@@ -104,10 +108,6 @@ inline std::uint32_t distance_bin(std::uint32_t distance_steps, std::uint32_t be
 inline std::uint32_t reach_of_bins(std::uint32_t bins, std::uint32_t beta_steps) {
   return (bins * beta_steps + kDistanceBins - 1) / kDistanceBins;
 }
-
-/// With nothing behind the bin by which more than `most` pairs are counted. Sums of ended histograms of parts of a
-/// library, ended again, are the ended histogram of the whole.
-DistanceHistogram ended_histogram(DistanceHistogram histogram, std::uint64_t most);
 
 /// The number of whole bins, counted from the best, that hold at most `most` pairs; at least the first one that is not
 /// empty, so that no sample goes without. All of them where the histogram holds no more than `most`.

@@ -4,6 +4,7 @@
 
 #include "core/matching/colour_fit.h"
 #include "core/matching/refinement.h"
+#include "core/pad/pad_index.h"
 
 namespace tessera {
 namespace {
@@ -55,14 +56,18 @@ float ReferenceMatcher::key_of(const ShapeModel& model, const Similarity& pose) 
 }
 
 void ReferenceMatcher::post_count(const CountRequest& request) {
-  histograms_.assign(request.samples.size(), {});
-  for (std::size_t t = 0; t < request.samples.size(); ++t) {
+  if (!request.samples.empty()) counted_ = request.samples;
+  histograms_.clear();
+  for (std::size_t t = 0; t < request.bins.size(); ++t) {
+    if (request.bins[t] == 0) continue;
+    DistanceHistogram& histogram = histograms_.emplace_back();
+    const std::uint32_t reach = reach_of_bins(request.bins[t], context_.beta_steps);
     for (std::size_t m = 0; m < models_.size(); ++m) {
-      for (const PadPair& pair : pairs_of(m, request.samples[t], context_.beta_steps)) {
-        ++histograms_[t][distance_bin(pair.distance, context_.beta_steps)];
+      if ((first_shape_ + m) / kSegmentShapes % request.segment_stride != 0) continue;
+      for (const PadPair& pair : pairs_of(m, counted_[t], reach)) {
+        ++histogram[distance_bin(pair.distance, context_.beta_steps)];
       }
     }
-    histograms_[t] = ended_histogram(histograms_[t], request.most_pairs);
   }
 }
 

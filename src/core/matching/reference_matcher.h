@@ -42,6 +42,7 @@ class ReferenceMatcher : public Matcher {
   NearColours near_colours_;  // of the shapes within the limits
   std::vector<ShapeModel> models_;
   CanvasField field_;
+  std::vector<TargetSample> counted_;
   std::vector<DistanceHistogram> histograms_;
   DockReply docked_;
   std::vector<RefinedDocking> refined_;
