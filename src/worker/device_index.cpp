@@ -25,6 +25,10 @@ DeviceIndex::DeviceIndex(const DeviceSession& session, const MatchRecord& match,
   if (!parts_.empty()) root_count_ = parts_.back().first_root + parts_.back().roots;
 }
 
+std::uint32_t DeviceIndex::block_count() const {
+  return parts_.empty() ? 0 : (parts_.back().first_node + parts_.back().nodes) * kIndexFanOut;
+}
+
 void DeviceIndex::add(const std::vector<IndexedPad>& pads) {
   waiting_.insert(waiting_.end(), pads.begin(), pads.end());
   while (next_part_ < parts_.size()) {

@@ -17,6 +17,8 @@ class DeviceIndex {
 
   const DeviceBuffer<RootRecord>& roots() const { return roots_; }
   std::uint32_t root_count() const { return root_count_; }
+  /// With those that fill up nodes.
+  std::uint32_t block_count() const;
   const DeviceBuffer<std::uint8_t>& node_boxes() const { return node_boxes_; }
   const DeviceBuffer<std::uint8_t>& block_boxes() const { return block_boxes_; }
   const DeviceBuffer<std::uint8_t>& rows() const { return rows_; }

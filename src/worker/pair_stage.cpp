@@ -1,6 +1,8 @@
 #include "worker/pair_stage.h"
 
 #include <algorithm>
+#include <atomic>
+#include <future>
 #include <numeric>
 #include <span>
 
@@ -9,7 +11,16 @@
 namespace tessera::worker {
 namespace {
 
-constexpr std::uint32_t kSamplesAtATime = 256;  // or fewer, where they have very many pairs
+/// Or fewer, where they have very many pairs.
+constexpr std::uint32_t kFewestSamplesAtATime = 256;
+constexpr std::uint32_t kMostSamplesAtATime = 4096;
+
+/// As many as look at a million blocks where each looks at a sixteenth of the index: each search costs the host a few
+/// tenths of a ms.
+std::uint32_t samples_at_a_time(std::uint32_t blocks) {
+  constexpr std::uint32_t kBlocksAtATime = 1 << 20;
+  return std::clamp(kBlocksAtATime / std::max(1u, blocks / 16), kFewestSamplesAtATime, kMostSamplesAtATime);
+}
 
 /// Of each sample a part of one list.
 class KeysOfSamples {
@@ -51,7 +62,7 @@ void PairStage::post_search(const std::vector<std::uint32_t>& bins, std::uint32_
     if (bins[t] > (segment_stride > 1 ? 0 : held_[t].bins)) searched_.push_back({t, bins[t]});
   }
   run_begin_ = 0;
-  run_samples_ = kSamplesAtATime;
+  run_samples_ = samples_at_a_time(library_->index().block_count());
   post_run();
 }
 
@@ -78,14 +89,26 @@ void PairStage::take_run() {
   post_run();
 }
 
+/// To choose among very many takes as long as to find them: several threads share them.
 void PairStage::hold(const std::vector<PairRecord>& pairs) {
+  constexpr std::size_t kPairsOfAThread = 1 << 16;
+  constexpr std::size_t kMostThreads = 8;
   KeysOfSamples found(pairs, run_end_ - run_begin_);
   std::vector<Held>& held = segment_stride_ > 1 ? estimated_ : held_;
-  for (std::uint32_t place = run_begin_; place < run_end_; ++place) {
-    const Searched& searched = searched_[place];
-    held[searched.sample] = {searched.bins,
-                             docked_pairs(searched.sample, found.of(place - run_begin_), library_->match())};
+  std::atomic<std::uint32_t> next = run_begin_;
+  const auto work = [&] {
+    for (std::uint32_t place = next++; place < run_end_; place = next++) {
+      const Searched& searched = searched_[place];
+      held[searched.sample] = {searched.bins,
+                               docked_pairs(searched.sample, found.of(place - run_begin_), library_->match())};
+    }
+  };
+  std::vector<std::future<void>> others;
+  for (std::size_t i = 1; i < std::min(pairs.size() / kPairsOfAThread, kMostThreads); ++i) {
+    others.push_back(std::async(std::launch::async, work));
   }
+  work();
+  for (std::future<void>& other : others) other.get();
 }
 
 void PairStage::post_count(std::vector<std::uint32_t> bins, std::uint32_t segment_stride) {

@@ -94,10 +94,17 @@ TEST(DeviceGroup, ManagesWithFewerShapesThanDevices) {
   EXPECT_EQ(matcher->shapes().end, 6u);
 }
 
-/// More than are searched at a time.
+/// Samples that come again and again, more than are searched at a time.
+std::vector<TargetSample> repeated(const std::vector<TargetSample>& samples, std::size_t count) {
+  std::vector<TargetSample> many;
+  while (many.size() < count) many.push_back(samples[many.size() % samples.size()]);
+  return many;
+}
+
 TEST(OpenCLMatcher, ManySamplesAreTheSameAsForTheReference) {
-  const MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 300});
-  ASSERT_GT(scene.samples.size(), 256u);
+  MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 300});
+  scene.settings.match.tangent_dockings = 5;
+  scene.samples = repeated(scene.samples, 4500);
   const auto matcher = make_on_all_devices(scene.context, 0, scene.models);
   ReferenceMatcher reference(scene.context, 0, scene.models);
   set_field(*matcher, scene.field);
@@ -105,12 +112,11 @@ TEST(OpenCLMatcher, ManySamplesAreTheSameAsForTheReference) {
   expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
 }
 
-/// 256 samples at a time: a step waits for one launch of the search and posts the next, so that whoever has several
+/// 4,096 samples at a time: a step waits for one launch of the search and posts the next, so that whoever has several
 /// devices keeps all of them busy. Nothing is left for take_count to wait for.
 TEST(OpenCLMatcher, CountsInSteps) {
-  const MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 600});
-  ASSERT_GT(scene.samples.size(), 512u);
-  const CountRequest request = count_all(scene.samples);
+  const MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 300});
+  const CountRequest request{repeated(scene.samples, 9000), std::vector<std::uint32_t>(9000, 9)};
   int launches = 0;
   worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, all_of(scene.models),
                                 given(scene.models), [&] { ++launches; });
