@@ -37,28 +37,40 @@ void DockStage::post(const DockRequest& request, std::vector<SampleRecord> sampl
   sample_count_ = std::uint32_t(samples.size());
   draws_ = request.tangent_dockings;
   samples_.write(samples);
+  if (draws_ > 0) deck_.deal(request.samples);
+  make_room();
+  launch_tangents();  // the device is at work while key points are read
   const std::vector<PairRecord> pairs = pairs_->pairs_of(std::move(samples), request.bin_limit);
+  const std::vector<std::int16_t> keypoints = library_->keypoints().of(pairs);
   pair_count_ = std::uint32_t(pairs.size());
   docked_pairs_.write(pairs);
-  pair_keypoints_.write(library_->keypoints().of(pairs));
-  if (draws_ > 0) deck_.deal(request.samples);
-  launch_all();
+  pair_keypoints_.write(keypoints);
+  launch_pairs();
 }
 
-void DockStage::launch_all() {
-  const DockingLanes lanes = library_->lanes();
-  const std::size_t group = items_of_docking(lanes);
+void DockStage::make_room() {
   dockings_.reserve(docking_capacity_);
   docking_count_.clear(1);
   evaluated_.clear(sample_count_);
+}
+
+void DockStage::launch_pairs() {
+  const std::size_t group = items_of_docking(library_->lanes());
   const DeviceStances& stances = library_->stances();
   const DeviceColours& colours = library_->colours();
   launch(library_->session(), dock_pairs_, {pair_count_, 1, group == 1 ? kPairsPerGroup : group},
          library_->match_buffer(), stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(),
          library_->field(), colours.record(), colours.texels(), library_->sketches(), library_->shapes(), samples_,
          pair_count_, docked_pairs_, pair_keypoints_, evaluated_, docking_capacity_, docking_count_, dockings_);
+  library_->session().flush();
+}
+
+void DockStage::launch_tangents() {
+  const DockingLanes lanes = library_->lanes();
+  const DeviceStances& stances = library_->stances();
+  const DeviceColours& colours = library_->colours();
   const std::uint32_t items = (draws_ + draws_per_item(lanes) - 1) / draws_per_item(lanes);
-  launch(library_->session(), dock_tangents_, {items, sample_count_, group}, library_->match_buffer(),
+  launch(library_->session(), dock_tangents_, {items, sample_count_, items_of_docking(lanes)}, library_->match_buffer(),
          stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(), deck_.open_count(),
          std::uint32_t(deck_.all_open()), deck_.open_shapes(), deck_.near_length(), deck_.near_shapes(),
          library_->field(), colours.record(), colours.texels(), library_->contours().contours(),
@@ -71,7 +83,9 @@ DockReply DockStage::take() {
   std::uint32_t count = docking_count_.read(1).front();
   if (count > docking_capacity_) {  // all of them have been counted
     docking_capacity_ = grown_room(docking_capacity_, count);
-    launch_all();
+    make_room();
+    launch_tangents();
+    launch_pairs();
     count = docking_count_.read(1).front();
   }
   DockReply reply;

@@ -16,7 +16,9 @@ class DockStage {
   DockReply take();
 
  private:
-  void launch_all();
+  void make_room();
+  void launch_pairs();
+  void launch_tangents();
 
   DeviceLibrary* library_;
   PairStage* pairs_;

@@ -176,11 +176,10 @@ std::vector<ShapeModel> SegmentReader::models(const ShapeRange& range, const std
   return models;
 }
 
-ShapeModel SegmentReader::contour(ShapeId shape, const SegmentOwner& owner) const {
-  const Part part{index_of(shape) / kSegmentShapes, index_of(shape) % kSegmentShapes, std::span(&owner, 1)};
-  ShapeModel model;
-  add_contours(std::span(&model, 1), part);
-  return model;
+std::vector<ShapeModel> SegmentReader::contours(const ShapeRange& range, std::span<const SegmentOwner> owners) const {
+  std::vector<ShapeModel> models(range.size());
+  add_contours(models, {range.begin / kSegmentShapes, range.begin % kSegmentShapes, owners});
+  return models;
 }
 
 void SegmentReader::keypoints(ShapeId shape, int level, std::uint32_t sample, const SegmentOwner& owner,

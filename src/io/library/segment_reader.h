@@ -26,8 +26,8 @@ class SegmentReader {
   /// that names the file where something is damaged, as do all others.
   std::vector<ShapeModel> models(const ShapeRange& range, const std::vector<int>& levels, const ModelParts& parts,
                                  std::span<const SegmentOwner> owners) const;
-  /// A model with boundary, tangents, interior and colours.
-  ShapeModel contour(ShapeId shape, const SegmentOwner& owner) const;
+  /// Models with boundary, tangents, interior and colours, of shapes that follow one another within one segment.
+  std::vector<ShapeModel> contours(const ShapeRange& range, std::span<const SegmentOwner> owners) const;
   /// The key points of one PAD, into `points`: 2 n + 1 of them.
   void keypoints(ShapeId shape, int level, std::uint32_t sample, const SegmentOwner& owner,
                  ModelSample::Step* points) const;

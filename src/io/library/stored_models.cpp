@@ -1,5 +1,7 @@
 #include "io/library/stored_models.h"
 
+#include <algorithm>
+
 #include "io/parallel_for.h"
 
 namespace tessera::io {
@@ -7,7 +9,7 @@ namespace {
 
 /// Read by one thread at a time; a few microseconds each.
 constexpr std::size_t kPadsAtATime = 512;
-constexpr std::size_t kContoursAtATime = 32;
+constexpr std::uint32_t kContoursAtATime = 32;
 
 /// Calls body(i) for each i in [0, count), some of them one after the other on one of several threads.
 template <class Body>
@@ -15,6 +17,24 @@ void in_portions(std::size_t count, std::size_t portion, Body&& body) {
   parallel_for((count + portion - 1) / portion, [&](std::size_t k) {
     for (std::size_t i = k * portion; i < std::min(count, (k + 1) * portion); ++i) body(i);
   });
+}
+
+/// Some of a list of shapes, which follow one another within one segment: one call to the file reads all of them.
+struct Run {
+  std::size_t place;  // of the first in the list
+  ShapeRange shapes;
+};
+
+std::vector<Run> runs_of(std::span<const ShapeId> shapes) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const std::uint32_t shape = index_of(shapes[i]);
+    const bool goes_on = !runs.empty() && shape == runs.back().shapes.end && shape % kSegmentShapes != 0 &&
+                         runs.back().shapes.size() < kContoursAtATime;
+    if (!goes_on) runs.push_back({i, {shape, shape}});
+    ++runs.back().shapes.end;
+  }
+  return runs;
 }
 
 }  // namespace
@@ -37,8 +57,11 @@ std::vector<std::uint32_t> StoredModels::pad_order(const ShapeRange& range, std:
 
 std::vector<ShapeModel> StoredModels::contours(std::span<const ShapeId> shapes) const {
   std::vector<ShapeModel> models(shapes.size());
-  in_portions(shapes.size(), kContoursAtATime, [&](std::size_t i) {
-    models[i] = segments_->contour(shapes[i], owners_.at(index_of(shapes[i]) - first_owned_));
+  const std::vector<Run> runs = runs_of(shapes);
+  parallel_for(runs.size(), [&](std::size_t i) {
+    const auto owners = std::span(owners_).subspan(runs[i].shapes.begin - first_owned_, runs[i].shapes.size());
+    std::vector<ShapeModel> read = segments_->contours(runs[i].shapes, owners);
+    std::move(read.begin(), read.end(), models.begin() + std::ptrdiff_t(runs[i].place));
   });
   return models;
 }
