@@ -103,7 +103,9 @@ TEST_F(StoredModelsTest, AreReadInParts) {
     expect_same_pads(models[i], made_[i], false);
     EXPECT_NE(models[i].tangent, made_[i].tangent) << "what was not asked for is not read";
   }
-  const std::vector<ShapeId> ids = {ShapeId{kShapes - 1}, ShapeId{3}, ShapeId{kSegmentShapes}, ShapeId{3}};
+  // Some follow one another, so many that they are read in parts, and from one segment into the next.
+  std::vector<ShapeId> ids = {ShapeId{kShapes - 1}, ShapeId{3}, ShapeId{kSegmentShapes}, ShapeId{3}};
+  for (std::uint32_t shape = kSegmentShapes - 70; shape < kSegmentShapes + 2; ++shape) ids.push_back(ShapeId{shape});
   const std::vector<ShapeModel> contours = stored_->contours(ids);
   ASSERT_EQ(contours.size(), ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) expect_same_contour(contours[i], made_[index_of(ids[i])]);
