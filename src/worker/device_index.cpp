@@ -29,13 +29,19 @@ std::uint32_t DeviceIndex::block_count() const {
   return parts_.empty() ? 0 : (parts_.back().first_node + parts_.back().nodes) * kIndexFanOut;
 }
 
-void DeviceIndex::add(const std::vector<IndexedPad>& pads) {
-  waiting_.insert(waiting_.end(), pads.begin(), pads.end());
+void DeviceIndex::add(const IndexedPads& pads) {
+  const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  const auto drop = [](auto& all, std::size_t count) {
+    all.erase(all.begin(), all.begin() + std::ptrdiff_t(std::min(count, all.size())));
+  };
+  append(waiting_.pads, pads.pads);
+  append(waiting_.chords, pads.chords);
   while (next_part_ < parts_.size()) {
     const std::size_t whole = std::size_t(parts_[next_part_].shapes) * match_.sources;
-    if (waiting_.size() < whole) return;
+    if (waiting_.pads.size() < whole) return;
     add_segment();
-    waiting_.erase(waiting_.begin(), waiting_.begin() + std::ptrdiff_t(whole));
+    drop(waiting_.pads, whole);
+    drop(waiting_.chords, whole);
   }
   waiting_ = {};
 }

@@ -13,8 +13,9 @@ class DeviceIndex {
   DeviceIndex(const DeviceSession& session, const MatchRecord& match, const IndexKind& kind, const ModelSource& models);
 
   /// The PADs of the shard's next shapes, all sources of each. To be called until all are there.
-  void add(const std::vector<IndexedPad>& pads);
+  void add(const IndexedPads& pads);
 
+  const IndexKind& kind() const { return kind_; }
   const DeviceBuffer<RootRecord>& roots() const { return roots_; }
   std::uint32_t root_count() const { return root_count_; }
   /// With those that fill up nodes.
@@ -36,7 +37,7 @@ class DeviceIndex {
   const ModelSource* models_;
   std::vector<IndexPart> parts_;
   std::size_t next_part_ = 0;
-  std::vector<IndexedPad> waiting_;  // of the segment of the next part, from its first shape on
+  IndexedPads waiting_;  // of the segment of the next part, from its first shape on
   std::uint32_t root_count_ = 0;
   DeviceBuffer<RootRecord> roots_;
   DeviceBuffer<std::uint8_t> node_boxes_;

@@ -43,27 +43,31 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
 
 void DeviceLibrary::load(const BetweenLaunches& between_launches) {
   // Without key points there are no chords.
-  const bool limits_rotations = all_stances_.limits_rotations();
-  const ModelParts parts{.contours = !reads_, .keypoints = !reads_ || limits_rotations};
+  const bool keypoints = !reads_ || index_.kind().with_chords;
+  const ModelParts parts{.contours = !reads_, .pads = keypoints, .keypoints = keypoints};
   const std::uint32_t end = match_.first_shape + match_.shapes;
   // The next ones are read while these are put on the device. One thread at a time reads.
   const auto read_from = [&](std::uint32_t first) {
     return std::async(std::launch::async, [this, parts, first, end] {
-      return first < end ? models_->models({first, std::min(end, first + kShapesAtATime)}, parts)
-                         : std::vector<ShapeModel>();
+      const ShapeRange range{std::min(first, end), std::min(end, first + kShapesAtATime)};
+      Loaded loaded;
+      if (range.size() > 0) loaded.models = models_->models(range, parts);
+      if (range.size() > 0 && !parts.pads) loaded.pads = models_->pads(range);
+      return loaded;
     });
   };
   auto next = read_from(match_.first_shape);
   for (std::uint32_t first = match_.first_shape; first < end; first += kShapesAtATime) {
-    const std::vector<ShapeModel> models = next.get();
+    Loaded loaded = next.get();
     next = read_from(first + kShapesAtATime);
-    add(models, first - match_.first_shape);
+    add(std::move(loaded), first - match_.first_shape);
     if (between_launches) between_launches();
   }
 }
 
-void DeviceLibrary::add(const std::vector<ShapeModel>& models, std::uint32_t first) {
-  const Shard part = make_shard(match_, pad_levels_, models);
+void DeviceLibrary::add(Loaded loaded, std::uint32_t first) {
+  const std::vector<ShapeModel>& models = loaded.models;
+  const Shard part = make_shard(match_, index_.kind(), models, std::move(loaded.pads));
   index_.add(part.pads);
   keypoints_.add(models);
   sketches_.write_part(part.sketches, first, models.size(), match_.shapes);

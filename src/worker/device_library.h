@@ -47,7 +47,12 @@ class DeviceLibrary {
 
  private:
   void load(const BetweenLaunches& between_launches);
-  void add(const std::vector<ShapeModel>& models, std::uint32_t first);
+  /// Some shapes' models, and their PADs where those come without levels.
+  struct Loaded {
+    std::vector<ShapeModel> models;
+    std::vector<LibraryPad> pads;
+  };
+  void add(Loaded loaded, std::uint32_t first);
 
   std::shared_ptr<const ModelSource> models_;
   int pad_levels_;

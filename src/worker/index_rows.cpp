@@ -17,16 +17,37 @@ std::size_t filter_rows(int pad_levels) { return std::size_t(elements_of(pad_lev
 std::size_t low_numbers(int pad_levels) { return std::size_t((elements_of(pad_levels) + 3) / 4); }
 std::size_t place_numbers(int pad_levels) { return low_numbers(pad_levels) + 3; }
 
-/// Of a PAD, all 0 before.
-void put_place(std::uint16_t* place, const IndexedPad& pad, u32 source, int pad_levels) {
-  for (std::size_t e = 0; e < std::size_t(elements_of(pad_levels)); ++e) {
+/// Of a PAD what its place holds beside the source.
+struct PlaceNumbers {
+  std::array<std::uint16_t, (kMaxPadElements + 3) / 4> low{};
+  std::uint16_t scale = 0;
+};
+
+PlaceNumbers place_numbers_of(const LibraryPad& pad) {
+  PlaceNumbers numbers;
+  for (std::size_t e = 0; e < pad.pad.element.size(); ++e) {
     const u32 low_bits = pad.pad.element[e] / kLibraryPadSteps % 16;
-    place[e / 4] = std::uint16_t(place[e / 4] | low_bits << 4 * (e % 4));
+    numbers.low[e / 4] = std::uint16_t(numbers.low[e / 4] | low_bits << 4 * (e % 4));
   }
-  place += low_numbers(pad_levels);
-  place[0] = std::uint16_t(std::bit_cast<u32>(pad.scale_length) >> 16);
+  numbers.scale = std::uint16_t(std::bit_cast<u32>(pad.scale_length) >> 16);
+  return numbers;
+}
+
+void put_place(std::uint16_t* place, const PlaceNumbers& numbers, u32 source, std::size_t low_numbers) {
+  for (std::size_t k = 0; k < numbers.low.size(); ++k) {
+    if (k < low_numbers) place[k] = numbers.low[k];
+  }
+  place += low_numbers;
+  place[0] = numbers.scale;
   place[1] = std::uint16_t(source);
   place[2] = std::uint16_t(source >> 16);
+}
+
+/// Into a lane of the rows of a block.
+void put_bytes(std::uint8_t* lane, const PadBytes& pad, int elements) {
+  for (int e = 0; e < elements; ++e) lane[std::size_t(e) * kFilterLanes] = pad.element[std::size_t(e)];
+  lane[std::size_t(elements) * kFilterLanes] = pad.scale;
+  lane[std::size_t(elements + 1) * kFilterLanes] = pad.sign;
 }
 
 u32 divided_up(u32 count, u32 by) { return (count + by - 1) / by; }
@@ -72,17 +93,22 @@ std::vector<IndexPart> index_parts(const MatchRecord& match) {
   return parts;
 }
 
-IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::span<const IndexedPad> pads,
+IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, const IndexedPads& of_segment,
                           const IndexKind& kind, std::vector<u32> order) {
   const int pad_levels = kind.pad_levels;
   const LevelRecord& level = match.level[part.level];
-  const std::size_t elements = std::size_t(elements_of(pad_levels));
   /// The source of the segment that is the i-th of the level.
   const auto source_of = [&](u32 i) { return i / level.count * match.sources + level.first + i % level.count; };
-  std::vector<PadBytes> bytes(std::size_t(part.shapes) * level.count);
-  for (u32 i = 0; i < bytes.size(); ++i) {
-    const IndexedPad& pad = pads[source_of(i)];
-    bytes[i] = pad_bytes(pad.pad, pad.scale_length, pad.convexity);
+  std::vector<PadBytes> bytes;
+  std::vector<PlaceNumbers> numbers;
+  bytes.reserve(std::size_t(part.shapes) * level.count);
+  numbers.reserve(bytes.capacity());
+  for (u32 shape = 0; shape < part.shapes; ++shape) {
+    const LibraryPad* const pads = of_segment.pads.data() + shape * match.sources + level.first;
+    for (u32 i = 0; i < level.count; ++i) {
+      bytes.push_back(pad_bytes(pads[i].pad, pads[i].scale_length, pads[i].convexity));
+      numbers.push_back(place_numbers_of(pads[i]));
+    }
   }
   if (order.empty()) order = pad_order(bytes, elements_of(pad_levels));
   const PadIndex index = boxed(std::move(order), bytes);
@@ -99,16 +125,13 @@ IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::
   result.places.resize(blocks * kFilterLanes * place_numbers(pad_levels));
   if (kind.with_chords) result.chords.resize(blocks * kFilterLanes);
   for (std::size_t i = 0; i < index.order.size(); ++i) {
-    const PadBytes& pad = bytes[index.order[i]];
-    std::uint8_t* const row =
-        result.rows.data() + i / kFilterLanes * kFilterLanes * filter_rows(pad_levels) + i % kFilterLanes;
-    for (std::size_t e = 0; e < elements; ++e) row[e * kFilterLanes] = pad.element[e];
-    row[elements * kFilterLanes] = pad.scale;
-    row[(elements + 1) * kFilterLanes] = pad.sign;
-    const u32 source = source_of(index.order[i]);
-    put_place(result.places.data() + i * place_numbers(pad_levels), pads[source],
-              part.first_shape * match.sources + source, pad_levels);
-    if (kind.with_chords) result.chords[i] = pads[source].chord;
+    const u32 pad = index.order[i];
+    put_bytes(result.rows.data() + i / kFilterLanes * kFilterLanes * filter_rows(pad_levels) + i % kFilterLanes,
+              bytes[pad], elements_of(pad_levels));
+    const u32 source = source_of(pad);
+    put_place(result.places.data() + i * place_numbers(pad_levels), numbers[pad],
+              part.first_shape * match.sources + source, low_numbers(pad_levels));
+    if (kind.with_chords) result.chords[i] = of_segment.chords[source];
   }
   return result;
 }

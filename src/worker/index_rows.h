@@ -4,11 +4,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/matching/matching_context.h"
 #include "core/pad/pad_index.h"
+#include "core/shape/model_sample.h"
 #include "records.h"
 
 namespace tessera::worker {
@@ -37,14 +37,6 @@ struct IndexRows {
   std::vector<ChordRecord> chords;        // by block and lane, where rotations are limited
 };
 
-/// A source of a shape.
-struct IndexedPad {
-  QuantisedPad pad;        // a library_pad()
-  float scale_length = 0;  // a library_length()
-  float convexity = 0;
-  ChordRecord chord{};
-};
-
 /// What an index is made for.
 struct IndexKind {
   int pad_levels = 5;
@@ -52,9 +44,14 @@ struct IndexKind {
 };
 IndexKind index_kind(const MatchingContext& context);
 
-/// `pads`: of the segment's shapes, with all sources of each. `order`: of the level's PADs, shape by shape; where it is
-/// empty it is made.
-IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, std::span<const IndexedPad> pads,
+/// Those of some shapes, all sources of each.
+struct IndexedPads {
+  std::vector<LibraryPad> pads;
+  std::vector<ChordRecord> chords;  // where an index has them
+};
+
+/// `of_segment`: of the segment's shapes. `order`: of the level's PADs, shape by shape; where it is empty it is made.
+IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, const IndexedPads& of_segment,
                           const IndexKind& kind, std::vector<u32> order = {});
 
 /// What the index of a shard takes on its device.

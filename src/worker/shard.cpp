@@ -12,18 +12,24 @@ static_assert(kMaxInteriorPoints % kLanes == 0);
 static_assert(std::tuple_size_v<decltype(Pad::element)> == kMaxPadElements);
 static_assert(std::tuple_size_v<Keypoints> == kMaxKeypoints);
 
+void check_points(const ShapeModel& model) {
+  if (model.interior.size() > kMaxInteriorPoints) throw std::logic_error("a shape model has too many points");
+}
+
 void check_levels(const MatchRecord& match, const ShapeModel& model) {
-  bool fits = model.levels.size() == match.level_count && model.interior.size() <= kMaxInteriorPoints;
+  bool fits = model.levels.size() == match.level_count;
   for (std::size_t k = 0; fits && k < model.levels.size(); ++k) {
     fits = model.levels[k].samples.size() == match.level[k].count;
   }
   if (!fits) throw std::logic_error("a shape model does not have the levels and samples of its matching context");
 }
 
-void append_level(Shard& shard, const ModelLevel& level, int pad_levels) {
+void append_level(IndexedPads& pads, const ModelLevel& level, const IndexKind& kind) {
   for (const ModelSample& sample : level.samples) {
-    const Vec2 across = chord(sample, pad_levels);
-    shard.pads.push_back({sample.pad, sample.scale_length, sample.convexity, {across.x, across.y}});
+    pads.pads.push_back({sample.pad, sample.scale_length, sample.convexity});
+    if (!kind.with_chords) continue;
+    const Vec2 across = chord(sample, kind.pad_levels);
+    pads.chords.push_back({across.x, across.y});
   }
 }
 
@@ -118,14 +124,21 @@ MatchRecord make_match_record(const MatchingContext& c, const ShapeRange& shapes
   return m;
 }
 
-Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<ShapeModel>& models) {
+Shard make_shard(const MatchRecord& match, const IndexKind& kind, const std::vector<ShapeModel>& models,
+                 std::vector<LibraryPad> pads) {
   Shard shard;
-  shard.pads.reserve(models.size() * match.sources);
+  const bool have_levels = pads.empty();
+  if (!have_levels && (kind.with_chords || pads.size() != models.size() * match.sources)) {
+    throw std::logic_error("PADs of other shapes, or without the chords that they need");
+  }
+  shard.pads.pads = std::move(pads);
+  shard.pads.pads.reserve(models.size() * match.sources);
   shard.sketches.reserve(models.size() * kSketchFloats);
   for (const ShapeModel& model : models) {
-    check_levels(match, model);
-    for (const ModelLevel& level : model.levels) {
-      append_level(shard, level, pad_levels);
+    check_points(model);
+    if (have_levels) {
+      check_levels(match, model);
+      for (const ModelLevel& level : model.levels) append_level(shard.pads, level, kind);
     }
     append_sketch(shard.sketches, model);
     shard.shapes.push_back(shape_record(model));
@@ -140,7 +153,7 @@ ShardBytes shard_bytes(const MatchingContext& context, std::size_t shapes, bool 
     const std::size_t samples = std::size_t(kSmoothingLevels[std::size_t(level)].samples);
     model.levels.push_back({level, std::vector<ModelSample>(samples)});
   }
-  const std::size_t of_one = make_shard(make_match_record(context, {0, 1}), context.pad.levels, {model}).bytes();
+  const std::size_t of_one = make_shard(make_match_record(context, {0, 1}), index_kind(context), {model}).bytes();
   const HeldShapes held;
   const bool whole = !reads || held.holds_all(shapes);
   const std::size_t contours = whole ? shapes : held.contours;

@@ -14,7 +14,7 @@
 namespace tessera::worker {
 
 struct Shard {
-  std::vector<IndexedPad> pads;  // by shape and source
+  IndexedPads pads;              // by shape and source
   std::vector<float> sketches;   // by shape: the sets of points of RecordSizes, shape units
   std::vector<ShapeRecord> shapes;
 
@@ -35,8 +35,9 @@ void append_keypoints(std::vector<std::int16_t>& keypoints, const ShapeModel& mo
 MatchRecord make_match_record(const MatchingContext& context, const ShapeRange& shapes);
 
 /// Makes the shard of models that have the levels of `match`, each with as many samples as kSmoothingLevels says (else
-/// std::logic_error).
-Shard make_shard(const MatchRecord& match, int pad_levels, const std::vector<ShapeModel>& models);
+/// std::logic_error). `pads`: of these models; where there are any, models need no levels.
+Shard make_shard(const MatchRecord& match, const IndexKind& kind, const std::vector<ShapeModel>& models,
+                 std::vector<LibraryPad> pads = {});
 
 /// How many shapes' contours and key points are kept where they can be read, too.
 struct HeldShapes {

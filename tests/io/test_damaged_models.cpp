@@ -90,9 +90,12 @@ TEST_F(DamagedModels, OfSinglePadsAndShapesAreTold) {
   const ShapeId shape{4};
   EXPECT_FALSE(stored->keypoints(std::span(&pad, 1)).empty());
   flip(level.keypoints_at + (2 * level.samples + 3) * level.keypoints_row + 1);
+  flip(level.pads_at + 3 * level.pads_row + 9);
   flip(layout_.contours_at + 4 * SegmentLayout::kContourBytes);
   EXPECT_THROW(stored->keypoints(std::span(&pad, 1)), InputError);
   EXPECT_THROW(stored->contours(std::span(&shape, 1)), InputError);
+  EXPECT_FALSE(stored->pads({0, 3}).empty());
+  EXPECT_THROW(stored->pads({3, 4}), InputError);
 }
 
 /// Rows that are right, but of another shape.

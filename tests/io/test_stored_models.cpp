@@ -111,6 +111,22 @@ TEST_F(StoredModelsTest, AreReadInParts) {
   for (std::size_t i = 0; i < ids.size(); ++i) expect_same_contour(contours[i], made_[index_of(ids[i])]);
 }
 
+/// Without key points, of ranges in any order.
+TEST_F(StoredModelsTest, GivePadsAlone) {
+  EXPECT_TRUE(stored_->models({0, 2}, {.contours = false, .pads = false, .keypoints = false})[1].levels.empty());
+  for (const ShapeRange range : {ShapeRange{kSegmentShapes - 2, kSegmentShapes + 2}, {0, 3}, {kShapes - 1, kShapes}}) {
+    std::vector<LibraryPad> expected;
+    for (std::uint32_t shape = range.begin; shape < range.end; ++shape) {
+      for (const ModelLevel& level : made_[shape].levels) {
+        for (const ModelSample& sample : level.samples) {
+          expected.push_back({sample.pad, sample.scale_length, sample.convexity});
+        }
+      }
+    }
+    EXPECT_EQ(stored_->pads(range), expected);
+  }
+}
+
 TEST_F(StoredModelsTest, GiveKeyPointsOfSinglePads) {
   stored_->models({0, kShapes}, {.contours = false, .keypoints = false});
   std::vector<ModelSource::PadName> names;

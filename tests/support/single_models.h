@@ -18,6 +18,7 @@ class SingleModels : public ModelSource {
                                    models_.begin() + (range.end - first_shape_));
     for (ShapeModel& model : result) {
       if (!parts.contours) leave_sketch(model);
+      if (!parts.pads) model.levels.clear();
       if (!parts.keypoints) leave_pads(model);
     }
     return result;

@@ -26,7 +26,7 @@ TEST(Shard, bytes_are_known_beforehand) {
     const MatchingContext context = make_matching_context(settings, 3);
     const MatchRecord match = make_match_record(context, {0, 3});
     const std::vector<ShapeModel> models = test::models_of(shapes, context, 0, 3);
-    const Shard shard = make_shard(match, context.pad.levels, models);
+    const Shard shard = make_shard(match, index_kind(context), models);
     std::vector<float> contours;
     for (const ShapeModel& model : models) append_contour(contours, model);
     std::size_t bytes = shard.bytes() + contours.size() * sizeof(float);
@@ -54,6 +54,21 @@ TEST(Shard, a_large_one_holds_few_contours) {
   EXPECT_EQ(holds.device - reads.device, (shapes - HeldShapes().contours) * kContourFloats * sizeof(float));
 }
 
+/// Models without levels, beside PADs that were read alone.
+TEST(Shard, takes_pads_that_are_given) {
+  const MatchingContext context = make_matching_context(CollageSettings(), 2);
+  const MatchRecord match = make_match_record(context, {0, 2});
+  std::vector<ShapeModel> models = test::models_of(test::synthetic_library(2), context, 0, 2);
+  const Shard expected = make_shard(match, index_kind(context), models);
+  std::vector<LibraryPad> pads = expected.pads.pads;
+  for (ShapeModel& model : models) model.levels.clear();
+  EXPECT_EQ(make_shard(match, index_kind(context), models, pads).pads.pads, expected.pads.pads);
+  EXPECT_THROW(make_shard(match, index_kind(context), models), std::logic_error);
+  EXPECT_THROW(make_shard(match, {context.pad.levels, true}, models, pads), std::logic_error) << "without chords";
+  pads.pop_back();
+  EXPECT_THROW(make_shard(match, index_kind(context), models, pads), std::logic_error);
+}
+
 MatchRecord two_levels(u32 shapes) {
   MatchRecord match{};
   match.shapes = shapes;
@@ -64,30 +79,32 @@ MatchRecord two_levels(u32 shapes) {
   return match;
 }
 
-std::vector<IndexedPad> random_pads(const MatchRecord& match) {
+IndexedPads random_pads(const MatchRecord& match) {
   std::mt19937 random(11);
-  std::vector<IndexedPad> pads(std::size_t(std::min(match.shapes, kSegmentShapes)) * match.sources);
-  for (IndexedPad& pad : pads) {
+  IndexedPads all;
+  all.pads.resize(std::size_t(std::min(match.shapes, kSegmentShapes)) * match.sources);
+  for (LibraryPad& pad : all.pads) {
     for (std::uint16_t& element : pad.pad.element) element = std::uint16_t(random());
     pad.pad = library_pad(pad.pad);
     pad.scale_length = library_length(0.01f + float(random() % 1000) / 100);
     pad.convexity = float(int(random() % 3) - 1);
-    pad.chord = {float(random() % 60000), 0};
+    all.chords.push_back({float(random() % 60000), 0});
   }
-  return pads;
+  return all;
 }
 
 /// Every number of levels: rows of another length each.
 TEST(IndexRows, hold_each_pad_once) {
   for (const int pad_levels : {2, 5, 6}) {
     const MatchRecord match = two_levels(70);
-    const std::vector<IndexedPad> pads = random_pads(match);
+    const IndexedPads of_segment = random_pads(match);
+    const std::vector<LibraryPad>& pads = of_segment.pads;
     const std::size_t elements = std::size_t(2 * (pad_levels - 1));
     const std::size_t low_numbers = (elements + 3) / 4;
     const std::size_t numbers = low_numbers + 3;
     std::vector<int> seen(pads.size(), 0);
     for (const IndexPart& part : index_parts(match)) {
-      const IndexRows rows = make_index_rows(part, match, pads, {pad_levels, true});
+      const IndexRows rows = make_index_rows(part, match, of_segment, {pad_levels, true});
       for (std::size_t place = 0; place < rows.places.size() / numbers; ++place) {
         const std::uint8_t* const row =
             rows.rows.data() + place / kFilterLanes * kFilterLanes * (elements + 2) + place % kFilterLanes;
@@ -101,7 +118,7 @@ TEST(IndexRows, hold_each_pad_once) {
           EXPECT_EQ(row[e * kFilterLanes] << 8 | low_bits << 4, pads[source].pad.element[e]);
         }
         EXPECT_EQ(std::bit_cast<float>(u32(rest[0]) << 16), pads[source].scale_length);
-        EXPECT_EQ(rows.chords[place].x, pads[source].chord.x);
+        EXPECT_EQ(rows.chords[place].x, of_segment.chords[source].x);
         EXPECT_EQ(row[elements * kFilterLanes], scale_byte(pads[source].scale_length));
         EXPECT_EQ(row[(elements + 1) * kFilterLanes], sign_byte(pads[source].convexity));
       }
@@ -143,7 +160,7 @@ TEST(IndexRows, segments_are_those_of_the_library) {
 /// Another order of the same PADs.
 TEST(IndexRows, take_an_order_that_is_given) {
   const MatchRecord match = two_levels(70);
-  const std::vector<IndexedPad> pads = random_pads(match);
+  const IndexedPads pads = random_pads(match);
   const IndexPart part = index_parts(match).front();
   std::vector<u32> order(part.shapes * match.level[0].count);
   std::iota(order.rbegin(), order.rend(), 0u);

@@ -15,6 +15,7 @@ struct ModelParts {
   /// If not, there are no tangents, no colours but ColourModel::mean and cell, and of the points every kCoarseStride-th
   /// of the boundary and every kInteriorStride-th of the interior, the others being anything.
   bool contours = true;
+  bool pads = true;       // if not, there are no levels
   bool keypoints = true;  // of the PADs
 };
 
@@ -30,6 +31,9 @@ class ModelSource {
 
   /// The models of the library's shapes [begin, end), in order. A matcher calls it with neighbouring ranges.
   virtual std::vector<ShapeModel> models(const ShapeRange& range, const ModelParts& parts) const = 0;
+
+  /// The PADs of shapes [begin, end), of each all of its levels in use.
+  virtual std::vector<LibraryPad> pads(const ShapeRange& range) const;
 
   /// Of a level in use, of some shapes that follow one another, the PADs in the order of an index (PadIndex::order);
   /// nothing where it must be made. Whatever comes is an order of all of them.

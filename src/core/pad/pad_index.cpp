@@ -82,13 +82,43 @@ class Splitter {
   int elements_;
 };
 
-PadBox box_of(const PadBytes& pad) {
-  PadBox box;
-  box.low = box.high = pad.element;
-  box.scale_low = box.scale_high = pad.scale;
-  box.signs = pad.sign;
-  return box;
-}
+/// Of some PADs; bytes side by side, so that one instruction compares them all.
+class BoxOfPads {
+ public:
+  void enclose(const PadBytes& pad) {
+    Bytes bytes{};
+    std::copy(pad.element.begin(), pad.element.end(), bytes.begin());
+    bytes[kMaxPadElements] = pad.scale;
+    for (std::size_t e = 0; e < bytes.size(); ++e) {
+      low_[e] = std::min(low_[e], bytes[e]);
+      high_[e] = std::max(high_[e], bytes[e]);
+    }
+    signs_ |= pad.sign;
+  }
+
+  PadBox box() const {
+    PadBox box;
+    std::copy_n(low_.begin(), kMaxPadElements, box.low.begin());
+    std::copy_n(high_.begin(), kMaxPadElements, box.high.begin());
+    box.scale_low = low_[kMaxPadElements];
+    box.scale_high = high_[kMaxPadElements];
+    box.signs = signs_;
+    return box;
+  }
+
+ private:
+  using Bytes = std::array<std::uint8_t, 16>;
+  static_assert(kMaxPadElements < std::tuple_size_v<Bytes>);
+  static constexpr Bytes kLargest = [] {
+    Bytes bytes;
+    bytes.fill(255);
+    return bytes;
+  }();
+
+  Bytes low_ = kLargest;
+  Bytes high_{};
+  std::uint8_t signs_ = 0;
+};
 
 void enclose(PadBox& box, const PadBox& part) {
   for (std::size_t e = 0; e < box.low.size(); ++e) {
@@ -122,8 +152,12 @@ std::vector<std::uint32_t> pad_order(std::span<const PadBytes> pads, int element
 PadIndex boxed(std::vector<std::uint32_t> order, std::span<const PadBytes> pads) {
   PadIndex index;
   index.order = std::move(order);
-  index.blocks.resize((pads.size() + kIndexFanOut - 1) / kIndexFanOut);
-  for (std::size_t i = 0; i < pads.size(); ++i) enclose(index.blocks[i / kIndexFanOut], box_of(pads[index.order[i]]));
+  for (std::size_t first = 0; first < pads.size(); first += kIndexFanOut) {
+    BoxOfPads box;
+    const std::size_t end = std::min<std::size_t>(pads.size(), first + kIndexFanOut);
+    for (std::size_t i = first; i < end; ++i) box.enclose(pads[index.order[i]]);
+    index.blocks.push_back(box.box());
+  }
   index.nodes.resize((index.blocks.size() + kIndexFanOut - 1) / kIndexFanOut);
   for (std::size_t b = 0; b < index.blocks.size(); ++b) enclose(index.nodes[b / kIndexFanOut], index.blocks[b]);
   return index;

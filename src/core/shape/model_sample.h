@@ -28,6 +28,15 @@ struct ModelSample {
   friend bool operator==(const ModelSample&, const ModelSample&) = default;
 };
 
+/// Of it what an index is made of.
+struct LibraryPad {
+  QuantisedPad pad;        // a library_pad()
+  float scale_length = 0;  // a library_length()
+  float convexity = 0;
+
+  friend bool operator==(const LibraryPad&, const LibraryPad&) = default;
+};
+
 /// Length of the interval that estimates the scale before any alignment.
 float scale_length(const ArclengthPyramid& pyramid, int levels);
 

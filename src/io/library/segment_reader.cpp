@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <system_error>
 
@@ -32,23 +33,25 @@ bool are_keypoints_of(const std::uint8_t* row, std::size_t bytes, std::uint64_t 
   return value_at<KeypointCheck>(row + content) == KeypointCheck(row_check(row, content, owner, sample));
 }
 
-/// False where a number is none that a PAD has.
-bool set_pads(std::vector<ModelSample>& samples, const std::uint8_t* row, std::size_t elements) {
-  const std::uint8_t* const lengths = row + samples.size() * elements * sizeof(std::uint16_t);
-  const std::uint8_t* const signs = lengths + samples.size() * sizeof(float);
-  bool fits = true;
-  for (std::size_t j = 0; j < samples.size(); ++j) {
-    ModelSample& sample = samples[j];
-    std::memcpy(sample.pad.element.data(), row + j * elements * sizeof(std::uint16_t),
-                elements * sizeof(std::uint16_t));
-    sample.scale_length = value_at<float>(lengths + j * sizeof(float));
-    const std::int8_t sign = value_at<std::int8_t>(signs + j);
-    sample.convexity = float(sign);
-    fits = fits && sign >= -1 && sign <= 1 && sample.pad == library_pad(sample.pad) &&
-           sample.scale_length == library_length(sample.scale_length) &&
-           all_within(&sample.scale_length, 1, layout::kLeastLength, 2 * layout::kMaxCoordinate);
+/// PAD `j` of a row of `samples`.
+LibraryPad pad_at(const std::uint8_t* row, std::size_t j, std::size_t samples, std::size_t elements) {
+  const std::uint8_t* const lengths = row + samples * elements * sizeof(std::uint16_t);
+  const std::uint8_t* const signs = lengths + samples * sizeof(float);
+  LibraryPad pad;
+  const std::uint8_t* const own = row + j * elements * sizeof(std::uint16_t);
+  for (std::size_t e = 0; e < pad.pad.element.size(); ++e) {  // so many times always: no call for each PAD
+    if (e < elements) pad.pad.element[e] = value_at<std::uint16_t>(own + e * sizeof(std::uint16_t));
   }
-  return fits;
+  pad.scale_length = value_at<float>(lengths + j * sizeof(float));
+  pad.convexity = float(value_at<std::int8_t>(signs + j));
+  return pad;
+}
+
+/// False where a number is none that a PAD has.
+bool is_library_pad(const LibraryPad& pad) {
+  return std::abs(pad.convexity) <= 1 && pad.pad == library_pad(pad.pad) &&
+         pad.scale_length == library_length(pad.scale_length) &&
+         all_within(&pad.scale_length, 1, layout::kLeastLength, 2 * layout::kMaxCoordinate);
 }
 
 bool is_permutation_of_all(std::span<const std::uint32_t> order) {
@@ -68,6 +71,17 @@ struct SegmentReader::Part {
   std::uint32_t first;
   std::span<const SegmentOwner> owners;
 };
+
+std::vector<SegmentReader::Part> SegmentReader::parts_of(const ShapeRange& range,
+                                                         std::span<const SegmentOwner> owners) {
+  std::vector<Part> parts;
+  for (std::uint32_t at = range.begin, next = at; at < range.end; at = next) {
+    const std::uint32_t segment = at / kSegmentShapes;
+    next = std::min(range.end, (segment + 1) * kSegmentShapes);
+    parts.push_back({segment, at % kSegmentShapes, owners.subspan(at - range.begin, next - at)});
+  }
+  return parts;
+}
 
 SegmentReader::SegmentReader(std::string path, std::shared_ptr<const FileDescriptor> file, SegmentKind kind,
                              std::uint32_t shapes, std::vector<std::uint64_t> begins)
@@ -134,18 +148,50 @@ void SegmentReader::add_contours(std::span<ShapeModel> models, const Part& part)
   add_rows<ContourRow>(models, part, layout_of(part.segment).contours_at, set_contour, "a contour");
 }
 
+/// Calls set_pad(shape of the part, PAD of the level, LibraryPad) for all.
+template <class SetPad>
+void SegmentReader::read_pads(const Part& part, int level, SetPad&& set_pad) const {
+  const SegmentLayout& layout = layout_of(part.segment);
+  const LevelSection& section = section_of(layout, level);
+  const auto rows =
+      read(part.segment, section.pads_at + part.first * section.pads_row, part.owners.size() * section.pads_row);
+  for (std::size_t i = 0; i < part.owners.size(); ++i) {
+    const std::uint8_t* const row = rows.data() + i * section.pads_row;
+    bool fits = is_row_of(row, section.pads_row, part.owners[i].level[std::size_t(level)]);
+    for (std::size_t j = 0; j < section.samples; ++j) {
+      const LibraryPad pad = pad_at(row, j, section.samples, layout.elements);
+      fits = fits && is_library_pad(pad);
+      set_pad(i, j, pad);
+    }
+    if (!fits) fail("PADs are damaged");
+  }
+}
+
+std::vector<LibraryPad> SegmentReader::pads(const ShapeRange& range, const std::vector<int>& levels,
+                                            std::span<const SegmentOwner> owners) const {
+  std::size_t sources = 0;  // of a shape
+  for (const int level : levels) sources += section_of(whole_, level).samples;
+  std::vector<LibraryPad> pads(range.size() * sources);
+  for (const Part& part : parts_of(range, owners)) {
+    LibraryPad* to = pads.data() + (part.segment * kSegmentShapes + part.first - range.begin) * sources;
+    for (const int level : levels) {
+      read_pads(part, level, [&](std::size_t i, std::size_t j, const LibraryPad& pad) { to[i * sources + j] = pad; });
+      to += section_of(whole_, level).samples;
+    }
+  }
+  return pads;
+}
+
 void SegmentReader::add_level(std::span<ShapeModel> models, const Part& part, int level, bool keypoints) const {
   const SegmentLayout& layout = layout_of(part.segment);
   const LevelSection& section = section_of(layout, level);
-  const auto pads =
-      read(part.segment, section.pads_at + part.first * section.pads_row, models.size() * section.pads_row);
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    models[i].levels.push_back({level, std::vector<ModelSample>(section.samples)});
-    std::vector<ModelSample>& samples = models[i].levels.back().samples;
-    const std::uint8_t* const row = pads.data() + i * section.pads_row;
-    const std::uint64_t owner = part.owners[i].level[std::size_t(level)];
-    if (!is_row_of(row, section.pads_row, owner) || !set_pads(samples, row, layout.elements)) fail("PADs are damaged");
-  }
+  for (ShapeModel& model : models) model.levels.push_back({level, std::vector<ModelSample>(section.samples)});
+  read_pads(part, level, [&](std::size_t i, std::size_t j, const LibraryPad& pad) {
+    ModelSample& sample = models[i].levels.back().samples[j];
+    sample.pad = pad.pad;
+    sample.scale_length = pad.scale_length;
+    sample.convexity = pad.convexity;
+  });
   if (!keypoints) return;
   const std::size_t of_shape = section.samples * section.keypoints_row;
   const auto points = read(part.segment, section.keypoints_at + part.first * of_shape, models.size() * of_shape);
@@ -164,14 +210,15 @@ void SegmentReader::add_level(std::span<ShapeModel> models, const Part& part, in
 std::vector<ShapeModel> SegmentReader::models(const ShapeRange& range, const std::vector<int>& levels,
                                               const ModelParts& parts, std::span<const SegmentOwner> owners) const {
   std::vector<ShapeModel> models(range.size());
-  for (std::uint32_t at = range.begin, next = at; at < range.end; at = next) {
-    const std::uint32_t segment = at / kSegmentShapes;
-    next = std::min(range.end, (segment + 1) * kSegmentShapes);
-    const Part part{segment, at % kSegmentShapes, owners.subspan(at - range.begin, next - at)};
-    const std::span<ShapeModel> own = std::span(models).subspan(at - range.begin, next - at);
+  std::span<ShapeModel> rest(models);
+  for (const Part& part : parts_of(range, owners)) {
+    const std::span<ShapeModel> own = rest.first(part.owners.size());
     add_sketches(own, part);
     if (parts.contours) add_contours(own, part);
-    for (const int level : levels) add_level(own, part, level, parts.keypoints);
+    if (parts.pads) {
+      for (const int level : levels) add_level(own, part, level, parts.keypoints);
+    }
+    rest = rest.subspan(own.size());
   }
   return models;
 }

@@ -26,6 +26,9 @@ class SegmentReader {
   /// that names the file where something is damaged, as do all others.
   std::vector<ShapeModel> models(const ShapeRange& range, const std::vector<int>& levels, const ModelParts& parts,
                                  std::span<const SegmentOwner> owners) const;
+  /// All PADs of each of the shapes, those of one smoothing level after those of another.
+  std::vector<LibraryPad> pads(const ShapeRange& range, const std::vector<int>& levels,
+                               std::span<const SegmentOwner> owners) const;
   /// Models with boundary, tangents, interior and colours, of shapes that follow one another within one segment.
   std::vector<ShapeModel> contours(const ShapeRange& range, std::span<const SegmentOwner> owners) const;
   /// The key points of one PAD, into `points`: 2 n + 1 of them.
@@ -36,6 +39,7 @@ class SegmentReader {
 
  private:
   struct Part;  // of a range, within one segment
+  static std::vector<Part> parts_of(const ShapeRange& range, std::span<const SegmentOwner> owners);
 
   const SegmentLayout& layout_of(std::uint32_t segment) const;
   std::vector<std::uint8_t> read(std::uint32_t segment, std::size_t at, std::size_t bytes) const;
@@ -46,6 +50,8 @@ class SegmentReader {
   void add_sketches(std::span<ShapeModel> models, const Part& part) const;
   void add_contours(std::span<ShapeModel> models, const Part& part) const;
   void add_level(std::span<ShapeModel> models, const Part& part, int level, bool keypoints) const;
+  template <class SetPad>
+  void read_pads(const Part& part, int level, SetPad&& set_pad) const;
   [[noreturn]] void fail(const std::string& what) const;
   const LevelSection& section_of(const SegmentLayout& layout, int level) const;
 

@@ -1,6 +1,7 @@
 #include "io/library/stored_models.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "io/parallel_for.h"
 
@@ -44,11 +45,31 @@ StoredModels::StoredModels(std::shared_ptr<const SegmentReader> segments, const 
       levels_(context.levels),
       owners_of_(std::move(owners)) {}
 
-std::vector<ShapeModel> StoredModels::models(const ShapeRange& range, const ModelParts& parts) const {
-  const std::vector<SegmentOwner> owners = owners_of_(range);
+std::vector<SegmentOwner> StoredModels::owners_in(const ShapeRange& range) const {
   if (owners_.empty()) first_owned_ = range.begin;
-  if (range.begin == first_owned_ + owners_.size()) owners_.insert(owners_.end(), owners.begin(), owners.end());
-  return segments_->models(range, levels_, parts, owners);
+  const std::uint32_t owned_end = first_owned_ + std::uint32_t(owners_.size());
+  if (range.begin >= first_owned_ && range.end <= owned_end) {
+    const auto kept = kept_owners(range);
+    return {kept.begin(), kept.end()};
+  }
+  std::vector<SegmentOwner> owners = owners_of_(range);
+  if (range.begin == owned_end) owners_.insert(owners_.end(), owners.begin(), owners.end());
+  return owners;
+}
+
+std::span<const SegmentOwner> StoredModels::kept_owners(const ShapeRange& range) const {
+  if (range.begin < first_owned_ || range.end - first_owned_ > owners_.size()) {
+    throw std::out_of_range("single models of shapes that no matcher has");
+  }
+  return std::span(owners_).subspan(range.begin - first_owned_, range.size());
+}
+
+std::vector<ShapeModel> StoredModels::models(const ShapeRange& range, const ModelParts& parts) const {
+  return segments_->models(range, levels_, parts, owners_in(range));
+}
+
+std::vector<LibraryPad> StoredModels::pads(const ShapeRange& range) const {
+  return segments_->pads(range, levels_, owners_in(range));
 }
 
 std::vector<std::uint32_t> StoredModels::pad_order(const ShapeRange& range, std::size_t level) const {
@@ -59,8 +80,7 @@ std::vector<ShapeModel> StoredModels::contours(std::span<const ShapeId> shapes) 
   std::vector<ShapeModel> models(shapes.size());
   const std::vector<Run> runs = runs_of(shapes);
   parallel_for(runs.size(), [&](std::size_t i) {
-    const auto owners = std::span(owners_).subspan(runs[i].shapes.begin - first_owned_, runs[i].shapes.size());
-    std::vector<ShapeModel> read = segments_->contours(runs[i].shapes, owners);
+    std::vector<ShapeModel> read = segments_->contours(runs[i].shapes, kept_owners(runs[i].shapes));
     std::move(read.begin(), read.end(), models.begin() + std::ptrdiff_t(runs[i].place));
   });
   return models;

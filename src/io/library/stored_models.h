@@ -20,6 +20,7 @@ class StoredModels : public ModelSource {
   StoredModels(std::shared_ptr<const SegmentReader> segments, const MatchingContext& context, Owners owners);
 
   std::vector<ShapeModel> models(const ShapeRange& range, const ModelParts& parts) const override;
+  std::vector<LibraryPad> pads(const ShapeRange& range) const override;
   std::vector<std::uint32_t> pad_order(const ShapeRange& range, std::size_t level) const override;
   bool reads_singly() const override { return true; }
   std::vector<ShapeModel> contours(std::span<const ShapeId> shapes) const override;
@@ -29,6 +30,10 @@ class StoredModels : public ModelSource {
   std::shared_ptr<const SegmentReader> segments_;
   std::vector<int> levels_;
   Owners owners_of_;
+  /// Of these shapes; kept for single reads where ranges follow one another, as a matcher asks for them.
+  std::vector<SegmentOwner> owners_in(const ShapeRange& range) const;
+  std::span<const SegmentOwner> kept_owners(const ShapeRange& range) const;
+
   mutable std::vector<SegmentOwner> owners_;  // of the shapes from first_owned_ on, as far as models were read
   mutable std::uint32_t first_owned_ = 0;
 };
