@@ -25,8 +25,7 @@ struct Question {
 std::vector<Question> questions_of(const RoundCosts& c) {
   std::vector<Question> questions{{c.measure_s, 1, 1, true, 0}};  // its bytes are counted with those of refine
   questions.insert(questions.end(), std::size_t(c.counts), {c.count_s, c.request_bytes, c.reply_bytes, false, 0});
-  questions[1].ahead_s = c.ahead_s;
-  questions.push_back({c.dock_s, c.request_bytes, c.reply_bytes, false, 0});
+  questions.push_back({c.dock_s, c.request_bytes, c.reply_bytes, false, c.ahead_s});
   questions.push_back({c.refine_s, c.refine_request_bytes, c.refine_reply_bytes, true, 0});
   return questions;
 }

@@ -30,7 +30,7 @@ struct RoundCosts {
   int workers = 1;
   int counts = 1;       // questions of that kind; dock, refine and measure are asked once
   double master_s = 0;  // a round: merge, objective, other
-  double ahead_s = 0;   // a round: while the workers count
+  double ahead_s = 0;   // a round: while the workers dock
   double ask_s = 0;     // the master, for each worker it sends a question to; the field's patch counts with them
   double join_s = 0;    // the master, for each answer it joins
   double field_s = 0;

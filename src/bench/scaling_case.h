@@ -22,7 +22,7 @@ struct ScalingCase {
   double merge_s = 0;
   double questions_s = 0;
   double other_s = 0;
-  double ahead_s = 0;  // while the workers count
+  double ahead_s = 0;  // while the workers dock
   double waiting_s = 0;
   double master_processor_s = 0;
 
@@ -47,7 +47,7 @@ struct ScalingCase {
 
   double serial_s() const { return loop_s - waiting_s - ahead_s; }
   /// What the loop takes where nobody else wants the cores: the processor time of the busiest worker, and the master's
-  /// but for what it does while the workers count.
+  /// but for what it does while the workers dock.
   double undisturbed_s() const { return master_processor_s - ahead_s + greatest_processor_s; }
 };
 

@@ -44,7 +44,7 @@ struct MasterTimes {
   double objective_s = 0;
   double merge_s = 0;
   double questions_s = 0;  // asking, and joining the answers
-  double ahead_s = 0;      // checking candidates while the workers count
+  double ahead_s = 0;      // checking candidates while the workers dock
   double waiting_s = 0;    // for the workers
   double other_s = 0;
   double loop_s = 0;
