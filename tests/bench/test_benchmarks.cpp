@@ -205,9 +205,10 @@ TEST(Benchmarks, LibraryChecksItsSizes) {
 TEST(Benchmarks, Variety) {
   SquareJob job;
   job.library = library();
+  job.scale_px = {15, 50};
   VarietyOptions options;
   options.sizes = {10, 30};
-  options.pairs = {0, 5};
+  options.pairs = {0, 50};
   options.seeds = 2;
   const Report report = bench_variety(kQuick, job, options);
   expect_head(report, "variety");
@@ -218,9 +219,9 @@ TEST(Benchmarks, Variety) {
     EXPECT_GT(row.at("coverage_percent").get<double>(), 10);
     EXPECT_GT(row.at("pieces").get<double>(), 1);
   }
-  EXPECT_EQ(rows[1].at("pairs"), 5);
+  EXPECT_EQ(rows[1].at("pairs"), 50);
   EXPECT_EQ(rows[2].at("shapes"), 30);
-  EXPECT_NE(rows[0].at("coverage_percent"), rows[1].at("coverage_percent"));
+  EXPECT_NE(rows[2].at("coverage_percent"), rows[3].at("coverage_percent"));
 
   options.seeds = 0;
   EXPECT_THROW(bench_variety(kQuick, job, options), InputError);
