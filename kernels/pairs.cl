@@ -5,7 +5,15 @@
 // Of the blocks that the index leaves (pad_index.cl) an exact filter of bytes first (core/pad/pad_filter.h), then the
 // distance itself where a pair may be near.
 
-enum { kBlocksAtATime = 256 };  // of a work group
+enum { kMostBlocksAtATime = 256 };  // of a work group
+
+// Of `count` blocks: as many as give each work group four portions, so that all are at work; one for each of its items at
+// least.
+uint blocks_at_a_time(uint count) {
+  const uint items = (uint)get_local_size(0);
+  const uint of_an_item = count / (4 * (uint)get_num_groups(0) * items);
+  return items * clamp(of_an_item, 1u, max(1u, kMostBlocksAtATime / items));
+}
 
 // A target sample as its pairs need it.
 typedef struct Target {
@@ -81,7 +89,7 @@ INLINE void ask_for_rows(global const uchar* rows) {
 #endif
 }
 
-// Work group: portions of the blocks that were found, its items in turns. A portion's blocks are neighbours in the list,
+// Work group: portions of the blocks that were found, its items in turns. All work groups are of one launch. A portion's blocks are neighbours in the list,
 // and so most of them in the index: what one sample looks at, the next ones find in a CPU's cache.
 // `index_rows`: of each block a row for each element, then one for the scales and one for the signs; `index_places`:
 // what a PAD's exact test needs; `index_chords`: what a test of its rotation needs.
@@ -95,8 +103,9 @@ kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* s
                        global const uint* block_count, uint block_capacity, global const BlockRecord* blocks,
                        uint capacity, global uint* pair_count, global PairRecord* pairs) {
   const uint count = min(*block_count, block_capacity);
-  for (uint first = get_group_id(0) * kBlocksAtATime; first < count; first += get_num_groups(0) * kBlocksAtATime) {
-    const uint end = min(first + kBlocksAtATime, count);
+  const uint portion = blocks_at_a_time(count);
+  for (uint first = get_group_id(0) * portion; first < count; first += get_num_groups(0) * portion) {
+    const uint end = min(first + portion, count);
     for (uint i = first + get_local_id(0); i < end; i += get_local_size(0)) {
       const BlockRecord block = blocks[i];
       if (i + get_local_size(0) < end) {

@@ -52,7 +52,7 @@ void add_row(std::uint32_t shapes, std::uint32_t pairs, const Means& means, io::
 
 /// `pairs`: of a sample; 0: tangent dockings alone.
 CollageSettings with_pairs(CollageSettings settings, std::uint32_t pairs) {
-  if (pairs == 0) settings.match.top_percent = 0;
+  settings.match.top_percent = pairs == 0 ? 0 : 100;  // as many as are asked for, where there are so many
   settings.match.most_pairs = int(pairs);
   return settings;
 }
@@ -62,6 +62,12 @@ void check(const VarietyOptions& options) {
     if (size < 1 || size > kMostVariedShapes) {
       throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " +
                        std::to_string(kMostVariedShapes));
+    }
+  }
+  constexpr std::uint32_t kMostPairs = 1'000'000;  // as match.most_pairs
+  for (const std::uint32_t pairs : options.pairs) {
+    if (pairs > kMostPairs) {
+      throw InputError("--pairs: found " + std::to_string(pairs) + "; allowed: 0 to " + std::to_string(kMostPairs));
     }
   }
   if (options.seeds < 1 || options.seeds > 100) {

@@ -46,6 +46,8 @@ class DeviceSession {
   std::uint32_t compute_units() const { return compute_units_; }
   /// Hands what was posted to the device, without waiting.
   void flush() const;
+  /// Waits until all that was posted is done, or has failed: for who throws its answer away.
+  void abandon() const noexcept;
   /// For enqueue(): notes that `launch` was posted.
   void add_launch(cl::Event launch) const { launches_.push_back(std::move(launch)); }
   /// Waits until all launches that were posted are done, one after the other.
@@ -91,6 +93,15 @@ class DeviceBuffer {
     checked(session_->name(), [&] {
       session_->queue().enqueueWriteBuffer(buffer_, CL_TRUE, first * sizeof(T), content.size() * sizeof(T),
                                            content.data());
+    });
+  }
+
+  /// As write(), without waiting: `content` must stay as it is until something that was posted later is done.
+  void post(const std::vector<T>& content) {
+    reserve(content.size());
+    if (content.empty()) return;
+    checked(session_->name(), [&] {
+      session_->queue().enqueueWriteBuffer(buffer_, CL_FALSE, 0, content.size() * sizeof(T), content.data());
     });
   }
 

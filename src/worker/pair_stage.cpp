@@ -5,6 +5,9 @@
 #include <future>
 #include <numeric>
 #include <span>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
 
 #include "worker/found_pairs.h"
 
@@ -15,8 +18,8 @@ namespace {
 constexpr std::uint32_t kFewestSamplesAtATime = 256;
 constexpr std::uint32_t kMostSamplesAtATime = 4096;
 
-/// As many as look at a million blocks where each looks at a sixteenth of the index: each search costs the host a few
-/// tenths of a ms.
+/// As many as look at a million blocks where each looks at a sixteenth of those that are searched: each search costs the
+/// host a few tenths of a ms.
 std::uint32_t samples_at_a_time(std::uint32_t blocks) {
   constexpr std::uint32_t kBlocksAtATime = 1 << 20;
   return std::clamp(kBlocksAtATime / std::max(1u, blocks / 16), kFewestSamplesAtATime, kMostSamplesAtATime);
@@ -62,7 +65,7 @@ void PairStage::post_search(const std::vector<std::uint32_t>& bins, std::uint32_
     if (bins[t] > (segment_stride > 1 ? 0 : held_[t].bins)) searched_.push_back({t, bins[t]});
   }
   run_begin_ = 0;
-  run_samples_ = samples_at_a_time(library_->index().block_count());
+  run_samples_ = samples_at_a_time(library_->index().block_count() / segment_stride);
   post_run();
 }
 
@@ -103,15 +106,21 @@ void PairStage::hold(const std::vector<PairRecord>& pairs) {
                                docked_pairs(searched.sample, found.of(place - run_begin_), library_->match())};
     }
   };
+  const std::size_t threads =
+      std::min<std::size_t>({pairs.size() / kPairsOfAThread, kMostThreads, std::thread::hardware_concurrency()});
   std::vector<std::future<void>> others;
-  for (std::size_t i = 1; i < std::min(pairs.size() / kPairsOfAThread, kMostThreads); ++i) {
-    others.push_back(std::async(std::launch::async, work));
+  try {
+    while (others.size() + 1 < threads) others.push_back(std::async(std::launch::async, work));
+  } catch (const std::system_error&) {  // no more threads are allowed: those that are there share the work
   }
   work();
   for (std::future<void>& other : others) other.get();
 }
 
 void PairStage::post_count(std::vector<std::uint32_t> bins, std::uint32_t segment_stride) {
+  if (!bins.empty() && bins.size() != samples_.size()) {
+    throw std::logic_error("bins of other samples than those that are counted");
+  }
   asked_bins_ = std::move(bins);
   post_search(asked_bins_, segment_stride);
 }

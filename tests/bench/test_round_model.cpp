@@ -60,7 +60,7 @@ TEST(RoundModel, ProcessorTimeLeavesOutWhatOthersTook) {
   disturbed.master_processor_s = 0.05 + disturbed.ahead_s;
   const RoundModel model({disturbed}, Clock::processor);
   EXPECT_NEAR(model.cases()[0].loop_s, disturbed.processor_s + 0.05, 1e-9);
-  EXPECT_NEAR(model.cases()[0].serial_s(), 0.05, 1e-9) << "nor what is done while the workers count";
+  EXPECT_NEAR(model.cases()[0].serial_s(), 0.05, 1e-9) << "nor what is done while the workers dock";
   EXPECT_NEAR(model.cases()[0].dock_s, disturbed.dock_s / 2, 1e-9);
 }
 

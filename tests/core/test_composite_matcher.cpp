@@ -84,5 +84,27 @@ TEST(CompositeMatcher, AStepIsOneOfEachPartAndTellsWhetherAnyIsLeft) {
   EXPECT_EQ(calls, (Calls{"step 0", "step 1", "step 0"}));
 }
 
+class CountingMatcher : public test::IdleMatcher {
+ public:
+  CountingMatcher(std::uint32_t shape, std::size_t samples) : shape_(shape), samples_(samples) {}
+  ShapeRange shapes() const override { return {shape_, shape_ + 1}; }
+  void post_count(const CountRequest&) override {}
+  std::vector<DistanceHistogram> take_count() override { return std::vector<DistanceHistogram>(samples_); }
+
+ private:
+  std::uint32_t shape_;
+  std::size_t samples_;
+};
+
+TEST(CompositeMatcher, PartsThatCountedDifferentSamplesAreTold) {
+  for (const std::size_t of_second : {1u, 3u}) {
+    std::vector<std::unique_ptr<Matcher>> parts;
+    parts.push_back(std::make_unique<CountingMatcher>(0, 2));
+    parts.push_back(std::make_unique<CountingMatcher>(1, of_second));
+    CompositeMatcher matcher(std::move(parts));
+    EXPECT_THROW(matcher.take_count(), std::logic_error);
+  }
+}
+
 }  // namespace
 }  // namespace tessera

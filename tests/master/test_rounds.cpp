@@ -20,7 +20,7 @@ const std::vector<Canvas>& canvases() {
   return both;
 }
 
-/// Rounds by hand, with or without checking ahead while the matcher would count.
+/// Rounds by hand, with or without checking ahead while the matcher would dock.
 std::vector<Placement> placed_in_rounds(const Canvas& canvas, int rounds, bool checking_ahead) {
   const CollageSettings s = settings();
   const MatchingContext context = make_matching_context(s, std::uint32_t(library().size()));

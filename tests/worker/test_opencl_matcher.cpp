@@ -1,10 +1,15 @@
 // Runs as it is, and once more with two devices (tests/worker/CMakeLists.txt).
 #include "core/matcher_suite.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <functional>
 
 #include "core/base/interrupted.h"
 #include "core/base/lanes.h"
+#include "core/base/stopwatch.h"
+#include "core/matching/pair_limits.h"
+#include "core/pad/pad_index.h"
 #include "support/single_models.h"
 #include "worker/device_group.h"
 #include "worker/opencl_devices.h"
@@ -112,6 +117,19 @@ TEST(OpenCLMatcher, ManySamplesAreTheSameAsForTheReference) {
   expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
 }
 
+TEST(OpenCLMatcher, BinsOfOtherSamplesThanTheLastAreRefused) {
+  const MatchingScene scene = make_scene(scene_settings(), {2, 150, 0, 3});
+  const CountRequest others{{}, std::vector<std::uint32_t>(scene.samples.size() + 1, 5)};
+  const auto refuses = [&](Matcher& matcher) {
+    matcher.post_count(count_all(scene.samples));
+    matcher.take_count();
+    EXPECT_THROW(matcher.post_count(others), std::logic_error);
+  };
+  refuses(*make_on_all_devices(scene.context, 0, scene.models));
+  ReferenceMatcher reference(scene.context, 0, scene.models);
+  refuses(reference);
+}
+
 /// 4,096 samples at a time: a step waits for one launch of the search and posts the next, so that whoever has several
 /// devices keeps all of them busy. Nothing is left for take_count to wait for.
 TEST(OpenCLMatcher, CountsInSteps) {
@@ -132,14 +150,20 @@ TEST(OpenCLMatcher, CountsInSteps) {
   EXPECT_EQ(counted, reference.take_count());
 }
 
+/// So many of them, each other than the others by its disc.
+std::vector<ShapeModel> copies(const std::vector<ShapeModel>& models, int count) {
+  std::vector<ShapeModel> many;
+  for (int i = 0; i < count; ++i) {
+    many.push_back(models[std::size_t(i * 7) % models.size()]);
+    many.back().disc_radius *= 0.5f + 0.0002f * float(i);
+  }
+  return many;
+}
+
 /// More shapes than go to the device at a time, and than a segment of the index has.
 TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
   MatchingScene scene = make_scene(scene_settings(), {10, 200, 3, 3});
-  const std::vector<ShapeModel> ten = scene.models;
-  for (int i = 10; i < 2200; ++i) {
-    scene.models.push_back(ten[std::size_t(i * 7 % 10)]);
-    scene.models.back().disc_radius *= 0.5f + 0.0002f * float(i);  // tells them apart
-  }
+  scene.models = copies(scene.models, 2200);
   scene.context = make_matching_context(scene.settings, std::uint32_t(scene.models.size()));
   const auto matcher = make_on_all_devices(scene.context, 0, scene.models);
   ReferenceMatcher reference(scene.context, 0, scene.models);
@@ -157,6 +181,74 @@ TEST(OpenCLMatcher, ALargeLibraryIsTheSameAsForTheReference) {
   reference.post_count(count_all(scene.samples));
   EXPECT_NE(counted, reference.take_count());
   expect_same_round(run_round(*matcher, scene), run_round(reference, scene));
+}
+
+/// Of a large library two ranks have some shapes, both within two segments. First it is estimated by every 16th segment,
+/// for which samples are sent, then all are asked how far they look.
+TEST(OpenCLMatcher, PairLimitsOfALargeLibraryAreThoseOfAllItsPairs) {
+  MatchingScene scene = make_scene(scene_settings(), {10, 200, 3, 5});
+  constexpr std::uint32_t kShapes = 200 * kSegmentShapes;
+  constexpr std::uint64_t kPairs = 50;
+  scene.context = make_matching_context(scene.settings, kShapes);
+  const std::vector<ShapeModel> models = copies(scene.models, 400);
+  std::vector<std::unique_ptr<Matcher>> parts;
+  std::vector<DistanceHistogram> all(scene.samples.size());
+  const auto add = [](std::vector<DistanceHistogram>& sum, const std::vector<DistanceHistogram>& more) {
+    ASSERT_EQ(sum.size(), more.size());
+    for (std::size_t t = 0; t < sum.size(); ++t) {
+      std::transform(more[t].begin(), more[t].end(), sum[t].begin(), sum[t].begin(), std::plus<>());
+    }
+  };
+  for (const std::uint32_t first : {kSegmentShapes - 300, 16 * kSegmentShapes - 150}) {
+    parts.push_back(make_on_all_devices(scene.context, first, models));
+    ReferenceMatcher reference(scene.context, first, models);
+    reference.post_count(count_all(scene.samples));
+    add(all, reference.take_count());
+  }
+  std::vector<std::uint32_t> strides;
+  const auto count = [&](const std::vector<std::uint32_t>& bins, std::uint32_t stride) {
+    const std::vector<TargetSample> sent = strides.empty() ? scene.samples : std::vector<TargetSample>();
+    strides.push_back(stride);
+    std::vector<DistanceHistogram> sum(std::size_t(std::count_if(bins.begin(), bins.end(), [](auto b) { return b > 0; })));
+    for (const auto& part : parts) {
+      part->post_count({sent, bins, stride});
+      add(sum, part->take_count());
+    }
+    return sum;
+  };
+  const std::vector<std::uint32_t> limits = pair_limits(scene.samples.size(), kPairs, kShapes, count);
+  ASSERT_EQ(limits.size(), all.size());
+  for (std::size_t t = 0; t < all.size(); ++t) EXPECT_EQ(limits[t], bin_limit_for(all[t], kPairs));
+  EXPECT_EQ(strides.front(), 16u);
+  EXPECT_EQ(strides.back(), 1u);
+}
+
+/// Who has several devices posts to one after the other: none may wait for what the one before has to do. (PoCL's serial
+/// device does all of it when it is posted, pairs or not.)
+TEST(OpenCLMatcher, PostingPairsDoesNotWaitForRandomDraws) {
+  const MatchingScene scene = make_scene(scene_settings(), {6, 700, 9, 300});
+  const std::vector<TargetSample> samples = repeated(scene.samples, 300);
+  worker::OpenCLMatcher matcher(worker::opencl_devices().front(), scene.context, all_of(scene.models),
+                                given(scene.models));
+  set_field(matcher, scene.field);
+  matcher.post_count(count_all(samples));
+  matcher.take_count();
+  const auto share_of_posting = [&](std::uint32_t bins) {
+    const DockRequest request{samples, std::vector<std::uint32_t>(samples.size(), bins), 5000};
+    double least = 1;  // something else may be in the way of one of them
+    for (int i = 0; i < 5; ++i) {
+      const Stopwatch watch;
+      matcher.post_dock(request);
+      const double posting_s = watch.seconds();
+      const std::vector<Docking> docked = matcher.take_dock().dockings;
+      EXPECT_EQ(std::any_of(docked.begin(), docked.end(), [](const Docking& d) { return d.source < kTangentSource; }),
+                bins > 0);
+      least = std::min(least, posting_s / watch.seconds());
+    }
+    return least;
+  };
+  const double of_draws = share_of_posting(0);
+  EXPECT_LT(share_of_posting(30), of_draws + 0.2);
 }
 
 /// Of a library so large that draws are from a deck; the matchers have ten shapes of it that are in the deck.

@@ -155,6 +155,9 @@ TEST(IndexRows, segments_are_those_of_the_library) {
   EXPECT_EQ(parts[0].shapes, 5u);
   EXPECT_EQ(parts[2].first_shape, 5u);
   EXPECT_EQ(parts[2].shapes, kSegmentShapes - 5);
+  const IndexedPads pads = random_pads(match);
+  EXPECT_EQ(make_index_rows(parts[1], match, pads, {5, false}, {}).roots.front().segment, 2u);
+  EXPECT_EQ(make_index_rows(parts[2], match, pads, {5, false}, {}).roots.back().segment, 3u);
 }
 
 /// Another order of the same PADs.

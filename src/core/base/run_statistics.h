@@ -20,7 +20,7 @@ struct RunStatistics {
   std::uint64_t trials_kept = 0;
   double prune_s = 0;
   double dock_s = 0;     // docking, refining, and measuring candidates whose surroundings changed
-  double ahead_s = 0;    // of prune_s and dock_s, processor time: checking candidates meanwhile
+  double ahead_s = 0;    // of dock_s, processor time: checking candidates meanwhile
   double replace_s = 0;  // asking for replacement trials, and waiting for their outcomes
   double objective_s = 0;
   double merge_s = 0;

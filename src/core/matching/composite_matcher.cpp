@@ -59,6 +59,7 @@ std::vector<DistanceHistogram> CompositeMatcher::take_count() {
   std::vector<DistanceHistogram> sum = parts_.front()->take_count();
   for (std::size_t p = 1; p < parts_.size(); ++p) {
     const std::vector<DistanceHistogram> more = parts_[p]->take_count();
+    if (more.size() != sum.size()) throw std::logic_error("parts of a library counted different samples");
     for (std::size_t t = 0; t < sum.size(); ++t) {
       for (int bin = 0; bin < kDistanceBins; ++bin) sum[t][bin] += more[t][bin];
     }
