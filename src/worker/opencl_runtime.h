@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "worker/device_memory.h"
 
 namespace tessera::worker {
 
@@ -77,7 +78,7 @@ class DeviceBuffer {
     capacity_ = std::max({count, capacity_ + capacity_ / 2, std::size_t(1)});  // OpenCL knows no empty buffers
     checked(session_->name(), [&] {
       buffer_ = cl::Buffer();  // the old one first: both together may not fit
-      buffer_ = cl::Buffer(session_->context(), CL_MEM_READ_WRITE, capacity_ * sizeof(T));
+      buffer_ = make_device_buffer(session_->context(), session_->device(), capacity_ * sizeof(T));
     });
   }
 
