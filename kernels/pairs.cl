@@ -108,9 +108,9 @@ kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* s
     const uint end = min(first + portion, count);
     for (uint i = first + get_local_id(0); i < end; i += get_local_size(0)) {
       const BlockRecord block = blocks[i];
-      if (i + get_local_size(0) < end) {
-        ask_for_rows(index_rows + (size_t)blocks[i + get_local_size(0)].block * kFilterRows * kFilterLanes);
-      }
+      uint next = i + get_local_size(0);
+      if (next >= end) next = first + get_num_groups(0) * portion + get_local_id(0);
+      if (next < count) ask_for_rows(index_rows + (size_t)blocks[next].block * kFilterRows * kFilterLanes);
       global const SampleRecord* sample = samples + block.sample;
       global const uchar* rows = index_rows + (size_t)block.block * kFilterRows * kFilterLanes;
       const Bounds bounds = bounds_of(sample, block.level);

@@ -85,7 +85,8 @@ Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas
 std::vector<std::uint32_t> checked_sizes(std::vector<std::uint32_t> sizes) {
   for (const std::uint32_t size : sizes) {
     if (size < 1 || size > kMostVariedShapes) {
-      throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " + std::to_string(kMostVariedShapes));
+      throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " +
+                       std::to_string(kMostVariedShapes));
     }
   }
   std::sort(sizes.begin(), sizes.end());
@@ -98,8 +99,9 @@ void add_size(io::TextTable& table, Json& sizes, std::uint32_t size, const Grown
   const double master_s = s.objective_s + s.merge_s;
   const auto ms = [&](double seconds) { return io::fixed(1000 * seconds / pieces, 1); };
   const auto megabytes = [](std::uint64_t bytes) { return io::fixed(double(bytes) / 1e6, 0); };
-  table.add({std::to_string(size), ms(s.total_s), ms(s.prune_s), ms(s.dock_s), ms(master_s), io::fixed(grown.start_s, 1), io::fixed(grown.first_piece_s, 1),
-             megabytes(grown.peak_bytes), megabytes(grown.device_bytes)});
+  table.add({std::to_string(size), ms(s.total_s), ms(s.prune_s), ms(s.dock_s), ms(master_s),
+             io::fixed(grown.start_s, 1), io::fixed(grown.first_piece_s, 1), megabytes(grown.peak_bytes),
+             megabytes(grown.device_bytes)});
   sizes.push_back({{"shapes", size},
                    {"pieces", s.rounds},
                    {"target_samples", s.target_samples},
@@ -115,8 +117,10 @@ void add_size(io::TextTable& table, Json& sizes, std::uint32_t size, const Grown
 
 std::string explanation(int pieces, int size_px, std::size_t originals) {
   return "The first " + std::to_string(pieces) + " pieces on " + std::to_string(size_px) + " x " +
-         std::to_string(size_px) + " px, with the first matching of the whole canvas, laid a second time. Shapes beyond\n"
-         "the file's " + std::to_string(originals) +
+         std::to_string(size_px) +
+         " px, with the first matching of the whole canvas, laid a second time. Shapes beyond\n"
+         "the file's " +
+         std::to_string(originals) +
          " are mirrored and stretched ones, made the first time. Device: the shard's buffers; on a CPU device\n"
          "they count in the peak memory too.\n";
 }
@@ -132,8 +136,8 @@ Report bench_library(const Setting& setting, const LibraryOptions& options) {
   CollageSettings settings;
   settings.stop.pieces = setting.quick ? 3 : 20;
 
-  io::TextTable table({"shapes", "ms a piece", "prune", "dock", "objective, merge", "start s",
-                       "first piece s", "peak memory MB", "device MB"});
+  io::TextTable table({"shapes", "ms a piece", "prune", "dock", "objective, merge", "start s", "first piece s",
+                       "peak memory MB", "device MB"});
   Report report;
   report.json = report_head("library", setting);
   report.json.update({{"library", options.library},

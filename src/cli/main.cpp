@@ -1,8 +1,8 @@
 // tessera: parses the command line and runs the sub-command as one rank of a job, which reports errors once and ends
 // all ranks together. Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input (arguments, files),
 // 75 interrupted with work left (collage_run.h).
-#include <CLI/CLI.hpp>
 #include <malloc.h>
+#include <CLI/CLI.hpp>
 
 #include <csignal>
 #include <cstdio>
@@ -106,7 +106,7 @@ bool started_by_launcher() { return std::getenv("OMPI_COMM_WORLD_SIZE") || std::
 /// in between, their pages are cleared each time: a third of the time that loading takes (docs/measurements.md).
 void keep_freed_memory() {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that there is
-  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
 }
 
 int run(int argc, char** argv) {

@@ -40,10 +40,10 @@ void DockStage::post(const DockRequest& request, std::vector<SampleRecord> sampl
   if (draws_ > 0) deck_.deal(request.samples);
   make_room();
   launch_tangents();  // the device is at work while key points are read
-  found_pairs_ = pairs_->pairs_of(std::move(samples), request.bin_limit);
-  found_keypoints_ = library_->keypoints().of(found_pairs_);
-  docked_pairs_.post(found_pairs_);
-  pair_keypoints_.post(found_keypoints_);
+  std::vector<PairRecord> pairs = pairs_->pairs_of(std::move(samples), request.bin_limit);
+  pair_count_ = std::uint32_t(pairs.size());
+  pair_keypoints_.post(library_->keypoints().of(pairs));
+  docked_pairs_.post(std::move(pairs));
   launch_pairs();
 }
 
@@ -57,10 +57,10 @@ void DockStage::launch_pairs() {
   const std::size_t group = items_of_docking(library_->lanes());
   const DeviceStances& stances = library_->stances();
   const DeviceColours& colours = library_->colours();
-  launch(library_->session(), dock_pairs_, {found_pairs_.size(), 1, group == 1 ? kPairsPerGroup : group},
+  launch(library_->session(), dock_pairs_, {pair_count_, 1, group == 1 ? kPairsPerGroup : group},
          library_->match_buffer(), stances.stances(), stances.lists(), stances.shape_class(), library_->size_map(),
          library_->field(), colours.record(), colours.texels(), library_->sketches(), library_->shapes(), samples_,
-         std::uint32_t(found_pairs_.size()), docked_pairs_, pair_keypoints_, evaluated_, docking_capacity_, docking_count_, dockings_);
+         pair_count_, docked_pairs_, pair_keypoints_, evaluated_, docking_capacity_, docking_count_, dockings_);
   library_->session().flush();
 }
 

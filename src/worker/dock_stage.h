@@ -11,8 +11,8 @@ class DockStage {
   /// `stage_bytes`: of dockings on the device at first.
   DockStage(DeviceLibrary& library, PairStage& pairs, std::size_t stage_bytes);
 
-  /// `samples`: the records of the request's. Where all bin limits are zero, no pairs are made. Does not wait for what
-  /// it posts.
+  /// `samples`: the records of the request's. Where all bin limits are zero, no pairs are made. Does not wait for the
+  /// dockings that it posts.
   void post(const DockRequest& request, std::vector<SampleRecord> samples);
   DockReply take();
 
@@ -27,8 +27,6 @@ class DockStage {
   cl::Kernel dock_tangents_;
   DeviceDeck deck_;
   DeviceBuffer<SampleRecord> samples_;
-  std::vector<PairRecord> found_pairs_;  // on their way to the device until the answer is taken
-  std::vector<std::int16_t> found_keypoints_;
   DeviceBuffer<PairRecord> docked_pairs_;
   DeviceBuffer<std::int16_t> pair_keypoints_;
   DeviceBuffer<DockingRecord> dockings_;
@@ -36,6 +34,7 @@ class DockStage {
   DeviceBuffer<std::uint32_t> evaluated_;  // by sample
   std::uint32_t docking_capacity_;
   std::uint32_t sample_count_ = 0;
+  std::uint32_t pair_count_ = 0;
   std::uint32_t draws_ = 0;
 };
 

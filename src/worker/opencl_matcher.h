@@ -19,8 +19,6 @@ class OpenCLMatcher : public Matcher {
                 std::shared_ptr<const ModelSource> models, const BetweenLaunches& between_launches = {},
                 std::size_t stage_bytes = kStageBytes, const HeldShapes& held = {},
                 std::optional<DockingLanes> lanes = std::nullopt);
-  /// Waits for what is posted: nothing of it is at work any more, or reads what was to be written.
-  ~OpenCLMatcher() override { library_.session().abandon(); }
   OpenCLMatcher(const OpenCLMatcher&) = delete;  // the stages point to the library
   OpenCLMatcher& operator=(const OpenCLMatcher&) = delete;
 

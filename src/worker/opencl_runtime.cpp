@@ -75,13 +75,6 @@ void DeviceSession::flush() const {
   checked(name_, [&] { queue_.flush(); });
 }
 
-void DeviceSession::abandon() const noexcept {
-  try {
-    queue_.finish();
-  } catch (const cl::Error&) {  // whoever takes an answer is told
-  }
-}
-
 void DeviceSession::wait_for_launches() const {
   while (!launches_.empty()) {
     checked(name_, [&] { launches_.front().wait(); });

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,6 @@ class DeviceSession {
   std::uint32_t compute_units() const { return compute_units_; }
   /// Hands what was posted to the device, without waiting.
   void flush() const;
-  /// Waits until all that was posted is done, or has failed: for who throws its answer away.
-  void abandon() const noexcept;
   /// For enqueue(): notes that `launch` was posted.
   void add_launch(cl::Event launch) const { launches_.push_back(std::move(launch)); }
   /// Waits until all launches that were posted are done, one after the other.
@@ -97,12 +96,17 @@ class DeviceBuffer {
     });
   }
 
-  /// As write(), without waiting: `content` must stay as it is until something that was posted later is done.
-  void post(const std::vector<T>& content) {
+  /// As write(), without waiting: the content is given away, and freed when it is written.
+  void post(std::vector<T> content) {
     reserve(content.size());
     if (content.empty()) return;
+    auto given = std::make_unique<std::vector<T>>(std::move(content));
     checked(session_->name(), [&] {
-      session_->queue().enqueueWriteBuffer(buffer_, CL_FALSE, 0, content.size() * sizeof(T), content.data());
+      cl::Event written;
+      session_->queue().enqueueWriteBuffer(buffer_, CL_FALSE, 0, given->size() * sizeof(T), given->data(), nullptr,
+                                           &written);
+      const auto free = [](cl_event, cl_int, void* done) { delete static_cast<std::vector<T>*>(done); };
+      written.setCallback(CL_COMPLETE, free, given.release());
     });
   }
 

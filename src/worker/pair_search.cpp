@@ -41,8 +41,8 @@ void PairSearch::post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t c
          block_count_, blocks_);
   // How many blocks there are is known on the device alone: as many work groups as keep it busy share them, all in one
   // launch.
-  const std::size_t items = std::min(
-      std::size_t(library_->session().compute_units()) * kGroupsPerUnit * kBlocksPerGroup, kMostWorkItems);
+  const std::size_t items =
+      std::min(std::size_t(library_->session().compute_units()) * kGroupsPerUnit * kBlocksPerGroup, kMostWorkItems / 2);
   launch(library_->session(), find_pairs_, {items, 1, kBlocksPerGroup}, library_->match_buffer(), stances.stances(),
          stances.lists(), stances.shape_class(), index.rows(), index.places(), index.chords(), colours.record(),
          colours.near_bits(), samples, block_count_, block_room_, blocks_, pair_room_, pair_count_, pairs_);

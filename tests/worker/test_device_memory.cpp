@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cinttypes>
 #include <cstdint>
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -16,19 +19,27 @@ namespace {
 constexpr std::size_t kLarge = std::size_t(64) << 20;
 
 /// Of this process, kB.
-std::size_t all_of(const std::string& file, const std::string& key) {
-  std::ifstream in(file);
-  std::size_t sum = 0;
+std::size_t resident_kb() {
+  std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with(key + ":")) sum += std::stoul(line.substr(key.size() + 1));
+    if (line.starts_with("VmRSS:")) return std::stoul(line.substr(6));
   }
-  return sum;
+  return 0;
 }
 
-bool system_has_huge_pages() {
-  std::ifstream in("/sys/kernel/mm/transparent_hugepage/enabled");
-  std::string line;
-  return std::getline(in, line) && line.find("[never]") == std::string::npos;
+/// Of the mapping that holds an address ("hg": huge pages were asked for).
+std::string flags_of_mapping(const void* address) {
+  std::ifstream in("/proc/self/smaps");
+  bool holds = false;
+  for (std::string line; std::getline(in, line);) {
+    std::uintptr_t begin = 0;
+    std::uintptr_t end = 0;
+    if (std::sscanf(line.c_str(), "%" SCNxPTR "-%" SCNxPTR " ", &begin, &end) == 2) {
+      holds = reinterpret_cast<std::uintptr_t>(address) >= begin && reinterpret_cast<std::uintptr_t>(address) < end;
+    }
+    if (holds && line.starts_with("VmFlags:")) return line + " ";
+  }
+  return {};
 }
 
 struct Device {
@@ -40,12 +51,12 @@ struct Device {
 TEST(DeviceMemory, OfLargeBuffersIsInHugePages) {
   const Device on;
   if (!(on.device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU)) GTEST_SKIP() << "the first device is no CPU";
-  if (!system_has_huge_pages()) GTEST_SKIP() << "this system has no huge pages";
-  const std::size_t before = all_of("/proc/self/smaps", "AnonHugePages");
-  const cl::Buffer buffer = make_device_buffer(on.context, on.device, kLarge);
-  const std::vector<std::uint8_t> content(kLarge, 7);
-  on.queue.enqueueWriteBuffer(buffer, CL_TRUE, 0, kLarge, content.data());
-  EXPECT_GE(all_of("/proc/self/smaps", "AnonHugePages") - before, kLarge / 1024 / 2);
+  if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) GTEST_SKIP() << "this system has no huge pages";
+  const cl::Buffer large = make_device_buffer(on.context, on.device, kLarge);
+  const void* const memory = large.getInfo<CL_MEM_HOST_PTR>();
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(memory) % (2 << 20), 0u);
+  EXPECT_NE(flags_of_mapping(memory).find(" hg "), std::string::npos) << flags_of_mapping(memory);
+  EXPECT_EQ(make_device_buffer(on.context, on.device, 1000).getInfo<CL_MEM_HOST_PTR>(), nullptr);
 }
 
 /// Whoever gives it up, what was posted still ends; and then the memory is free.
@@ -62,7 +73,7 @@ TEST(DeviceMemory, IsFreeWhenNothingUsesItAnyMore) {
     ASSERT_EQ(found, content);
     found.assign(kLarge, 0);
   }
-  EXPECT_LT(all_of("/proc/self/status", "VmRSS"), 20 * kLarge / 1024) << "half of all";
+  EXPECT_LT(resident_kb(), 20 * kLarge / 1024) << "half of all";
 }
 
 }  // namespace

@@ -209,7 +209,8 @@ TEST(OpenCLMatcher, PairLimitsOfALargeLibraryAreThoseOfAllItsPairs) {
   const auto count = [&](const std::vector<std::uint32_t>& bins, std::uint32_t stride) {
     const std::vector<TargetSample> sent = strides.empty() ? scene.samples : std::vector<TargetSample>();
     strides.push_back(stride);
-    std::vector<DistanceHistogram> sum(std::size_t(std::count_if(bins.begin(), bins.end(), [](auto b) { return b > 0; })));
+    std::vector<DistanceHistogram> sum(
+        std::size_t(std::count_if(bins.begin(), bins.end(), [](auto b) { return b > 0; })));
     for (const auto& part : parts) {
       part->post_count({sent, bins, stride});
       add(sum, part->take_count());
@@ -233,22 +234,27 @@ TEST(OpenCLMatcher, PostingPairsDoesNotWaitForRandomDraws) {
   set_field(matcher, scene.field);
   matcher.post_count(count_all(samples));
   matcher.take_count();
-  const auto share_of_posting = [&](std::uint32_t bins) {
+  struct Least {
+    double posting_s = 1e9;  // of several times: something else may be in the way of one of them
+    double whole_s = 1e9;
+  };
+  const auto dock = [&](std::uint32_t bins) {
     const DockRequest request{samples, std::vector<std::uint32_t>(samples.size(), bins), 5000};
-    double least = 1;  // something else may be in the way of one of them
+    Least least;
     for (int i = 0; i < 5; ++i) {
       const Stopwatch watch;
       matcher.post_dock(request);
-      const double posting_s = watch.seconds();
+      least.posting_s = std::min(least.posting_s, watch.seconds());
       const std::vector<Docking> docked = matcher.take_dock().dockings;
+      least.whole_s = std::min(least.whole_s, watch.seconds());
       EXPECT_EQ(std::any_of(docked.begin(), docked.end(), [](const Docking& d) { return d.source < kTangentSource; }),
                 bins > 0);
-      least = std::min(least, posting_s / watch.seconds());
     }
     return least;
   };
-  const double of_draws = share_of_posting(0);
-  EXPECT_LT(share_of_posting(30), of_draws + 0.2);
+  const Least draws = dock(0);
+  if (draws.whole_s < 0.1) GTEST_SKIP() << "this device is so fast that it shows nothing";
+  EXPECT_LT(dock(30).posting_s, draws.posting_s + 0.3 * draws.whole_s);
 }
 
 /// Of a library so large that draws are from a deck; the matchers have ten shapes of it that are in the deck.
