@@ -65,7 +65,8 @@ Report bench_library(const Setting& setting, const LibraryOptions& options);
 
 struct VarietyOptions {
   std::vector<std::uint32_t> sizes = {100, 1000, 10000};
-  std::vector<std::uint32_t> pairs = {0, 25, 50, 100, 200, 400};  // docked for a target sample; 0: random dockings alone
+  std::vector<std::uint32_t> pairs = {0,   25,  50,
+                                      100, 200, 400};  // docked for a target sample; 0: random dockings alone
   int seeds = 4;
   std::string models;  // as in LibraryOptions
 };

@@ -9,8 +9,8 @@
 #include "core/field/free_field.h"
 #include "core/geometry/closed_curve.h"
 #include "core/matching/match_round.h"
-#include "core/matching/pair_limits.h"
 #include "core/matching/matcher.h"
+#include "core/matching/pair_limits.h"
 #include "core/shape/level_curve.h"
 #include "core/shape/shape_builder.h"
 #include "core/tuning.h"
@@ -26,8 +26,8 @@ constexpr std::uint64_t kPaperPositions = 25'000'000;
 /// In the middle of the docked shape's scales, so that most pairs fit in scale: a larger one would have hardly any
 /// work.
 constexpr float kLyingScale_px = 80;
-constexpr double kPaperTopPercent = 1;                       // K of the paper
-constexpr std::uint64_t kNearestPairs = 4;                   // of a sample
+constexpr double kPaperTopPercent = 1;      // K of the paper
+constexpr std::uint64_t kNearestPairs = 4;  // of a sample
 constexpr std::size_t kRefinedOfAll = 32;
 constexpr int kFinestSamples = kSmoothingLevels[2].samples;  // a model has as many at every level finer than this one
 
@@ -126,7 +126,8 @@ void keep_best(Docked& docked, const std::vector<RefinedDocking>& refined, const
 /// shape.
 std::vector<Docking> best_distinct(std::vector<Docking>& dockings) {
   std::vector<Docking> kept;
-  std::make_heap(dockings.begin(), dockings.end(), [](const Docking& a, const Docking& b) { return docks_better(b, a); });
+  std::make_heap(dockings.begin(), dockings.end(),
+                 [](const Docking& a, const Docking& b) { return docks_better(b, a); });
   for (auto end = dockings.end(); end != dockings.begin() && kept.size() < kRefinedOfAll; --end) {
     std::pop_heap(dockings.begin(), end, [](const Docking& a, const Docking& b) { return docks_better(b, a); });
     const Docking& next = *(end - 1);

@@ -104,7 +104,8 @@ std::shared_ptr<const ModelSource> models_in_file(const std::string& folder, con
 std::shared_ptr<const ModelSource> varied_models(const VariedShapes& shapes, std::uint32_t count,
                                                  const MatchingContext& context, const std::string& folder) {
   if (!folder.empty()) return models_in_file(folder, shapes, count, context);
-  return std::make_shared<MadeModels>([&shapes, context](const ShapeRange& range) { return shapes.models(range, context); });
+  return std::make_shared<MadeModels>(
+      [&shapes, context](const ShapeRange& range) { return shapes.models(range, context); });
 }
 
 }  // namespace tessera::bench

@@ -146,8 +146,9 @@ void add_variety(CLI::App& bench, Command& selected) {
   const auto job = std::make_shared<bench::SquareJob>();
   job->size_px = 600;
   const auto options = std::make_shared<bench::VarietyOptions>();
-  CLI::App* sub = add_benchmark(bench, selected, "variety", "What more shapes, and more pairs docked, bring to a collage",
-                                [=](const bench::Setting& s) { return bench::bench_variety(s, *job, *options); });
+  CLI::App* sub =
+      add_benchmark(bench, selected, "variety", "What more shapes, and more pairs docked, bring to a collage",
+                    [=](const bench::Setting& s) { return bench::bench_variety(s, *job, *options); });
   add_square_job_options(*sub, *job);
   add_sizes_option(*sub, options->sizes);
   sub->add_option("--pairs", options->pairs, "Pairs docked for a target sample; 0: random dockings alone")

@@ -47,7 +47,7 @@ class PairStage {
   const DeviceLibrary* library_;
   PairSearch search_;
   std::vector<SampleRecord> samples_;
-  std::vector<Held> held_;  // by sample
+  std::vector<Held> held_;                 // by sample
   std::vector<std::uint32_t> asked_bins_;  // by sample
   std::vector<Held> estimated_;            // by sample, of some segments alone
 

@@ -14,8 +14,8 @@
 namespace tessera::worker {
 
 struct Shard {
-  IndexedPads pads;              // by shape and source
-  std::vector<float> sketches;   // by shape: the sets of points of RecordSizes, shape units
+  IndexedPads pads;             // by shape and source
+  std::vector<float> sketches;  // by shape: the sets of points of RecordSizes, shape units
   std::vector<ShapeRecord> shapes;
 
   /// What it takes on the device, without index and contours.

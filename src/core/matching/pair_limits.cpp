@@ -51,7 +51,8 @@ std::vector<DistanceHistogram> look(std::vector<std::uint32_t> bins, std::uint64
   std::vector<DistanceHistogram> found(bins.size());
   while (std::any_of(bins.begin(), bins.end(), [](std::uint32_t b) { return b > 0; })) {
     const std::vector<DistanceHistogram> counted = count(bins, stride);
-    if (std::ptrdiff_t(counted.size()) != std::count_if(bins.begin(), bins.end(), [](std::uint32_t b) { return b > 0; })) {
+    if (std::ptrdiff_t(counted.size()) !=
+        std::count_if(bins.begin(), bins.end(), [](std::uint32_t b) { return b > 0; })) {
       throw std::logic_error("a matcher counted other samples than it was asked for");
     }
     auto next = counted.begin();

@@ -12,8 +12,8 @@
 namespace tessera {
 
 /// The answer to a CountRequest: of each sample with bins, in order.
-using CountPairs = std::function<std::vector<DistanceHistogram>(const std::vector<std::uint32_t>& bins,
-                                                                std::uint32_t segment_stride)>;
+using CountPairs =
+    std::function<std::vector<DistanceHistogram>(const std::vector<std::uint32_t>& bins, std::uint32_t segment_stride)>;
 
 /// Of each of `samples` target samples the bins of its best pairs (bin_limit_for), at most `pairs` in a library of so
 /// many `shapes`. Asks step by step: large libraries for some segments at first, which tell about how far it will be.
