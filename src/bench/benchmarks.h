@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,8 @@ struct Setting {
   bool quick = false;           // a small version, which only shows that it runs
   std::string devices = "all";  // as the job key devices.use
   std::string out;              // the JSON file; what else a benchmark writes has its name with other endings
+  /// Told a line at the beginning of each part of a long benchmark.
+  std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
 struct PairsOptions {
@@ -57,18 +61,18 @@ Report bench_replacing(const Setting& setting, const SquareJob& job);
 
 struct LibraryOptions {
   std::string library;
-  std::vector<std::uint32_t> sizes = {100, 1000, 10000, 100000};
+  std::vector<std::uint32_t> sizes;  // none: 100 to 100,000, or two small ones where it is quick
   std::string models;  // folder where models are kept and read from (model_file.h); empty: they are held in memory
 };
 /// Time and memory as the library grows.
 Report bench_library(const Setting& setting, const LibraryOptions& options);
 
 struct VarietyOptions {
-  std::vector<std::uint32_t> sizes = {100, 1000, 10000};
-  std::vector<std::uint32_t> pairs = {0,   25,  50,
-                                      100, 200, 400};  // docked for a target sample; 0: random dockings alone
-  int seeds = 4;
-  std::string models;  // as in LibraryOptions
+  std::vector<std::uint32_t> sizes;  // none: 100 to 10,000, or two small ones where it is quick
+  /// Docked for a target sample; 0: random dockings alone. None: 0 to 400, or two of them where it is quick.
+  std::vector<std::uint32_t> pairs;
+  std::optional<int> seeds;  // 4, or 1 where it is quick
+  std::string models;        // as in LibraryOptions
 };
 /// What more shapes, and more pairs docked, bring to a collage.
 Report bench_variety(const Setting& setting, const SquareJob& job, const VarietyOptions& options);

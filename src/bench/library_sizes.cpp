@@ -82,7 +82,9 @@ Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas
   return grown;
 }
 
-std::vector<std::uint32_t> checked_sizes(std::vector<std::uint32_t> sizes) {
+std::vector<std::uint32_t> chosen_sizes(std::vector<std::uint32_t> sizes, bool quick) {
+  if (sizes.empty())
+    return quick ? std::vector<std::uint32_t>{10, 30} : std::vector<std::uint32_t>{100, 1000, 10000, 100000};
   for (const std::uint32_t size : sizes) {
     if (size < 1 || size > kMostVariedShapes) {
       throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " +
@@ -121,15 +123,14 @@ std::string explanation(int pieces, int size_px, std::size_t originals) {
          " px, with the first matching of the whole canvas, laid a second time. Shapes beyond\n"
          "the file's " +
          std::to_string(originals) +
-         " are mirrored and stretched ones, made the first time. Device: the shard's buffers; on a CPU device\n"
-         "they count in the peak memory too.\n";
+         " are mirrored and stretched ones, made the first time. First piece: from the start on. Device: the\n"
+         "shard's buffers; on a CPU device they count in the peak memory too.\n";
 }
 
 }  // namespace
 
 Report bench_library(const Setting& setting, const LibraryOptions& options) {
-  const std::vector<std::uint32_t> sizes =
-      setting.quick ? std::vector<std::uint32_t>{10, 30} : checked_sizes(options.sizes);
+  const std::vector<std::uint32_t> sizes = chosen_sizes(options.sizes, setting.quick);
   const io::LibraryFile library(options.library);
   const int size_px = setting.quick ? 200 : 1000;
   const Canvas canvas = make_rectangle_canvas(size_px, size_px);
@@ -146,6 +147,7 @@ Report bench_library(const Setting& setting, const LibraryOptions& options) {
                       {"pieces", settings.stop.pieces},
                       {"sizes", Json::array()}});
   for (const std::uint32_t size : sizes) {
+    setting.progress(std::to_string(size) + " shapes");
     add_size(table, report.json["sizes"], size,
              run_size(library, size, canvas, settings, setting.devices, options.models));
   }

@@ -7,7 +7,7 @@ namespace tessera::bench {
 void check(const SquareJob& job) {
   const auto [low, high] = job.scale_px;
   if (!(low >= 2 && low < high && high <= 5000)) {
-    throw InputError("--scale-px: found " + io::fixed(low, 3) + "," + io::fixed(high, 3) +
+    throw InputError("--scale-px: found " + short_number(low) + "," + short_number(high) +
                      "; allowed: MIN,MAX with 2 <= MIN < MAX <= 5000 px");
   }
   if (job.size_px < 16 || job.size_px > 10000) {

@@ -57,6 +57,15 @@ CollageSettings with_pairs(CollageSettings settings, std::uint32_t pairs) {
   return settings;
 }
 
+/// With what was not asked for.
+VarietyOptions whole(VarietyOptions options, bool quick) {
+  using Numbers = std::vector<std::uint32_t>;
+  if (options.sizes.empty()) options.sizes = quick ? Numbers{10, 30} : Numbers{100, 1000, 10000};
+  if (options.pairs.empty()) options.pairs = quick ? Numbers{0, 50} : Numbers{0, 25, 50, 100, 200, 400};
+  if (!options.seeds) options.seeds = quick ? 1 : 4;
+  return options;
+}
+
 void check(const VarietyOptions& options) {
   for (const std::uint32_t size : options.sizes) {
     if (size < 1 || size > kMostVariedShapes) {
@@ -70,14 +79,15 @@ void check(const VarietyOptions& options) {
       throw InputError("--pairs: found " + std::to_string(pairs) + "; allowed: 0 to " + std::to_string(kMostPairs));
     }
   }
-  if (options.seeds < 1 || options.seeds > 100) {
-    throw InputError("--seeds: found " + std::to_string(options.seeds) + "; allowed: 1 to 100");
+  if (*options.seeds < 1 || *options.seeds > 100) {
+    throw InputError("--seeds: found " + std::to_string(*options.seeds) + "; allowed: 1 to 100");
   }
 }
 
 }  // namespace
 
-Report bench_variety(const Setting& setting, const SquareJob& job, const VarietyOptions& options) {
+Report bench_variety(const Setting& setting, const SquareJob& job, const VarietyOptions& asked) {
+  const VarietyOptions options = whole(asked, setting.quick);
   check(job);
   check(options);
   const io::LibraryFile library(job.library);
@@ -98,12 +108,13 @@ Report bench_variety(const Setting& setting, const SquareJob& job, const Variety
                       {"canvas_px", size_px},
                       {"scale_px", job.scale_px},
                       {"first_seed", job.seed},
-                      {"seeds", options.seeds},
+                      {"seeds", *options.seeds},
                       {"rows", Json::array()}});
   for (const std::uint32_t size : options.sizes) {
     std::vector<Means> means(options.pairs.size());
-    for (int k = 0; k < options.seeds; ++k) {
+    for (int k = 0; k < *options.seeds; ++k) {
       settings.seed = job.seed + std::uint64_t(k);
+      setting.progress(std::to_string(size) + " shapes, seed " + std::to_string(settings.seed));
       const MatchingContext context = make_matching_context(settings, size);
       const auto matcher = worker::make_device_matcher(setting.devices, context, {0, size},
                                                        varied_models(shapes, size, context, options.models));
@@ -115,14 +126,14 @@ Report bench_variety(const Setting& setting, const SquareJob& job, const Variety
         const Quality quality = measure_quality(
             canvas, made.placements, [&](ShapeId id) -> const Shape& { return shapes.shape(id); },
             SizeRange{job.scale_px[0], job.scale_px[1]});
-        add(means[i], quality, made.statistics.total_s - (shapes.making_s() - making_s), 1. / options.seeds);
+        add(means[i], quality, made.statistics.total_s - (shapes.making_s() - making_s), 1. / *options.seeds);
       }
     }
     for (std::size_t i = 0; i < means.size(); ++i) {
       add_row(size, options.pairs[i], means[i], table, report.json["rows"]);
     }
   }
-  report.text = table.text() + "\nMeans of " + std::to_string(options.seeds) + " seeds from " +
+  report.text = table.text() + "\nMeans of " + std::to_string(*options.seeds) + " (--seeds) from seed " +
                 std::to_string(job.seed) + " on; " + std::to_string(size_px) + " x " + std::to_string(size_px) +
                 " px, pieces of " + short_number(job.scale_px[0]) + " to " + short_number(job.scale_px[1]) +
                 " px, not improved. Shapes beyond the\nfile's " + std::to_string(library.size()) +

@@ -29,7 +29,9 @@ using Benchmark = std::function<bench::Report(const bench::Setting&)>;
 int run(const bench::Setting& setting, const Benchmark& benchmark) {
   const std::filesystem::path folder = std::filesystem::path(setting.out).parent_path();
   io::prepare_output_directory(folder.empty() ? "." : folder.string());
-  const bench::Report report = benchmark(setting);
+  bench::Setting told = setting;
+  told.progress = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  const bench::Report report = benchmark(told);
   bench::write_report(report, setting.out);
   std::printf("%s\nwritten to %s\n", report.text.c_str(), setting.out.c_str());
   return 0;
@@ -41,8 +43,9 @@ CLI::App* add_benchmark(CLI::App& bench, Command& selected, const std::string& n
   const auto setting = std::make_shared<bench::Setting>();
   setting->out = "out/bench_" + name + ".json";
   sub->add_option("--out", setting->out, "The JSON file")->type_name("FILE.json")->capture_default_str();
-  sub->add_flag("--quick", setting->quick,
-                "A small version, which only shows that it runs; what is asked for beside it holds");
+  sub->add_flag(
+      "--quick", setting->quick,
+      "A small version, which only shows that it runs: on a small canvas, few cases where none are asked for");
   sub->add_option("--devices", setting->devices, "OpenCL devices, as the job key devices.use")
       ->type_name("USE")
       ->capture_default_str();
@@ -126,11 +129,11 @@ void add_models_option(CLI::App& sub, std::string& folder) {
       ->check(CLI::ExistingDirectory);
 }
 
-void add_sizes_option(CLI::App& sub, std::vector<std::uint32_t>& sizes) {
+void add_sizes_option(CLI::App& sub, std::vector<std::uint32_t>& sizes, const std::string& otherwise) {
   sub.add_option("--sizes", sizes, "Numbers of shapes; beyond the library's, mirrored and stretched ones")
       ->type_name("N,..")
       ->delimiter(',')
-      ->capture_default_str();
+      ->default_str(otherwise);
 }
 
 void add_library(CLI::App& bench, Command& selected) {
@@ -138,7 +141,7 @@ void add_library(CLI::App& bench, Command& selected) {
   CLI::App* sub = add_benchmark(bench, selected, "library", "Time and memory as the library grows",
                                 [options](const bench::Setting& s) { return bench::bench_library(s, *options); });
   add_library_option(*sub, options->library);
-  add_sizes_option(*sub, options->sizes);
+  add_sizes_option(*sub, options->sizes, "100,1000,10000,100000");
   add_models_option(*sub, options->models);
 }
 
@@ -150,14 +153,15 @@ void add_variety(CLI::App& bench, Command& selected) {
       add_benchmark(bench, selected, "variety", "What more shapes, and more pairs docked, bring to a collage",
                     [=](const bench::Setting& s) { return bench::bench_variety(s, *job, *options); });
   add_square_job_options(*sub, *job);
-  add_sizes_option(*sub, options->sizes);
-  sub->add_option("--pairs", options->pairs, "Pairs docked for a target sample; 0: random dockings alone")
+  add_sizes_option(*sub, options->sizes, "100,1000,10000");
+  sub->add_option("--pairs", options->pairs,
+                  "Pairs docked for a target sample; 0: none, as the job key match.top_percent = 0")
       ->type_name("N,..")
       ->delimiter(',')
-      ->capture_default_str();
+      ->default_str("0,25,50,100,200,400");
   sub->add_option("--seeds", options->seeds, "Collages of each kind, whose means are told")
       ->type_name("N")
-      ->capture_default_str();
+      ->default_str("4");
   add_models_option(*sub, options->models);
 }
 

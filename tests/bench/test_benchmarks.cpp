@@ -203,6 +203,25 @@ TEST(Benchmarks, LibraryChecksItsSizes) {
 }
 
 /// No pairs are other dockings than some: rows differ, and hold what was asked for.
+/// What is asked for holds, in a quick version too; what is not asked for is little there. Each part is told.
+TEST(Benchmarks, QuickOnesDoWhatIsAskedFor) {
+  LibraryOptions sizes;
+  sizes.library = library();
+  sizes.sizes = {20};
+  EXPECT_EQ(bench_library(kQuick, sizes).json.at("sizes").at(0).at("shapes"), 20);
+  sizes.sizes = {0};
+  EXPECT_THROW(bench_library(kQuick, sizes), InputError);
+
+  SquareJob job;
+  job.library = library();
+  job.scale_px = {15, 50};
+  Setting setting = kQuick;
+  std::vector<std::string> told;
+  setting.progress = [&](const std::string& line) { told.push_back(line); };
+  EXPECT_EQ(bench_variety(setting, job, {}).json.at("rows").size(), 4u);
+  EXPECT_EQ(told, (std::vector<std::string>{"10 shapes, seed 1", "30 shapes, seed 1"}));
+}
+
 TEST(Benchmarks, Variety) {
   SquareJob job;
   job.library = library();
