@@ -89,8 +89,9 @@ INLINE void ask_for_rows(global const uchar* rows) {
 #endif
 }
 
-// Work group: portions of the blocks that were found, its items in turns. All work groups are of one launch. A portion's blocks are neighbours in the list,
-// and so most of them in the index: what one sample looks at, the next ones find in a CPU's cache.
+// Work group: portions of the blocks that were found, its items in turns. All work groups are of one launch. A portion's
+// blocks are neighbours in the list, and so most of them in the index: what one sample looks at, the next ones find in a
+// CPU's cache.
 // `index_rows`: of each block a row for each element, then one for the scales and one for the signs; `index_places`:
 // what a PAD's exact test needs; `index_chords`: what a test of its rotation needs.
 // `pairs`, in no particular order: those nearer than their sample's reach; of more than `capacity` the rest is lost,

@@ -8,7 +8,6 @@
 #include "bench/model_file.h"
 #include "bench/process_memory.h"
 #include "bench/varied_shapes.h"
-#include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "io/number_text.h"
 #include "io/text_table.h"
@@ -85,12 +84,7 @@ Grown run_size(const io::LibraryFile& library, std::uint32_t count, const Canvas
 std::vector<std::uint32_t> chosen_sizes(std::vector<std::uint32_t> sizes, bool quick) {
   if (sizes.empty())
     return quick ? std::vector<std::uint32_t>{10, 30} : std::vector<std::uint32_t>{100, 1000, 10000, 100000};
-  for (const std::uint32_t size : sizes) {
-    if (size < 1 || size > kMostVariedShapes) {
-      throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " +
-                       std::to_string(kMostVariedShapes));
-    }
-  }
+  check_varied_sizes(sizes);
   std::sort(sizes.begin(), sizes.end());
   return sizes;
 }

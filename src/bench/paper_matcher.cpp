@@ -1,7 +1,6 @@
 #include "bench/paper_matcher.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "core/collage/objective.h"
 #include "core/pad/pad_index.h"
@@ -73,9 +72,7 @@ void PaperMatcher::limit(const StandingLimits& limits) { context_.stances = all_
 
 void PaperMatcher::post_count(const CountRequest& request) {
   if (!request.samples.empty()) counted_ = request.samples;
-  if (!request.bins.empty() && request.bins.size() != counted_.size()) {
-    throw std::logic_error("bins of other samples than those that are counted");
-  }
+  expect_bins_of(counted_.size(), request.bins);
   histograms_.clear();
   for (std::size_t t = 0; t < request.bins.size(); ++t) {
     if (request.bins[t] == 0) continue;

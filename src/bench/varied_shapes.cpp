@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include "core/base/error.h"
 #include "core/base/portable_math.h"
 #include "core/base/stopwatch.h"
 #include "io/parallel_for.h"
@@ -18,6 +20,13 @@ constexpr io::LibraryParts kOutlines{.outline = true, .field = false, .levels = 
 float fraction(double x) { return float(x - std::floor(x)); }
 
 }  // namespace
+
+void check_varied_sizes(const std::vector<std::uint32_t>& sizes) {
+  for (const std::uint32_t size : sizes) {
+    if (size >= 1 && size <= kMostVariedShapes) continue;
+    throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " + std::to_string(kMostVariedShapes));
+  }
+}
 
 void change_pads(ShapeModel& model, std::uint32_t number) {
   if (number < VariedShapes::kDifferent) return;

@@ -13,6 +13,9 @@ ShapeVariation variation_number(std::uint32_t number);
 
 inline constexpr std::uint32_t kMostVariedShapes = 1'000'000;
 
+/// Of --sizes. Throws InputError.
+void check_varied_sizes(const std::vector<std::uint32_t>& sizes);
+
 /// The model of shape `number`, whose outline is that of an earlier one, gets PADs of its own.
 void change_pads(ShapeModel& model, std::uint32_t number);
 

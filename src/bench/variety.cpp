@@ -67,12 +67,7 @@ VarietyOptions whole(VarietyOptions options, bool quick) {
 }
 
 void check(const VarietyOptions& options) {
-  for (const std::uint32_t size : options.sizes) {
-    if (size < 1 || size > kMostVariedShapes) {
-      throw InputError("--sizes: found " + std::to_string(size) + "; allowed: 1 to " +
-                       std::to_string(kMostVariedShapes));
-    }
-  }
+  check_varied_sizes(options.sizes);
   constexpr std::uint32_t kMostPairs = 1'000'000;  // as match.most_pairs
   for (const std::uint32_t pairs : options.pairs) {
     if (pairs > kMostPairs) {

@@ -106,7 +106,7 @@ class DeviceBuffer {
       session_->queue().enqueueWriteBuffer(buffer_, CL_FALSE, 0, given->size() * sizeof(T), given->data(), nullptr,
                                            &written);
       const auto free = [](cl_event, cl_int, void* done) { delete static_cast<std::vector<T>*>(done); };
-      written.setCallback(CL_COMPLETE, free, given.release());
+      written.setCallback(CL_COMPLETE, free, given.release());  // where this fails it is lost, not freed too early
     });
   }
 

@@ -5,7 +5,6 @@
 #include <future>
 #include <numeric>
 #include <span>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
 
@@ -118,9 +117,7 @@ void PairStage::hold(const std::vector<PairRecord>& pairs) {
 }
 
 void PairStage::post_count(std::vector<std::uint32_t> bins, std::uint32_t segment_stride) {
-  if (!bins.empty() && bins.size() != samples_.size()) {
-    throw std::logic_error("bins of other samples than those that are counted");
-  }
+  expect_bins_of(samples_.size(), bins);
   asked_bins_ = std::move(bins);
   post_search(asked_bins_, segment_stride);
 }

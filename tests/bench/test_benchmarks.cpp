@@ -202,7 +202,6 @@ TEST(Benchmarks, LibraryChecksItsSizes) {
   EXPECT_THROW(bench_library({}, options), InputError);
 }
 
-/// No pairs are other dockings than some: rows differ, and hold what was asked for.
 /// What is asked for holds, in a quick version too; what is not asked for is little there. Each part is told.
 TEST(Benchmarks, QuickOnesDoWhatIsAskedFor) {
   LibraryOptions sizes;
@@ -222,6 +221,7 @@ TEST(Benchmarks, QuickOnesDoWhatIsAskedFor) {
   EXPECT_EQ(told, (std::vector<std::string>{"10 shapes, seed 1", "30 shapes, seed 1"}));
 }
 
+/// No pairs are other dockings than some: rows differ, and hold what was asked for.
 TEST(Benchmarks, Variety) {
   SquareJob job;
   job.library = library();

@@ -1,6 +1,7 @@
 #include "core/matching/matcher.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace tessera {
 
@@ -13,6 +14,11 @@ std::uint32_t bin_limit_for(const DistanceHistogram& histogram, std::uint64_t mo
     if (sum > most) return bin + 1;
   }
   return kDistanceBins;
+}
+
+void expect_bins_of(std::size_t counted, const std::vector<std::uint32_t>& bins) {
+  if (!bins.empty() && bins.size() != counted)
+    throw std::logic_error("bins of other samples than those that are counted");
 }
 
 RefinedDocking feasible_docking(const Docking& docking, const DockingTerms& terms, const ShapeModel& shape) {

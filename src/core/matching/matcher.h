@@ -113,6 +113,9 @@ inline std::uint32_t reach_of_bins(std::uint32_t bins, std::uint32_t beta_steps)
 /// empty, so that no sample goes without. All of them where the histogram holds no more than `most`.
 std::uint32_t bin_limit_for(const DistanceHistogram& histogram, std::uint64_t most);
 
+/// Throws std::logic_error where a CountRequest has bins of other samples than the `counted` ones.
+void expect_bins_of(std::size_t counted, const std::vector<std::uint32_t>& bins);
+
 RefinedDocking feasible_docking(const Docking& docking, const DockingTerms& terms, const ShapeModel& shape);
 
 /// Sorts (docks_better) and keeps the best kShortlist.

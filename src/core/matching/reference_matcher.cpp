@@ -1,7 +1,6 @@
 #include "core/matching/reference_matcher.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "core/matching/colour_fit.h"
 #include "core/matching/refinement.h"
@@ -58,9 +57,7 @@ float ReferenceMatcher::key_of(const ShapeModel& model, const Similarity& pose) 
 
 void ReferenceMatcher::post_count(const CountRequest& request) {
   if (!request.samples.empty()) counted_ = request.samples;
-  if (!request.bins.empty() && request.bins.size() != counted_.size()) {
-    throw std::logic_error("bins of other samples than those that are counted");
-  }
+  expect_bins_of(counted_.size(), request.bins);
   histograms_.clear();
   for (std::size_t t = 0; t < request.bins.size(); ++t) {
     if (request.bins[t] == 0) continue;
