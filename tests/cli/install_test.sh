@@ -24,8 +24,11 @@ done
 [[ -x $share/slurm/gpu_share.sh && -x $share/slurm/campaign.sh ]] || fail "scripts that cannot be run"
 echo "ok all files"
 
-# Nothing but PATH and a HOME for the kernels' cache.
-bare() { env -i PATH="$prefix/bin:/usr/bin:/bin" HOME="${HOME-/tmp}" ASAN_OPTIONS="${ASAN_OPTIONS-}" LSAN_OPTIONS="${LSAN_OPTIONS-}" "$@"; }
+# Nothing but PATH, a HOME for the kernels' cache, and what the sanitizers' preset sets.
+bare() {
+  env -i PATH="$prefix/bin:/usr/bin:/bin" HOME="${HOME-/tmp}" ASAN_OPTIONS="${ASAN_OPTIONS-}" LSAN_OPTIONS="${LSAN_OPTIONS-}" \
+    ${OCL_ICD_VENDORS:+"OCL_ICD_VENDORS=$OCL_ICD_VENDORS"} "$@"
+}
 bare tessera --version >output || fail "--version"
 readelf -d "$prefix/bin/tessera" | grep -qiE 'R(UN)?PATH' && fail "the program looks for libraries in fixed folders"
 make_drawings drawings
