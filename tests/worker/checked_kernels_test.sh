@@ -13,10 +13,13 @@ mkdir -p "$folder/pocl"
 export POCL_CACHE_DIR=$folder/pocl  # kernels for this other CPU
 
 # checked LOG COMMAND...: fails where valgrind has anything to say.
+# Threads get their turns by --fair-sched: without it one may do all work items while the others wait for valgrind's lock,
+# and there is no race to be seen.
 checked() {
   local log=$1
   shift
-  valgrind --tool="$tool" --suppressions="$here/valgrind.supp" --error-exitcode=99 --log-file="$log" "$@"
+  valgrind --tool="$tool" --fair-sched=yes --suppressions="$here/valgrind.supp" --error-exitcode=99 \
+    --log-file="$log" "$@"
 }
 
 # found FAULT: whether valgrind tells of the faulty kernel of that name.

@@ -49,6 +49,8 @@ TEST(Launch, OfLongRowsIsDividedWithinThem) {
 /// Kernels with faults, for checked_kernels_test.sh alone: they show that its tools find them.
 class Faulty : public testing::Test {
  protected:
+  static constexpr std::size_t kPlaces = 1024;  // 4 KB: PoCL makes buffers larger, up to the next 128 bytes
+
   void SetUp() override {
     if (!std::getenv("TESSERA_TEST_FAULTY")) GTEST_SKIP() << "runs where faults are looked for";
   }
@@ -58,13 +60,14 @@ class Faulty : public testing::Test {
     const DeviceSession session(opencl_devices().front(), source, "-cl-std=CL1.2 -cl-opt-disable");
     cl::Kernel kernel = session.kernel("faulty");
     DeviceBuffer<std::uint32_t> place(session);
-    place.reserve(1000);
-    launch(session, kernel, {items, 1, 1}, std::uint32_t(1000), place);
+    place.reserve(kPlaces);
+    launch(session, kernel, {items, 1, 1}, std::uint32_t(kPlaces), place);
     place.read(1);
   }
 };
 
-TEST_F(Faulty, ReadsBeyondItsBuffer) { run("place[0] = place[n * 5];", 1); }
+/// The first place beyond: farther away may be another living block, which hides the fault.
+TEST_F(Faulty, ReadsBeyondItsBuffer) { run("place[0] = place[n];", 1); }
 
 TEST_F(Faulty, DecidesByWhatNobodyWrote) { run("if (place[7] > 3) place[0] = 1;", 1); }
 
