@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/exit_codes.h"
 #include "cli/refined_result.h"
 #include "comm/communicator.h"
 
@@ -26,10 +27,6 @@ struct CollageArguments {
 
 /// Where the result goes.
 std::string output_folder(const CollageArguments& arguments);
-
-/// There is more to do, and a checkpoint to go on from unless the first round had not begun: sysexits.h calls it a
-/// temporary failure.
-inline constexpr int kUnfinishedExitCode = 75;
 
 enum class CollageEnd {
   finished,

@@ -1,6 +1,5 @@
 // tessera: parses the command line and runs the sub-command as one rank of a job, which reports errors once and ends
-// all ranks together. Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input (arguments, files),
-// 75 interrupted with work left (collage_run.h).
+// all ranks together. Exit codes: exit_codes.h.
 #include <malloc.h>
 #include <CLI/CLI.hpp>
 
@@ -11,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/collage_run.h"
 #include "cli/commands.h"
+#include "cli/exit_codes.h"
 #include "comm/in_process_communicator.h"
 #include "comm/launcher_check.h"
 #include "comm/mpi_guard.h"
@@ -70,7 +69,8 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
       "  tessera draw out/my_job --width 12000            its pictures again, larger\n"
       "  tessera campaign my_job.toml --seeds 1-8         eight of them, ranked by quality\n"
       "  tessera card theirs.geojson --size 1000,800      anybody's collage, by the same measures\n"
-      "Exit codes: 0 done, 1 the surroundings failed (disk, device), 2 bad input, 75 interrupted with work left.");
+      "Exit codes: 0 done, 1 the machine failed (disk, memory, device), 2 bad input, 3 done, but something that was\n"
+      "counted is missing (warnings name it), 75 interrupted: --resume goes on.");
   Command selected;
   add_library_command(app, selected);
   add_collage_command(app, selected);
