@@ -20,6 +20,7 @@ namespace {
 constexpr const char* kExamples =
     "Examples:\n"
     "  tessera plan jobs/animals.toml --ranks 5\n"
+    "  tessera plan my.toml --set quality=best          with eight times as much improving as the usual \"good\"\n"
     "  tessera plan jobs/animals.toml --ranks 33 --nodes 4 --set 'canvas.size_px=[8000, 6000]' --set devices.use=gpu\n"
     "Memory, time and checkpoint before the job is run, estimated, and the head of a batch script that fits. Nothing "
     "is\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/time_estimate.h"
 #include "core/matching/matching_context.h"
 #include "core/tuning.h"
 #include "master/replacing.h"
@@ -77,10 +78,14 @@ double priced(double amount, double edge, double price, double price_beyond) {
   return price * std::min(amount, edge) + price_beyond * std::max(0., amount - edge);
 }
 
+double pieces_when_full(const PlanInput& input) {
+  const PieceSettings& pieces = input.settings.pieces;
+  return input.canvas_px2 / (kAreaOfAPiece * pieces.min_scale_px * pieces.max_scale_px);
+}
+
 double expected_pieces(const PlanInput& input) {
   const CollageSettings& s = input.settings;
-  const double full = input.canvas_px2 / (kAreaOfAPiece * s.pieces.min_scale_px * s.pieces.max_scale_px);
-  double pieces = std::max(1., full * s.stop.coverage);
+  double pieces = std::max(1., pieces_when_full(input) * s.stop.coverage);
   if (s.stop.pieces > 0) pieces = std::min(pieces, double(s.stop.pieces));
   if (s.pieces.uses > 0) pieces = std::min(pieces, double(s.pieces.uses) * double(input.shapes));
   return pieces;
@@ -117,6 +122,15 @@ double replacing_s(const PlanInput& input, const PlanEstimate& plan, double tria
   return trials * double(master::kReplacementsPerTrial) * kReplacement_s / std::min(double(plan.workers), windows);
 }
 
+/// A limit that ends the filling leaves nothing to improve; a number of pieces that the canvas does not hold is none.
+double expected_trials(const PlanInput& input, double trials_a_second) {
+  const ImproveSettings& improve = input.settings.improve;
+  StopSettings stop = input.settings.stop;
+  if (stop.pieces > pieces_when_full(input)) stop.pieces = 0;
+  if (ends_before_improving(stop)) return 0;
+  return improve.trials > 0 ? double(improve.trials) : improve.seconds * trials_a_second;
+}
+
 void add_times(const PlanInput& input, PlanEstimate& plan) {
   const CollageSettings& s = input.settings;
   const double shapes = double(input.shapes);
@@ -124,9 +138,7 @@ void add_times(const PlanInput& input, PlanEstimate& plan) {
   const double sample_s = kPairsOfCubeRoot_s * std::cbrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
   const double filling_s = plan.pieces * kSamplesOfAPiece * sample_s;
   const double trial_s = kSamplesOfATrial * sample_s;
-  const double trials = s.improve.trials > 0    ? double(s.improve.trials)
-                        : s.improve.seconds > 0 ? s.improve.seconds / (trial_s / plan.workers + kMasterOfATrial_s)
-                                                : 0;
+  const double trials = expected_trials(input, 1 / (trial_s / plan.workers + kMasterOfATrial_s));
   const double replaced = master::pays_to_replace(s) ? master::kPartReplaced * trials : 0;
   const double others = trials - replaced;
   plan.matching_s = filling_s + others * trial_s;

@@ -5,9 +5,10 @@
 namespace tessera::cli {
 namespace {
 
-constexpr double kMostShare = 0.99;    // an estimate never says that it is over
-constexpr double kLeastShare = 0.02;   // of a phase, to judge by
-constexpr double kPiecesPerTrial = 2;  // a trial takes about as long as placing two pieces (jobs/animals.toml)
+constexpr double kMostShare = 0.99;     // an estimate never says that it is over
+constexpr double kLeastShare = 0.02;    // of a phase, to judge by
+constexpr float kSurelyReached = 0.8f;  // coverage, by any library but one of wires
+constexpr double kPiecesPerTrial = 2;   // a trial takes about as long as placing two pieces (jobs/animals.toml)
 
 // Measured with jobs/animals.toml: coverage grows evenly up to about 0.9, which takes two thirds of the time; the rest
 // goes by over gaps where less and less fits. Near enough to tell minutes from seconds.
@@ -23,6 +24,8 @@ double share_by_coverage(double coverage, double goal) {
 }
 
 }  // namespace
+
+bool ends_before_improving(const StopSettings& stop) { return stop.pieces > 0 || stop.coverage < kSurelyReached; }
 
 double expected_time_share(const master::Progress& progress, const StopSettings& stop) {
   double share = share_by_coverage(progress.coverage, stop.coverage);
@@ -56,6 +59,7 @@ void TimeEstimate::note_pace_of_filling(const master::Progress& progress) {
 }
 
 double TimeEstimate::improving_s() const {
+  if (ends_before_improving(stop_)) return 0;
   const double by_trials_s = improve_.trials * kPiecesPerTrial * piece_s_;
   if (improve_.seconds <= 0) return by_trials_s;
   return improve_.trials > 0 ? std::min(improve_.seconds, by_trials_s) : improve_.seconds;

@@ -12,6 +12,9 @@ namespace tessera::cli {
 /// The share of filling's time that is probably over, 0..0.99, from whichever of the stops comes first.
 double expected_time_share(const master::Progress& progress, const StopSettings& stop);
 
+/// Whether a limit of pieces, or one of coverage that filling reaches as a rule, leaves nothing to be improved.
+bool ends_before_improving(const StopSettings& stop);
+
 /// A run fills, perhaps several times (fit = "all"), then improves. Each of these phases is judged by its own pace in
 /// this process, so that neither earlier attempts nor what came before an interruption count.
 class TimeEstimate {

@@ -33,6 +33,7 @@ echo '<svg xmlns="http://www.w3.org/2000/svg" width="90" height="60"><ellipse cx
   >ellipse.svg
 cat >job.toml <<'END_OF_JOB'
 seed = 3
+quality = 'draft'
 [library]
 file = 'animals.h5'
 [canvas]

@@ -51,6 +51,7 @@ enter_folder() {
 # A job of two pieces of the library in job.toml.
 write_job() { # CANVAS_PX SCALES_PX WIDTH_PX
   cat >job.toml <<END_OF_JOB
+quality = 'draft'
 [library]
 file = 'own.h5'
 [canvas]

@@ -67,6 +67,7 @@ collage() {
   grep -o '"library":.*"digest":"[0-9a-f]*"},"canvas"' "$name/manifest.json" | grep -o '[0-9a-f]\{16\}'
 }
 cat >job.toml <<'END'
+quality = 'draft'
 [library]
 files = ["a.h5", "b.h5"]
 [canvas]

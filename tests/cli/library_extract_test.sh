@@ -41,6 +41,7 @@ echo "ok search"
 # The library does without the photo.
 mv wall.png elsewhere.png
 cat >job.toml <<'END_OF_JOB'
+quality = 'draft'
 [library]
 file = "wall.h5"
 [canvas]

@@ -19,6 +19,7 @@ grep -q '^sun.toml: 413 x 275 px, about 100 pieces of 16 to 64 px out of 5 shape
   grep -q '; 2 regions: sun_regions.png$' output || fail "does not say what it wrote"
 grep -qx 'next: tessera collage sun.toml' output || fail "does not say what to type next"
 [[ -s sun_sizes.png && ! -e out ]] || fail "no map, or a result"
+grep -q '^quality = "draft"' sun.toml || fail "the job does not say how much is improved"
 cp sun.toml first.toml
 run 0 mosaic sun.png own.h5 --pieces 100 --job-only --quiet
 [[ ! -s output ]] || fail "--quiet prints"

@@ -13,6 +13,7 @@ digest() { find "$1" -type f -print0 | sort -z | xargs -0 sha256sum | sha256sum;
 
 enter_folder
 cat >in_mm.toml <<'END'
+quality = 'draft'
 [library]
 file = 'own.h5'
 [stop]
@@ -46,7 +47,7 @@ grep -q 'pieces.scale_mm: found 3; needed: canvas.size_mm' errors || fail "anoth
 grep -q '"overlap_fraction": *\(0.000000\|0.0[,}]\|0[,}]\)' in_mm/card.json || fail "pieces overlap"
 echo "ok millimetres"
 
-printf "[library]\nfile = 'own.h5'\n[stop]\npieces = 2\n[canvas]\nsize_px = [120, 90]\n[pieces]\nscale_px = [14, 40]\n" >plain.toml
+printf "quality = 'draft'\n[library]\nfile = 'own.h5'\n[stop]\npieces = 2\n[canvas]\nsize_px = [120, 90]\n[pieces]\nscale_px = [14, 40]\n" >plain.toml
 run 0 collage plain.toml --out plain --quiet --set output.dpi=600 --set pieces.padding_px=2 --set pieces.overlap_px=1
 grep -q 'warning: output.dpi (now 600) means nothing .*; pieces.overlap_px (now 1) does not count beside' errors ||
   fail "keys that mean nothing are not told"
@@ -124,6 +125,7 @@ cat >regions.svg <<'SVG'
 </svg>
 SVG
 cat >regions.toml <<'TOML'
+quality = 'draft'
 [library]
 file = "own.h5"
 [canvas]

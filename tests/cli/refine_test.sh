@@ -10,6 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 enter_folder
 cat >job.toml <<'END'
+quality = 'draft'
 [library]
 file = 'own.h5'
 [canvas]
@@ -63,6 +64,7 @@ cat >parts.svg <<'END'
 <rect width="90" height="120" fill="#ff0000"/><rect x="90" width="150" height="120" fill="#0000ff"/></svg>
 END
 cat >parts.toml <<'END'
+quality = 'draft'
 [library]
 file = 'own.h5'
 [canvas]

@@ -86,6 +86,9 @@ run 0 collage job.toml --out good "${all_that_fits[@]}" --resume=auto --set impr
 run 0 campaign job.toml --out words --set quality=draft,good --set stop.pieces=0
 cmp good/pieces.geojson words/quality_good/pieces.geojson || fail "other pieces in a campaign"
 grep -q '"trials_limit": 0,' words/quality_draft/card.json || fail "a draft was improved"
+sed '/^quality/d' job.toml >no_word.toml
+run 0 collage no_word.toml --out no_word "${all_that_fits[@]}"
+cmp good/pieces.geojson no_word/pieces.geojson || fail "a job without a word is not good"
 echo "ok qualities"
 
 # A campaign keeps what is finished, and does not lose what is another job's.

@@ -92,6 +92,19 @@ TEST(Plan, obeys_the_limits_of_the_job) {
   EXPECT_LT(estimate(input).total_s, 200);
 }
 
+TEST(Plan, counts_no_trials_where_filling_ends_before) {
+  PlanInput draft = animals();
+  PlanInput good = animals();
+  good.settings.improve.trials = 420;
+  EXPECT_GT(estimate(good).total_s, estimate(draft).total_s + 1);
+  for (const StopSettings& stop : {StopSettings{.pieces = 7}, StopSettings{.coverage = 0.5f}}) {
+    draft.settings.stop = good.settings.stop = stop;
+    EXPECT_EQ(estimate(good).total_s, estimate(draft).total_s);
+  }
+  draft.settings.stop = good.settings.stop = {.pieces = 1'000'000};
+  EXPECT_GT(estimate(good).total_s, estimate(draft).total_s + 1) << "more than the canvas holds";
+}
+
 RC_GTEST_PROP(Plan, more_of_anything_needs_no_less, ()) {
   PlanInput input = animals();
   input.shapes = *rc::gen::inRange<std::size_t>(1, 100'000);

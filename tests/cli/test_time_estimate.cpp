@@ -45,9 +45,19 @@ TEST(TimeEstimate, GoesByThePaceOfFilling) {
 
 /// "0:00 left" stood there for a minute.
 TEST(TimeEstimate, TrialsThatAreToComeTakeTimeToo) {
-  TimeEstimate estimate({.pieces = 0, .coverage = 0.6f, .seconds = 0}, {.trials = 2000, .seconds = 0});
+  TimeEstimate estimate({}, {.trials = 2000, .seconds = 0});
   estimate.left_s({});
-  EXPECT_NEAR(estimate.left_s(half_filled()).value(), 10 + 2000 * 2 * 0.1, 1e-3);
+  const double filling_s = 10 / (0.67 / 3) - 10;  // the_nearest_stop_gives_the_share
+  EXPECT_NEAR(estimate.left_s(half_filled()).value(), filling_s + 2000 * 2 * 0.1, 1e-3);
+}
+
+TEST(TimeEstimate, TrialsThatALimitOfTheFillingLeavesOutTakeNone) {
+  const ImproveSettings good{.trials = 2000, .seconds = 0};
+  for (const StopSettings& stop : {StopSettings{.coverage = 0.6f}, StopSettings{.pieces = 200}}) {
+    TimeEstimate estimate(stop, good);
+    estimate.left_s({});
+    EXPECT_NEAR(estimate.left_s(half_filled()).value(), 10, 1e-3);
+  }
 }
 
 TEST(TimeEstimate, TrialsGoAtTheirOwnPace) {

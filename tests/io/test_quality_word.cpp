@@ -74,7 +74,14 @@ struct Case {
 TEST_F(QualityOfAJob, yields_to_numbers_beside_it_and_to_the_command_line) {
   const std::string few = "trials = 50\n", brief = "seconds = 9\n";
   const std::vector<Case> cases = {// The file alone.
-                                   {"-", "", {}, 0, 0},
+                                   {"-", "", {}, 300, 0},
+                                   {"-", "relax = false\n", {}, 300, 0},
+                                   {"-", few, {}, 50, 0},
+                                   {"-", "trials = 0\n", {}, 0, 0},
+                                   {"-", brief, {}, 0, 9},
+                                   {"-", "seconds = 0\n", {}, 0, 0},
+                                   {"", "", {}, 0, 0},
+                                   {"", "relax = false\n", {}, 0, 0},
                                    {"good", few, {}, 50, 0},
                                    {"draft", few, {}, 50, 0},
                                    {"good", "trials = 0\n", {}, 0, 0},
@@ -92,13 +99,18 @@ TEST_F(QualityOfAJob, yields_to_numbers_beside_it_and_to_the_command_line) {
                                    {"draft", "", {"quality=good"}, 300, 0},
                                    {"draft", few, {"quality=good"}, 300, 0},
                                    {"-", few, {"quality=best", " quality = 'good' "}, 300, 0},
-                                   // Without a word it is as if the file had none.
+                                   // An empty word leaves it to [improve].
+                                   {"-", "", {"quality="}, 0, 0},
                                    {"good", "", {"quality="}, 0, 0},
                                    {"good", "", {"quality=''"}, 0, 0},
                                    {"good", few, {"quality="}, 50, 0},
                                    {"-", few, {"quality=best", "quality="}, 50, 0},
                                    {"good", few, {"quality=", "quality=best"}, 2400, 0},
-                                   // Numbers of the command line win over every word.
+                                   // Numbers of the command line win over every word, and where there is none.
+                                   {"-", "", {"improve.trials=7"}, 7, 0},
+                                   {"-", "", {"improve.trials=0"}, 0, 0},
+                                   {"-", "", {"improve.seconds=3"}, 0, 3},
+                                   {"-", "", {"improve.relax=false"}, 300, 0},
                                    {"best", "", {"improve.trials=7"}, 7, 0},
                                    {"best", few, {"improve.trials=7"}, 7, 0},
                                    {"best", "", {"improve.trials=0"}, 0, 0},
@@ -132,6 +144,19 @@ TEST_F(QualityOfAJob, is_a_number_in_the_job_that_is_written) {
   EXPECT_EQ(to_toml(load("quality = 'good'\n", "[improve]\ntrials = 50\n")),
             to_toml(load("", "[improve]\ntrials = 50\n")))
       << "a word that had no say";
+}
+
+/// Results of versions that did not know the key hold the number alone.
+TEST_F(QualityOfAJob, does_not_count_in_a_written_job_without_the_key) {
+  for (const char* word : {"draft", "good", "best"}) {
+    const Job job = load(std::string("quality = '") + word + "'\n");
+    std::string written = to_toml(job);
+    const std::string line = "\nquality = \"\"\n";
+    ASSERT_NE(written.find(line), std::string::npos);
+    written.replace(written.find(line), line.size(), "\n");
+    EXPECT_EQ(JobFile::load(written).settings.improve.trials, job.settings.improve.trials) << word;
+    EXPECT_EQ(to_toml(job_from_toml(written, "elsewhere/job.toml")), to_toml(job)) << word;
+  }
 }
 
 TEST_F(QualityOfAJob, of_the_command_line_wins_over_the_number_of_a_written_job) {

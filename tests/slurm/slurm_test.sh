@@ -46,6 +46,7 @@ submit() {
 make_inputs() {
   make_drawings drawings
   cat >small.toml <<'END'
+quality = "draft"
 [library]
 file = "own.h5"
 [canvas]

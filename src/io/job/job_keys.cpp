@@ -37,8 +37,8 @@ void add_input_keys(std::vector<JobKey>& keys) {
                               "start of the random numbers; another seed, another collage"},
                              FIELD(settings.seed)));
   keys.push_back(with_word({"", "quality", word, "", 0, 0, {"", "draft", "good", "best"},
-                            "how much is improved, by the canvas and the sizes of the pieces, in the place of "
-                            "`improve.trials`; empty = as [improve] says"},
+                            "how much is improved, by the canvas and the sizes of the pieces, where [improve] gives "
+                            "neither `trials` nor `seconds`; empty = as [improve] says"},
                            FIELD(quality)));
   keys.push_back(with_text({"library", "file", file, "", 0, 0, {},
                             "the library of shapes, made by `tessera library build`"},
@@ -210,7 +210,7 @@ void add_objective_keys(std::vector<JobKey>& keys) {
                              FIELD(settings.objective.near_twin_factor)));
 }
 
-/// By default the collage is left as the greedy choice made it, as in the paper.
+/// These numbers count where `quality` has no say: without a number nothing is improved, as in the paper.
 void add_improve_keys(std::vector<JobKey>& keys) {
   using enum JobKind;
   keys.push_back(with_number({"improve", "trials", integer, "", 0, 1e7, {},

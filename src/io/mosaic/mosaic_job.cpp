@@ -55,6 +55,9 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          "# Every key of a job: docs/job-format.md\n"
          "\n"
          "seed = 1  # another seed, another mosaic\n"
+         "quality = \"draft\"  # \"good\" covers a little more and takes several times as long; the image gains "
+         "nothing by "
+         "it\n"
          "\n"
          "[library]\n" +
          library_lines(files.libraries) +
