@@ -103,8 +103,13 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
   return result;
 }
 
-bool relaxes(const CollageArguments& arguments, const CollageInput& input) {
-  return arguments.refined && input.job.start.remove.empty();
+bool relaxes(const CollageArguments& arguments) { return arguments.refined && arguments.refined->relaxes; }
+
+/// What a result's job says was told when it was run; of one that is refined, what it says now and did not say then.
+std::string idle_keys_warning_of(const CollageArguments& arguments, const io::Job& job) {
+  const std::string warning = idle_keys_warning(job);
+  if (arguments.refined && warning == idle_keys_warning(arguments.refined->whole.job)) return "";
+  return warning;
 }
 
 std::string standing_warning_of(const CollageInput& input) {
@@ -118,8 +123,9 @@ std::string standing_warning_of(const CollageInput& input) {
   });
 }
 
-std::string unable_library_warning_of(const CollageInput& input) {
-  if (input.job.colour.image.empty()) return "";
+std::string unable_library_warning_of(const CollageArguments& arguments, const CollageInput& input) {
+  const bool was_told = arguments.refined && arguments.refined->whole.job.colour.image == input.job.colour.image;
+  if (input.job.colour.image.empty() || was_told) return "";
   return unable_library_warning(input.job, input.library.size(), io::is_of_one_colour(input.library));
 }
 
@@ -128,10 +134,10 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
   // Before it is too late, but no question: whoever edits a job and runs it again wants just that.
   journal->warn(replaced_result_warning(input.earlier, input.job));
-  journal->warn(idle_keys_warning(input.job));
-  journal->warn(unable_library_warning_of(input));
+  journal->warn(idle_keys_warning_of(arguments, input.job));
+  journal->warn(unable_library_warning_of(arguments, input));
   if (!arguments.refined) journal->warn(standing_warning_of(input));  // a result's pieces lie as it put them
-  if (relaxes(arguments, input)) journal->warn(idle_relaxing_warning(input.job));
+  if (relaxes(arguments)) journal->warn(idle_relaxing_warning(input.job));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
   if (input.from) journal->resumed(*input.from);
   const StopReason stop_reason = watch_waits(ranks, input.job, limit, journal);
@@ -155,7 +161,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   const RankStatistics times = times_of(clock, result);
   journal->warn(empty_result_warning(input.folder, input.job, result));
   journal->warn(used_up_warning(input.job, input.canvas, result));
-  if (relaxes(arguments, input)) journal->warn(nothing_gained_warning(input.job, result));
+  if (relaxes(arguments)) journal->warn(nothing_gained_warning(input.job, result));
   journal->warn(empty_room_warning(input.job, result));
   journal->keep_warning(checkpoints.warning());
   const io::RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());

@@ -22,7 +22,7 @@ struct CollageArguments {
                                           // there, if any; empty = from the start
   bool restart = false;                   // even where there is a checkpoint
   std::optional<std::string> time_limit;  // time_limit.h; nothing = none but Slurm's
-  std::shared_ptr<const RefinedResult> refined = {};  // whose pieces are to be relaxed; null: none
+  std::shared_ptr<const RefinedResult> refined = {};  // from whose pieces it begins; null: none
 };
 
 /// Where the result goes.

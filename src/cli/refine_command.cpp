@@ -76,6 +76,7 @@ std::vector<std::string> names_of(const std::vector<int>& pieces, const std::vec
 Action action_of(const RefineArguments& arguments, const std::string& job, RefinedResult& result) {
   const std::vector<io::PlacedPiece> all = io::read_placed_pieces(result.folder);
   result.locked = piece_numbers("--lock", arguments.locked, all.size());
+  result.relaxes = arguments.relax;
   if (arguments.relax) return {"-relaxed", relaxing_keys(result, arguments.trials)};
   if (!arguments.deform.empty()) {
     return {arguments.deform == "capped" ? "-deformed" : "-voronoi", deforming_keys(result, arguments.deform)};

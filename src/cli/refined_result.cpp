@@ -61,7 +61,8 @@ void check_overrides(const std::vector<std::string>& overrides) {
     std::string key = override.substr(0, override.find('='));
     std::erase(key, ' ');
     if (key == "quality") {
-      throw InputError("--set " + override + ": allowed where a result is refined: --trials N");
+      throw InputError("--set " + override +
+                       ": allowed where a result is refined: --relax --trials N, or improve.trials=N");
     }
     if (!key.starts_with("start.") || key == "start.grow") continue;
     throw InputError("--set " + override +

@@ -18,6 +18,7 @@ struct RefinedResult {
   std::vector<int> erased = {};            // pieces that go
   std::vector<int> locked = {};            // that are locked from now on
   std::vector<std::string> not_anew = {};  // shapes that do not come in
+  bool relaxes = false;                    // its pieces are to be relaxed; where they are not, that is told
 };
 
 /// Throws InputError where the folder holds no finished result that is whole, or work that is unfinished;

@@ -48,6 +48,14 @@ mv plain-voronoi full
 less "$(value deformed coverage_fraction)" "$(value full coverage_fraction)" || fail "voronoi fills no more"
 run 0 collage plain-deformed/job.toml --out again --quiet
 cmp deformed/pieces.geojson again/pieces.geojson || fail "job.toml of a deformed result makes something else"
+# Nobody asked whether pieces relax, whose sizes differ too much for that; and what was told of the job is not told again.
+run 0 collage plain.toml --set 'pieces.scale_px=[14, 80]' --set improve.trials=0 --set output.dpi=600 --out told --quiet
+expect_word 'output.dpi (now 600) means nothing'
+run 0 refine told --deform --quiet
+expect_silence "deforming warns: $(cat errors)"
+run 0 refine told --relax --quiet
+[[ $(cat errors) == *'the pieces are not relaxed, as sizes from 14 to 80 px are allowed'* && $(wc -l <errors) == 1 ]] ||
+  fail "relaxing warns: $(cat errors)"
 echo "ok refine"
 
 # An interrupted run is not deformed, and goes on to the same bytes.

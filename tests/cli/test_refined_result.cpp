@@ -113,7 +113,7 @@ TEST(RefinedResult, ItsPiecesAreNotToBeOthers) {
     EXPECT_NE(test::message_of([&] { check_overrides({key}); }), "") << key;
   }
   EXPECT_EQ(test::message_of([] { check_overrides({"quality=good"}); }),
-            "--set quality=good: allowed where a result is refined: --trials N");
+            "--set quality=good: allowed where a result is refined: --relax --trials N, or improve.trials=N");
 }
 
 /// An earlier version did not say.
