@@ -1,11 +1,13 @@
 #include "cli/nest_chains.h"
 
-#include <memory>
+#include <algorithm>
 #include <mutex>
+#include <numeric>
 #include <vector>
 
 #include "comm/encode.h"
 #include "core/base/interrupted.h"
+#include "core/base/stopwatch.h"
 #include "io/parallel_for.h"
 
 #include <boost/serialization/vector.hpp>
@@ -91,59 +93,144 @@ NestLayout layout_of(Taker in) {
   return layout;
 }
 
-/// The best of chains first, first + step and so on. `any` becomes false where there are none.
-NestLayout best_of(const NestProblem& problem, const NestEffort& effort, std::uint64_t seed, int first, int step,
-                   const NestProgress& progress, const NestWatch& watch, bool& any) {
-  std::vector<NestLayout> layouts;
-  for (int chain = first; chain < effort.chains; chain += step) layouts.emplace_back();
-  any = !layouts.empty();
-  if (!any) return {};
-  const PosedItems shapes = posed_items(problem);
+/// What the chains of this rank find and how far they are, by whichever thread: one at a time is let in.
+class Findings {
+ public:
+  /// `found` is told each layout that is better than all before, `looked` is called for every piece that is moved.
+  using Found = std::function<void(const NestLayout& best)>;
+  using Looked = std::function<void(double done, const NestLayout& best)>;
+  Findings(std::size_t chains, Found found, Looked looked)
+      : done_(chains, 0),
+        found_(std::move(found)),
+        looked_(std::move(looked)) {}
+
+  void add(const NestLayout& layout) {
+    const std::lock_guard lock(mutex_);
+    if (!best_.pieces.empty() && !is_better(layout, best_)) return;
+    best_ = layout;
+    found_(best_);
+  }
+
+  void look(std::size_t chain, double done) {
+    const std::lock_guard lock(mutex_);
+    done_[chain] = done;
+    looked_(std::accumulate(done_.begin(), done_.end(), 0.0) / double(done_.size()), best_);
+  }
+
+  /// To be called when no chain is at work any more.
+  const NestLayout& best() const { return best_; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> done_;  // of each chain
+  NestLayout best_;           // without a piece: none yet
+  Found found_;
+  Looked looked_;
+};
+
+/// What each rank has to do.
+struct Search {
+  NestProblem problem;
+  NestEffort effort;
+  std::uint64_t seed = 0;
+};
+
+/// How many of the chains are this rank's: first, first + step and so on.
+std::size_t chains_of(const comm::Communicator& ranks, const NestEffort& effort) {
+  return ranks.rank() < effort.chains ? std::size_t((effort.chains - 1 - ranks.rank()) / ranks.size()) + 1 : 0;
+}
+
+/// The best of this rank's chains, of which there is one at least.
+NestLayout best_of(const Search& search, const comm::Communicator& ranks, Findings& findings) {
+  std::vector<NestLayout> layouts(chains_of(ranks, search.effort));
+  const PosedItems shapes = posed_items(search.problem, [&] { findings.look(0, 0); });
   io::parallel_for(layouts.size(), [&](std::size_t i) {
-    layouts[i] = nest_chain(problem, shapes, effort, seed, first + int(i) * step, progress, watch);
+    layouts[i] = nest_chain(
+        search.problem, shapes, search.effort, search.seed, ranks.rank() + int(i) * ranks.size(),
+        [&](const NestLayout& layout) { findings.add(layout); }, [&](double done) { findings.look(i, done); });
   });
   return best_layout(layouts);
 }
 
-/// For any thread of the rank, one at a time: throws where the job is over.
-NestWatch look_of(comm::Communicator& ranks) {
-  return [&ranks, mutex = std::make_shared<std::mutex>()] {
-    const std::lock_guard lock(*mutex);
-    ranks.look();
-  };
+/// What a worker tells rank 0: a layout, and whether it is the last.
+struct Report {
+  NestLayout layout;
+  bool is_last = false;
+};
+
+void send(comm::Communicator& ranks, const Report& report) {
+  Numbers numbers = numbers_of(report.layout);
+  numbers.insert(numbers.begin(), double(report.is_last));
+  ranks.send(0, comm::Tag::nest_layout, comm::encode(numbers));
+}
+
+Report receive(comm::Communicator& ranks, int from) {
+  Taker in(comm::decode<Numbers>(ranks.receive(from, comm::Tag::nest_layout)));
+  const bool is_last = in.whole() != 0;
+  return {layout_of(std::move(in)), is_last};
+}
+
+NestLayout last_of(comm::Communicator& ranks, int worker) {
+  for (;;) {
+    Report report = receive(ranks, worker);
+    if (report.is_last) return std::move(report.layout);
+  }
+}
+
+/// Adds all that has arrived by now; a stop must have been asked for.
+void add_arrived(comm::Communicator& ranks, int worker, Findings& findings) {
+  try {
+    for (;;) findings.add(receive(ranks, worker).layout);
+  } catch (const Interrupted&) {  // nothing more is there
+  }
 }
 
 }  // namespace
 
-NestLayout best_nesting(comm::Communicator& ranks, const NestProblem& problem, const NestEffort& effort,
-                        std::uint64_t seed, const NestProgress& progress,
-                        const std::function<const char*()>& stop_reason) {
+NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, const NestEffort& effort,
+                         std::uint64_t seed, const NestProgress& progress,
+                         const std::function<const char*()>& stop_reason) {
   ranks.broadcast(comm::encode(numbers_of(problem, effort, seed)));
-  std::mutex mutex;
-  const NestProgress one_at_a_time = [&](int sheet, double length) {
-    const std::lock_guard lock(mutex);
-    progress(sheet, length);
-  };
   ranks.interrupt_waits_when(stop_reason);
-  const NestWatch watch = [&, look = look_of(ranks)] {
-    look();
-    if (const char* reason = stop_reason()) throw Interrupted{reason};
-  };
-  bool any = false;
-  std::vector<NestLayout> of_ranks{best_of(problem, effort, seed, 0, ranks.size(), one_at_a_time, watch, any)};
-  for (int rank = 1; rank < ranks.size() && rank < effort.chains; ++rank)
-    of_ranks.push_back(layout_of(Taker(comm::decode<Numbers>(ranks.receive(rank, comm::Tag::nest_layout)))));
-  return best_layout(of_ranks);
+  const int workers = std::min(ranks.size(), effort.chains) - 1;
+  Findings findings(
+      chains_of(ranks, effort), [](const NestLayout&) {},
+      [&](double done, const NestLayout& best) {
+        ranks.look();
+        progress(done, best);
+        if (const char* reason = stop_reason()) throw Interrupted{reason};
+      });
+  try {
+    std::vector<NestLayout> of_ranks{best_of({problem, effort, seed}, ranks, findings)};
+    for (int worker = 1; worker <= workers; ++worker) of_ranks.push_back(last_of(ranks, worker));
+    return {best_layout(of_ranks), nullptr};
+  } catch (const Interrupted& stop) {
+    for (int worker = 1; worker <= workers; ++worker) add_arrived(ranks, worker, findings);
+    return {findings.best(), stop.reason};
+  }
 }
 
 void work_on_nesting(comm::Communicator& ranks) {
+  Search search;
   Taker in(comm::decode<Numbers>(ranks.broadcast({})));
-  NestEffort effort;
-  std::uint64_t seed = 0;
-  const NestProblem problem = problem_of(in, effort, seed);
-  bool any = false;
-  const NestLayout best = best_of(problem, effort, seed, ranks.rank(), ranks.size(), {}, look_of(ranks), any);
-  if (any) ranks.send(0, comm::Tag::nest_layout, comm::encode(numbers_of(best)));
+  search.problem = problem_of(in, search.effort, search.seed);
+  if (chains_of(ranks, search.effort) == 0) return;
+  // Rank 0 keeps what it is told until the end: so the longer the search, the rarer.
+  constexpr double kLeastPause_s = 0.25, kLeastPausePart = 0.02;
+  const Stopwatch watch;
+  double sent_s = -1;
+  bool is_new = false;
+  Findings findings(
+      chains_of(ranks, search.effort), [&](const NestLayout&) { is_new = true; },
+      [&](double, const NestLayout& best) {
+        ranks.look();
+        const double now_s = watch.seconds();
+        if (!is_new || now_s - sent_s < std::max(kLeastPause_s, kLeastPausePart * now_s)) return;
+        send(ranks, {best, false});
+        sent_s = now_s;
+        is_new = false;
+      });
+  send(ranks, {best_of(search, ranks, findings), true});
 }
 
 }  // namespace tessera::cli

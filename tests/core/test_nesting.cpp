@@ -74,6 +74,14 @@ double widest_overlap(const NestRing& a, const NestRing& b, double height) {
   return widest;
 }
 
+/// Of outlines that do not meet: a corner of one is nearest to the other.
+double distance_between(const NestRing& a, const NestRing& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const NestPoint p : a) least = std::min(least, distance_to_boundary(b, p));
+  for (const NestPoint p : b) least = std::min(least, distance_to_boundary(a, p));
+  return least;
+}
+
 void expect_sound(const NestProblem& problem, const NestLayout& layout) {
   RC_ASSERT(nest_fault(problem, layout) == "");
   std::vector<NestRing> rings;
@@ -100,7 +108,7 @@ void expect_sound(const NestProblem& problem, const NestLayout& layout) {
       if (layout.pieces[i].sheet != layout.pieces[j].sheet) continue;
       // Sharp tips may be cut a little deeper along the line than across.
       RC_ASSERT(widest_overlap(rings[i], rings[j], problem.height) < 1e-3);
-      if (problem.spacing > 0) RC_ASSERT(nest_distance(rings[i], rings[j]) > problem.spacing - 1e-3);
+      if (problem.spacing > 0) RC_ASSERT(distance_between(rings[i], rings[j]) > problem.spacing - 1e-3);
     }
   }
 }
@@ -194,12 +202,66 @@ TEST(Nesting, ASheetHasABudgetByThePiecesThatAreLeft) {
   problem.height = 40;
   problem.length = 40;
   problem.items.push_back({{{0, 0}, {25, 0}, {25, 8}, {8, 8}, {8, 25}, {0, 25}}, {0, 90, 180, 270}, 16});
-  std::vector<int> looks{0};
+  std::vector<int> looks;  // for each sheet: with its pieces on it the layout is better than without
   nest_chain(
-      problem, posed_items(problem), {1, 3'000}, 1, 0, [&](int, double) { looks.push_back(0); },
-      [&] { ++looks.back(); });
+      problem, posed_items(problem), {1, 3'000}, 1, 0, [&](const NestLayout&) { looks.push_back(0); },
+      [&](double) { ++looks.back(); });
   ASSERT_GT(looks.size(), 4u);
   EXPECT_LT(looks[4], 0.6 * looks[0]);
+}
+
+/// Ends a chain after so many looks; what it has found by then.
+std::vector<NestLayout> found_until(const NestProblem& problem, const NestEffort& effort, std::uint64_t seed,
+                                    int looks) {
+  struct Stop {};
+  std::vector<NestLayout> found;
+  try {
+    nest_chain(
+        problem, posed_items(problem), effort, seed, 0, [&](const NestLayout& layout) { found.push_back(layout); },
+        [&](double) {
+          if (--looks < 0) throw Stop{};
+        });
+  } catch (const Stop&) {
+  }
+  return found;
+}
+
+RC_GTEST_PROP(Nesting, HasAWholeLayoutWheneverItIsStopped, (std::uint64_t seed)) {
+  const NestProblem problem = random_problem(seed);
+  const int looks = *rc::gen::inRange(0, 400);
+  const std::vector<NestLayout> found = found_until(problem, kShort, seed, looks);
+  RC_ASSERT(!found.empty());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    expect_sound(problem, found[i]);
+    if (i > 0) RC_ASSERT(is_better(found[i], found[i - 1]));
+  }
+}
+
+TEST(Nesting, WhatItFindsDoesNotDependOnWhoIsTold) {
+  for (std::uint64_t seed = 1; seed < 9; ++seed) {
+    const NestProblem problem = random_problem(seed);
+    const NestLayout alone = nest_chain(problem, posed_items(problem), kShort, seed, 0);
+    NestLayout last;
+    const NestLayout told = nest_chain(
+        problem, posed_items(problem), kShort, seed, 0, [&](const NestLayout& layout) { last = layout; },
+        [](double) {});
+    EXPECT_EQ(alone.pieces, told.pieces);
+    EXPECT_FALSE(is_better(told, last));
+  }
+}
+
+TEST(Nesting, TellsHowFarItIs) {
+  for (const double length : {std::numeric_limits<double>::infinity(), 80.0}) {
+    NestProblem problem = random_problem(7);
+    problem.length = length;
+    std::vector<double> done{0};
+    nest_chain(problem, posed_items(problem), kShort, 1, 0, {}, [&](double part) {
+      EXPECT_GE(part, done.back());
+      done.push_back(part);
+    });
+    EXPECT_GT(done.size(), 50u);
+    EXPECT_LE(done.back(), 1);
+  }
 }
 
 TEST(Nesting, ASlantedPieceIsTurnedUpright) {
@@ -231,9 +293,51 @@ TEST(Nesting, TheCheckerSeesFaults) {
   EXPECT_EQ(nest_fault(problem, layout), "item 0 is there another number of times");
 }
 
-TEST(Nesting, ACrossIsSeenThatHasNoCornerInside) {
-  EXPECT_GT(nest_depth({{0, 4}, {10, 4}, {10, 6}, {0, 6}}, {{4, 0}, {6, 0}, {6, 10}, {4, 10}}), 0.9);
-  EXPECT_EQ(nest_depth({{0, 0}, {4, 0}, {4, 4}}, {{4, 0}, {8, 0}, {8, 4}}), 0);
+TEST(NestCheck, ACrossIsSeenThatHasNoCornerInside) {
+  const NestRing lying{{0, 4}, {10, 4}, {10, 6}, {0, 6}}, standing{{4, 0}, {6, 0}, {6, 10}, {4, 10}};
+  EXPECT_TRUE(lie_deeper(lying, standing, 0.9));
+  EXPECT_FALSE(lie_deeper(lying, standing, 1.1));
+  EXPECT_FALSE(lie_deeper({{0, 0}, {4, 0}, {4, 4}}, {{4, 0}, {8, 0}, {8, 4}}, 1e-9));
+}
+
+/// By all points and sides, without any rows.
+bool lies_deeper_by_all(const NestRing& inner, const NestRing& outer, double depth) {
+  const auto deeper = [&](NestPoint p) { return contains(outer, p) && distance_to_boundary(outer, p) > depth; };
+  bool any = deeper(poles_of(inner, 1).front().centre);
+  for (std::size_t i = 0, j = inner.size() - 1; i < inner.size(); j = i++) {
+    for (int part = 0; part <= 64; ++part) any |= deeper(inner[j] + (inner[i] - inner[j]) * (part / 64.0));
+  }
+  return any;
+}
+
+RC_GTEST_PROP(NestCheck, SeesWhatALookAtAllSidesSees, (std::uint64_t seed)) {
+  NestRandom random(seed);
+  const NestRing a = random_star(random, 20);
+  NestRing b = random_star(random, 20);
+  const NestPoint by{random.between(-40, 40), random.between(-40, 40)};
+  for (NestPoint& p : b) p = p + by;
+  if (lies_deeper_by_all(a, b, 0.5) || lies_deeper_by_all(b, a, 0.5)) RC_ASSERT(lie_deeper(a, b, 0.5));
+  if (!lie_deeper(a, b, 0)) {
+    const double distance = distance_between(a, b);
+    RC_ASSERT(are_nearer(a, b, distance * 1.001 + 1e-9));
+    RC_ASSERT(!are_nearer(a, b, distance * 0.999));
+  }
+}
+
+TEST(NestCheck, ManyPiecesOfManyPointsAreCheckedInTime) {
+  NestProblem problem;
+  problem.height = 1e3;
+  NestRing wavy;
+  for (int i = 0; i < 5'000; ++i) {
+    const double angle = 2 * kPi * i / 5'000, radius = 10 + 0.1 * std::sin(100 * angle);
+    wavy.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  problem.items.push_back({wavy, {0}, 500});
+  NestLayout layout{.pieces = {}, .left_over = {0}, .sheets = 1, .used_length = 1e3};
+  for (int i = 0; i < 500; ++i) layout.pieces.push_back({0, 0, {11 + 20.2 * (i % 40), 11 + 20.2 * (i / 40)}, 0});
+  EXPECT_EQ(nest_fault(problem, layout), "");
+  layout.pieces[479].shift.x -= 0.5;
+  EXPECT_EQ(nest_fault(problem, layout), "pieces 478 and 479 overlap");
 }
 
 RC_GTEST_PROP(SearchOutline, HoldsThePiece, (std::uint64_t seed)) {

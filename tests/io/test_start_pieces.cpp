@@ -273,6 +273,9 @@ TEST_F(StartPieces, FilesThatWouldEatTheMachineAreRefused) {
   EXPECT_NE(mistake(repeated("{\"a\":", 100000)).find("more than 32 levels deep"), std::string::npos);
   EXPECT_NE(mistake(collection(repeated(feature(kGood) + ",", 100'000) + "{}")).find("more than 100000 features"),
             std::string::npos);
+  EXPECT_NE(mistake(collection(feature(R"({"shape":"disc","canvas_from_shape":[)" + repeated("1,", 100) + "1]}")))
+                .find("feature 0: properties: found more than 16 values in lists, allowed: so many"),
+            std::string::npos);
 }
 
 TEST_F(StartPieces, ThereMustBeAFile) {

@@ -1,6 +1,7 @@
 // Whether a layout keeps its promises, by the pieces' own outlines and by nothing that the search uses.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "core/nesting/nest_problem.h"
@@ -12,14 +13,15 @@ namespace tessera {
 inline constexpr double kNestTolerance = 1e-6;
 
 /// Nothing where all is well; else what is wrong, for a message: pieces that overlap or are too near, stick out, are
-/// missing or too many, or are turned by an angle that they may not have.
-std::string nest_fault(const NestProblem& problem, const NestLayout& layout);
+/// missing or too many, or are turned by an angle that they may not have. `look`, if any, is called for each two pieces
+/// that are near each other; what it throws ends the check.
+std::string nest_fault(const NestProblem& problem, const NestLayout& layout, const std::function<void()>& look = {});
 
-/// How deep two outlines lie in each other: the largest distance from the boundary of one at which the other's boundary,
-/// or its middle, lies inside. 0: they touch, or less.
-double nest_depth(const NestRing& a, const NestRing& b);
+/// Whether a point of one outline's boundary, or its middle, lies inside the other one and farther than `depth` from the
+/// other's boundary.
+bool lie_deeper(const NestRing& a, const NestRing& b, double depth);
 
-/// The least distance between two outlines, 0 where they meet.
-double nest_distance(const NestRing& a, const NestRing& b);
+/// Whether two points of the boundaries are nearer to each other than `distance`.
+bool are_nearer(const NestRing& a, const NestRing& b, double distance);
 
 }  // namespace tessera

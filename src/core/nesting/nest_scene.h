@@ -15,8 +15,9 @@ struct NestPose {
   NestPoint shift;
 };
 
-/// Asked for every piece that is moved, by the thread that searches; what it throws ends the search.
-using NestWatch = std::function<void()>;
+/// Called for every piece that is moved, by the thread that searches, with NestScene::work; what it throws ends the
+/// search.
+using NestWatch = std::function<void(std::uint64_t work)>;
 
 class NestScene {
  public:
@@ -68,7 +69,7 @@ class NestScene {
   void grow_weights();
 
   void look() const {
-    if (watch_) watch_();
+    if (watch_) watch_(work_);
   }
   /// How many pairs were held against each other: what a budget counts.
   std::uint64_t work() const { return work_; }

@@ -99,9 +99,10 @@ bool boundaries_meet(const PosedShape& a, const PosedShape& b, NestPoint b_shift
 
 }  // namespace
 
-PosedItems posed_items(const NestProblem& problem) {
+PosedItems posed_items(const NestProblem& problem, const std::function<void()>& look) {
   PosedItems items;
   for (const NestItem& item : problem.items) {
+    if (look) look();
     const UnposedShape shape = unposed(item, problem.spacing, nest_tuning::kInset * problem.height);
     std::vector<PosedShape>& angles = items.emplace_back();
     for (const double angle_deg : item.angles_deg) angles.push_back(posed(shape, turn_of(angle_deg)));

@@ -1,6 +1,7 @@
 // A piece's shape turned by one of its angles, ready to be held against others.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/nesting/nest_poles.h"
@@ -23,7 +24,8 @@ struct PosedShape {
 
 /// Each item's shapes, by angle.
 using PosedItems = std::vector<std::vector<PosedShape>>;
-PosedItems posed_items(const NestProblem& problem);
+/// `look`, if any, is called before each item; what it throws ends it.
+PosedItems posed_items(const NestProblem& problem, const std::function<void()>& look = {});
 
 /// How much two shapes overlap whose discs say that they do: about the root of the area that is covered twice, times a
 /// factor for their size; never 0. After sparrow's overlap proxy (Gardeyn, Wauters 2025). `sure` becomes true where a

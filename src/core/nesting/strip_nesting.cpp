@@ -167,10 +167,12 @@ void compress(NestScene& scene, Layout& best, double best_length, std::uint64_t 
 
 }  // namespace
 
-void lay_in_order(NestScene& scene, std::vector<int> items, NestRandom& random) {
+void lay_in_order(NestScene& scene, std::vector<int> items, NestRandom& random,
+                  const std::function<void(std::span<const int> left)>& laid) {
   order_by_size(scene, items);
   double length = 0;
-  for (const int item : items) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const int item = items[i];
     scene.look();
     double width = 0;
     for (int angle = 0; angle < scene.angles_of(item); ++angle)
@@ -190,6 +192,7 @@ void lay_in_order(NestScene& scene, std::vector<int> items, NestRandom& random) 
     }
     scene.add(item, place.pose);
     length = scene.used_length();
+    if (laid) laid(std::span(items).subspan(i + 1));
   }
   scene.set_length(length);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "core/nesting/nest_random.h"
 #include "core/nesting/nest_scene.h"
@@ -10,8 +11,9 @@
 namespace tessera {
 
 /// Puts pieces of these items one after the other, the largest first, each as far left as is found. They do not overlap;
-/// the strip is as long as they reach.
-void lay_in_order(NestScene& scene, std::vector<int> items, NestRandom& random);
+/// the strip is as long as they reach. `laid`, if any, is told after each piece which items still have none.
+void lay_in_order(NestScene& scene, std::vector<int> items, NestRandom& random,
+                  const std::function<void(std::span<const int> left)>& laid = {});
 
 /// Makes the strip as short as the budget allows. The scene's pieces do not overlap, before and after. `shorter`, if any,
 /// is told each new length.

@@ -4,21 +4,18 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <unordered_map>
 
-#include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/geometry/period.h"
+#include "io/job/feature_properties.h"
 #include "io/job/job_entry.h"
 #include "io/job/job_keys.h"
 #include "io/nearest_name.h"
 #include "io/number_text.h"
 #include "io/pose.h"
-#include "io/regular_file.h"
 
 namespace tessera::io {
 namespace {
@@ -27,7 +24,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t kMostBytes = std::size_t(512) << 20;  // of the file: some 50,000 pieces with their polygons
-constexpr int kDeepest = 32;                                // of what is nested in what
 
 /// As the columns of [[given]] allow.
 struct Range {
@@ -42,41 +38,6 @@ constexpr Range kY{"y_px", -20000, 40000};
 constexpr Range kScore{"score", -1e9, 1e9};
 constexpr Range kMatched{"matched_px", 0, 1e9};
 constexpr const char* kPose = "canvas_from_shape";
-
-/// Hands out one feature after the other and keeps none, nor of any what is not read: polygons, and whatever else the
-/// file holds, take no memory, and no time for looking through what came before.
-class Filter {
- public:
-  explicit Filter(std::function<void(const json& feature)> take) : take_(std::move(take)) {}
-
-  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-    if (depth == kFeature && (event == json::parse_event_t::object_end || event == json::parse_event_t::value)) {
-      if (++features_ > std::size_t(kMostStartPieces)) {
-        throw InputError("more than " + std::to_string(kMostStartPieces) + " features");
-      }
-      take_(parsed);
-      return false;
-    }
-    const bool opens = event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
-    if (opens && depth > kDeepest) throw InputError("more than " + std::to_string(kDeepest) + " levels deep");
-    if (opens) return depth <= kProperty;
-    return event != json::parse_event_t::key || is_read(depth, parsed);
-  }
-
- private:
-  static constexpr int kCollection = 1, kFeature = 2, kProperties = 3, kProperty = 4;
-
-  static bool is_read(int depth, const json& key) {
-    if (depth == kCollection) return key == "features";
-    if (depth == kProperties) return key == "properties";
-    return depth == kProperty &&
-           (key == "shape" || key == kScale.key || key == kRotation.key || key == kX.key || key == kY.key ||
-            key == kScore.key || key == kMatched.key || key == "mirrored" || key == "locked" || key == kPose);
-  }
-
-  std::function<void(const json& feature)> take_;
-  std::size_t features_ = 0;
-};
 
 [[noreturn]] void fail(const std::string& key, const std::string& found, const std::string& allowed) {
   throw InputError(key + ": found " + found + ", allowed: " + allowed);
@@ -175,25 +136,13 @@ GivenPiece piece_of(const json& feature, const Names& names) {
   return piece;
 }
 
-std::vector<GivenPiece> pieces_in(const std::vector<std::uint8_t>& bytes, const Names& names) {
+std::vector<GivenPiece> pieces_in(JsonFile& file, const Names& names) {
+  static const std::vector<std::string_view> kRead = {"shape",    kScale.key,   kRotation.key, kX.key,   kY.key,
+                                                      kScore.key, kMatched.key, "mirrored",    "locked", kPose};
   std::vector<GivenPiece> pieces;
-  const auto take = [&](const json& feature) {
-    try {
-      pieces.push_back(piece_of(feature, names));
-    } catch (const InputError& error) {
-      throw InputError("feature " + std::to_string(pieces.size()) + ": " + error.what());
-    }
-  };
-  const json collection = json::parse(bytes.begin(), bytes.end(), Filter(take));
-  const json& features = member(collection, "features", "a list of features, as in pieces.geojson");
-  if (!features.is_array()) fail("features", found_text(features), "a list of features, as in pieces.geojson");
+  read_feature_properties(file, kRead, std::size_t(kMostStartPieces),
+                          [&](const json& feature) { pieces.push_back(piece_of(feature, names)); });
   return pieces;
-}
-
-std::uint64_t digest_of(const std::vector<std::uint8_t>& bytes) {
-  Digest digest;
-  digest.add_all(std::span(bytes));
-  return digest.value();
 }
 
 /// Of a list of the job's, by place.
@@ -285,9 +234,10 @@ void add_start_pieces(const std::vector<NamedShape>& shapes, Job& job) {
   const std::string where = job.path + ": start.pieces: ";
   try {
     check_is_there(job.start.pieces, file);
-    const std::vector<std::uint8_t> bytes = read_regular_file(file, kMostBytes);
-    job.start.digest = digest_of(bytes);
-    std::vector<GivenPiece> pieces = kept(pieces_in(bytes, Names(shapes)), job.start);
+    JsonFile json_file{FileBlocks(file, kMostBytes)};
+    const std::vector<GivenPiece> all = pieces_in(json_file, Names(shapes));
+    job.start.digest = json_file.digest();
+    std::vector<GivenPiece> pieces = kept(all, job.start);
     std::vector<GivenPiece>& given = job.settings.wishes.given;
     remove_given_again(given, period_of(job.canvas), pieces);
     std::stable_partition(pieces.begin(), pieces.end(), [](const GivenPiece& piece) { return piece.locked; });

@@ -127,9 +127,15 @@ void add_bulge(double bulge, NestPoint to, NestRing& ring) {
   ring.back() = to;
 }
 
-NestRing outline_of(const Entity& entity, double mm) {
+[[noreturn]] void fail_points(const std::string& path) {
+  throw InputError(path + ": found more than " + std::to_string(kMostDrawingPoints) +
+                   " points, allowed: so many in a file");
+}
+
+/// Has little more points than `most` where it would have more.
+NestRing outline_of(const Entity& entity, double mm, std::size_t most) {
   NestRing ring;
-  for (std::size_t i = 0; i < entity.vertices.size(); ++i) {
+  for (std::size_t i = 0; i < entity.vertices.size() && ring.size() <= most; ++i) {
     const NestPoint at = entity.vertices[i].at * mm;
     if (i == 0)
       ring.push_back(at);
@@ -183,7 +189,7 @@ class Reader {
  private:
   void begin(const Pair& pair) {
     if (entity_.kind == "POLYLINE" && pair.value == "VERTEX") {
-      if (points_ >= kMostDrawingPoints) throw InputError(path_ + ": found too many points, allowed: 200,000");
+      if (points_ >= kMostDrawingPoints) fail_points(path_);
       ++points_;
       in_vertex_ = true;
       entity_.vertices.push_back({});
@@ -204,9 +210,9 @@ class Reader {
 
   void finish() {
     if (is_read(entity_.kind) && !entity_.in_paper) {
-      NestRing ring = outline_of(entity_, mm_);
+      NestRing ring = outline_of(entity_, mm_, kMostDrawingPoints - points_);
       points_ += ring.size();
-      if (points_ > kMostDrawingPoints) throw InputError(path_ + ": found too many points, allowed: 200,000");
+      if (points_ > kMostDrawingPoints) fail_points(path_);
       if (ring.size() > 1) rings.push_back(std::move(ring));
     }
     entity_ = {};
@@ -238,7 +244,7 @@ class Reader {
     const bool light = entity_.kind == "LWPOLYLINE";
     if (pair.code == 70 && !in_vertex_) entity_.closed = (int(std::clamp(number_of(pair, in_), 0.0, 1e6)) & 1) != 0;
     if (light && pair.code == 10) {
-      if (points_ >= kMostDrawingPoints) throw InputError(path_ + ": found too many points, allowed: 200,000");
+      if (points_ >= kMostDrawingPoints) fail_points(path_);
       ++points_;
       entity_.vertices.push_back({});
     }
@@ -280,9 +286,13 @@ DxfDrawings dxf_drawings(std::string_view text, const std::string& path, const s
   DxfDrawings found;
   found.unread_entities = reader.unread;
   if (reader.rings.size() > kMostLines)
-    throw InputError(path + ": found " + std::to_string(reader.rings.size()) + " lines and arcs, allowed: 20,000");
+    throw InputError(path + ": found " + std::to_string(reader.rings.size()) +
+                     " lines and arcs, allowed: " + std::to_string(kMostLines));
   std::vector<NestRing> contours = joined_contours(std::move(reader.rings), kFlatness_mm, found.open_chains);
-  if (contours.size() > kMostDrawings) throw InputError(path + ": found too many contours, allowed: 2000 in a file");
+  if (contours.size() > kMostDrawings) {
+    throw InputError(path + ": found " + std::to_string(contours.size()) +
+                     " contours, allowed: " + std::to_string(kMostDrawings) + " in a file");
+  }
   for (std::size_t i = 0; i < contours.size(); ++i)
     check_contour(contours[i], path + ": contour " + std::to_string(i + 1));
   std::vector<NamedContour> named;

@@ -27,6 +27,12 @@ void check_contour(const NestRing& contour, const std::string& what) {
     throw InputError(what + ": found a contour that encloses nothing");
 }
 
+void check_name(const std::string& name, const std::string& what) {
+  if (name.size() <= kMostNameBytes) return;
+  throw InputError(what + ": found a name of " + std::to_string(name.size()) + " bytes, \"" +
+                   printable_utf8(cut_utf8(name, 20)) + "...\", allowed: " + std::to_string(kMostNameBytes));
+}
+
 namespace {
 
 /// Whether most of some of its points are inside: sides may touch.

@@ -29,6 +29,11 @@ inline constexpr double kFarthest_mm = 1e6;
 /// numbers or too large, no area, sides that cross.
 void check_contour(const NestRing& contour, const std::string& what);
 
+/// Longest name of a shape.
+inline constexpr std::size_t kMostNameBytes = 1'000;
+/// Throws InputError, naming `what`, where a name is longer: many pieces may have it.
+void check_name(const std::string& name, const std::string& what);
+
 /// A contour and what it is called.
 struct NamedContour {
   std::string name;

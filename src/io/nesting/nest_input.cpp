@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFileBytes = std::size_t(64) << 20;
+constexpr std::size_t kMostFolderPoints = 2'000'000;
 constexpr double kMm_px = 25.4 / 96;  // as a drawing without another unit has it
 
 enum class Kind { instance, svg, dxf, library, other };
@@ -64,6 +65,12 @@ void add_file(const fs::path& path, NestInput& input) {
   add(std::move(found.drawings), input);
 }
 
+std::size_t points_of(const NestDrawing& drawing) {
+  std::size_t points = drawing.outline.size();
+  for (const NestRing& hole : drawing.holes) points += hole.size();
+  return points;
+}
+
 void add_folder(const fs::path& folder, NestInput& input) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -71,6 +78,7 @@ void add_folder(const fs::path& folder, NestInput& input) {
     if (entry.is_regular_file() && (kind == Kind::svg || kind == Kind::dxf)) files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
+  std::size_t points = 0;
   for (const fs::path& file : files) {
     const std::size_t before = input.sources.size();
     add_file(file, input);
@@ -80,8 +88,15 @@ void add_folder(const fs::path& folder, NestInput& input) {
       std::string& name = input.sources[i].drawing.name;
       if (!name.starts_with(stem)) name = one ? stem : stem + "." + name;
     }
-    if (input.sources.size() > kMostDrawings)
-      throw InputError(shown(folder) + ": found too many shapes, allowed: " + std::to_string(kMostDrawings));
+    if (input.sources.size() > kMostDrawings) {
+      throw InputError(shown(folder) + ": found " + std::to_string(input.sources.size()) +
+                       " shapes or more, allowed: " + std::to_string(kMostDrawings));
+    }
+    for (std::size_t i = before; i < input.sources.size(); ++i) points += points_of(input.sources[i].drawing);
+    if (points > kMostFolderPoints) {
+      throw InputError(shown(folder) + ": found more than " + std::to_string(kMostFolderPoints) +
+                       " points in its files, allowed: so many");
+    }
   }
 }
 

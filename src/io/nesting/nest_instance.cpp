@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/nesting/nesting.h"
+#include "io/json_bounds.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -14,6 +15,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMostAngles = 360;
+/// Each point, of which there may be kMostDrawingPoints, is a list of two numbers.
+constexpr JsonBounds kBounds{.values = 1'000'000, .levels = 32};
 
 /// What is written of a list or an object, however deep, is its kind.
 std::string shown(const json& value) {
@@ -112,6 +115,11 @@ std::string name_of(const json& item, std::size_t index) {
 }  // namespace
 
 NestInput nest_instance(std::string_view text, const std::string& path) {
+  try {
+    check_json(text, kBounds);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
   const json instance = json::parse(text, nullptr, false);
   if (instance.is_discarded()) throw InputError(path + ": not a readable JSON file");
   const json& items = member(instance, "items", path);
@@ -130,10 +138,14 @@ NestInput nest_instance(std::string_view text, const std::string& path) {
     NestSource& source = input.sources.emplace_back();
     source.drawing = drawing_of(member(item, "shape", where), where, points);
     source.drawing.name = name_of(item, input.sources.size() - 1);
+    check_name(source.drawing.name, where + ": id");
     if (item.contains("demand")) source.demand = demand_of(item["demand"], where + ": demand");
     source.angles_deg = angles_of(item, where);
     points += source.drawing.outline.size();
-    if (points > kMostDrawingPoints) throw InputError(path + ": found too many points, allowed: 200,000 in a file");
+    if (points > kMostDrawingPoints) {
+      throw InputError(path + ": found more than " + std::to_string(kMostDrawingPoints) +
+                       " points, allowed: so many in a file");
+    }
   }
   return input;
 }

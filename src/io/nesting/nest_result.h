@@ -1,4 +1,4 @@
-// What nesting leaves behind: pictures for people and cutters, the places in JSON, a card, and jobs of a library's shapes.
+// A layout in words and numbers: its places in JSON, and a card.
 #pragma once
 
 #include <string>
@@ -15,7 +15,13 @@ struct NestRun {
   std::string effort;
   std::uint64_t seed = 1;
   double seconds = 0;
+  const char* stopped_by = nullptr;  // "signal" or "time_limit", before all of the search was done; null: nothing did
 };
+
+/// What layout.json and card.txt begin with, so that a folder of tessera nest can be told from others.
+inline constexpr const char* kNestProgram = "tessera nest";
+inline constexpr const char* kNestLayoutName = "layout.json";
+inline constexpr const char* kNestCardName = "card.txt";
 
 /// Area of the pieces over that of the strip as far as it is used, or of all sheets.
 double density_of(const NestRun& run);
@@ -23,12 +29,11 @@ double density_of(const NestRun& run);
 /// How many pieces were wanted.
 int wanted_pieces(const NestRun& run);
 
-/// Throws InputError where the folder holds something that is not of tessera nest; to be called before time is spent.
-void check_nest_folder(const std::string& folder);
+/// layout.json, in the manner of sparrow's solutions: rotation in degrees about the shape's own origin, then the
+/// translation.
+std::string nest_layout_json(const NestRun& run);
 
-/// layout.json, card.txt, and of each sheet layout.svg, .dxf and .png; of a library's shapes layout.toml and
-/// layout_pieces.geojson, too. Of several sheets they are called layout_1.svg and so on. What is there of an earlier run is
-/// replaced, other files stay; while layout.json is missing the rest is not complete. Returns the card. Throws EnvironmentError.
-std::string write_nest_result(const NestRun& run, const std::string& folder);
+/// card.txt.
+std::string nest_card_text(const NestRun& run);
 
 }  // namespace tessera::io

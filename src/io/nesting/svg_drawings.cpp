@@ -1,8 +1,5 @@
 #include "io/nesting/svg_drawings.h"
 
-#include <libxml/parser.h>
-#include <libxml/tree.h>
-
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -10,9 +7,8 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "io/artwork/gunzip.h"
-#include "io/artwork/svg_page.h"
 #include "io/nesting/svg_path_data.h"
+#include "io/nesting/svg_tree.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -22,12 +18,17 @@ constexpr double kMm_px = 25.4 / 96;  // CSS
 constexpr std::size_t kMostContours = 4'000;
 constexpr double kTwoPi = 6.28318530717958647692;
 
-struct FreeXml {
-  void operator()(xmlDoc* doc) const { xmlFreeDoc(doc); }
+struct FreeText {
   void operator()(xmlChar* text) const { xmlFree(text); }
 };
 
 std::string_view name_of(const xmlNode* node) { return reinterpret_cast<const char*>(node->name); }
+
+/// Throws InputError where there are more up to here than a file may have.
+void check_count(const char* what, std::size_t count, std::size_t allowed) {
+  if (count > allowed)
+    throw InputError("found more than " + std::to_string(allowed) + " " + what + ", allowed: so many in a file");
+}
 
 /// Entities of the document's own are refused, and its defaults do not count: a few bytes of the file could be
 /// megabytes in each of many attributes.
@@ -39,7 +40,7 @@ std::optional<std::string> attribute(xmlNode* node, const char* name) {
     if (part->type == XML_ENTITY_REF_NODE)
       throw InputError(std::string(name) + ": found an entity, allowed: what it stands for");
   }
-  const std::unique_ptr<xmlChar, FreeXml> value(xmlGetNoNsProp(node, word));
+  const std::unique_ptr<xmlChar, FreeText> value(xmlGetNoNsProp(node, word));
   return value ? std::optional<std::string>(reinterpret_cast<const char*>(value.get())) : std::nullopt;
 }
 
@@ -174,7 +175,8 @@ class Reader {
   SvgDrawings take() {
     found_.drawings = drawings_of(std::move(contours_));
     if (found_.drawings.size() > kMostDrawings)
-      throw InputError(path_ + ": found too many shapes, allowed: 2000 in a file");
+      throw InputError(path_ + ": found " + std::to_string(found_.drawings.size()) + " shapes, allowed: " +
+                       std::to_string(kMostDrawings));
     return std::move(found_);
   }
 
@@ -189,6 +191,7 @@ class Reader {
   void element(xmlNode* node, const SvgMatrix& outer) {
     const std::string_view kind = name_of(node);
     const std::string name = attribute(node, "id").value_or(std::string(kind) + std::to_string(++count_));
+    check_name(name, path_ + ": id");
     try {
       const SvgMatrix matrix = outer.after(svg_transform(attribute(node, "transform").value_or("")));
       add(subpaths_of(node, matrix), name);
@@ -225,8 +228,8 @@ class Reader {
       check_contour(ring, path_ + ": " + printable_utf8(name));
       points_ += ring.size();
       contours_.push_back({name, std::move(ring)});
-      if (points_ > kMostDrawingPoints) throw InputError("found too many points, allowed: 200,000 in a file");
-      if (contours_.size() > kMostContours) throw InputError("found too many contours, allowed: 4000 in a file");
+      check_count("points", points_, kMostDrawingPoints);
+      check_count("contours", contours_.size(), kMostContours);
     }
   }
 
@@ -240,15 +243,9 @@ class Reader {
 }  // namespace
 
 SvgDrawings svg_drawings(std::span<const std::uint8_t> bytes, const std::string& path) {
-  std::vector<std::uint8_t> unpacked;
-  if (is_gzip(bytes)) bytes = unpacked = gunzip(bytes, path, kMaxSvgBytes);
-  constexpr int kOptions = XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
-  const std::unique_ptr<xmlDoc, FreeXml> doc(
-      xmlReadMemory(reinterpret_cast<const char*>(bytes.data()), int(bytes.size()), nullptr, nullptr, kOptions));
-  xmlNode* root = doc ? xmlDocGetRootElement(doc.get()) : nullptr;
-  if (!root || name_of(root) != "svg") throw InputError(path + ": not a readable SVG file");
+  const SvgTree tree = svg_tree(bytes, path);
   Reader reader(path);
-  reader.read(root);
+  reader.read(xmlDocGetRootElement(tree.get()));
   return reader.take();
 }
 

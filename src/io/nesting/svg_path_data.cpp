@@ -93,7 +93,8 @@ class PathReader {
       last_ = upper(command);
       if (command == 'M') command = 'L';
       if (command == 'm') command = 'l';
-      if (points_ > kMostDrawingPoints) throw InputError("found too many points, allowed: 200,000");
+      if (points_ > kMostDrawingPoints)
+        throw InputError("found more than " + std::to_string(kMostDrawingPoints) + " points, allowed: so many");
     }
     for (SvgSubpath& path : lists_) {
       for (NestPoint& p : path.points) p = matrix_.apply(p);
@@ -112,6 +113,7 @@ class PathReader {
   void begin(NestPoint p) {
     lists_.push_back({{p}, false});
     at_ = first_ = p;
+    ++points_;
   }
 
   NestRing& ring() {
@@ -269,7 +271,8 @@ std::vector<double> svg_numbers(std::string_view text) {
   std::vector<double> numbers;
   while (!in.at_end()) {
     numbers.push_back(in.number());
-    if (numbers.size() > 2 * kMostContourPoints) throw InputError("found too many numbers");
+    if (numbers.size() > 2 * kMostContourPoints)
+      throw InputError("found more than " + std::to_string(2 * kMostContourPoints) + " numbers, allowed: so many");
   }
   return numbers;
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/atomic_file.h"
+#include "io/result/card_bounds.h"
 #include "io/result/result_file.h"
 
 namespace tessera::io {
@@ -15,7 +16,7 @@ constexpr const char* kJsonCard = "card.json";
 constexpr const char* kTextCard = "card.txt";
 
 std::string json_with_drawing(const std::string& dir, const DrawingNotes& notes) {
-  Json card = Json::parse(read_result_file(dir, kJsonCard), nullptr, false);
+  Json card = Json::parse(read_result_json(dir, kJsonCard, kCardBounds), nullptr, false);
   if (!card.is_object()) throw InputError(path_in_result(dir, kJsonCard) + ": not a card.json of tessera collage");
   card["drawing"] = Json::parse(drawing_json(notes));
   return card.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

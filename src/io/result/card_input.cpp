@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "io/result/card_bounds.h"
 #include "io/result/result_file.h"
 #include "io/utf8_text.h"
 
@@ -13,7 +14,7 @@ namespace {
 using nlohmann::json;
 
 json parsed(const std::string& folder, const std::string& path) {
-  json card = json::parse(read_result_file(folder, "card.json"), nullptr, false);
+  json card = json::parse(read_result_json(folder, "card.json", kCardBounds), nullptr, false);
   if (card.is_discarded()) throw InputError(path + ": not JSON; allowed: a card.json of tessera collage");
   return card;
 }

@@ -135,19 +135,22 @@ Quality quality_before(const CollageReport& report) {
 
 /// The outlines in pieces.geojson, canvas px.
 std::vector<Outline> written_outlines(const std::string& dir) {
-  const std::string bytes = read_result_file(dir, "pieces.geojson");
+  JsonFile file{open_result_file(dir, "pieces.geojson", kMostPiecesBytes)};
   std::vector<Outline> outlines;
-  read_polygon_features({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
-                        [&](PolygonFeature feature) {
-                          Outline outline;
-                          for (std::vector<Ring>& polygon : feature.polygons) {
-                            for (Ring& ring : polygon) {
-                              ring.pop_back();  // the first again
-                              outline.curves.push_back(std::move(ring));
-                            }
-                          }
-                          outlines.push_back(std::move(outline));
-                        });
+  try {
+    read_polygon_features(file, [&](PolygonFeature feature) {
+      Outline outline;
+      for (std::vector<Ring>& polygon : feature.polygons) {
+        for (Ring& ring : polygon) {
+          ring.pop_back();  // the first again
+          outline.curves.push_back(std::move(ring));
+        }
+      }
+      outlines.push_back(std::move(outline));
+    });
+  } catch (const InputError& error) {
+    throw InputError(path_in_result(dir, "pieces.geojson") + ": " + error.what());
+  }
   return outlines;
 }
 

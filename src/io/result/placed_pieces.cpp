@@ -4,20 +4,17 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "io/job/feature_properties.h"
 #include "io/number_text.h"
 #include "io/pose.h"
 #include "io/result/geojson_output.h"
+#include "io/result/polygon_features.h"
 #include "io/result/result_file.h"
 
 namespace tessera::io {
 namespace {
 
 using nlohmann::json;
-
-/// Polygons are most of the file, and not needed.
-bool keep(int, json::parse_event_t event, json& parsed) {
-  return event != json::parse_event_t::key || parsed != "geometry";
-}
 
 Similarity transform_of(const json& properties) {
   const double scale = properties.at("scale");
@@ -37,12 +34,14 @@ double written(double value) { return std::stod(fixed(value, kPixelDecimals)); }
 }  // namespace
 
 std::vector<PlacedPiece> read_placed_pieces(const std::string& dir) {
-  const std::string bytes = read_result_file(dir, "pieces.geojson");
+  static const std::vector<std::string_view> kRead = {"shape", "scale",  "rotation_deg",     "x_px",
+                                                      "y_px",  "locked", "canvas_from_shape"};
+  JsonFile file{open_result_file(dir, "pieces.geojson", kMostPiecesBytes)};
   const std::string path = path_in_result(dir, "pieces.geojson");
   std::vector<PlacedPiece> pieces;
   try {
-    const json collection = json::parse(bytes, keep);
-    for (const json& feature : collection.at("features")) pieces.push_back(piece_of(feature.at("properties")));
+    read_feature_properties(file, kRead, kMostFeatures,
+                            [&](const json& feature) { pieces.push_back(piece_of(feature.at("properties"))); });
   } catch (const json::exception& error) {
     throw InputError(path + ": not a pieces.geojson of tessera collage: " + error.what());
   } catch (const InputError& error) {

@@ -29,6 +29,18 @@ std::string plural(std::size_t count, const char* what) { return std::to_string(
 /// geometry.coordinates while they are read: lists of numbers, whose depth says whose they are.
 class Coordinates {
  public:
+  /// `points_before`: of all features, counted on.
+  explicit Coordinates(std::size_t& points_before) : points_before_(points_before) {}
+
+  /// Of the next feature.
+  void begin() {
+    depth_ = position_depth_ = axis_ = 0;
+    points_ = 0;
+    ring_.clear();
+    rings_.clear();
+    polygons_.clear();
+  }
+
   bool open() const { return depth_ > 0; }
 
   void begin_list() {
@@ -77,11 +89,14 @@ class Coordinates {
     if (++points_ > kMostFeaturePoints) {
       fail(kCoordinates, "more than " + plural(kMostFeaturePoints, "positions"), "so many of a piece");
     }
+    if (++points_before_ > kMostPoints) {
+      fail(kCoordinates, "more than " + plural(kMostPoints, "positions up to here"), "so many in all");
+    }
     ring_.push_back(position_);
   }
 
   void end_ring() {
-    rings_.push_back(std::move(ring_));
+    rings_.emplace_back(ring_.begin(), ring_.end());  // no larger than it is: there may be many
     ring_.clear();
   }
 
@@ -95,6 +110,7 @@ class Coordinates {
   int axis_ = 0;            // numbers of the position so far
   bool empty_ = false;      // the list that is read
   std::size_t points_ = 0;
+  std::size_t& points_before_;
   Vec2 position_;
   Ring ring_;
   std::vector<Ring> rings_;
@@ -152,7 +168,7 @@ class FeatureReader : public json::json_sax_t {
     if (within == Place::features) fail("the feature", "a list", "an object");
     if (within == Place::properties) check_is_no_shape("a list");
     const bool coordinates = within == Place::geometry && key_ == "coordinates";
-    if (coordinates) coordinates_ = {};
+    if (coordinates) coordinates_.begin();
     if (coordinates || coordinates_.open()) coordinates_.begin_list();
     push(within == Place::collection && key_ == "features" ? Place::features : Place::other);
     any_features_ |= place() == Place::features;
@@ -213,6 +229,9 @@ class FeatureReader : public json::json_sax_t {
     if (key_ != "shape" || v.is_null()) return;
     if (!v.is_string()) check_is_no_shape(found_text(v));
     feature_.shape = v.get<std::string>();
+    if (feature_.shape.size() > kMostShapeNameBytes) {
+      fail("shape", "a text of " + plural(feature_.shape.size(), "bytes"), plural(kMostShapeNameBytes, "or fewer"));
+    }
   }
 
   void take_member_of_geometry(const json& v) {
@@ -230,7 +249,7 @@ class FeatureReader : public json::json_sax_t {
 
   void begin_geometry() {
     geometry_type_.clear();
-    coordinates_ = {};
+    coordinates_.begin();
   }
 
   void end_feature() {
@@ -247,15 +266,16 @@ class FeatureReader : public json::json_sax_t {
   std::size_t features_ = 0;
   PolygonFeature feature_;
   std::string geometry_type_;
-  Coordinates coordinates_;
+  std::size_t points_ = 0;
+  Coordinates coordinates_{points_};
 };
 
 }  // namespace
 
-void read_polygon_features(std::span<const std::uint8_t> bytes, const std::function<void(PolygonFeature)>& take) {
+void read_polygon_features(JsonFile& file, const std::function<void(PolygonFeature)>& take) {
   FeatureReader reader(take);
   try {
-    json::sax_parse(bytes.begin(), bytes.end(), &reader);
+    json::sax_parse(file.stream(), &reader);
     reader.check_complete();
   } catch (const InputError& error) {
     throw InputError(reader.where() + error.what());

@@ -6,7 +6,6 @@
 #include "core/base/error.h"
 #include "core/geometry/winding.h"
 #include "io/number_text.h"
-#include "io/regular_file.h"
 #include "io/result/polygon_features.h"
 
 namespace tessera::io {
@@ -131,11 +130,11 @@ JudgedPiece piece_of(PolygonFeature feature, const Canvas& canvas) {
 }  // namespace
 
 std::vector<JudgedPiece> read_polygon_pieces(const std::string& path, const Canvas& canvas) {
-  const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostBytes);
+  JsonFile file{FileBlocks(path, kMostBytes)};
   std::vector<JudgedPiece> pieces;
   double boundary_px = 0;
   try {
-    read_polygon_features(bytes, [&](PolygonFeature feature) {
+    read_polygon_features(file, [&](PolygonFeature feature) {
       pieces.push_back(piece_of(std::move(feature), canvas));
       boundary_px += length_px(pieces.back().outline_px);
       if (boundary_px <= kMostBoundary_px) return;

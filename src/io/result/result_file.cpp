@@ -1,10 +1,8 @@
 #include "io/result/result_file.h"
 
-#include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <system_error>
-#include <vector>
+#include <utility>
 
 #include "core/base/error.h"
 #include "io/regular_file.h"
@@ -23,17 +21,36 @@ bool is_in_result(const std::string& dir, const std::string& name) {
   return true;
 }
 
-std::string read_result_file(const std::string& dir, const std::string& name) {
+FileBlocks open_result_file(const std::string& dir, const std::string& name, std::size_t most_bytes) {
   const std::string path = path_in_result(dir, name);
   if (!is_in_result(dir, name)) {
     throw InputError(path + ": not found; allowed: the folder of a result of tessera collage");
   }
+  FileDescriptor file(-1);
   try {
-    const std::vector<std::uint8_t> bytes = read_regular_file(path, std::numeric_limits<std::size_t>::max());
-    return {bytes.begin(), bytes.end()};
+    file = open_regular_file(path);
   } catch (const InputError& error) {
     throw EnvironmentError(error.what());
   }
+  return FileBlocks(std::move(file), path, most_bytes);
+}
+
+std::string read_result_file(const std::string& dir, const std::string& name, std::size_t most_bytes) {
+  FileBlocks blocks = open_result_file(dir, name, most_bytes);
+  std::string bytes;
+  for (std::span<const char> block = blocks.next(); !block.empty(); block = blocks.next())
+    bytes.append(block.begin(), block.end());
+  return bytes;
+}
+
+std::string read_result_json(const std::string& dir, const std::string& name, const JsonBounds& bounds) {
+  std::string text = read_result_file(dir, name);
+  try {
+    check_json(text, bounds);
+  } catch (const InputError& error) {
+    throw InputError(path_in_result(dir, name) + ": " + error.what());
+  }
+  return text;
 }
 
 }  // namespace tessera::io

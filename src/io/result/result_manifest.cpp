@@ -16,7 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+using ReadJson = nlohmann::json;  // an ordered one would take very long for an object of very many members
+
 constexpr int kFormat = 1;
+/// A list of shapes and two of colours, of some hundred thousand pieces.
+constexpr JsonBounds kBounds{.values = 2'000'000, .levels = 32};
 
 std::string hex(std::uint64_t value) {
   char text[17];
@@ -66,12 +70,12 @@ Json to_json(const DrawnPicture& picture) {
   return json;
 }
 
-Harmony harmony_from_json(const Json& harmony) {
+Harmony harmony_from_json(const ReadJson& harmony) {
   return {template_of(harmony.at("template").get<std::string>()), harmony.at("angle_deg")};
 }
 
 /// Results of earlier versions say less: then it is as the defaults are.
-OutputSpec output_from_json(const Json& picture) {
+OutputSpec output_from_json(const ReadJson& picture) {
   OutputSpec output;
   output.width_px = picture.at("width_px");
   output.width_mm = picture.value("width_mm", output.width_mm);
@@ -89,7 +93,7 @@ OutputSpec output_from_json(const Json& picture) {
   return output;
 }
 
-ResultManifest from_json(const Json& json) {
+ResultManifest from_json(const ReadJson& json) {
   if (json.at("format") != kFormat) throw InputError("another format than " + std::to_string(kFormat));
   ResultManifest manifest;
   manifest.finished = json.at("state") == "finished";
@@ -109,7 +113,7 @@ ResultManifest from_json(const Json& json) {
   if (json.contains("covered")) manifest.covered = json.at("covered").get<std::vector<std::string>>();
   check_colours(manifest.colours, manifest.shapes.size(), false);
   check_colours(manifest.covered, manifest.shapes.size(), true);
-  for (const Json& picture : json.at("pictures")) {
+  for (const ReadJson& picture : json.at("pictures")) {
     manifest.pictures.push_back({picture.at("file"), output_from_json(picture)});
     manifest.pictures.back().shift = picture.value("shift", 0.);
     if (picture.contains("harmony")) manifest.pictures.back().harmony = harmony_from_json(picture.at("harmony"));
@@ -120,10 +124,10 @@ ResultManifest from_json(const Json& json) {
 }
 
 ResultManifest parsed(const std::string& dir) {
-  const std::string bytes = read_result_file(dir, kManifestName);
+  const std::string bytes = read_result_json(dir, kManifestName, kBounds);
   const std::string path = path_in_result(dir, kManifestName);
   try {
-    return from_json(Json::parse(bytes));
+    return from_json(ReadJson::parse(bytes));
   } catch (const nlohmann::json::exception& error) {
     throw InputError(path + ": not a manifest of tessera collage: " + error.what());
   } catch (const InputError& error) {
@@ -132,7 +136,10 @@ ResultManifest parsed(const std::string& dir) {
 }
 
 void check_digest(const std::string& dir, const char* name, const std::string& expected) {
-  if (digest_text(read_result_file(dir, name)) == expected) return;
+  FileBlocks blocks = open_result_file(dir, name, kMostPiecesBytes);
+  while (!blocks.next().empty()) {
+  }
+  if (hex(blocks.digest()) == expected) return;
   throw InputError(path_in_result(dir, name) + ": not the file that " + kManifestName + " was written with");
 }
 

@@ -1,0 +1,239 @@
+#include "cli/nest_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "cli/exit_codes.h"
+#include "cli/nest_chains.h"
+#include "cli/nest_problem_arguments.h"
+#include "cli/nest_stop.h"
+#include "cli/progress_bar.h"
+#include "comm/stop_signals.h"
+#include "core/base/error.h"
+#include "core/base/interrupted.h"
+#include "core/base/stopwatch.h"
+#include "core/nesting/nest_check.h"
+#include "io/nesting/nest_folder.h"
+#include "io/utf8_text.h"
+
+namespace tessera::cli {
+namespace {
+
+std::string shown_folder(const NestArguments& arguments) { return io::printable_utf8(arguments.folder); }
+
+double area_of(const NestProblem& problem) {
+  double area = 0;
+  for (const NestItem& item : problem.items) area += std::abs(signed_area(item.outline)) * item.demand;
+  return area;
+}
+
+/// About as many as there will be.
+double sheets_to_draw(const NestProblem& problem) {
+  constexpr double kDensity = 0.6;
+  return std::isfinite(problem.length) ? area_of(problem) / (problem.height * problem.length) / kDensity : 1;
+}
+
+/// Shows how dense it is by now, how far the search is, and when it will be over.
+class SearchProgress {
+ public:
+  SearchProgress(const NestProblem& problem, const NestStop& stop)
+      : problem_(problem),
+        stop_(stop),
+        area_(area_of(problem)) {}
+
+  void show(double done, const NestLayout& best) {
+    const std::size_t parts = std::size_t(done * kParts);
+    const double limit_s = std::max(0.0, stop_.search_left_s());
+    std::optional<double> left_s = time_left_s(parts, kParts, watch_.seconds());
+    if (std::isfinite(limit_s)) left_s = std::min(left_s.value_or(limit_s), limit_s);
+    bar_.update(parts, note(best), left_s);
+  }
+
+ private:
+  static constexpr std::size_t kParts = 1000;
+
+  std::string note(const NestLayout& best) const {
+    char text[80];
+    if (std::isfinite(problem_.length))
+      std::snprintf(text, sizeof text, "%d sheets", best.sheets);
+    else
+      std::snprintf(text, sizeof text, "%.1f %% dense, %.6g mm long",
+                    100 * area_ / (problem_.height * best.used_length), best.used_length);
+    return text;
+  }
+
+  const NestProblem& problem_;
+  const NestStop& stop_;
+  double area_;  // of all pieces
+  Stopwatch watch_;
+  ProgressBar bar_{"nesting", kParts};
+};
+
+/// Throws Interrupted where there is a reason to.
+void end_if(const char* reason) {
+  if (reason) throw Interrupted{reason};
+}
+
+/// Shows how many files there are.
+class FileProgress {
+ public:
+  FileProgress(const char* what, bool quiet) : what_(what), quiet_(quiet) {}
+
+  void show(std::size_t done, std::size_t all) {
+    if (quiet_) return;
+    if (!bar_) bar_.emplace(what_, all);
+    bar_->update(done, std::to_string(done) + " of " + std::to_string(all) + " files");
+  }
+
+ private:
+  const char* what_;
+  bool quiet_;
+  std::optional<ProgressBar> bar_;
+};
+
+NestOutcome searched(const NestArguments& arguments, const NestProblem& problem, NestStop& stop,
+                     comm::Communicator& ranks) {
+  std::optional<SearchProgress> progress;
+  if (!arguments.quiet) progress.emplace(problem, stop);
+  return best_nesting(
+      ranks, problem, *nest_effort(arguments.effort), arguments.seed,
+      [&](double done, const NestLayout& best) {
+        if (progress) progress->show(done, best);
+      },
+      [&] { return stop.search_over(); });
+}
+
+std::size_t points_to_write(const io::NestRun& run) {
+  std::size_t points = 0;
+  for (const io::NestSource& source : run.input.sources) {
+    std::size_t of_source = source.drawing.outline.size();
+    for (const NestRing& hole : source.drawing.holes) of_source += hole.size();
+    points += of_source * std::size_t(source.demand);
+  }
+  return points;
+}
+
+int left_over(const io::NestRun& run) {
+  int count = 0;
+  for (const int of_item : run.layout.left_over) count += of_item;
+  return count;
+}
+
+void warn_of_left_over(const io::NestRun& run) {
+  std::string names;
+  for (std::size_t i = 0; i < run.layout.left_over.size(); ++i) {
+    if (run.layout.left_over[i] > 0) names += (names.empty() ? "" : ", ") + run.input.sources[i].drawing.name;
+  }
+  if (names.empty()) return;
+  std::fprintf(stderr, "tessera: warning: %d of %d pieces found no place: %s\n", left_over(run), io::wanted_pieces(run),
+               io::cut_utf8(names, 200).c_str());
+}
+
+void report(const NestArguments& arguments, const io::NestRun& run) {
+  warn_of_left_over(run);
+  if (run.stopped_by) {
+    std::fprintf(stderr,
+                 "tessera: warning: stopped by %s: the best layout so far was written; the same command may give "
+                 "another one\n",
+                 run.stopped_by == std::string_view("signal") ? "a signal" : "the time limit");
+  }
+  if (arguments.quiet) return;
+  std::printf("%s", io::nest_card_text(run).c_str());
+  std::printf("%s: layout.json, and the sheets as .svg, .dxf and .png\n", shown_folder(arguments).c_str());
+  if (!run.input.library.empty()) {
+    std::printf("next: tessera collage %s/layout%s.toml\n", shown_folder(arguments).c_str(),
+                run.layout.sheets > 1 ? "_1" : "");
+  }
+}
+
+/// Returns whether all pictures were drawn. They are for people: without them the layout is whole.
+bool draw(const NestArguments& arguments, const io::NestRun& run, NestStop& stop, io::NestFolder& folder) {
+  FileProgress progress("drawing", arguments.quiet);
+  std::size_t drawn = 0;
+  try {
+    folder.draw(run, [&](std::size_t done, std::size_t all) {
+      drawn = done;
+      end_if(stop.drawing_over());
+      progress.show(done, all);
+    });
+    return true;
+  } catch (const Interrupted&) {
+    std::fprintf(stderr, "tessera: warning: %s: drew %zu of %d layout pictures (.png); all other files are there\n",
+                 shown_folder(arguments).c_str(), drawn, run.layout.sheets);
+    return false;
+  }
+}
+
+/// Whether that end is one that the user did not ask for.
+bool interrupts(const char* stopped_by, const NestStop& stop) {
+  return stopped_by && !(stopped_by == std::string_view("time_limit") && stop.was_asked_for());
+}
+
+void check(const io::NestRun& run, NestStop& stop) {
+  const std::string fault = nest_fault(run.problem, run.layout, [&] { end_if(stop.writing_over()); });
+  if (!fault.empty()) throw std::logic_error("nesting: " + fault);
+}
+
+/// Returns the exit code.
+int write(const NestArguments& arguments, const io::NestRun& run, NestStop& stop, io::NestFolder& folder) {
+  check(run, stop);
+  FileProgress progress("writing", arguments.quiet);
+  folder.write(run, [&](std::size_t done, std::size_t all) {
+    end_if(stop.writing_over());
+    progress.show(done, all);
+  });
+  const bool all_drawn = draw(arguments, run, stop, folder);
+  report(arguments, run);
+  if (interrupts(run.stopped_by, stop) || !all_drawn) return kUnfinishedExitCode;
+  return left_over(run) > 0 ? kIncompleteExitCode : kDoneExitCode;
+}
+
+int nest(NestArguments& arguments, comm::Communicator& ranks) {
+  NestStop stop(arguments.time_limit, ranks.size() > 1);
+  check_arguments(arguments);
+  io::NestRun run;
+  run.input = io::read_nest_input(arguments.input);
+  io::set_demands(run.input, demands_of(arguments.demands));
+  run.problem = problem_of(arguments, run.input);
+  run.effort = arguments.effort;
+  run.seed = arguments.seed;
+  if (arguments.folder.empty()) arguments.folder = "out/" + run.input.name;
+  for (const std::string& note : run.input.notes) std::fprintf(stderr, "tessera: warning: %s\n", note.c_str());
+  stop.leave_time_for(points_to_write(run), sheets_to_draw(run.problem));
+  comm::install_stop_handlers();
+  io::NestFolder folder(arguments.folder);
+  const Stopwatch watch;
+  NestOutcome found = searched(arguments, run.problem, stop, ranks);
+  run.layout = std::move(found.layout);
+  run.stopped_by = found.stopped_by;
+  run.seconds = watch.seconds();
+  if (run.stopped_by) ranks.hurry();
+  if (!run.layout.pieces.empty()) return write(arguments, run, stop, folder);
+  if (run.stopped_by) throw Interrupted{run.stopped_by};
+  throw InputError(io::printable_utf8(arguments.input) + ": none of its pieces fits onto " +
+                   (arguments.sheet_mm.empty() ? "the strip" : "the sheet") + " at the angles allowed");
+}
+
+}  // namespace
+
+int nest_on_all_ranks(NestArguments arguments, comm::Communicator& ranks) {
+  if (ranks.rank() != 0) {
+    work_on_nesting(ranks);
+    return kDoneExitCode;
+  }
+  try {
+    return nest(arguments, ranks);
+  } catch (const Interrupted&) {
+    ranks.hurry();
+    std::fprintf(stderr,
+                 "tessera: unfinished, nothing was written, and an earlier layout is as it was: the same command "
+                 "starts again\n");
+    return kUnfinishedExitCode;
+  }
+}
+
+}  // namespace tessera::cli

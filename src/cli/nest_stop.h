@@ -1,0 +1,46 @@
+// When a nesting is to end before its time: by a signal, by --time-limit, or by the end of the Slurm job.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "cli/time_limit.h"
+
+namespace tessera::cli {
+
+/// The time counts from the making of this object.
+class NestStop {
+ public:
+  /// `argument`: of --time-limit. `several_ranks`: then there is time to leave, too. Throws InputError.
+  NestStop(const std::optional<std::string>& argument, bool several_ranks);
+
+  /// To be called before the search: how many points all pieces have, and about how many sheets they need. The search
+  /// leaves time to write and draw them, a quarter of the limit at most.
+  void leave_time_for(std::size_t points, double sheets);
+
+  /// Whether the search is to end, so that its best can be written; null: no. By any thread.
+  const char* search_over();
+  /// Whether a signal came so long ago that writing the layout must end, too; null: no. The limit does not end it: the
+  /// search has left time for it.
+  const char* writing_over();
+  /// Whether drawing pictures, which the layout does not need, is to end; null: no.
+  const char* drawing_over();
+  /// Until a search ends by the limit; infinite without one.
+  double search_left_s() const;
+  /// Whether the user said how long it may take: then the end of that time is no interruption.
+  bool was_asked_for() const { return was_asked_for_; }
+
+ private:
+  bool is_signalled();
+
+  bool was_asked_for_;
+  double leaving_s_;
+  double writing_after_signal_s_;
+  double writing_s_ = 0;
+  TimeLimit limit_;
+  Stopwatch watch_;
+  std::atomic<double> signalled_s_{-1};  // when somebody first saw a signal; negative: nobody did
+};
+
+}  // namespace tessera::cli

@@ -1,0 +1,205 @@
+#include "io/nesting/nest_folder.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "io/atomic_file.h"
+#include "io/nesting/nest_job.h"
+#include "io/nesting/nest_sheets.h"
+#include "io/utf8_text.h"
+
+namespace tessera::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kTemporary = ".tmp";  // as temporary_path has it
+
+/// layout or layout_N, and an ending of a sheet's files.
+bool is_of_sheet(std::string_view name) {
+  constexpr std::string_view kStem = "layout";
+  if (!name.starts_with(kStem)) return false;
+  name.remove_prefix(kStem.size());
+  if (const std::size_t end = std::min(name.find_first_not_of("0123456789", 1), name.size());
+      name.starts_with('_') && end > 1)
+    name.remove_prefix(end);
+  return name == ".svg" || name == ".dxf" || name == ".png" || name == ".toml" || name == "_pieces.geojson";
+}
+
+bool is_ours(std::string_view name) { return is_of_sheet(name) || name == kNestLayoutName || name == kNestCardName; }
+
+/// What a run that was killed may have left.
+bool is_leftover(std::string_view name) {
+  return name.ends_with(kTemporary) && is_ours(name.substr(0, name.size() - kTemporary.size()));
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw EnvironmentError("cannot remove " + printable_utf8(file.string()) + ": " + error.message());
+}
+
+template <class Which>
+void remove_files(const fs::path& folder, Which which) {
+  for (const std::string& name : names_in(folder)) {
+    if (which(name)) remove_file(folder / name);
+  }
+}
+
+bool begins_with(const fs::path& file, const std::string& words) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return false;
+  std::string first(words.size(), ' ');
+  return std::ifstream(file).read(first.data(), std::streamsize(first.size())) && first == words;
+}
+
+/// The first file in the folder that shows that the folder is not of tessera nest; nothing where it may be written into.
+/// A run that was killed leaves its lock and temporary files, or its card without layout.json.
+std::string foreign_file(const fs::path& folder) {
+  const std::string program(kNestProgram);
+  const std::set<std::string> names = names_in(folder);
+  if (names.contains(kNestLayoutName))
+    return begins_with(folder / kNestLayoutName, "{\n \"program\": \"" + program + "\",\n") ? "" : kNestLayoutName;
+  if (begins_with(folder / kNestCardName, program + ": ")) return "";
+  const std::string lock = fs::path(folder_lock_path(folder)).filename();
+  for (const std::string& name : names) {
+    if (name != lock && !is_leftover(name)) return name;
+  }
+  return "";
+}
+
+void check_may_be_written(const fs::path& folder) {
+  const std::string shown = printable_utf8(folder.string());
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return;
+  if (!fs::is_directory(folder, ignored))
+    throw InputError("--out " + shown + ": is there and is no folder; give another name");
+  if (const std::string file = foreign_file(folder); !file.empty()) {
+    throw InputError("--out " + shown + ": is there, and its " + printable_utf8(file) +
+                     " is not of tessera nest; give another name");
+  }
+  for (const std::string& name : names_in(folder)) {
+    if (is_ours(name) && fs::is_directory(fs::symlink_status(folder / name)))
+      throw EnvironmentError("cannot write " + shown + "/" + printable_utf8(name) + ": is a folder; remove it");
+  }
+}
+
+std::string name_of_sheet(const NestRun& run, int sheet) {
+  return run.layout.sheets > 1 ? "layout_" + std::to_string(sheet + 1) : "layout";
+}
+
+/// Writes files under temporary names; those that are not taken over are removed.
+class TemporaryFiles {
+ public:
+  TemporaryFiles(const fs::path& folder, std::size_t all, const BetweenFiles& between)
+      : folder_(folder),
+        all_(all),
+        between_(between) {}
+  ~TemporaryFiles() {
+    std::error_code ignored;
+    for (const std::string& name : names_) fs::remove(temporary_path((folder_ / name).string()), ignored);
+  }
+  TemporaryFiles(const TemporaryFiles&) = delete;
+  TemporaryFiles& operator=(const TemporaryFiles&) = delete;
+
+  void add(const std::string& name, std::string_view text) {
+    between_(names_.size(), all_);
+    names_.push_back(name);
+    write_temporary_file((folder_ / name).string(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  }
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  fs::path folder_;
+  std::size_t all_;
+  const BetweenFiles& between_;
+  std::vector<std::string> names_;
+};
+
+void add_sheet(const NestRun& run, int sheet, const fs::path& folder, TemporaryFiles& files) {
+  const std::string name = name_of_sheet(run, sheet);
+  const NestSheet cut = nest_sheet(run, sheet);
+  files.add(name + ".svg", sheet_svg(cut));
+  files.add(name + ".dxf", sheet_dxf(cut));
+  if (run.input.library.empty()) return;
+  const NestJob job = nest_job(run, sheet, folder.string(), name + "_pieces.geojson");
+  files.add(name + "_pieces.geojson", job.pieces);
+  files.add(name + ".toml", job.toml);
+}
+
+}  // namespace
+
+NestFolder::NestFolder(const std::string& folder) : folder_(folder) {
+  check_may_be_written(folder_);
+  try {
+    make_folder();
+    lock_.emplace(folder_lock_path(folder), folder);
+  } catch (...) {
+    remove_empty_folders();
+    throw;
+  }
+}
+
+NestFolder::~NestFolder() {
+  lock_.reset();
+  remove_empty_folders();
+}
+
+void NestFolder::remove_empty_folders() const {
+  std::error_code not_empty;
+  for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, not_empty);
+}
+
+void NestFolder::make_folder() {
+  std::error_code error;
+  for (fs::path at = fs::absolute(folder_).lexically_normal(); !fs::exists(at, error) && at.has_relative_path();
+       at = at.parent_path())
+    made_.insert(made_.begin(), at);
+  for (const fs::path& at : made_) {
+    fs::create_directory(at, error);
+    if (error) throw EnvironmentError("cannot make " + printable_utf8(at.string()) + ": " + error.message());
+  }
+}
+
+/// With layout.json gone the folder has no whole layout, until the new layout.json is there.
+void NestFolder::replace_earlier(const std::vector<std::string>& names) {
+  remove_file(folder_ / kNestLayoutName);
+  remove_files(folder_, is_of_sheet);
+  for (const std::string& name : names) {
+    const std::string path = (folder_ / name).string();
+    std::error_code error;
+    fs::rename(temporary_path(path), path, error);
+    if (error) throw EnvironmentError("cannot write " + printable_utf8(path) + ": " + error.message());
+  }
+}
+
+void NestFolder::write(const NestRun& run, const BetweenFiles& between) {
+  remove_files(folder_, is_leftover);
+  const std::size_t of_sheet = run.input.library.empty() ? 2 : 4;
+  TemporaryFiles files(folder_, 2 + of_sheet * std::size_t(run.layout.sheets), between);
+  files.add(kNestCardName, nest_card_text(run));
+  for (int sheet = 0; sheet < run.layout.sheets; ++sheet) add_sheet(run, sheet, folder_, files);
+  const std::string layout = nest_layout_json(run);
+  between(files.names().size(), files.names().size() + 1);
+  replace_earlier(files.names());
+  write_file_atomically((folder_ / kNestLayoutName).string(), layout);
+}
+
+void NestFolder::draw(const NestRun& run, const BetweenFiles& between) {
+  for (int sheet = 0; sheet < run.layout.sheets; ++sheet) {
+    between(std::size_t(sheet), std::size_t(run.layout.sheets));
+    write_file_atomically((folder_ / (name_of_sheet(run, sheet) + ".png")).string(), sheet_png(nest_sheet(run, sheet)));
+  }
+}
+
+}  // namespace tessera::io

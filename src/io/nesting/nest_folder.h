@@ -1,0 +1,49 @@
+// The folder that a layout is written to: one run at a time, and a layout there is whole or none.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/nesting/nest_result.h"
+#include "io/output_lock.h"
+
+namespace tessera::io {
+
+/// Called before each file, with the number of files that are done and that of all. What it throws ends the writing.
+using BetweenFiles = std::function<void(std::size_t done, std::size_t all)>;
+
+/// To be made before time is spent on a search. While it lives, no other run may write into the folder (output_lock.h).
+class NestFolder {
+ public:
+  /// Makes the folder where it is missing. Throws InputError where it holds something that is not of tessera nest, or
+  /// where another run is at work; EnvironmentError where nothing can be written there.
+  explicit NestFolder(const std::string& folder);
+  /// Removes the folders that were made and are empty.
+  ~NestFolder();
+  NestFolder(const NestFolder&) = delete;
+  NestFolder& operator=(const NestFolder&) = delete;
+
+  /// layout.json, card.txt, and of each sheet layout.svg and .dxf; of a library's shapes layout.toml and
+  /// layout_pieces.geojson, too. Of several sheets they are called layout_1.svg and so on. All get temporary names first:
+  /// until all are there an earlier layout stays as it was, then the whole of it is replaced, pictures included. Other
+  /// files stay. Where layout.json is missing, the rest is not complete. Throws EnvironmentError.
+  void write(const NestRun& run, const BetweenFiles& between);
+
+  /// The pictures of a layout that was written: layout.png of each sheet. Those before what `between` throws stay.
+  void draw(const NestRun& run, const BetweenFiles& between);
+
+ private:
+  void make_folder();
+  void remove_empty_folders() const;
+  void replace_earlier(const std::vector<std::string>& names);
+
+  std::filesystem::path folder_;
+  std::vector<std::filesystem::path> made_;  // the outer ones first
+  std::optional<OutputLock> lock_;
+};
+
+}  // namespace tessera::io

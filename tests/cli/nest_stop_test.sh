@@ -1,0 +1,174 @@
+#!/usr/bin/env bash
+# nest_stop_test.sh TESSERA MPIRUN NEW_FOLDER: tessera nest stopped by signals and limits, while it searches, writes and
+# draws: the best layout so far is there as a whole, or the one before is as it was.
+set -uo pipefail
+tessera=$1
+# shellcheck disable=SC2034 # support/ranks.sh
+mpirun=$2
+folder=$3
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+
+# expect_whole FOLDER PIECES: all files of one layout, whose pieces lie somewhere, and nothing else
+expect_whole() {
+  python3 - "$1" "$2" <<'PYTHON' || fail "$1 does not hold a whole layout"
+import json, os, re, sys
+folder, pieces = sys.argv[1], int(sys.argv[2])
+solution = json.load(open(folder + "/layout.json"))["solution"]
+placed, sheets = solution["layout"]["placed_items"], solution["sheets"]
+assert len(placed) == pieces, len(placed)
+names = ["layout"] if sheets == 1 else ["layout_%d" % (i + 1) for i in range(sheets)]
+want = {"layout.json", "card.txt"} | {n + end for n in names for end in (".svg", ".dxf")}
+there = {n for n in os.listdir(folder) if not n.endswith(".png")}
+assert there == want, there ^ want
+assert sum(open(folder + "/" + n + ".svg").read().count("<path") for n in names) == pieces
+PYTHON
+}
+
+# wait_for SECONDS COMMAND...: until it succeeds
+wait_for() {
+  local tries=$(($1 * 50))
+  until "${@:2}" 2>/dev/null; do
+    ((tries-- > 0)) || fail "waited too long for: ${*:2}"
+    sleep 0.02
+  done
+}
+
+new_folder
+cat >parts.json <<'JSON'
+{"name": "parts", "strip_height": 40, "items": [
+  {"id": 0, "demand": 40, "allowed_orientations": [0, 180], "shape": {"type": "simple_polygon", "data": [[0,0],[20,0],[10,15],[0,0]]}},
+  {"id": 1, "demand": 40, "allowed_orientations": [0, 90], "shape": {"type": "simple_polygon", "data": [[0,0],[12,0],[12,4],[4,4],[4,12],[0,12]]}}]}
+JSON
+
+# A signal is an interruption, and the best so far is written all the same.
+for ranks in 1 2; do
+  launch=()
+  [[ $ranks -eq 1 ]] || launch=("${on_ranks[@]}" "$ranks")
+  "${launch[@]}" "$tessera" nest parts.json --effort best --out "out/stopped_$ranks" >output 2>errors &
+  nesting=$!
+  wait_for 60 test -e "out/stopped_$ranks/run.lock"
+  sleep 2
+  kill -0 $nesting 2>/dev/null || fail "it ended before it was interrupted"
+  before=$(date +%s%N)
+  kill -TERM $nesting
+  wait $nesting
+  code=$?
+  took_ms=$((($(date +%s%N) - before) / 1000000))
+  [[ $ranks -gt 1 || $code -eq 75 ]] || fail "exit code $code after SIGTERM"
+  ((took_ms < 4000)) || fail "it took $took_ms ms to end on $ranks ranks"
+  expect_word 'stopped by a signal: the best layout so far was written'
+  grep -q '^ "stopped_by": "signal",$' "out/stopped_$ranks/layout.json" || fail "layout.json does not tell of the signal"
+  grep -q '^  stopped         by a signal' "out/stopped_$ranks/card.txt" || fail "nor the card"
+  expect_whole "out/stopped_$ranks" 80
+done
+echo "ok signals"
+
+# The limit that the user gave is none: that is what was asked for.
+run 0 nest parts.json --effort best --out out/limited --time-limit 4
+expect_word 'stopped by the time limit: the best layout so far was written'
+grep -q '^ "stopped_by": "time_limit",$' out/limited/layout.json || fail "layout.json does not tell of the limit"
+expect_whole out/limited 80
+[[ -s out/limited/layout.png ]] || fail "no picture"
+run_on_ranks 2 0 nest parts.json --effort best --out out/limited --time-limit 8 --quiet
+expect_whole out/limited 80
+run '0 75' nest parts.json --effort best --sheet 45,40 --spacing 1 --out out/sheets --time-limit 4 --quiet
+expect_whole out/sheets 80
+SLURM_JOB_END_TIME=$(($(date +%s) + 5)) run 75 nest parts.json --effort best --out out/slurm
+expect_word 'stopped by the time limit: the best layout so far was written'
+expect_whole out/slurm 80
+run 2 nest parts.json --time-limit soon --out out/none
+expect_word 'soon'
+[[ ! -e out/none ]] || fail "left something behind"
+echo "ok limits"
+
+python3 - "$tessera" <<'PYTHON' || fail "a terminal is not shown how far it is, and how long it will take"
+import os, pty, re, select, sys, time
+pid, terminal = pty.fork()
+if pid == 0:
+    os.execv(sys.argv[1], [sys.argv[1], "nest", "parts.json", "--effort", "best", "--out", "out/shown", "--time-limit", "6"])
+said, gaps, last = b"", [], time.monotonic()
+while True:
+    try:
+        block = os.read(terminal, 4096)
+    except OSError:
+        break
+    if not block:
+        break
+    gaps.append(time.monotonic() - last)
+    last = time.monotonic()
+    said += block
+os.waitpid(pid, 0)
+assert re.search(rb"nesting .* \d+ %  [\d.]+ % dense, [\d.]+ mm long  0:0\d left", said), said[-300:]
+assert max(gaps) < 3, gaps
+PYTHON
+echo "ok progress"
+
+# Two runs do not mix their files, and a folder that cannot be written is found before a search.
+"$tessera" nest parts.json --effort best --time-limit 30 --out out/locked >first_output 2>first_errors &
+nesting=$!
+wait_for 60 test -e out/locked/run.lock
+run 2 nest parts.json --effort draft --out out/locked
+expect_word 'out/locked: another run is at work here: process '
+kill -TERM $nesting
+wait $nesting
+[[ $? -eq 75 ]] || fail "the first run did not go on: $(cat first_errors)"
+expect_whole out/locked 80
+most_s=20 run 1 nest parts.json --effort best --out /proc/none
+touch file
+most_s=20 run '1 2' nest parts.json --effort best --out file/below
+mkdir -p stuck/layout.dxf
+echo 'tessera nest: parts' >stuck/card.txt
+most_s=20 run 1 nest parts.json --effort best --out stuck
+expect_word 'cannot write stuck/layout.dxf: is a folder; remove it'
+[[ $(ls stuck) == $'card.txt\nlayout.dxf' ]] || fail "left something behind"
+echo "ok folder"
+
+# Plates of which a sheet holds one: a thousand files.
+cat >plates.json <<'JSON'
+{"items": [{"id": "plate", "demand": 2, "allowed_orientations": [0], "shape": {"type": "simple_polygon", "data": [[0,0],[20,0],[20,15],[0,15]]}}]}
+JSON
+plates() { # DEMAND: its arguments
+  echo "nest plates.json --sheet 21,16 --effort draft --out out/plates --quiet --demand plate=$1"
+}
+# shellcheck disable=SC2046
+run 0 $(plates 2)
+expect_whole out/plates 2
+before=$(cd out/plates && sha256sum ./*)
+# shellcheck disable=SC2046
+"$tessera" $(plates 500) >output 2>errors &
+nesting=$!
+wait_for 60 test -e out/plates/layout_30.svg.tmp
+kill -KILL $nesting
+wait $nesting 2>/dev/null
+[[ $(cd out/plates && rm -f ./*.tmp run.lock && sha256sum ./*) == "$before" ]] ||
+  fail "a run that was killed while it wrote has changed the layout that was there"
+# shellcheck disable=SC2046
+"$tessera" $(plates 500) >output 2>errors &
+nesting=$!
+wait_for 60 test -e out/plates/layout_30.svg.tmp
+kill -KILL $nesting
+wait $nesting 2>/dev/null
+# shellcheck disable=SC2046
+"$tessera" $(plates 400) >output 2>errors &
+nesting=$!
+wait_for 60 test -e out/plates/layout_3.png # the layout is whole, and drawn
+kill -TERM $nesting
+before=$(date +%s%N)
+wait $nesting
+[[ $? -eq 75 ]] || fail "exit code $? after a signal while it drew"
+((($(date +%s%N) - before) / 1000000 < 4000)) || fail "drawing does not end after a signal"
+grep -q 'out/plates: drew [0-9]* of 400 layout pictures (.png); all other files are there' errors ||
+  fail "does not tell that pictures are missing"
+expect_whole out/plates 400
+! grep -q stopped_by out/plates/layout.json || fail "the search was not stopped"
+# shellcheck disable=SC2046
+run 0 $(plates 2)
+expect_whole out/plates 2
+[[ $(find out/plates -name '*.png' | wc -l) -eq 2 ]] || fail "pictures of the layout before"
+echo "ok writing"
+
+run 3 nest parts.json --sheet 19,30 --effort draft --out out/incomplete --quiet
+expect_word 'warning: 40 of 80 pieces found no place: 0'
+expect_whole out/incomplete 40
+echo "ok pieces without a place"
