@@ -27,7 +27,8 @@ constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library build /usr/share/openclipart/svg/animals -o animals.h5\n"
     "  tessera library build logos/ letters/a.png --glob '*.svg' --embed -o mine.h5\n"
-    "Reads SVG and SVGZ; PNG, WebP and TIFF with transparency; two-colour masks (PNG, WebP, TIFF, BMP, JPEG).\n"
+    "Reads SVG and SVGZ; PNG, WebP and TIFF with transparency; masks and pictures on a plain background (PNG, WebP,\n"
+    "TIFF, BMP, JPEG).\n"
     "Not GIF, PDF, EPS and others: convert them to SVG or PNG. Files that cannot be used are skipped: the first are\n"
     "named at the end, all of them, with the reasons, in LIB.left_out.txt.";
 

@@ -256,6 +256,18 @@ TEST_F(CanvasFile, large_regions_lie_where_small_ones_do) {
   }
 }
 
+/// In an image, too, no region is taken for a background, and what is enclosed belongs to the nearest colour.
+TEST_F(CanvasFile, regions_of_an_opaque_image_are_told_by_their_colours) {
+  cv::Mat map(100, 200, CV_8UC3, cv::Scalar(0xe0, 0, 0));         // a sea up to all edges
+  map(cv::Rect(50, 20, 100, 60)) = cv::Scalar(0xa0, 0xff, 0xf0);  // a pale island
+  map(cv::Rect(90, 40, 20, 20)) = cv::Scalar(0xe0, 0, 0);         // with a lake
+  const Canvas canvas =
+      load_canvas({.width_px = 200, .height_px = 100, .file = png(map), .region_colours = {"#0000e0", "#f0ffa0"}});
+  EXPECT_NEAR(canvas.area_px2, 200 * 100, 50);
+  ASSERT_EQ(canvas.regions.size(), 2u);
+  EXPECT_NEAR(canvas.regions[1].area_px2, 100 * 60 - 20 * 20, 50);
+}
+
 TEST_F(CanvasFile, all_regions_together_are_bounded) {
   CanvasSpec spec{.width_px = 12000, .height_px = 6000, .file = svg(kStripes)};
   for (int k = 0; k < 6; ++k) spec.region_colours.push_back("#e0000" + std::to_string(k));

@@ -5,7 +5,6 @@
 
 #include "core/base/error.h"
 #include "io/artwork/svg_import.h"
-#include "io/artwork/svg_style.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {
@@ -131,29 +130,32 @@ TEST(SvgImport, AnyPrefixAndEncodingOfTheFile) {
                        "<text>\xc3\xa9</text>"));
 }
 
-TEST(SvgImport, StyleSheetsAreScopedAndLoadNothing) {
+TEST(SvgImport, StyleSheetsBecomeStyleAttributesAndLoadNothing) {
   const std::string g = import_body(
       "<style><![CDATA[@import url(evil.css); @font-face{src:url(evil)} .st0,#r > path{fill:url(#x)}"
-      "rect{fill:url(http://evil)} @media print{*{fill:evil}} circle{stroke:blue}]]></style>");
-  EXPECT_FALSE(contains(g, "evil")) << g;
-  EXPECT_FALSE(contains(g, "@")) << g;
-  EXPECT_TRUE(contains(g, "#a4 .st0,#a4 #a4-r &gt; path{fill:url(#a4-x)}")) << g;
-  EXPECT_TRUE(contains(g, "#a4 circle{stroke:blue}")) << g;
-  EXPECT_FALSE(contains(g, "rect")) << g;
-}
-
-TEST(SvgStyle, DeclarationsAreSplitOutsideOfQuotesAndBrackets) {
-  EXPECT_EQ(local_declarations("font-family:'a;b' ; fill : red;;-inkscape-x:1; bad", "p-"),
-            "font-family:'a;b';fill:red");
-  EXPECT_EQ(local_declarations("/* fill:red; */stroke:/**/blue", "p-"), "stroke:blue");
-  EXPECT_EQ(local_declarations("fill:red}*{stroke:url(evil)", "p-"), "");
-}
-
-TEST(SvgStyle, BrokenSheetsEndSomewhere) {
-  for (const char* css : {"{", "}", "a{", "@", "@media{", "a{fill:red", "/*", "a{'", "((((", "<!-- a{fill:red} -->"}) {
-    EXPECT_NO_THROW(scoped_style_sheet(css, "s", "s-")) << css;
+      "rect{fill:url(http://evil)} @media print{*{fill:evil}} circle{stroke:blue}]]></style>"
+      "<g id=\"r\"><path d=\"M0 0\"/><path class=\"st0\" style=\"stroke:red\"/></g><rect/><circle/>");
+  for (const char* part : {"evil", "@", "<style", "class=", "<rect style"}) {
+    EXPECT_FALSE(contains(g, part)) << part << "\n" << g;
   }
-  EXPECT_EQ(scoped_style_sheet("<!-- a{fill:red} -->", "s", "s-"), "#s a{fill:red}\n");
+  EXPECT_TRUE(contains(g, R"~(<path d="M0 0" style="fill:url(#a4-x)"/>)~")) << g;
+  EXPECT_TRUE(contains(g, R"~(<path style="fill:url(#a4-x);stroke:red"/>)~")) << g;
+  EXPECT_TRUE(contains(g, R"~(<circle style="stroke:blue"/>)~")) << g;
+}
+
+/// A nested <svg> may be larger than its page and draw beyond it; the outermost one never does.
+TEST(SvgImport, NothingIsDrawnBeyondThePage) {
+  const std::string g = import_body("<style>svg{width:900px;height:900px;overflow:visible;fill:red}</style>",
+                                    R"~( x="-9" overflow="visible" style="overflow:visible;y:-9px")~");
+  EXPECT_TRUE(contains(g, R"~(<svg width="10.000000" height="20.000000" viewBox="0 0 10 20" style="fill:red"/>)~")) << g;
+}
+
+TEST(SvgImport, ASheetFromADataAddressIsNotLost) {
+  for (const char* sheet : {"@import 'data:text/css,rect{fill:red}';", "g{} @IMPORT url( DATA:text/css,x );"}) {
+    EXPECT_THROW(import_body(std::string("<style>") + sheet + "</style>"), InputError) << sheet;
+  }
+  EXPECT_THROW(import("<?xml-stylesheet href='data:text/css,rect{fill:red}'?><svg/>"), InputError);
+  EXPECT_NO_THROW(import("<?xml-stylesheet href='evil.css'?><svg/>"));
 }
 
 }  // namespace

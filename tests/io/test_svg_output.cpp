@@ -33,6 +33,18 @@ TEST(SvgOutput, EachArtworkIsDefinedOnceAndPlacedOften) {
   EXPECT_EQ(count(svg, "viewBox=\"0 0 200 100\""), 1u);
 }
 
+/// What a sheet of it loads would be lost in a copy (svg_style.h).
+TEST(SvgOutput, ADrawingThatCannotBeCopiedIsAPicture) {
+  TwoFaces sample;
+  const std::string head =
+      std::string(kXmlns) + R"~(width="80" height="60"><style>@import "data:text/css,.a{fill:lime}";</style>)~";
+  embed_artwork(sample.report.shapes[0], head + R"~(<circle class="a" cx="40" cy="30" r="28"/></svg>)~", 80, 60, 50);
+  const std::string svg = drawn_svg(sample.report);
+  EXPECT_EQ(count(svg, "<image id=\"a0\""), 1u);
+  EXPECT_LT(mean_difference(drawn(svg, 400), drawn_picture(sample.report)), 1.2);
+  EXPECT_EQ(drawn(svg, 400).at<cv::Vec3b>(60, 100), cv::Vec3b(0, 255, 0));
+}
+
 TEST(SvgOutput, IdsAreUnique) {
   const TwoFaces sample;
   const std::string svg = drawn_svg(sample.report);

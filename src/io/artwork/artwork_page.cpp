@@ -8,9 +8,10 @@
 
 namespace tessera::io {
 
-std::unique_ptr<ArtworkPage> open_artwork_page(std::span<const std::uint8_t> bytes, const std::string& path) {
+std::unique_ptr<ArtworkPage> open_artwork_page(std::span<const std::uint8_t> bytes, const std::string& path,
+                                               Background background) {
   if (looks_like_svg(bytes)) return open_svg_page(bytes, path);
-  return open_raster_page(bytes, path);
+  return open_raster_page(bytes, path, background);
 }
 
 cv::Size page_size_px(const ArtworkPage& page, int longest_side_px) {

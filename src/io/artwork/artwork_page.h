@@ -24,8 +24,12 @@ class ArtworkPage {
   virtual cv::Mat draw(int longest_side_px, const cv::Rect& window) const = 0;
 };
 
+/// What becomes of the background of an image without transparency.
+enum class Background { cut_out, kept };
+
 /// Opens an SVG or an image, told apart by content, not by extension; `path` stands in messages. Throws InputError.
-std::unique_ptr<ArtworkPage> open_artwork_page(std::span<const std::uint8_t> bytes, const std::string& path);
+std::unique_ptr<ArtworkPage> open_artwork_page(std::span<const std::uint8_t> bytes, const std::string& path,
+                                               Background background = Background::cut_out);
 
 /// Size of the page's drawing: the longest side exactly, the other one rounded up.
 cv::Size page_size_px(const ArtworkPage& page, int longest_side_px);

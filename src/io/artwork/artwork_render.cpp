@@ -2,17 +2,17 @@
 
 #include "core/base/error.h"
 #include "io/artwork/alpha.h"
-#include "io/artwork/artwork_page.h"
 #include "io/regular_file.h"
 
 namespace tessera::io {
 
-cv::Mat render_artwork(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
+cv::Mat render_artwork(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px,
+                       Background background) {
   if (longest_side_px < 1 || longest_side_px > kMaxArtworkSide_px) {
     throw InputError(path + ": cannot be drawn " + std::to_string(longest_side_px) + " px large; allowed are 1 to " +
                      std::to_string(kMaxArtworkSide_px));
   }
-  const std::unique_ptr<ArtworkPage> page = open_artwork_page(bytes, path);
+  const std::unique_ptr<ArtworkPage> page = open_artwork_page(bytes, path, background);
   const cv::Rect whole({0, 0}, page_size_px(*page, longest_side_px));
   cv::Mat drawing = page->draw(longest_side_px, whole);
   straighten(drawing);

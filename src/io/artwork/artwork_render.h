@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "io/artwork/artwork_page.h"
+
 namespace tessera::io {
 
 inline constexpr std::size_t kMaxArtworkFileBytes = 20u << 20;
@@ -18,9 +20,10 @@ inline constexpr int kMaxArtworkSide_px = 8192;
 /// The artwork's page (SVG) or picture, as straight (not premultiplied) BGRA, CV_8UC4, its longest side exactly
 /// longest_side_px (1..kMaxArtworkSide_px), the other one rounded up. The scale is the same both ways and the upper
 /// left corner stays: a point of Artwork's frame is multiplied by longest_side_px / max(Artwork::width_px,
-/// height_px). Two-colour masks get their silhouette as alpha. `path` stands in messages only; the content tells the
-/// format. Throws InputError where the bytes are no artwork or break a limit.
-cv::Mat render_artwork(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
+/// height_px). `path` stands in messages only; the content tells the format. Throws InputError where the bytes are no
+/// artwork or break a limit.
+cv::Mat render_artwork(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px,
+                       Background background = Background::cut_out);
 
 /// The whole file. Throws InputError where it cannot be read or is larger than kMaxArtworkFileBytes.
 std::vector<std::uint8_t> read_artwork_file(const std::string& path);

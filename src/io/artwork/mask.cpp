@@ -7,11 +7,16 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "io/artwork/picture_ground.h"
+
 namespace tessera::io {
 namespace {
 
-/// Below this difference (of 255) image and background are one: noise of a JPEG.
-constexpr double kLeastContrast = 24;
+/// Pixels of a mask's shape are no further than this (of 255) from their mean colour, with a JPEG's noise...
+constexpr double kMostNoise = 40;
+/// ... but for so many, as part of the shape's, and for edges.
+constexpr double kMostOddPixels = 0.01;
+constexpr int kEdge_px = 3;
 /// Along the edge, of 255. Masks: 1.00 of the edge has one of two colours so nearly; six photos: 0.34 to 0.61.
 constexpr double kLeastEdgeContrast = 16;
 constexpr double kMostOddEdge = 0.25;
@@ -25,16 +30,51 @@ cv::Mat difference_from(const cv::Mat& bgr, const cv::Vec3d& colour) {
   return cv::max(cv::max(channel[0], channel[1]), channel[2]);
 }
 
-cv::Mat alpha_of(const cv::Mat& difference) {
-  cv::Mat is_shape;
-  cv::threshold(difference, is_shape, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
-  const double shape = cv::mean(difference, is_shape)[0];
-  const double background = cv::mean(difference, ~is_shape)[0];
-  cv::Mat alpha = cv::Mat::zeros(difference.size(), CV_8U);
-  if (shape - background < kLeastContrast) return alpha;
-  const double slope = 255 / (shape - background);
-  difference.convertTo(alpha, CV_8U, slope, -background * slope);  // saturates
+/// What of the image differs from the background, by Otsu's threshold.
+struct ShapePixels {
+  cv::Mat is_shape;       // CV_8U, 255 or 0
+  double shape_mean = 0;  // of the differences, of 255
+  double background_mean = 0;
+
+  bool stand_out() const { return shape_mean - background_mean >= kGroundNoise; }
+};
+
+ShapePixels shape_pixels(const cv::Mat& difference) {
+  ShapePixels pixels;
+  cv::threshold(difference, pixels.is_shape, 0, 255, cv::THRESH_BINARY | cv::THRESH_OTSU);
+  pixels.shape_mean = cv::mean(difference, pixels.is_shape)[0];
+  pixels.background_mean = cv::mean(difference, ~pixels.is_shape)[0];
+  return pixels;
+}
+
+/// Whether away from edges there are two colours alone: holes in the shape show the background, then.
+bool has_two_colours(const cv::Mat& bgr, const cv::Mat& difference, const ShapePixels& pixels) {
+  const cv::Mat around = cv::Mat::ones(2 * kEdge_px + 1, 2 * kEdge_px + 1, CV_8U);
+  cv::Mat shape, background, smooth;
+  cv::erode(pixels.is_shape, shape, around);
+  cv::erode(~pixels.is_shape, background, around);
+  const cv::Scalar mean = cv::mean(bgr, shape);
+  const cv::Mat odd_in_shape = shape & (difference_from(bgr, {mean[0], mean[1], mean[2]}) > kMostNoise);
+  cv::blur(difference, smooth, {kEdge_px, kEdge_px});  // waves of a JPEG beside lines
+  const cv::Mat odd_in_background = background & (smooth > kGroundNoise);
+  const int odd = cv::countNonZero(odd_in_shape) + cv::countNonZero(odd_in_background);
+  return odd <= kMostOddPixels * cv::countNonZero(pixels.is_shape);
+}
+
+/// Rises from 0 at the background's mean difference to 255 at the shape's.
+cv::Mat alpha_by_colour(const cv::Mat& difference, const ShapePixels& pixels) {
+  cv::Mat alpha;
+  const double slope = 255 / (pixels.shape_mean - pixels.background_mean);
+  difference.convertTo(alpha, CV_8U, slope, -pixels.background_mean * slope);  // saturates
   return alpha;
+}
+
+cv::Mat alpha_of(const cv::Mat& bgr, const cv::Vec3d& background) {
+  const cv::Mat difference = difference_from(bgr, background);
+  const ShapePixels pixels = shape_pixels(difference);
+  if (!pixels.stand_out()) return cv::Mat::zeros(difference.size(), CV_8U);
+  if (has_two_colours(bgr, difference, pixels)) return alpha_by_colour(difference, pixels);
+  return alpha_beside_ground(ground_of(difference), difference);
 }
 
 std::vector<cv::Vec3b> edge_pixels(const cv::Mat& bgr) {
@@ -89,7 +129,7 @@ bool has_plain_edge(const cv::Mat& bgr) {
 
 cv::Mat cut_from_background(const cv::Mat& bgr) {
   const cv::Vec3d background = prevailing_edge_colour(bgr);
-  const cv::Mat alpha = alpha_of(difference_from(bgr, background));
+  const cv::Mat alpha = alpha_of(bgr, background);
   cv::Mat result(bgr.size(), CV_8UC4);
   for (int y = 0; y < bgr.rows; ++y) {
     for (int x = 0; x < bgr.cols; ++x) {

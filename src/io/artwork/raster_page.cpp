@@ -32,12 +32,20 @@ bool has_transparency(const cv::Mat& bgra) {
   return least < 255;
 }
 
-/// Straight BGRA, from alpha or by threshold.
-cv::Mat with_silhouette(const cv::Mat& image, const std::string& path) {
+/// Straight BGRA.
+cv::Mat opaque_page(const cv::Mat& bgr) {
+  cv::Mat bgra;
+  cv::cvtColor(bgr, bgra, cv::COLOR_BGR2BGRA);
+  return bgra;
+}
+
+/// Straight BGRA: the image's own transparency, or what is left when its background is cut out.
+cv::Mat with_silhouette(const cv::Mat& image, const std::string& path, Background background) {
   if (image.channels() == 4 && has_transparency(image)) return image;
   cv::Mat bgr = image;
   if (image.channels() == 4) cv::cvtColor(image, bgr, cv::COLOR_BGRA2BGR);
   if (image.channels() == 1) cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
+  if (background == Background::kept) return opaque_page(bgr);
   if (!has_plain_edge(bgr)) {
     throw InputError(path +
                      ": a photo without a plain background; cut out what it shows, or let tessera library "
@@ -69,10 +77,11 @@ class RasterPage : public ArtworkPage {
 
 }  // namespace
 
-std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path) {
+std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path,
+                                              Background background) {
   const cv::Mat image = to_8_bits(decode_image(bytes, path, cv::IMREAD_UNCHANGED), path);
   if (image.channels() == 2) throw InputError(path + ": an image must have 1, 3 or 4 channels");
-  return std::make_unique<RasterPage>(premultiplied(with_silhouette(image, path)));
+  return std::make_unique<RasterPage>(premultiplied(with_silhouette(image, path, background)));
 }
 
 }  // namespace tessera::io

@@ -1,13 +1,15 @@
-// PNG, WebP and TIFF with transparency, and two-colour masks without (also BMP and JPEG), through OpenCV.
+// PNG, WebP and TIFF with transparency; masks and pictures on a plain background without (also BMP and JPEG), through
+// OpenCV.
 #pragma once
 
 #include "io/artwork/artwork_page.h"
 
 namespace tessera::io {
 
-/// An image without transparency is a mask: the colour that prevails along its edge is the background, and what differs
-/// from it by more than Otsu's threshold is the shape. Throws InputError where it is no image that we read, is damaged,
-/// has more than kMaxImagePixels (image_decoding.h), or is a photo that fills its frame.
-std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path);
+/// With Background::cut_out the background is taken out of an image without transparency (mask.h). Throws InputError
+/// where it is no image that we read, is damaged, has more than kMaxImagePixels (image_decoding.h), or where a photo that
+/// fills its frame was to be cut out.
+std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path,
+                                              Background background);
 
 }  // namespace tessera::io

@@ -15,19 +15,19 @@
 #include "io/artwork/gunzip.h"
 #include "io/artwork/svg_page.h"
 #include "io/artwork/svg_style.h"
+#include "io/artwork/xml_tree.h"
 #include "io/number_text.h"
 #include "io/xml_writer.h"
 
 namespace tessera::io {
 namespace {
 
-constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
 constexpr std::string_view kXlinkNamespace = "http://www.w3.org/1999/xlink";
 
 /// What draws. Of links only the content is kept; what is not here is dropped with all that it holds.
 // clang-format off
 const std::set<std::string_view> kElements = {
-    "svg", "g", "a", "defs", "symbol", "use", "switch", "style",                                          //
+    "svg", "g", "a", "defs", "symbol", "use", "switch",                                                   //
     "path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "image",                          //
     "text", "tspan", "textPath", "tref",                                                                  //
     "linearGradient", "radialGradient", "stop", "pattern", "clipPath", "mask", "marker", "filter",        //
@@ -37,16 +37,13 @@ const std::set<std::string_view> kElements = {
     "feOffset", "fePointLight", "feSpecularLighting", "feSpotLight", "feTile", "feTurbulence"};
 // clang-format on
 
-struct FreeXml {
-  void operator()(xmlDoc* doc) const { xmlFreeDoc(doc); }
+struct FreeContext {
   void operator()(xmlParserCtxt* context) const {
     // A document that was not handed over.
     if (context->myDoc) xmlFreeDoc(context->myDoc);
     xmlFreeParserCtxt(context);
   }
-  void operator()(xmlChar* text) const { xmlFree(text); }
 };
-using DocPtr = std::unique_ptr<xmlDoc, FreeXml>;
 
 std::string_view view(const xmlChar* text) { return text ? reinterpret_cast<const char*>(text) : ""; }
 
@@ -57,22 +54,17 @@ void declare_internal_entity(void* context, const xmlChar* name, int type, const
   xmlSAX2EntityDecl(context, name, type, public_id, system_id, content);
 }
 
-DocPtr parse(std::span<const std::uint8_t> bytes, const std::string& path) {
-  const std::unique_ptr<xmlParserCtxt, FreeXml> context(xmlNewParserCtxt());
+XmlDocPtr parse(std::span<const std::uint8_t> bytes, const std::string& path) {
+  const std::unique_ptr<xmlParserCtxt, FreeContext> context(xmlNewParserCtxt());
   if (!context) throw std::bad_alloc();
   context->sax->entityDecl = declare_internal_entity;
   constexpr int kOptions =
       XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
-  DocPtr doc(xmlCtxtReadMemory(context.get(), reinterpret_cast<const char*>(bytes.data()), int(bytes.size()), nullptr,
-                               nullptr, kOptions));
+  XmlDocPtr doc(xmlCtxtReadMemory(context.get(), reinterpret_cast<const char*>(bytes.data()), int(bytes.size()),
+                                  nullptr, nullptr, kOptions));
   context->myDoc = nullptr;
   if (!doc) throw InputError(path + ": not a well-formed SVG file");
   return doc;
-}
-
-std::string content_of(const xmlNode* node) {
-  const std::unique_ptr<xmlChar, FreeXml> text(xmlNodeGetContent(node));
-  return std::string(view(text.get()));
 }
 
 bool is_svg_element(const xmlNode* node) {
@@ -109,34 +101,32 @@ bool begins_like_handler(std::string_view name) {
   return name.size() > 2 && (name[0] == 'o' || name[0] == 'O') && (name[1] == 'n' || name[1] == 'N');
 }
 
+/// Of the outermost <svg>, which gets a place and size of its own: the page, beyond which nothing is drawn.
+const std::set<std::string_view> kPlaced = {"x", "y", "width", "height", "overflow"};
+
 /// Writes what is kept of a parsed SVG.
 class Importer {
  public:
-  Importer(const std::string& scope_id, cv::Size2d page_size)
-      : scope_id_(scope_id),
+  Importer(const xmlNode* root, const std::string& path, const std::string& scope_id, cv::Size2d page_size)
+      : root_(root),
+        scope_id_(scope_id),
         prefix_(scope_id + "-"),
+        style_(root, path, prefix_),
         page_(page_size) {}
 
-  std::string import(const xmlNode* root) {
+  std::string import() {
     writer_.start("g").attribute("id", scope_id_);
-    write_page(root);
-    return writer_.end().finish();
+    writer_.start("svg").attribute("width", fixed(page_.width, 6)).attribute("height", fixed(page_.height, 6));
+    write_attributes(root_);
+    write_children(root_);
+    return writer_.end().end().finish();
   }
 
  private:
-  void write_page(const xmlNode* root) {
-    writer_.start("svg").attribute("width", fixed(page_.width, 6)).attribute("height", fixed(page_.height, 6));
-    static const std::set<std::string_view> kPlaced = {"x", "y", "width", "height", "version", "baseProfile"};
-    write_attributes(root, kPlaced);
-    write_children(root);
-    writer_.end();
-  }
-
   void write_element(const xmlNode* node) {
     const std::string_view name = view(node->name);
-    if (name == "style") return write_style(node);
     writer_.start(name != "a" ? std::string(name) : holds_text(node) ? "tspan" : "g");
-    write_attributes(node, {});
+    write_attributes(node);
     write_children(node);
     writer_.end();
   }
@@ -149,12 +139,9 @@ class Importer {
     }
   }
 
-  void write_style(const xmlNode* node) {
-    const std::string sheet = scoped_style_sheet(content_of(node), scope_id_, prefix_);
-    if (!sheet.empty()) writer_.start("style").attribute("type", "text/css").text(sheet).end();
-  }
+  bool is_placed(const xmlNode* node, std::string_view name) const { return node == root_ && kPlaced.contains(name); }
 
-  void write_attributes(const xmlNode* node, const std::set<std::string_view>& without) {
+  void write_attributes(const xmlNode* node) {
     std::optional<std::string> reference;
     for (const xmlAttr* attribute = node->properties; attribute; attribute = attribute->next) {
       const std::string_view name = view(attribute->name);
@@ -163,25 +150,34 @@ class Importer {
       if (name == "href" && (space.empty() || space == kXlinkNamespace)) {
         // SVG 2: a plain href goes before xlink:href.
         if (!reference || space.empty()) reference = local_reference(node, value);
-      } else if (space.empty() && !without.contains(name)) {
+      } else if (space.empty() && !is_placed(node, name)) {
         write_attribute(std::string(name), value);
       } else if (view(attribute->name) == "space" && space == view(XML_XML_NAMESPACE)) {
         writer_.attribute("xml:space", value);
       }
     }
     if (reference) writer_.attribute("xlink:href", *reference);
+    write_style(node);
   }
 
   void write_attribute(const std::string& name, const std::string& value) {
-    if (begins_like_handler(name) || name == "src" || name == "base") return;
+    // Without style sheets classes mean nothing; the style attribute is written with what the sheets say.
+    static const std::set<std::string_view> kDropped = {"src", "base", "class", "style", "version", "baseProfile"};
+    if (begins_like_handler(name) || kDropped.contains(name)) return;
     if (name == "id") {
       writer_.attribute("id", prefix_ + value);
-    } else if (name == "style") {
-      const std::string declarations = local_declarations(value, prefix_);
-      if (!declarations.empty()) writer_.attribute("style", declarations);
     } else if (const auto local = local_css_value(value, prefix_)) {
       writer_.attribute(name, *local);
     }
+  }
+
+  void write_style(const xmlNode* node) {
+    std::string style;
+    for (const CssDeclaration& declaration : style_.declarations_of(node)) {
+      if (is_placed(node, declaration.name)) continue;
+      style += (style.empty() ? "" : ";") + declaration.name + ":" + declaration.value;
+    }
+    if (!style.empty()) writer_.attribute("style", style);
   }
 
   std::optional<std::string> local_reference(const xmlNode* node, const std::string& uri) const {
@@ -191,8 +187,10 @@ class Importer {
     return takes_bitmaps ? bitmap_uri(std::string_view(uri).substr(begin)) : std::nullopt;
   }
 
+  const xmlNode* root_;
   std::string scope_id_;
   std::string prefix_;
+  SvgStyle style_;
   cv::Size2d page_;
   XmlWriter writer_;
 };
@@ -203,10 +201,10 @@ std::string import_svg(std::span<const std::uint8_t> bytes, const std::string& p
                        cv::Size2d page_size) {
   std::vector<std::uint8_t> unpacked;
   if (is_gzip(bytes)) bytes = unpacked = gunzip(bytes, path, kMaxSvgBytes);
-  const DocPtr doc = parse(bytes, path);
+  const XmlDocPtr doc = parse(bytes, path);
   const xmlNode* root = xmlDocGetRootElement(doc.get());
   if (!root || !is_svg_element(root) || view(root->name) != "svg") throw InputError(path + ": not an SVG file");
-  return Importer(scope_id, page_size).import(root);
+  return Importer(root, path, scope_id, page_size).import();
 }
 
 }  // namespace tessera::io

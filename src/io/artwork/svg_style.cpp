@@ -1,137 +1,152 @@
 #include "io/artwork/svg_style.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <vector>
+#include <set>
+#include <utility>
 
-#include "core/base/split_text.h"
+#include "core/base/error.h"
+#include "io/artwork/css_matching.h"
+#include "io/artwork/css_tokens.h"
+#include "io/artwork/xml_tree.h"
 
 namespace tessera::io {
 namespace {
 
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return lower;
+std::string_view view(const xmlChar* text) { return text ? reinterpret_cast<const char*>(text) : ""; }
+
+bool is_style(const xmlNode* node) {
+  return name_of(node) == "style" && (!node->ns || view(node->ns->href) == kSvgNamespace);
 }
 
-/// Without /* */, <!-- and -->.
-std::string without_comments(std::string_view css) {
-  std::string plain;
-  while (!css.empty()) {
-    if (css.starts_with("/*")) {
-      const std::size_t end = css.find("*/", 2);
-      css.remove_prefix(end == std::string_view::npos ? css.size() : end + 2);
-      plain += ' ';
-    } else if (css.starts_with("<!--")) {
-      css.remove_prefix(4);
-    } else if (css.starts_with("-->")) {
-      css.remove_prefix(3);
-    } else {
-      plain += css.front();
-      css.remove_prefix(1);
-    }
+/// That of elements inside it does not count.
+std::string text_of(const xmlNode* style) {
+  std::string text;
+  for (const xmlNode* child = style->children; child; child = child->next) {
+    if (child->type == XML_TEXT_NODE || child->type == XML_CDATA_SECTION_NODE) text += view(child->content);
   }
-  return plain;
+  return text;
 }
 
-/// Functions that load, other than url(); and the escape that could spell any of them.
-bool may_load_something(const std::string& lower) {
-  static constexpr std::array<std::string_view, 5> kLoaders = {"\\", "image(", "image-set(", "src(", "javascript:"};
-  return std::any_of(kLoaders.begin(), kLoaders.end(),
-                     [&](std::string_view loader) { return lower.find(loader) != std::string::npos; });
+[[noreturn]] void throw_loads_sheet(const std::string& path) {
+  throw InputError(path + ": a style sheet that loads another one from a data: address");
 }
 
-/// The id in what stands between "url(" and ")"; nothing where it is another address.
-std::optional<std::string> local_id(std::string_view address) {
-  address = trimmed(address);
-  if (address.size() >= 2 && (address.front() == '"' || address.front() == '\'') && address.back() == address.front()) {
-    address = trimmed(address.substr(1, address.size() - 2));
+void check_instructions(const xmlDoc* doc, const std::string& path) {
+  for (const xmlNode* node = doc->children; node; node = node->next) {
+    if (node->type != XML_PI_NODE || name_of(node) != "xml-stylesheet") continue;
+    if (view(node->content).find("data:") != std::string_view::npos) throw_loads_sheet(path);
   }
-  if (address.size() < 2 || address.front() != '#') return std::nullopt;
-  if (address.find_first_of("\"'()") != std::string_view::npos) return std::nullopt;
-  return std::string(address.substr(1));
 }
 
-bool is_property_name(std::string_view name) {
-  return !name.empty() && name.front() != '-' &&
-         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '-'; });
+/// Whether an at-rule, without its end, is an @import of a data: address.
+bool imports_data(CssTokens rule) {
+  if (ascii_lower_case(rule.front().text) != "import") return false;
+  return std::any_of(rule.begin() + 1, rule.end(), [](const CssToken& token) {
+    const bool is_address = token.kind == CssKind::string || token.kind == CssKind::url;
+    return is_address && ascii_lower_case(token.text).find("data:") != std::string::npos;
+  });
 }
 
-bool is_plain_selector(std::string_view selector) {
-  return !selector.empty() && selector.find_first_of("\\\"'<@;") == std::string_view::npos;
-}
-
-std::string scoped_selector(std::string_view selector, const std::string& scope_id, const std::string& id_prefix) {
-  std::string scoped = std::string("#") + scope_id + " ";
-  for (const char c : selector) {
-    scoped += c;
-    if (c == '#') scoped += id_prefix;
+/// What an element must have for the compound to match.
+std::string key_of(const CssCompound& compound) {
+  std::string key = compound.type;
+  for (const CssCondition& condition : compound.conditions) {
+    if (const auto* id = std::get_if<CssId>(&condition)) return "#" + id->id;
+    if (const auto* one_class = std::get_if<CssClass>(&condition)) key = "." + one_class->name;
   }
-  return scoped;
+  return key;
 }
 
-std::string scoped_selectors(std::string_view selectors, const std::string& scope_id, const std::string& id_prefix) {
-  std::string scoped;
-  for (const std::string_view selector : split_outside(selectors, ',')) {
-    if (!is_plain_selector(selector)) continue;
-    if (!scoped.empty()) scoped += ',';
-    scoped += scoped_selector(selector, scope_id, id_prefix);
+/// All keys that an element satisfies, each once.
+std::vector<std::string> keys_of(const xmlNode* element) {
+  std::vector<std::string> keys = {"", std::string(name_of(element)), "#" + attribute(element, "id")};
+  const std::string classes = attribute(element, "class");
+  constexpr const char* kSpaces = " \t\r\n\f";
+  for (std::size_t at = classes.find_first_not_of(kSpaces); at != std::string::npos;
+       at = classes.find_first_not_of(kSpaces, at)) {
+    const std::size_t end = std::min(classes.find_first_of(kSpaces, at), classes.size());
+    keys.push_back("." + classes.substr(at, end - at));
+    at = end;
   }
-  return scoped;
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+void append(std::vector<CssDeclaration>& to, const std::vector<CssDeclaration>& more) {
+  to.insert(to.end(), more.begin(), more.end());
 }
 
 }  // namespace
 
-std::optional<std::string> local_css_value(std::string_view value, const std::string& id_prefix) {
-  const std::string lower = lower_case(value);
-  if (may_load_something(lower)) return std::nullopt;
-  std::string local;
-  std::size_t done = 0;
-  for (std::size_t at = lower.find("url("); at != std::string::npos; at = lower.find("url(", done)) {
-    const std::size_t end = value.find(')', at);
-    if (end == std::string_view::npos) return std::nullopt;
-    const std::optional<std::string> id = local_id(value.substr(at + 4, end - at - 4));
-    if (!id) return std::nullopt;
-    local += std::string(value.substr(done, at - done)) + "url(#" + id_prefix + *id + ")";
-    done = end + 1;
-  }
-  return local + std::string(value.substr(done));
+SvgStyle::SvgStyle(const xmlNode* root, const std::string& path, const std::string& id_prefix) : id_prefix_(id_prefix) {
+  check_instructions(root->doc, path);
+  add_sheets_below(root, path);
 }
 
-std::string local_declarations(std::string_view declarations, const std::string& id_prefix) {
-  const std::string plain = without_comments(declarations);
-  std::string local;
-  for (const std::string_view declaration : split_outside(plain, ';')) {
-    const std::size_t colon = declaration.find(':');
-    if (colon == std::string_view::npos || declaration.find_first_of("{}") != std::string_view::npos) continue;
-    const std::string_view name = trimmed(declaration.substr(0, colon));
-    const std::optional<std::string> value = local_css_value(trimmed(declaration.substr(colon + 1)), id_prefix);
-    if (!is_property_name(name) || !value) continue;
-    if (!local.empty()) local += ';';
-    local += std::string(name) + ":" + *value;
+/// Recursion is as deep as the document, which libxml2 bounds (256).
+void SvgStyle::add_sheets_below(const xmlNode* node, const std::string& path) {
+  if (is_style(node)) return add_sheet(text_of(node), path);
+  for (const xmlNode* child = node->children; child; child = child->next) {
+    if (child->type == XML_ELEMENT_NODE) add_sheets_below(child, path);
   }
-  return local;
 }
 
-std::string scoped_style_sheet(std::string_view css, const std::string& scope_id, const std::string& id_prefix) {
-  const std::string plain = without_comments(css);
-  std::string_view rest = trimmed(plain);
-  std::string sheet;
+void SvgStyle::add_sheet(std::string_view css, const std::string& path) {
+  const std::vector<CssToken> tokens = css_tokens(css);
+  CssTokens rest = tokens;
   while (!rest.empty()) {
-    const std::size_t open = find_outside(rest, rest.front() == '@' ? "{;" : "{");
-    if (open == rest.size()) break;
-    const std::size_t close = rest[open] == '{' ? find_outside(rest, "}", open + 1) : open;
-    if (close == rest.size()) break;
-    if (rest.front() != '@') {
-      const std::string selectors = scoped_selectors(rest.substr(0, open), scope_id, id_prefix);
-      const std::string declarations = local_declarations(rest.substr(open + 1, close - open - 1), id_prefix);
-      if (!selectors.empty() && !declarations.empty()) sheet += selectors + "{" + declarations + "}\n";
+    const CssKind kind = rest.front().kind;
+    if (kind == CssKind::space || kind == CssKind::comment) {
+      rest = rest.subspan(1);
+      continue;
     }
-    rest = trimmed(rest.substr(close + 1));
+    const bool is_at_rule = kind == CssKind::at_keyword;
+    const std::size_t head = find_css_mark(rest, is_at_rule ? "{;" : "{");
+    const bool has_block = head < rest.size() && rest[head].is_mark('{');
+    const std::size_t end = has_block ? find_css_mark(rest, "}", head + 1) : head;
+    if (is_at_rule && imports_data(rest.first(head))) throw_loads_sheet(path);
+    if (!is_at_rule && has_block) add_rule(rest.first(head), rest.subspan(head + 1, end - head - 1));
+    rest = rest.subspan(std::min(end + 1, rest.size()));
   }
-  return sheet;
+}
+
+void SvgStyle::add_rule(CssTokens selectors, CssTokens block) {
+  std::optional<std::vector<CssSelector>> list = parse_css_selectors(selectors);
+  if (!list) return;
+  blocks_.push_back(local_css_declarations(block, id_prefix_));
+  for (CssSelector& selector : *list) {
+    rules_by_key_[key_of(selector.compounds.back())].push_back(rules_.size());
+    rules_.push_back({std::move(selector), blocks_.size() - 1});
+  }
+}
+
+/// Those that match, the one that counts most last. Of a block that several selectors choose the last one counts.
+std::vector<const SvgStyle::Rule*> SvgStyle::rules_of(const xmlNode* element) const {
+  std::vector<const Rule*> rules;
+  if (rules_.empty()) return rules;
+  for (const std::string& key : keys_of(element)) {
+    const auto found = rules_by_key_.find(key);
+    if (found == rules_by_key_.end()) continue;
+    for (const std::size_t i : found->second) {
+      if (selects(rules_[i].selector, element)) rules.push_back(&rules_[i]);
+    }
+  }
+  std::sort(rules.begin(), rules.end(), [](const Rule* a, const Rule* b) {
+    return std::pair(a->selector.specificity, a) > std::pair(b->selector.specificity, b);
+  });
+  std::set<std::size_t> blocks;
+  std::erase_if(rules, [&](const Rule* rule) { return !blocks.insert(rule->block).second; });
+  std::reverse(rules.begin(), rules.end());
+  return rules;
+}
+
+std::vector<CssDeclaration> SvgStyle::declarations_of(const xmlNode* element) const {
+  std::vector<CssDeclaration> declarations;
+  for (const Rule* rule : rules_of(element)) append(declarations, blocks_[rule->block]);
+  const std::vector<CssToken> own = css_tokens(attribute(element, "style"));
+  append(declarations, local_css_declarations(own, id_prefix_));
+  return declarations;
 }
 
 }  // namespace tessera::io

@@ -1,25 +1,50 @@
-// CSS of an untrusted SVG that becomes part of another document: its ids get a prefix, its rules a scope, and nothing
-// in it can load anything.
+// The style sheets of an untrusted SVG that becomes part of another document.
 //
-// A small reader of CSS's outer syntax, not a style engine: rules, declarations, url(). What it cannot be sure of, it
-// drops; a lost hover effect is the smaller evil.
+// Whatever a selector says, it would be tried on the elements of the other drawings, too, and each program reads
+// selectors in its own way. So no style sheet is copied: each element gets the declarations that its own document's
+// sheets have for it, as a style attribute.
 #pragma once
 
-#include <optional>
+#include <libxml/tree.h>
+
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "io/artwork/css_declarations.h"
+#include "io/artwork/css_selector.h"
 
 namespace tessera::io {
 
-/// A property's or presentation attribute's value with url(#id) made url(#PREFIXid). Nothing where the value refers to
-/// anything but an id of its own document, or hides behind escapes.
-std::optional<std::string> local_css_value(std::string_view value, const std::string& id_prefix);
+class SvgStyle {
+ public:
+  /// Reads all <style> elements below `root`, of any type and medium, as librsvg does. Throws InputError, which begins
+  /// with `path`, where a sheet loads another one from a data: address (@import, <?xml-stylesheet?>): librsvg applies
+  /// that, and here it would be lost. Other addresses librsvg does not load either.
+  SvgStyle(const xmlNode* root, const std::string& path, const std::string& id_prefix);
 
-/// The declarations of a style attribute or rule, less those without a local value and those of other programs
-/// (-x-...).
-std::string local_declarations(std::string_view declarations, const std::string& id_prefix);
+  /// For the element's style attribute: what the sheets say of it, in the order in which it counts, and then what its own
+  /// style attribute says. All values are local (css_declarations.h).
+  std::vector<CssDeclaration> declarations_of(const xmlNode* element) const;
 
-/// The rules of a <style> element for the descendants of element `scope_id` only. At-rules are dropped.
-std::string scoped_style_sheet(std::string_view css, const std::string& scope_id, const std::string& id_prefix);
+ private:
+  struct Rule {
+    CssSelector selector;
+    std::size_t block = 0;  // index in blocks_
+  };
+
+  void add_sheets_below(const xmlNode* node, const std::string& path);
+  void add_sheet(std::string_view css, const std::string& path);
+  void add_rule(CssTokens selectors, CssTokens block);
+  std::vector<const Rule*> rules_of(const xmlNode* element) const;
+
+  const std::string id_prefix_;
+  std::vector<std::vector<CssDeclaration>> blocks_;
+  std::vector<Rule> rules_;  // in the order of the sheets
+  /// Indices of rules by what their last compound asks for: "#id", ".class", a type, or "" for anything.
+  std::unordered_map<std::string, std::vector<std::size_t>> rules_by_key_;
+};
 
 }  // namespace tessera::io

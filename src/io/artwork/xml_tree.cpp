@@ -23,6 +23,8 @@ XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path)
 
 std::string_view name_of(const xmlNode* node) { return reinterpret_cast<const char*>(node->name); }
 
+std::string content_of(const xmlNode* node) { return taken(xmlNodeGetContent(node)); }
+
 std::string attribute(const xmlNode* node, const char* name) { return taken(xmlGetNoNsProp(node, xml(name))); }
 
 std::string hyperlink(const xmlNode* node) {

@@ -21,7 +21,11 @@ using XmlDocPtr = std::unique_ptr<xmlDoc, FreeXml>;
 /// An SVG that a program of ours or cairo has written: it is well-formed, and may be huge. Throws InputError.
 XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path);
 
+inline constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
+
 std::string_view name_of(const xmlNode* node);
+/// The text of an element or attribute, with that of the elements inside.
+std::string content_of(const xmlNode* node);
 /// "" where there is none.
 std::string attribute(const xmlNode* node, const char* name);
 /// Its xlink:href.

@@ -14,6 +14,7 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
   const std::size_t side_px = std::size_t(std::max(0, request.longest_side_px));
   switch (request.kind) {
     case DrawingKind::page:
+    case DrawingKind::uncut_page:
     case DrawingKind::png:
     case DrawingKind::whole: return 4 * side_px * side_px;
     case DrawingKind::natural_size: return 2 * sizeof(double);

@@ -191,10 +191,13 @@ void Drawers::stop() { crew_->stop(); }
 
 DrawerLayers Drawers::layers() const { return crew_->layers(); }
 
-cv::Mat Drawers::render(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
+cv::Mat Drawers::render(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px,
+                        Background background) {
   check_side(longest_side_px, path);
-  const DrawingRequest request{
-      .kind = DrawingKind::page, .longest_side_px = longest_side_px, .path = path, .bytes = bytes};
+  const DrawingRequest request{.kind = background == Background::cut_out ? DrawingKind::page : DrawingKind::uncut_page,
+                               .longest_side_px = longest_side_px,
+                               .path = path,
+                               .bytes = bytes};
   return image_of(crew_->draw(request), path, longest_side_px);
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/deform/warp.h"
+#include "io/artwork/artwork_page.h"
 #include "io/artwork/artwork_shape.h"
 #include "io/drawing/drawer_layers.h"
 
@@ -49,7 +50,8 @@ class Drawers {
   Drawers& operator=(const Drawers&) = delete;
 
   /// See render_artwork (artwork_render.h): the page as straight BGRA, CV_8UC4.
-  cv::Mat render(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
+  cv::Mat render(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px,
+                 Background background = Background::cut_out);
 
   /// The size of the page in units of its own (ArtworkPage::natural_size).
   cv::Size2d natural_size(std::span<const std::uint8_t> bytes, const std::string& path);

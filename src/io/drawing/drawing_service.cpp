@@ -66,6 +66,7 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
   const auto& [kind, longest_side_px, width_pt, tracing, path, scope_id, warp, bytes] = request;
   switch (kind) {
     case DrawingKind::page: return image_answer(render_artwork(bytes, path, longest_side_px));
+    case DrawingKind::uncut_page: return image_answer(render_artwork(bytes, path, longest_side_px, Background::kept));
     case DrawingKind::png: return image_answer(png_picture(bytes, path, longest_side_px));
     case DrawingKind::whole: return image_answer(whole_picture(bytes, path, longest_side_px));
     case DrawingKind::natural_size: return size_answer(open_artwork_page(bytes, path)->natural_size());

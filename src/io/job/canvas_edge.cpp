@@ -32,7 +32,7 @@ EdgePage edge_page(const CanvasSpec& spec, Drawers& drawers) {
   const int page_side_px = std::max(page.bgra.cols, page.bgra.rows);
   const int side_px = std::max(page_side_px, kEdgeSide_px);
   const float canvas_px = page.canvas_px() * float(page_side_px) / float(side_px);
-  return {drawers.render(read_canvas_file(spec.file), spec.file, side_px), canvas_px};
+  return {drawers.render(read_canvas_file(spec.file), spec.file, side_px, background_of(spec)), canvas_px};
 }
 
 /// With as few points as the tolerance allows.

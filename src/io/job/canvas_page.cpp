@@ -17,19 +17,24 @@ std::vector<std::uint8_t> read_canvas_file(const std::string& path, const char* 
   }
 }
 
-CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px,
-                       Drawers& drawers) {
+CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers,
+                       Background background) {
   const cv::Size box = box_px * 2;
   const int side = std::min(std::max(box.width, box.height), kMaxArtworkSide_px);
-  cv::Mat page = drawers.render(bytes, path, side);
+  cv::Mat page = drawers.render(bytes, path, side, background);
   const double fit = std::min(double(box.width) / page.cols, double(box.height) / page.rows);
   if (fit > 1) return {page, int(std::lround(page.cols * fit / 2)), int(std::lround(page.rows * fit / 2)), 1};
-  if (fit < 1) page = drawers.render(bytes, path, std::max(1, int(fit * side)));
+  if (fit < 1) page = drawers.render(bytes, path, std::max(1, int(fit * side)), background);
   return {page, (page.cols + 1) / 2, (page.rows + 1) / 2, 2};
 }
 
+Background background_of(const CanvasSpec& spec) {
+  return spec.region_colours.empty() ? Background::cut_out : Background::kept;
+}
+
 CanvasPage canvas_page(const CanvasSpec& spec, Drawers& drawers) {
-  return page_in_box(read_canvas_file(spec.file), spec.file, {spec.width_px, spec.height_px}, drawers);
+  return page_in_box(read_canvas_file(spec.file), spec.file, {spec.width_px, spec.height_px}, drawers,
+                     background_of(spec));
 }
 
 Grid<float> coverage_on_canvas(const CanvasPage& page, const Grid<float>& coverage) {

@@ -29,7 +29,11 @@ struct CanvasPage {
 
 /// The artwork as it fits into a box of canvas px. It is drawn at twice the canvas' resolution, and 8192 px large at
 /// most. Errors as Drawers::render.
-CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers);
+CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& path, cv::Size box_px, Drawers& drawers,
+                       Background background = Background::cut_out);
+
+/// Regions are told by their colours, so that no colour may be taken for a background before.
+Background background_of(const CanvasSpec& spec);
 
 /// The page of the spec's file, which touches the spec's box in width or height. Errors as load_canvas (canvas_file.h).
 CanvasPage canvas_page(const CanvasSpec& spec, Drawers& drawers);

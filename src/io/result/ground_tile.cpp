@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -11,6 +12,7 @@
 #include "io/job/canvas_file.h"
 #include "io/job/canvas_page.h"
 #include "io/job/picture_size.h"
+#include "io/result/embedded_drawing.h"
 #include "io/result/svg_image.h"
 
 namespace tessera::io {
@@ -51,11 +53,13 @@ GroundTile drawn(const Job& job, const Canvas& canvas, Drawers& drawers) {
   const std::vector<std::uint8_t> bytes = read_artwork_file(path);
   GroundTile tile;
   if (looks_like_svg(bytes)) {
-    tile.svg_size = drawers.natural_size(bytes, path);
-    tile.size_px = tile_size_px(tile.svg_size, job.output.ground_px, canvas);
+    const cv::Size2d natural = drawers.natural_size(bytes, path);
+    tile.size_px = tile_size_px(natural, job.output.ground_px, canvas);
     const cv::Mat page = drawers.render(bytes, path, page_side_px(job, canvas, tile.size_px));
-    tile.page = whole_px(page, tile.svg_size);
-    tile.svg = drawers.import_svg(bytes, path, kId);
+    tile.page = whole_px(page, natural);
+    EmbeddedDrawing embedded = embedded_drawing(bytes, path, kId, drawers);
+    tile.svg = std::move(embedded.svg);
+    tile.svg_size = embedded.size;
   } else {
     tile.page = drawers.whole_picture(bytes, path, kMaxArtworkSide_px);
     tile.size_px = tile_size_px(tile.page.size(), job.output.ground_px, canvas);

@@ -1,14 +1,14 @@
 #include "io/result/keep_out_drawing.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "io/artwork/svg_page.h"
 #include "io/job/canvas_edge.h"
 #include "io/job/canvas_file.h"
 #include "io/job/canvas_keep_out.h"
 #include "io/job/canvas_page.h"
 #include "io/job/picture_size.h"
-#include "io/result/svg_image.h"
+#include "io/result/embedded_drawing.h"
 
 namespace tessera::io {
 namespace {
@@ -42,15 +42,9 @@ KeepOutDrawing draw_keep_out(const Job& job, const Canvas& canvas, Drawers& draw
   drawing.place_px = place_on_canvas(natural, canvas);
   drawing.page = drawers.render(bytes, path, page_side_px(job, canvas, drawing.place_px));
   drawing.clip = clip_of(drawing.page, drawing.place_px);
-  if (looks_like_svg(bytes)) {
-    drawing.svg = drawers.import_svg(bytes, path, kId);
-    drawing.svg_width = natural.width;
-  } else {
-    const double side = std::clamp(std::max(natural.width, natural.height), 1., double(kMaxBitmapSide_px));
-    const cv::Mat image = drawers.render(bytes, path, int(side));
-    drawing.svg = svg_image(image, kId);
-    drawing.svg_width = image.cols;
-  }
+  EmbeddedDrawing embedded = embedded_drawing(bytes, path, kId, drawers);
+  drawing.svg = std::move(embedded.svg);
+  drawing.svg_width = embedded.size.width;
   return drawing;
 }
 

@@ -11,6 +11,7 @@
 #include "io/number_text.h"
 #include "io/result/artwork_clip.h"
 #include "io/result/artwork_original.h"
+#include "io/result/embedded_drawing.h"
 #include "io/result/svg_image.h"
 #include "io/result/svg_path.h"
 #include "io/result/warped_artwork.h"
@@ -125,13 +126,8 @@ SvgSymbol ShapeArtworks::drawing_symbol(std::size_t slot, const Source& source, 
     const cv::Mat bgra = drawn(slot, source, kThumbnailSide_px);
     return bgra.empty() ? silhouette_symbol(shape, id) : bitmap_symbol(bgra, id, artwork);
   }
-  const cv::Size2d size = drawers_.natural_size(source.bytes, artwork.path);
-  const double side = std::max(size.width, size.height);
-  if (looks_like_svg(source.bytes)) {
-    return {drawers_.import_svg(source.bytes, artwork.path, id), longest_side(artwork) / side};
-  }
-  const int side_px = int(std::clamp(side, 1., double(kMaxBitmapSide_px)));
-  return bitmap_symbol(drawers_.render(source.bytes, artwork.path, side_px), id, artwork);
+  EmbeddedDrawing drawing = embedded_drawing(source.bytes, artwork.path, id, drawers_);
+  return {std::move(drawing.svg), longest_side(artwork) / std::max(drawing.size.width, drawing.size.height)};
 }
 
 bool ShapeArtworks::may_be_paths(std::size_t slot, const Source& source) const {

@@ -1,0 +1,41 @@
+#include "io/artwork/picture_ground.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+
+namespace tessera::io {
+namespace {
+
+constexpr int kBand_px = 2;
+
+cv::Mat square(int radius_px) { return cv::Mat::ones(2 * radius_px + 1, 2 * radius_px + 1, CV_8U); }
+
+}  // namespace
+
+cv::Mat ground_of(const cv::Mat& difference) {
+  constexpr std::uint8_t kReached = 128;
+  cv::Mat near;  // with a rim of ground, from which all of the edge is reached
+  cv::copyMakeBorder(difference <= kGroundNoise, near, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
+  cv::floodFill(near, cv::Point(0, 0), cv::Scalar(kReached));
+  return near(cv::Rect(1, 1, difference.cols, difference.rows)) == kReached;
+}
+
+cv::Mat alpha_beside_ground(const cv::Mat& ground, const cv::Mat& difference) {
+  cv::Mat reach, shown = difference.clone(), largest;
+  cv::dilate(ground, reach, square(kBand_px));
+  shown.setTo(0, ground);
+  cv::dilate(shown, largest, square(kBand_px));
+  cv::Mat alpha = cv::Mat::zeros(ground.size(), CV_8U);
+  alpha.setTo(255, ~ground);
+  for (int y = 0; y < ground.rows; ++y) {
+    for (int x = 0; x < ground.cols; ++x) {
+      if (ground.at<std::uint8_t>(y, x) || !reach.at<std::uint8_t>(y, x)) continue;
+      const int most = std::max<int>(1, largest.at<std::uint8_t>(y, x));
+      alpha.at<std::uint8_t>(y, x) = cv::saturate_cast<std::uint8_t>(255. * shown.at<std::uint8_t>(y, x) / most);
+    }
+  }
+  return alpha;
+}
+
+}  // namespace tessera::io
