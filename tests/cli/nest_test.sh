@@ -115,8 +115,12 @@ python3 - <<'PYTHON' || fail "the collage is not as large as the sheet"
 import json, re
 length = json.load(open("out/two/layout.json"))["solution"]["strip_width"]
 assert 36 < length < 90
-assert abs(float(re.search(r'width="([\d.]+)mm"', open("out/layout/collage.svg").read()).group(1)) - length) < 0.1
+width, height = map(float, re.search(r'width="([\d.]+)mm" height="([\d.]+)mm"', open("out/layout/collage.svg").read()).groups())
+assert abs(width - length) < 0.001 and height == 60, (width, length, height)
 PYTHON
+run 0 nest two.h5 --sheet 420,297 --effort draft --quiet --out out/a3
+[[ $(grep -A2 '^\[canvas\]' out/a3/layout.toml | tr '\n' ' ') == '[canvas] size_mm = [420.000, 297.000] size_px = [1960, 1386] ' ]] ||
+  fail "the job has not the size of the sheet"
 echo "ok library"
 
 run 2 nest plates.svg

@@ -45,6 +45,31 @@ run 0 draw in_mm --svg --set output.dpi=600 --quiet
 run 2 collage in_px.toml --out none --set 'canvas.size_mm=[0, 0]' --set pieces.scale_mm=3
 grep -q 'pieces.scale_mm: found 3; needed: canvas.size_mm' errors || fail "another message without size_mm"
 grep -q '"overlap_fraction": *\(0.000000\|0.0[,}]\|0[,}]\)' in_mm/card.json || fail "pieces overlap"
+# 141 px would be 20.94 mm.
+run 0 collage in_px.toml --out a4 --quiet --set 'canvas.size_mm=[21, 29.7]' --set 'canvas.size_px=[141, 200]' --set output.dpi=300
+run 0 draw a4 --svg --pdf --png --tiff --quiet
+grep -q 'width="21.000mm" height="29.700mm" viewBox="0 0 141.414 200"' a4/collage.svg || fail "collage.svg is not A4 by ten"
+python3 - <<'PYTHON' || fail "a picture is not as large on paper as was asked"
+import re, struct
+width_mm, height_mm = 21, 29.7
+box = re.search(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", open("a4/collage.pdf", "rb").read())
+for found, want in zip(box.groups(), (width_mm, height_mm)):
+    assert abs(float(found) * 25.4 / 72 - want) < 0.001, box.groups()
+png = open("a4/collage.png", "rb").read()
+size = struct.unpack(">II", png[16:24])
+at = png.index(b"pHYs") + 4
+for px, per_metre, want in zip(size, struct.unpack(">II", png[at:at + 8]), (width_mm, height_mm)):
+    assert abs(px / per_metre * 1000 - want) < want * 0.5 / per_metre + 1e-9, (px, per_metre)
+tiff = open("a4/collage.tiff", "rb").read()
+directory = struct.unpack("<I", tiff[4:8])[0]
+entries = struct.unpack("<H", tiff[directory:directory + 2])[0]
+fields = {}
+for i in range(entries):
+    tag, kind, count, value = struct.unpack("<HHII", tiff[directory + 2 + 12 * i:directory + 14 + 12 * i])
+    fields[tag] = struct.unpack("<II", tiff[value:value + 8]) if kind == 5 else value
+for px, tag, want in zip(size, (282, 283), (width_mm, height_mm)):
+    assert abs(px * 25.4 * fields[tag][1] / fields[tag][0] - want) < 0.001, fields[tag]
+PYTHON
 echo "ok millimetres"
 
 printf "quality = 'draft'\n[library]\nfile = 'own.h5'\n[stop]\npieces = 2\n[canvas]\nsize_px = [120, 90]\n[pieces]\nscale_px = [14, 40]\n" >plain.toml

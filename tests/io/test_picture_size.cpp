@@ -33,6 +33,29 @@ TEST(PictureSize, on_paper_is_that_of_the_canvas) {
   EXPECT_EQ(on_paper({.width_mm = 7}, spec, kCanvas).width_mm, 7);
 }
 
+TEST(PictureSize, on_paper_stays_what_was_asked) {
+  // 210 x 297 mm as 1414 x 2000 px, which are 209.979 mm wide.
+  CanvasSpec spec{.width_px = 1414, .height_px = 2000, .file = ""};
+  spec.width_mm = 210;
+  spec.height_mm = 297;
+  const Canvas canvas = make_rectangle_canvas(1414, 2000);
+  const OutputSpec output = on_paper({}, spec, canvas);
+  EXPECT_EQ(output.width_mm, 210);
+  EXPECT_EQ(page_size_mm(output, spec, canvas), cv::Size2d(210, 297));
+  EXPECT_NEAR(page_size_mm({.width_mm = 105}, spec, canvas).height, 148.5, 1e-9);
+  EXPECT_NEAR(page_size_px(spec, canvas).width, 1414.1414, 1e-4);
+  EXPECT_NEAR(page_size_px(spec, canvas).height, 2000, 1e-9);
+  // A page within the box has one of its sides.
+  EXPECT_EQ(
+      page_size_mm(on_paper({}, spec, make_rectangle_canvas(1414, 1000)), spec, make_rectangle_canvas(1414, 1000)),
+      cv::Size2d(210, 148.5));
+  // Without a size on paper, and where copies are to meet, the canvas is the page.
+  EXPECT_EQ(page_size_mm({}, {}, kCanvas), cv::Size2d(0, 0));
+  EXPECT_EQ(page_size_mm({.width_mm = 60}, {}, kCanvas), cv::Size2d(60, 40));
+  EXPECT_EQ(page_size_px({}, kCanvas), cv::Size2d(300, 200));
+  EXPECT_EQ(page_size_px(spec, make_seamless_canvas(1414, 2000, true, false)), cv::Size2d(1414, 2000));
+}
+
 TEST(PictureSize, has_limits_in_px_either_way) {
   EXPECT_NO_THROW(check_picture_size({.width_px = 6000}, make_rectangle_canvas(16, 160)));
   EXPECT_EQ(mistake({.width_px = 6000}, make_rectangle_canvas(16, 161)),

@@ -321,6 +321,14 @@ TEST(Png, TheFileSaysHowLargeItIsOnPaperAndKeepsItsTransparency) {
   EXPECT_EQ(number_in_chunk(png, "pHYs", 1), 11811u);
   const cv::Mat read = cv::imread(folder.path("collage.png"), cv::IMREAD_UNCHANGED);
   EXPECT_EQ(cv::norm(read, drawn_picture(sample.report), cv::NORM_INF), 0);
+  // 600 px on 50.8 mm and 300 px on 25.5 mm: as near as whole numbers are.
+  sample.job.canvas.width_px = 200;
+  sample.job.canvas.height_px = 100;
+  sample.job.canvas.width_mm = 50.8;
+  sample.job.canvas.height_mm = 25.5;
+  const std::string of_canvas = written();
+  EXPECT_EQ(number_in_chunk(of_canvas, "pHYs", 0), 11811u);
+  EXPECT_EQ(number_in_chunk(of_canvas, "pHYs", 1), 11765u);
 }
 
 /// One core only, while it lives.

@@ -45,6 +45,16 @@ void expect_near(const cv::Vec4b& found, const cv::Vec4b& expected) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(found[i], expected[i], 2) << found << expected;
 }
 
+TEST(PrintedSvg, PiecesAreStretchedWithTheirPage) {
+  std::string svg = collage("matrix(1 0 0 1 20 10)");
+  svg.replace(svg.find("width=\"400\" height=\"200\""), 24,
+              "width=\"400\" height=\"400\" preserveAspectRatio=\"none\"");
+  const cv::Mat image = drawn(svg, 200, 200);
+  expect_near(image.at<cv::Vec4b>(45, 100), {128, 127, 0, 255});  // in the document at 22
+  expect_near(image.at<cv::Vec4b>(55, 100), kGreen);              // beyond the clip, at 27
+  expect_near(image.at<cv::Vec4b>(195, 5), kGreen);
+}
+
 TEST(PrintedSvg, GradientsOfPiecesThatAreTurnedFollowTheirObject) {
   // Twice as large, turned by a third of a right angle, from (20, 10).
   const double c = std::sqrt(3.), s = 1;

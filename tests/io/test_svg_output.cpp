@@ -168,6 +168,18 @@ TEST(SvgOutput, IsAsLargeAsThePictureOrAsItIsOnPaper) {
   EXPECT_EQ(count(drawn_svg(sample.report), " width=\"210.000mm\" height=\"105.000mm\" viewBox=\"0 0 200 100\""), 1u);
 }
 
+TEST(SvgOutput, IsAsLargeOnPaperAsItsCanvasIsAskedFor) {
+  SampleCollage sample;
+  sample.job.output.width_mm = 210;
+  sample.job.canvas.width_px = 200;
+  sample.job.canvas.height_px = 100;
+  sample.job.canvas.width_mm = 210;
+  sample.job.canvas.height_mm = 105.4;  // 100.381 px: a piece's mm are mm of the page
+  EXPECT_EQ(count(drawn_svg(sample.report), " width=\"210.000mm\" height=\"105.400mm\" viewBox=\"0 0 200 100.381\""),
+            1u);
+  EXPECT_EQ(count(drawn_svg(sample.report), "preserveAspectRatio=\"none\""), 0u);
+}
+
 TEST(SvgOutput, OutlinesAndShadowsAreThoseOfThePng) {
   TwoFaces sample;
   EXPECT_EQ(count(drawn_svg(sample.report), "filter"), 0u);

@@ -64,14 +64,16 @@ void write(TiffPyramid& tiff, const cv::Mat& picture) {
 TEST(TiffPyramid, HoldsThePictureAndItsHalves) {
   const test::ScratchFolder folder;
   const cv::Mat picture = noise({1101, 823}, CV_8UC3);
-  TiffPyramid file(folder.path("collage.tiff"), {.size = picture.size(), .dpi = 300});
+  TiffPyramid file(folder.path("collage.tiff"), {.size = picture.size(), .size_mm = {93.218, 69.6807}});
   write(file, picture);
   EXPECT_FALSE(std::filesystem::exists(folder.path("collage.tiff")));
   file.finish();
   const TiffPtr tiff(TIFFOpen(folder.path("collage.tiff").c_str(), "r"));
   ASSERT_TRUE(tiff);
   EXPECT_FALSE(TIFFIsBigTIFF(tiff.get()));
-  EXPECT_EQ(field<float>(tiff.get(), TIFFTAG_XRESOLUTION), 300);
+  // 1101 px on 93.218 mm and 823 px on 69.6807 mm, to far less than 0.001 mm.
+  EXPECT_NEAR(1101 * 25.4 / double(field<float>(tiff.get(), TIFFTAG_XRESOLUTION)), 93.218, 1e-4);
+  EXPECT_NEAR(823 * 25.4 / double(field<float>(tiff.get(), TIFFTAG_YRESOLUTION)), 69.6807, 1e-4);
   EXPECT_EQ(field<std::uint32_t>(tiff.get(), TIFFTAG_SUBFILETYPE), 0u);
   cv::Mat expected = picture;
   for (const cv::Size size : {cv::Size(1101, 823), cv::Size(551, 412), cv::Size(276, 206), cv::Size(138, 103)}) {

@@ -46,9 +46,9 @@ void clip_to(const std::string& path, cairo_t* cairo) {
 
 /// Recorded by itself and then turned by cairo: librsvg stretches gradients and patterns that follow the box of their
 /// object where that is turned. The clip is not recorded: cairo 1.16 gives up where it leaves nothing of a part.
-void draw_piece(const SvgDocument& pieces, const SvgPiece& piece, double points_per_unit, cairo_t* page) {
+void draw_piece(const SvgDocument& pieces, const SvgPiece& piece, cv::Size2d points_per_unit, cairo_t* page) {
   const cairo_matrix_t& m = piece.document_from_piece;
-  const double dots = std::hypot(m.xx, m.yx) * points_per_unit * kDotsPerPoint;
+  const double dots = std::hypot(m.xx, m.yx) * points_per_unit.width * kDotsPerPoint;
   const CairoSurface recorded(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, nullptr));
   {
     const CairoContext cairo(cairo_create(recorded.get()));
@@ -56,7 +56,7 @@ void draw_piece(const SvgDocument& pieces, const SvgPiece& piece, double points_
     pieces.draw_element(cairo.get(), piece.id, piece.page);
   }
   cairo_save(page);
-  cairo_scale(page, points_per_unit, points_per_unit);
+  cairo_scale(page, points_per_unit.width, points_per_unit.height);
   cairo_transform(page, &m);
   if (!piece.clip.empty()) clip_to(piece.clip, page);
   cairo_scale(page, 1 / dots, 1 / dots);
@@ -73,11 +73,19 @@ PrintedSvg::PrintedSvg(std::span<const std::uint8_t> svg, const std::string& pat
   if (!divided_.list.empty()) pieces_.emplace(parsed(divided_.pieces, path));
 }
 
+cv::Size2d PrintedSvg::piece_scale(double width_pt) const {
+  const double x = width_pt / divided_.size.width;
+  const double y = width_pt * size().height / size().width / divided_.size.height;
+  constexpr double kSeen = 1e-6;
+  return {x, std::abs(y - x) > kSeen * x ? y : x};  // of a page that is stretched both differ
+}
+
 void PrintedSvg::draw(cairo_t* cairo, double width_pt) const {
   cairo_save(cairo);
   ground_.draw(cairo, width_pt / size().width);
   cairo_restore(cairo);
-  for (const SvgPiece& piece : divided_.list) draw_piece(*pieces_, piece, width_pt / divided_.width, cairo);
+  const cv::Size2d points_per_unit = piece_scale(width_pt);
+  for (const SvgPiece& piece : divided_.list) draw_piece(*pieces_, piece, points_per_unit, cairo);
 }
 
 }  // namespace tessera::io

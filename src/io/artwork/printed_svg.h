@@ -25,6 +25,9 @@ class PrintedSvg {
   void draw(cairo_t* cairo, double width_pt) const;
 
  private:
+  /// Points of a unit of the document, in x and y.
+  cv::Size2d piece_scale(double width_pt) const;
+
   DividedSvg divided_;
   SvgDocument ground_;
   std::optional<SvgDocument> pieces_;  // where there are any

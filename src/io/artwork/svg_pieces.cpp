@@ -114,7 +114,7 @@ DividedSvg divided_svg(std::span<const std::uint8_t> svg, const std::string& pat
   const XmlDocPtr doc = parsed_svg(svg, path);
   xmlNode* root = xmlDocGetRootElement(doc.get());
   DividedSvg divided;
-  std::sscanf(attribute(root, "viewBox").c_str(), "%*f %*f %lf", &divided.width);
+  std::sscanf(attribute(root, "viewBox").c_str(), "%*f %*f %lf %lf", &divided.size.width, &divided.size.height);
   const XmlDocPtr ground(xmlCopyDoc(doc.get(), 1));
   remove_pieces(xmlDocGetRootElement(ground.get()));
   divided.ground = text_of(ground.get());

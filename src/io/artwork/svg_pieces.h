@@ -23,7 +23,7 @@ struct DividedSvg {
   std::string ground;  // the document without its pieces
   std::string pieces;  // the document with the pieces unclipped, where their own units are px, and without a page
   std::vector<SvgPiece> list;  // in the order in which they are drawn
-  double width = 0;            // of the document, in its own units
+  cv::Size2d size;             // of the document, in its own units
 };
 
 /// Throws InputError where the bytes are no XML. A document without pieces comes back as its own ground.

@@ -24,6 +24,13 @@ std::string allowed(const OutputSpec& output, int width_px) {
                               : fixed(std::floor(width_px * kMmPerInch / output.dpi * 10) / 10, 1) + " mm";
 }
 
+/// 0 x 0 where it has none. A canvas with a file may be less wide or high than the box that the job gives.
+cv::Size2d canvas_size_mm(const CanvasSpec& spec, const Canvas& canvas) {
+  if (spec.width_mm == 0) return {};
+  const auto side = [&](int px, int box_px, double box_mm) { return px == box_px ? box_mm : px / px_per_mm(spec); };
+  return {side(canvas.width_px, spec.width_px, spec.width_mm), side(canvas.height_px, spec.height_px, spec.height_mm)};
+}
+
 /// Else copies one below the other would not meet.
 void check_whole_height(const OutputSpec& output, int width_px, const Canvas& canvas) {
   const long long rows = (long long)(width_px)*canvas.height_px;
@@ -38,8 +45,20 @@ void check_whole_height(const OutputSpec& output, int width_px, const Canvas& ca
 }  // namespace
 
 OutputSpec on_paper(OutputSpec output, const CanvasSpec& spec, const Canvas& canvas) {
-  if (output.width_mm == 0 && spec.width_mm > 0) output.width_mm = canvas.width_px / px_per_mm(spec);
+  if (output.width_mm == 0) output.width_mm = canvas_size_mm(spec, canvas).width;
   return output;
+}
+
+cv::Size2d page_size_mm(const OutputSpec& output, const CanvasSpec& spec, const Canvas& canvas) {
+  const cv::Size2d size =
+      spec.width_mm > 0 ? canvas_size_mm(spec, canvas) : cv::Size2d(canvas.width_px, canvas.height_px);
+  return {output.width_mm, size.height * (output.width_mm / size.width)};
+}
+
+cv::Size2d page_size_px(const CanvasSpec& spec, const Canvas& canvas) {
+  const bool repeats = canvas.period.x_px > 0 || canvas.period.y_px > 0;
+  if (spec.width_mm == 0 || repeats) return cv::Size2d(canvas.width_px, canvas.height_px);
+  return canvas_size_mm(spec, canvas) * px_per_mm(spec);
 }
 
 int picture_width_px(const OutputSpec& output) {

@@ -257,7 +257,7 @@ PictureFormat picture_format(const CollageReport& report) {
   const OutputSpec& output = report.job->output;
   return {.size = picture_size_px(output, *report.canvas),
           .alpha = output.background == kNoColour,
-          .dpi = output.width_mm == 0 ? 0 : output.dpi};
+          .size_mm = page_size_mm(output, report.job->canvas, *report.canvas)};
 }
 
 void write_picture(const CollageReport& report, ShapeArtworks& artworks, const std::vector<PictureFile*>& files,

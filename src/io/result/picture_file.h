@@ -6,10 +6,10 @@
 namespace tessera::io {
 
 struct PictureFormat {
-  cv::Size size;       // px
-  bool alpha = false;  // 8-bit RGBA with straight alpha, else RGB
-  double dpi = 0;      // said in the file; 0 = nothing said
-  int grey_bits = 0;   // 8 or 16: grey instead of colours (PngStream alone)
+  cv::Size size;            // px
+  bool alpha = false;       // 8-bit RGBA with straight alpha, else RGB
+  cv::Size2d size_mm = {};  // on paper, said in the file; 0 x 0: nothing is said
+  int grey_bits = 0;        // 8 or 16: grey instead of colours (PngStream alone)
 };
 
 /// The file appears under its name when it is finished, whole or not at all (atomic_file.h). All members throw

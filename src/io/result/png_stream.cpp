@@ -46,9 +46,10 @@ struct PngStream::Encoder {
     png_set_IHDR(png, info, png_uint_32(format.size.width), png_uint_32(format.size.height),
                  format.grey_bits == 16 ? 16 : 8, colour_type(format), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    if (format.dpi > 0) {
-      const auto per_metre = png_uint_32(std::lround(format.dpi * 1000 / kMmPerInch));
-      png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
+    if (format.size_mm.width > 0) {
+      const auto per_metre = [](int px, double mm) { return png_uint_32(std::lround(px * 1000 / mm)); };
+      png_set_pHYs(png, info, per_metre(format.size.width, format.size_mm.width),
+                   per_metre(format.size.height, format.size_mm.height), PNG_RESOLUTION_METER);
     }
     png_set_filter(png, PNG_FILTER_TYPE_BASE, format.grey_bits > 0 ? kLabelFilter : kFilter);
     png_set_compression_level(png, kCompression);

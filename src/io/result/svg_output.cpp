@@ -306,28 +306,46 @@ void write_pieces(const CollageReport& report, const std::vector<DrawnPiece>& dr
   }
 }
 
+/// Without zeros at the end.
+std::string px_text(double px) {
+  std::string text = fixed(px, 3);
+  while (text.ends_with('0')) text.pop_back();
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+void write_view_box(const cv::Size2d& page_px, XmlWriter& svg) {
+  svg.attribute("viewBox", "0 0 " + px_text(page_px.width) + " " + px_text(page_px.height));
+}
+
+void write_size_on_paper(const CollageReport& report, XmlWriter& svg) {
+  const cv::Size2d page_px = page_size_px(report.job->canvas, *report.canvas);
+  const cv::Size2d page_mm = page_size_mm(report.job->output, report.job->canvas, *report.canvas);
+  svg.attribute("width", fixed(page_mm.width, 3) + "mm").attribute("height", fixed(page_mm.height, 3) + "mm");
+  write_view_box(page_px, svg);
+  // Copies of a canvas that repeats are to meet: its px fill the page, though they have its aspect to a px only.
+  constexpr double kSeen = 1e-6;
+  const double stretched = page_mm.height * page_px.width / (page_mm.width * page_px.height);
+  if (std::abs(stretched - 1) > kSeen) svg.attribute("preserveAspectRatio", "none");
+}
+
 void write_size(const CollageReport& report, XmlWriter& svg) {
   const OutputSpec& output = report.job->output;
-  if (output.width_mm == 0) {
-    const cv::Size size = picture_size_px(output, *report.canvas);
-    svg.attribute("width", std::to_string(size.width)).attribute("height", std::to_string(size.height));
-  } else {
-    const double height_mm = output.width_mm * report.canvas->height_px / report.canvas->width_px;
-    svg.attribute("width", fixed(output.width_mm, 3) + "mm").attribute("height", fixed(height_mm, 3) + "mm");
-  }
+  if (output.width_mm > 0) return write_size_on_paper(report, svg);
+  const cv::Size size = picture_size_px(output, *report.canvas);
+  svg.attribute("width", std::to_string(size.width)).attribute("height", std::to_string(size.height));
+  write_view_box(cv::Size2d(report.canvas->width_px, report.canvas->height_px), svg);
 }
 
 }  // namespace
 
 std::string collage_svg(const CollageReport& report, ShapeArtworks& artworks, const DoneCount& done) {
   const std::vector<SvgSymbol> symbols = make_symbols(report, artworks, done);
-  const std::string size = std::to_string(report.canvas->width_px) + " " + std::to_string(report.canvas->height_px);
   XmlWriter svg;
   svg.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n").start("svg").attribute("xmlns", "http://www.w3.org/2000/svg");
   svg.attribute("xmlns:xlink", "http://www.w3.org/1999/xlink").attribute("version", "1.1");
   svg.attribute("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape");
   write_size(report, svg);
-  svg.attribute("viewBox", "0 0 " + size);
   write_definitions(report, artworks, symbols, svg);
   write_canvas(report, svg);
   write_keep_out(report.keep_out, svg);

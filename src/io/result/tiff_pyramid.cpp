@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "io/artwork/alpha.h"
 #include "io/atomic_file.h"
+#include "io/job/picture_size.h"
 
 namespace tessera::io {
 namespace {
@@ -71,10 +72,10 @@ void set_tags(TIFF* tiff, const PictureFormat& format, bool is_reduced) {
     const std::uint16_t straight = EXTRASAMPLE_UNASSALPHA;
     TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &straight);
   }
-  if (format.dpi > 0) {
+  if (format.size_mm.width > 0) {
     TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
-    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, format.dpi);
-    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, format.dpi);
+    TIFFSetField(tiff, TIFFTAG_XRESOLUTION, format.size.width * kMmPerInch / format.size_mm.width);
+    TIFFSetField(tiff, TIFFTAG_YRESOLUTION, format.size.height * kMmPerInch / format.size_mm.height);
   }
 }
 
@@ -180,7 +181,6 @@ TiffPyramid::TiffPyramid(const std::string& path, const PictureFormat& format) :
   levels_.push_back(std::make_unique<Level>(path, level, true, mode));
   while (std::max(level.size.width, level.size.height) > kTile_px) {
     level.size = {(level.size.width + 1) / 2, (level.size.height + 1) / 2};
-    level.dpi /= 2;
     levels_.push_back(std::make_unique<Level>(path, level, false, mode));
   }
 }
