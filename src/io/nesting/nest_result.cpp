@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "io/nesting/nest_job.h"
 #include "io/nesting/nest_sheets.h"
 #include "io/number_text.h"
+#include "io/regular_file.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -117,11 +117,12 @@ void remove_old_sheets(const fs::path& folder) {
   for (const fs::path& file : old) fs::remove(file);
 }
 
-bool begins_with(const fs::path& file, const std::string& words) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return false;
-  std::string first(words.size(), ' ');
-  return std::ifstream(file).read(first.data(), std::streamsize(first.size())) && first == words;
+bool begins_with(const fs::path& file, const std::string& words) try {
+  std::vector<std::uint8_t> first(words.size());
+  read_at(file.string(), open_regular_file(file.string()), 0, first);
+  return std::equal(first.begin(), first.end(), words.begin(), words.end());
+} catch (const InputError&) {  // not there, or no file
+  return false;
 }
 
 /// The first of its entries, by name.
