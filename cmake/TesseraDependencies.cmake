@@ -7,7 +7,6 @@ find_package(Eigen3 REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)  # with CXX it would mix the parallel with the serial library
 find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(OpenCL REQUIRED)
 pkg_check_modules(RSVG REQUIRED IMPORTED_TARGET librsvg-2.0)

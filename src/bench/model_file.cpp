@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 
 #include "core/base/digest.h"
-#include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/library/segment_bytes.h"
 #include "io/library/stored_models.h"
+#include "io/regular_file.h"
 
 namespace tessera::bench {
 namespace {
@@ -37,10 +36,10 @@ std::vector<std::uint64_t> segment_begins(const io::SegmentKind& kind, std::uint
 
 bool is_there(const std::string& path, std::uint64_t digest, std::uint64_t bytes) {
   std::error_code error;
-  std::ifstream file(path, std::ios::binary);
+  if (std::filesystem::file_size(path, error) != bytes) return false;
   std::uint64_t found = 0;
-  return file.read(reinterpret_cast<char*>(&found), sizeof found) && found == digest &&
-         std::filesystem::file_size(path, error) == bytes;
+  io::read_at(path, io::open_regular_file(path), 0, {reinterpret_cast<std::uint8_t*>(&found), sizeof found});
+  return found == digest;
 }
 
 /// Models [begin, end) of shapes whose outlines came before: `different` has those of the first ones.
@@ -61,21 +60,13 @@ using MakeModels = std::function<std::vector<ShapeModel>(const ShapeRange&)>;
 
 void write(const std::string& path, std::uint64_t digest, std::uint32_t count, const io::SegmentKind& kind,
            const MakeModels& make) {
-  std::ofstream file(io::temporary_path(path), std::ios::binary);
-  file.write(reinterpret_cast<const char*>(&digest), sizeof digest);
-  for (std::uint32_t first = 0; first < count && file; first += kSegmentShapes) {
+  io::TemporaryFile file(path);
+  file.write({reinterpret_cast<const std::uint8_t*>(&digest), sizeof digest});
+  for (std::uint32_t first = 0; first < count; first += kSegmentShapes) {
     const ShapeRange range{first, std::min(count, first + kSegmentShapes)};
-    const std::vector<std::uint8_t> bytes =
-        io::segment_bytes(kind, make(range), std::vector<io::SegmentOwner>(range.size()));
-    file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    file.write(io::segment_bytes(kind, make(range), std::vector<io::SegmentOwner>(range.size())));
   }
-  file.close();
-  if (!file) {
-    std::error_code error;
-    std::filesystem::remove(io::temporary_path(path), error);
-    throw EnvironmentError("cannot write " + path);
-  }
-  io::commit_temporary_file(path);
+  file.commit();
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 #include "bench/replacing_case.h"
 
-#include <fstream>
-
 #include "core/base/error.h"
+#include "io/regular_file.h"
 
 namespace tessera::bench {
 namespace {
@@ -37,9 +36,8 @@ Json to_json(const ReplacingCase& c) {
 }
 
 ReplacingCase read_replacing_case(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError(path + ": not found" + kAllowed);
-  const Json report = Json::parse(file, nullptr, false);
+  constexpr std::size_t kMostBytes = std::size_t(64) << 20;
+  const Json report = Json::parse(io::read_regular_file(path, kMostBytes), nullptr, false);
   try {
     const Json& batch = report.at("batch");
     ReplacingCase c;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -15,7 +14,9 @@
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
+#include "io/own_program.h"
 #include "io/result/collage_files.h"
+#include "io/result/result_file.h"
 #include "io/text_table.h"
 
 namespace tessera::bench {
@@ -117,22 +118,16 @@ std::string result_folder(const Plan& plan, int workers, std::uint32_t shapes) {
 Json run_once(const Plan& plan, int workers, std::uint32_t shapes, const std::string& library) {
   std::vector<std::string> command = words_of(plan.options.launcher);
   const std::string out = result_folder(plan, workers, shapes);
-  command.insert(command.end(), {"-n", std::to_string(workers + 1), plan.options.program, "collage",
+  command.insert(command.end(), {"-n", std::to_string(workers + 1), io::own_program(), "collage",
                                  write_job(plan, library), "--quiet", "--out", out});
   run_program(command);
-  std::ifstream card(out + "/card.json");
-  return Json::parse(card).at("ranks");
-}
-
-std::string file_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return Json::parse(io::read_result_file(out, "card.json")).at("ranks");
 }
 
 void check_same_pieces(const Plan& plan) {
   for (const std::uint32_t shapes : plan.shapes) {
     const auto pieces = [&](int workers) {
-      return file_text(result_folder(plan, workers, shapes) + "/pieces.geojson");
+      return io::read_result_file(result_folder(plan, workers, shapes), "pieces.geojson");
     };
     for (const int workers : plan.workers) {
       if (pieces(workers) != pieces(plan.workers.front())) {

@@ -1,8 +1,7 @@
 #include "bench/scaling_case.h"
 
-#include <fstream>
-
 #include "core/base/error.h"
+#include "io/regular_file.h"
 
 namespace tessera::bench {
 namespace {
@@ -58,9 +57,8 @@ ScalingCase scaling_case(const Json& ranks, std::uint32_t shapes, const std::str
 }
 
 std::vector<ScalingCase> read_scaling_cases(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError(path + ": not found; allowed: the JSON file of tessera bench scaling");
-  const Json report = Json::parse(file, nullptr, false);
+  constexpr std::size_t kMostBytes = std::size_t(64) << 20;
+  const Json report = Json::parse(io::read_regular_file(path, kMostBytes), nullptr, false);
   if (report.is_discarded() || !report.contains("cases") || report.at("cases").empty()) {
     throw InputError(path + ": has no cases; allowed: the JSON file of tessera bench scaling");
   }

@@ -5,6 +5,7 @@
 
 #include "bench/benchmarks.h"
 #include "cli/commands.h"
+#include "io/atomic_file.h"
 #include "io/result/collage_files.h"
 
 namespace tessera::cli {
@@ -29,6 +30,7 @@ using Benchmark = std::function<bench::Report(const bench::Setting&)>;
 int run(const bench::Setting& setting, const Benchmark& benchmark) {
   const std::filesystem::path folder = std::filesystem::path(setting.out).parent_path();
   io::prepare_output_directory(folder.empty() ? "." : folder.string());
+  io::check_can_be_written(setting.out);
   bench::Setting told = setting;
   told.progress = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   const bench::Report report = benchmark(told);
@@ -167,7 +169,6 @@ void add_variety(CLI::App& bench, Command& selected) {
 
 void add_scaling(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<bench::ScalingOptions>();
-  options->program = std::filesystem::read_symlink("/proc/self/exe").string();
   CLI::App* sub = add_benchmark(bench, selected, "scaling", "Speed-up with more workers; starts mpirun itself",
                                 [options](const bench::Setting& s) { return bench::bench_scaling(s, *options); });
   add_library_option(*sub, options->library);

@@ -47,6 +47,14 @@ std::vector<Task> tasks_of(const CampaignArguments& arguments) {
   return tasks;
 }
 
+/// Folders that an earlier campaign left, or whoever else: before hours of work.
+void check_can_be_made(const std::vector<Task>& tasks) {
+  std::error_code error;
+  for (const Task& task : tasks) {
+    if (!task.finished && std::filesystem::exists(task.folder, error)) io::prepare_output_directory(task.folder);
+  }
+}
+
 /// For scripts: a line a collage with tabs between state, folder and the values for --set.
 void print_list(const std::vector<Task>& tasks) {
   for (const Task& task : tasks) {
@@ -108,6 +116,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   }
   io::prepare_output_directory(campaign_folder(arguments));
   const io::OutputLock lock(io::folder_lock_path(campaign_folder(arguments)), campaign_folder(arguments));
+  check_can_be_made(tasks);
   if (!make_all(arguments, tasks, ranks)) {
     std::fprintf(stderr, "tessera: unfinished: the same command goes on where this one was\n");
     return kUnfinishedExitCode;

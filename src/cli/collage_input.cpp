@@ -73,6 +73,7 @@ CollageInput::CollageInput(const CollageArguments& arguments)
   } else {
     from = starting_state(checkpoints, start, origin);
   }
+  io::check_can_be_published(folder);
 }
 
 }  // namespace tessera::cli

@@ -14,6 +14,7 @@
 #include "cli/progress_bar.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
+#include "io/atomic_file.h"
 #include "io/available_cores.h"
 #include "io/drawing/drawers.h"
 #include "io/library/left_out_list.h"
@@ -97,6 +98,8 @@ int run(const BuildArguments& arguments) {
   throw_if_nothing_found(arguments, files);
   check_replaceable(arguments.output);
   const io::OutputLock lock(arguments.output + ".lock", arguments.output);
+  io::check_can_be_written(arguments.output);
+  io::check_can_be_written(io::left_out_path(arguments.output));
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   std::fputs(build_summary(report).c_str(), stdout);
   if (!report.written) throw_not_written(arguments, report);

@@ -71,9 +71,6 @@ std::string overview_path(const ExtractArguments& arguments, const std::string& 
 }
 
 void write_overview(const ExtractArguments& arguments, const std::string& photo, const std::vector<std::uint8_t>& png) {
-  std::error_code error;
-  std::filesystem::create_directories(arguments.overview, error);
-  if (error) throw EnvironmentError(arguments.overview + ": cannot make this folder: " + error.message());
   const std::string path = overview_path(arguments, photo);
   io::write_file_atomically(path, png);
   std::printf("  overview: %s\n", io::printable_utf8(path).c_str());
@@ -161,10 +158,22 @@ void check(const ExtractArguments& arguments) {
   }
 }
 
+/// Before the search.
+void check_can_be_written(const ExtractArguments& arguments) {
+  io::check_can_be_written(arguments.output);
+  if (!arguments.ground.empty()) io::check_can_be_written(arguments.ground);
+  if (arguments.overview.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(arguments.overview, error);
+  if (error) throw EnvironmentError(arguments.overview + ": cannot make this folder: " + error.message());
+  for (const std::string& photo : arguments.photos) io::check_can_be_written(overview_path(arguments, photo));
+}
+
 int run(ExtractArguments arguments) {
   check(arguments);
   check_replaceable(arguments.output);
   const io::OutputLock lock(arguments.output + ".lock", arguments.output);
+  check_can_be_written(arguments);
   comm::install_stop_handlers();  // the half library is removed
   arguments.settings.search.look = [&] {
     if (comm::stop_signalled()) throw EnvironmentError("interrupted; " + arguments.output + " was not written");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/atomic_file.h"
 #include "io/library/contact_sheet.h"
 #include "io/library/library_file.h"
 #include "io/utf8_text.h"
@@ -74,7 +75,7 @@ void print_names(const io::LibraryFile& library) {
 }
 
 int run(const InfoArguments& arguments) {
-  check_sheet_name(arguments.sheet);
+  check_sheet(arguments.sheet);
   const io::LibraryFile library(arguments.library);
   if (arguments.names) {
     print_names(library);
@@ -92,9 +93,10 @@ int run(const InfoArguments& arguments) {
 
 }  // namespace
 
-void check_sheet_name(const std::string& sheet) {
-  if (sheet.empty() || sheet.ends_with(".png")) return;
-  throw InputError("--sheet: found " + sheet + ", allowed: a name that ends in .png");
+void check_sheet(const std::string& sheet) {
+  if (sheet.empty()) return;
+  if (!sheet.ends_with(".png")) throw InputError("--sheet: found " + sheet + ", allowed: a name that ends in .png");
+  io::check_can_be_written(sheet);
 }
 
 void add_library_info_command(CLI::App& library, Command& selected) {

@@ -7,8 +7,9 @@
 
 namespace tessera::cli {
 
-/// A slip of the pen must not turn a library or a drawing into a picture. Throws InputError.
-void check_sheet_name(const std::string& sheet);
+/// Before the work: a slip of the pen must not turn a library or a drawing into a picture (InputError), and the picture
+/// can be written (EnvironmentError). Nothing where `sheet` is empty.
+void check_sheet(const std::string& sheet);
 
 void add_library_info_command(CLI::App& library, Command& selected);
 

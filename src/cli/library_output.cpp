@@ -7,6 +7,7 @@
 #include "cli/progress_bar.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
+#include "io/atomic_file.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_copy.h"
 #include "io/output_lock.h"
@@ -46,9 +47,11 @@ void check_replaceable(const std::string& output) {
 
 void copy_to_library(const io::LibraryChoice& choice, const std::string& output) {
   check_is_no_source(choice, output);
-  const io::LibraryView library(choice);
   check_replaceable(output);
   const io::OutputLock lock(output + ".lock", output);
+  io::check_can_be_written(output);
+  io::check_can_be_written(io::left_out_path(output));
+  const io::LibraryView library(choice);
   comm::install_stop_handlers();  // the half library is removed
   {
     ProgressBar bar("library", library.size());

@@ -82,7 +82,7 @@ void print_names(const Styles& styles, const std::vector<StyleGroup>& groups) {
 }
 
 int run(const StylesArguments& arguments) {
-  check_sheet_name(arguments.sheet);
+  check_sheet(arguments.sheet);
   const io::LibraryFile library(arguments.library);
   const Styles styles = styles_of(library);
   const std::vector<StyleGroup> groups = style_groups(styles.places, arguments.groups);

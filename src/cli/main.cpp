@@ -18,6 +18,7 @@
 #include "comm/rank_program.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "io/lack_of_memory.h"
 
 namespace tessera::cli {
 namespace {
@@ -111,9 +112,13 @@ void keep_freed_memory() {
 
 int run(int argc, char** argv) {
   keep_freed_memory();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer, who then cleans up
   std::signal(SIGCHLD, SIG_DFL);  // whoever started us may have ignored it: then nobody learns how a child ended
   const comm::RankProgram program{
-      .run = [&](comm::Communicator& ranks) { return parse_and_run(argc, argv, ranks); },
+      .run =
+          [&](comm::Communicator& ranks) {
+            return io::with_lack_of_memory_named([&] { return parse_and_run(argc, argv, ranks); });
+          },
       .report_error = [](const std::string& line) { std::fprintf(stderr, "tessera: %s\n", line.c_str()); }};
   if (started_by_launcher()) return comm::run_mpi_job(argc, argv, program);
   comm::InProcessNetwork alone(1);

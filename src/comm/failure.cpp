@@ -1,11 +1,30 @@
 #include "comm/failure.h"
 
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/process_limits.h"
 
 namespace tessera::comm {
+namespace {
+
+/// The system's exceptions without a file: most often a thread could not be started.
+std::string refusal(const std::system_error& error) {
+  const std::string reason = error.code().message();
+  if (error.code() != std::errc::resource_unavailable_try_again) return "the system refused: " + reason;
+  return "the system gives no further thread or process: " + reason + " (ulimit -u, or the container's limit)" +
+         process_limits();
+}
+
+std::string refusal(const std::filesystem::filesystem_error& error) {
+  const std::string files = error.path1().string() + (error.path2().empty() ? "" : ", " + error.path2().string());
+  return (files.empty() ? "the system refused" : files) + ": " + error.code().message();
+}
+
+}  // namespace
 
 Failure describe_current_exception() {
   try {
@@ -15,7 +34,11 @@ Failure describe_current_exception() {
   } catch (const EnvironmentError& error) {
     return {kEnvironmentExitCode, error.what()};
   } catch (const std::bad_alloc&) {
-    return {kEnvironmentExitCode, "out of memory"};
+    return {kEnvironmentExitCode, "out of memory" + process_limits()};
+  } catch (const std::filesystem::filesystem_error& error) {
+    return {kEnvironmentExitCode, refusal(error)};
+  } catch (const std::system_error& error) {
+    return {kEnvironmentExitCode, refusal(error)};
   } catch (const std::exception& error) {
     return {kEnvironmentExitCode, std::string("internal error: ") + error.what()};
   } catch (...) {

@@ -15,7 +15,8 @@ struct Failure {
   friend bool operator==(const Failure&, const Failure&) = default;
 };
 
-/// To be called in a catch block. InputError has exit code 2; whatever is not of core/base/error.h is marked as a bug.
+/// To be called in a catch block. InputError has exit code 2. What the system refused (memory, threads, a file that
+/// nobody named) is told in its words; whatever else is not of core/base/error.h is marked as a bug.
 Failure describe_current_exception();
 
 /// Throws the InputError or EnvironmentError that tells of it.

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 namespace tessera::comm {
@@ -52,10 +53,13 @@ std::string MpiCommunicator::place_of(int rank) const {
 
 void MpiCommunicator::abort(int exit_code) {
   // Where the launcher does not answer, the rank leaves all the same.
-  std::thread([exit_code] {
-    std::this_thread::sleep_for(kAbortPatience);
-    std::_Exit(exit_code);
-  }).detach();
+  try {
+    std::thread([exit_code] {
+      std::this_thread::sleep_for(kAbortPatience);
+      std::_Exit(exit_code);
+    }).detach();
+  } catch (const std::system_error&) {  // no thread is left: the launcher has to answer
+  }
   mpi::environment::abort(exit_code);
   throw std::logic_error("MPI_Abort returned");
 }

@@ -1,85 +1,215 @@
 #include "io/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "core/base/error.h"
+#include "io/write_all.h"
 
 namespace tessera::io {
 namespace {
 
-class Descriptor {
- public:
-  Descriptor(const std::string& path, int flags) : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+namespace fs = std::filesystem;
 
-  bool open() const { return fd_ >= 0; }
-  int get() const { return fd_; }
-  /// Network file systems report a full disk as late as here.
-  bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+constexpr mode_t kMode = 0666;  // less what the user's umask takes away
 
- private:
-  int fd_;
-};
+/// A temporary name is taken again between its removal and the creation of our file only where somebody means harm.
+constexpr int kTries = 5;
 
-bool write_all(int fd, std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(fd, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes = bytes.subspan(std::size_t(written));
-  }
-  return true;
+std::string message(int reason) { return std::generic_category().message(reason); }
+
+[[noreturn]] void throw_cannot_write(const std::string& path, const std::string& reason) {
+  throw EnvironmentError("cannot write " + path + ": " + reason);
 }
 
-[[noreturn]] void fail(const std::string& path) {
-  const int reason = errno;
-  std::remove(temporary_path(path).c_str());
-  throw EnvironmentError("cannot write " + path + ": " + std::generic_category().message(reason));
+/// Without the folder.
+std::string name_of(const std::string& path) {
+  const std::string name = fs::path(path).filename().string();
+  if (name.empty()) throw_cannot_write(path, message(EISDIR));
+  return name;
 }
 
-/// Without it a power cut may undo what was renamed in the folder of `path`.
-void flush_folder_of(const std::string& path) {
-  const std::string folder = std::filesystem::absolute(path).parent_path();
-  Descriptor file(folder, O_RDONLY | O_DIRECTORY);
-  // Some file systems cannot flush a folder (EINVAL) and keep its order by themselves.
-  if (!file.open() || (::fsync(file.get()) != 0 && errno != EINVAL)) fail(path);
+std::string temporary_name_of(const std::string& path) { return temporary_path(name_of(path)); }
+
+FileDescriptor open_folder_of(const std::string& path) {
+  const fs::path parent = fs::path(path).parent_path();
+  FileDescriptor folder(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder.is_open()) throw_cannot_write(path, message(errno));
+  return folder;
+}
+
+/// Whether the name in the folder leads to the open file.
+bool leads_to(const FileDescriptor& folder, const std::string& name, const FileDescriptor& file) {
+  struct stat opened {};
+  struct stat named {};
+  return ::fstat(file.number(), &opened) == 0 &&
+         ::fstatat(folder.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+}
+
+bool is_folder(const FileDescriptor& folder, const std::string& name) {
+  struct stat named {};
+  return ::fstatat(folder.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(named.st_mode);
+}
+
+/// Not open with errno where that cannot be, as where the name is taken.
+FileDescriptor create(const FileDescriptor& folder, const std::string& name) {
+  constexpr int kNew = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+  return FileDescriptor(::openat(folder.number(), name.c_str(), kNew, kMode));
+}
+
+[[noreturn]] void throw_in_the_way(const std::string& path, const std::string& name, int reason) {
+  throw_cannot_write(path, name + " is in the way and cannot be removed: " + message(reason));
+}
+
+[[noreturn]] void throw_replaced(const std::string& path, const std::string& name) {
+  throw_cannot_write(path, "another program put a file of its own under the name " + name);
+}
+
+/// Removes what stands under the name, and returns the file that `create` creates there, for what is to become `path`.
+/// Where somebody else was faster, `create` returns a file that is not open, and is called again.
+FileDescriptor create_anew(const std::string& path, const FileDescriptor& folder, const std::string& name,
+                           const std::function<FileDescriptor()>& create) {
+  for (int i = 0; i < kTries; ++i) {
+    if (::unlinkat(folder.number(), name.c_str(), 0) != 0 && errno != ENOENT) throw_in_the_way(path, name, errno);
+    if (FileDescriptor file = create(); file.is_open()) return file;
+  }
+  throw_cannot_write(path, "another program keeps making " + name);
+}
+
+FileDescriptor create_anew(const std::string& path, const FileDescriptor& folder, const std::string& name) {
+  return create_anew(path, folder, name, [&] {
+    FileDescriptor file = create(folder, name);
+    if (!file.is_open() && errno != EEXIST) throw_cannot_write(path, message(errno));
+    return file;
+  });
 }
 
 }  // namespace
 
 std::string temporary_path(const std::string& path) { return path + ".tmp"; }
 
-void commit_temporary_file(const std::string& path) {
-  Descriptor file(temporary_path(path), O_RDONLY);
-  if (!file.open() || ::fsync(file.get()) != 0 || !file.close()) fail(path);
-  if (std::rename(temporary_path(path).c_str(), path.c_str()) != 0) fail(path);
-  flush_folder_of(path);
+TemporaryFile::TemporaryFile(const std::string& path)
+    : path_(path),
+      name_(temporary_name_of(path)),
+      folder_(open_folder_of(path)),
+      file_(create_anew(path, folder_, name_)) {}
+
+TemporaryFile::TemporaryFile(const std::string& path, const std::function<FileDescriptor(const std::string&)>& create)
+    : path_(path),
+      name_(temporary_name_of(path)),
+      folder_(open_folder_of(path)),
+      file_(create_anew(path, folder_, name_, [&] { return create(temporary_path(path)); })) {
+  if (!is_ours()) throw_cannot_write(path, "its folder was replaced by another one meanwhile");
 }
 
-void write_temporary_file(const std::string& path, std::span<const std::uint8_t> bytes) {
-  Descriptor file(temporary_path(path), O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file.open() || !write_all(file.get(), bytes) || ::fsync(file.get()) != 0 || !file.close()) fail(path);
+TemporaryFile::~TemporaryFile() { remove(); }
+
+FileDescriptor TemporaryFile::duplicate() const {
+  FileDescriptor other(::fcntl(file_.number(), F_DUPFD_CLOEXEC, 0));
+  if (!other.is_open()) throw_cannot_write(path_, message(errno));
+  return other;
+}
+
+void TemporaryFile::write(std::span<const std::uint8_t> bytes) {
+  if (!write_all(file_.number(), bytes)) fail();
+}
+
+void TemporaryFile::flush() {
+  if (::fsync(file_.number()) != 0) fail();
+}
+
+void TemporaryFile::commit() {
+  flush();
+  if (!is_ours()) throw_replaced(path_, name_);
+  const FileDescriptor open = duplicate();
+  if (!file_.close()) fail();
+  const std::string name = name_of(path_);
+  if (::renameat(folder_.number(), name_.c_str(), folder_.number(), name.c_str()) != 0) fail();
+  if (!leads_to(folder_, name, open)) throw_replaced(path_, name_);  // at the last moment
+  name_.clear();
+  // Without it a power cut may undo the renaming. Some file systems cannot flush a folder (EINVAL) and keep its order
+  // by themselves.
+  if (::fsync(folder_.number()) != 0 && errno != EINVAL) fail();
+}
+
+void TemporaryFile::leave() {
+  flush();
+  if (!file_.close()) fail();
+  name_.clear();
+}
+
+bool TemporaryFile::is_ours() const { return leads_to(folder_, name_, file_); }
+
+void TemporaryFile::remove() noexcept {
+  if (name_.empty()) return;
+  if (!file_.is_open() || is_ours()) ::unlinkat(folder_.number(), name_.c_str(), 0);
+  name_.clear();
+}
+
+void TemporaryFile::fail() {
+  const int reason = errno;
+  remove();
+  throw_cannot_write(path_, message(reason));
+}
+
+void take_left_file(const std::string& path) {
+  const FileDescriptor folder = open_folder_of(path);
+  const std::string from = name_of(temporary_path(path));
+  if (::renameat(folder.number(), from.c_str(), folder.number(), name_of(path).c_str()) != 0)
+    throw_cannot_write(path, message(errno));
 }
 
 void write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes) {
-  Descriptor file(temporary_path(path), O_WRONLY | O_CREAT | O_TRUNC);
-  if (!file.open() || !write_all(file.get(), bytes) || !file.close()) fail(path);
-  commit_temporary_file(path);
+  TemporaryFile file(path);
+  file.write(bytes);
+  file.commit();
 }
 
 void write_file_atomically(const std::string& path, std::string_view bytes) {
-  write_file_atomically(path, std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
+  write_file_atomically(path, bytes_of(bytes));
+}
+
+FileDescriptor create_unnamed_file(const std::string& path, const std::string& suffix) {
+  const FileDescriptor folder = open_folder_of(path);
+  const std::string name = temporary_name_of(path) + suffix;
+  FileDescriptor file = create_anew(path, folder, name);
+  ::unlinkat(folder.number(), name.c_str(), 0);
+  return file;
+}
+
+bool link_atomically(const std::string& file, const std::string& path) {
+  const FileDescriptor folder = open_folder_of(path);
+  const std::string from = name_of(file), temporary = temporary_name_of(path);
+  const auto remove_temporary = [&] { ::unlinkat(folder.number(), temporary.c_str(), 0); };
+  int result = -1;
+  for (int i = 0; i < kTries && result != 0; ++i) {
+    remove_temporary();
+    result = ::linkat(folder.number(), from.c_str(), folder.number(), temporary.c_str(), 0);
+    if (result != 0 && errno != EEXIST) return false;
+  }
+  if (result != 0) return false;
+  result = ::renameat(folder.number(), temporary.c_str(), folder.number(), name_of(path).c_str());
+  const int reason = errno;
+  remove_temporary();  // it is still there where both were names of one file already
+  errno = reason;
+  return result == 0;
+}
+
+void check_can_be_written(const std::string& path) {
+  const FileDescriptor folder = open_folder_of(path);
+  const std::string name = temporary_name_of(path);
+  if (is_folder(folder, name_of(path))) throw_cannot_write(path, message(EISDIR));
+  if (is_folder(folder, name)) throw_in_the_way(path, name, EISDIR);
+  const FileDescriptor probe = create(folder, name);
+  if (!probe.is_open() && errno != EEXIST) throw_cannot_write(path, message(errno));
+  if (probe.is_open() && leads_to(folder, name, probe)) ::unlinkat(folder.number(), name.c_str(), 0);
 }
 
 }  // namespace tessera::io

@@ -1,22 +1,13 @@
 #include "io/file_blocks.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
 
 namespace tessera::io {
 namespace {
-
-[[noreturn]] void throw_unreadable(const std::string& path) {
-  throw InputError(path + ": cannot be read: " + std::generic_category().message(errno));
-}
 
 std::string mebibytes(std::size_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
 
@@ -36,10 +27,8 @@ FileBlocks::FileBlocks(const std::string& path, std::size_t most_bytes)
 
 FileBlocks::FileBlocks(FileDescriptor file, const std::string& path, std::size_t most_bytes)
     : path_(path),
-      file_(std::move(file)) {
-  struct stat status {};
-  if (::fstat(file_.number(), &status) != 0) throw_unreadable(path_);
-  left_bytes_ = std::size_t(status.st_size);
+      file_(std::move(file)),
+      left_bytes_(size_of(path_, file_)) {
   if (left_bytes_ > most_bytes)
     throw InputError(path + ": found " + mebibytes(left_bytes_) + ", allowed: " + mebibytes(most_bytes));
   digest_.add(left_bytes_);
@@ -48,20 +37,13 @@ FileBlocks::FileBlocks(FileDescriptor file, const std::string& path, std::size_t
 
 std::span<const char> FileBlocks::next() {
   const std::span<char> block(block_.data(), std::min(block_.size(), left_bytes_));
-  read(block);
+  const std::span bytes(reinterpret_cast<std::uint8_t*>(block.data()), block.size());
+  if (read_at(path_, file_, at_bytes_, bytes) < bytes.size())
+    throw InputError(path_ + ": became shorter while it was read");
+  at_bytes_ += block.size();
   left_bytes_ -= block.size();
   add_words(block, digest_);
   return block;
-}
-
-void FileBlocks::read(std::span<char> block) {
-  while (!block.empty()) {
-    const ssize_t got = ::read(file_.number(), block.data(), block.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw_unreadable(path_);
-    if (got == 0) throw InputError(path_ + ": became shorter while it was read");
-    block = block.subspan(std::size_t(got));
-  }
 }
 
 }  // namespace tessera::io

@@ -29,10 +29,9 @@ class FileBlocks {
  private:
   static constexpr std::size_t kBlockBytes = std::size_t(1) << 18;  // whole words of the digest
 
-  void read(std::span<char> block);
-
   std::string path_;
   FileDescriptor file_;
+  std::uint64_t at_bytes_ = 0;
   std::size_t left_bytes_ = 0;
   std::vector<char> block_;
   Digest digest_;

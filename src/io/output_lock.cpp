@@ -10,10 +10,13 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <mutex>
+#include <set>
 #include <sstream>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/own_file.h"
 
 namespace tessera::io {
 namespace {
@@ -107,12 +110,8 @@ Locking try_to_lock(int file) {
 bool is_file(int file, const std::string& path) {
   struct stat opened = {};
   struct stat named = {};
-  return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+  return fstat(file, &opened) == 0 && lstat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
          opened.st_dev == named.st_dev;
-}
-
-EnvironmentError cannot_write(const std::string& path) {
-  return EnvironmentError("cannot write " + path + ": " + std::generic_category().message(errno));
 }
 
 /// Throws where the output is not free.
@@ -127,34 +126,61 @@ void take(int file, const std::string& path, const std::string& output, Locking 
     throw InputError(output + ": another run may still be at work here: " + description(then) +
                      ", of which this machine cannot tell; if it is over, remove " + path);
   }
-  if (!write_holder(file, now)) throw cannot_write(path);
+  if (write_holder(file, now)) return;
+  const int reason = errno;
+  unlink(path.c_str());  // it is ours, and says nothing
+  throw EnvironmentError("cannot write " + path + ": " + std::generic_category().message(reason));
+}
+
+/// The locks of this process. A library may end it by exit (LLVM does where its file cannot grow): what runs then is no
+/// destructor of ours.
+class HeldLocks {
+ public:
+  void add(const OutputLock* lock) {
+    const std::lock_guard guard(mutex_);
+    locks_.insert(lock);
+  }
+  void remove(const OutputLock* lock) {
+    const std::lock_guard guard(mutex_);
+    locks_.erase(lock);
+  }
+  ~HeldLocks() {
+    for (const OutputLock* lock : locks_) lock->remove_file();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<const OutputLock*> locks_;
+};
+
+HeldLocks& held_locks() {
+  static HeldLocks locks;
+  return locks;
 }
 
 }  // namespace
 
-OutputLock::OutputLock(const std::string& path, const std::string& output) : path_(path), owner_(getpid()) {
-  for (;;) {
-    file_ = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-    if (file_ < 0) throw cannot_write(path);
-    const Locking locking = try_to_lock(file_);
-    if (locking != Locking::held_by_another && !is_file(file_, path)) {
-      close(file_);
-      continue;
-    }
-    try {
-      take(file_, path, output, locking);
-      return;
-    } catch (...) {
-      close(file_);
-      throw;
-    }
+OutputLock::OutputLock(const std::string& path, const std::string& output)
+    : path_(path),
+      file_(open_own_file(path, O_RDWR)),
+      owner_(getpid()) {
+  Locking locking = try_to_lock(file_.number());
+  while (locking != Locking::held_by_another && !is_file(file_.number(), path)) {
+    file_ = open_own_file(path, O_RDWR);
+    locking = try_to_lock(file_.number());
   }
+  take(file_.number(), path, output, locking);
+  held_locks().add(this);
 }
 
 OutputLock::~OutputLock() {
+  held_locks().remove(this);
+  remove_file();
+}
+
+void OutputLock::remove_file() const {
   if (getpid() != owner_) return;
-  if (is_file(file_, path_)) unlink(path_.c_str());  // somebody may have removed ours, and another run made its own
-  close(file_);
+  if (is_file(file_.number(), path_)) unlink(path_.c_str());  // it may be another run's: somebody had removed ours
 }
 
 std::string folder_lock_path(const std::string& folder) { return std::filesystem::path(folder) / "run.lock"; }

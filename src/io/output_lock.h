@@ -7,22 +7,27 @@
 
 #include <string>
 
+#include "io/file_descriptor.h"
+
 namespace tessera::io {
 
 class OutputLock {
  public:
-  /// `path`: the file of the lock, removed at the end; `output`: what it protects, for messages. Throws InputError that
-  /// names the other run's process and machine where one is at work, and also where a run of another machine is gone
-  /// without a word, unless it is this Slurm job before it was queued again. Throws EnvironmentError where the file
-  /// cannot be written.
+  /// `path`: the file of the lock, removed at the end, also where a library ends the process by exit(3); `output`: what
+  /// it protects, for messages. Throws InputError that names the other run's process and machine where one is at work,
+  /// and also where a run of another machine is gone without a word, unless it is this Slurm job before it was queued
+  /// again. Throws EnvironmentError where the file cannot be written, or is none that is our own (own_file.h).
   OutputLock(const std::string& path, const std::string& output);
   ~OutputLock();
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;
 
+  /// Removes the file, unless it is another run's by now, or this is a child process.
+  void remove_file() const;
+
  private:
   std::string path_;
-  int file_ = -1;
+  FileDescriptor file_;
   pid_t owner_;  // a child process has a copy of this object, but not the lock
 };
 

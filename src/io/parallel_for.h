@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -31,7 +32,10 @@ void parallel_for(std::size_t count, Body&& body) {
   };
   std::vector<std::jthread> threads;
   const std::size_t wanted = std::min<std::size_t>(count, std::size_t(available_cores()));
-  for (std::size_t i = 1; i < wanted; ++i) threads.emplace_back(work);
+  try {
+    while (threads.size() + 1 < wanted) threads.emplace_back(work);
+  } catch (const std::system_error&) {  // no more threads are allowed: those that are there share the work
+  }
   work();
   threads.clear();  // joins
   if (error) std::rethrow_exception(error);

@@ -2,76 +2,80 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/file_kind.h"
 
 namespace tessera::io {
 namespace {
 
-std::string kind_of(mode_t mode) {
-  if (S_ISDIR(mode)) return "a folder";
-  if (S_ISFIFO(mode)) return "a pipe";
-  if (S_ISSOCK(mode)) return "a socket";
-  return "a device";
-}
-
+/// It is the file's fault, unless this process may have no more of something.
 [[noreturn]] void throw_unreadable(const std::string& path) {
-  throw InputError(path + ": not a readable file: " + std::generic_category().message(errno) +
-                   ", allowed: a regular file");
+  const int reason = errno;
+  const std::string message = std::generic_category().message(reason);
+  if (reason == EMFILE || reason == ENFILE || reason == ENOMEM)
+    throw EnvironmentError("cannot read " + path + ": " + message);
+  throw InputError(path + ": not a readable file: " + message + ", allowed: a regular file");
 }
 
-void check_regular(const struct stat& status, const std::string& path) {
-  if (S_ISREG(status.st_mode)) return;
-  throw InputError(path + ": not a readable file: found " + kind_of(status.st_mode) + ", allowed: a regular file");
+[[noreturn]] void throw_found(const std::string& path, const std::string& found) {
+  throw InputError(path + ": not a readable file: found " + found + ", allowed: a regular file");
 }
 
-std::size_t size_of(const FileDescriptor& file, const std::string& path) {
-  struct stat status {};
-  if (::fstat(file.number(), &status) != 0) throw_unreadable(path);
-  return std::size_t(status.st_size);
+void check_regular(const std::string& path, const struct stat& status, const struct statfs& system) {
+  if (!S_ISREG(status.st_mode)) throw_found(path, file_kind(status.st_mode));
+  const std::string kernel = kernel_file_system(system.f_type);
+  if (!kernel.empty()) throw_found(path, "a file of the kernel (" + kernel + ")");
 }
 
 std::string mebibytes(std::size_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
 
 }  // namespace
 
-FileDescriptor::~FileDescriptor() {
-  if (number_ >= 0) ::close(number_);
-}
-
-FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
-  std::swap(number_, other.number_);
-  return *this;
-}
-
 FileDescriptor open_regular_file(const std::string& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) throw_unreadable(path);
-  check_regular(status, path);
+  struct statfs system {};
+  if (::stat(path.c_str(), &status) != 0 || ::statfs(path.c_str(), &system) != 0) throw_unreadable(path);
+  check_regular(path, status, system);
   // Where something else took its place meanwhile, opening it does not block either, and it is not used.
   FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
-  if (file.number() < 0 || ::fstat(file.number(), &status) != 0) throw_unreadable(path);
-  check_regular(status, path);
+  if (!file.is_open() || ::fstat(file.number(), &status) != 0 || ::fstatfs(file.number(), &system) != 0)
+    throw_unreadable(path);
+  check_regular(path, status, system);
   return file;
+}
+
+std::uint64_t size_of(const std::string& path, const FileDescriptor& file) {
+  struct stat status {};
+  if (::fstat(file.number(), &status) != 0) throw_unreadable(path);
+  return std::uint64_t(status.st_size);
+}
+
+std::size_t read_at(const std::string& path, const FileDescriptor& file, std::uint64_t at,
+                    std::span<std::uint8_t> bytes) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t got = ::pread(file.number(), bytes.data() + done, bytes.size() - done, off_t(at + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw_unreadable(path);
+    if (got == 0) break;
+    done += std::size_t(got);
+  }
+  return done;
 }
 
 std::vector<std::uint8_t> read_regular_file(const std::string& path, std::size_t most_bytes) {
   const FileDescriptor file = open_regular_file(path);
-  const std::size_t size = size_of(file, path);
+  const std::size_t size = size_of(path, file);
   if (size > most_bytes)
     throw InputError(path + ": " + mebibytes(size) + ", more than the " + mebibytes(most_bytes) + " allowed");
   std::vector<std::uint8_t> bytes(size);
-  for (std::size_t done = 0; done < size;) {
-    const ssize_t got = ::read(file.number(), bytes.data() + done, size - done);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw_unreadable(path);
-    if (got == 0) throw InputError(path + ": became shorter while it was read");
-    done += std::size_t(got);
-  }
+  if (read_at(path, file, 0, bytes) < size) throw InputError(path + ": became shorter while it was read");
   return bytes;
 }
 

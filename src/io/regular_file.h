@@ -3,32 +3,29 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "io/file_descriptor.h"
 
 namespace tessera::io {
 
-/// An open file that closes itself.
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int number) : number_(number) {}
-  ~FileDescriptor();
-  FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  FileDescriptor& operator=(FileDescriptor&& other) noexcept;
-
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 /// Opens a regular file for reading; a link is followed to one. What else may stand under a name is refused before it
-/// is opened: a pipe would block, a device may never end or do something. Throws InputError, which names `path` and
-/// what it is.
+/// is opened: a pipe would block, a device may never end or do something, and a file that the kernel makes up (proc,
+/// sysfs) may do all of that. Throws InputError, which names `path` and what it is, and
+/// EnvironmentError where the process may open no more files.
 FileDescriptor open_regular_file(const std::string& path);
 
-/// Reads the whole file. Throws InputError where it cannot be read or has more than `most_bytes`.
+std::uint64_t size_of(const std::string& path, const FileDescriptor& file);
+
+/// Reads from byte `at` of the file on, until `bytes` are full or the file ends; returns how many were read. Throws
+/// InputError, which names `path`, where it cannot be read.
+std::size_t read_at(const std::string& path, const FileDescriptor& file, std::uint64_t at,
+                    std::span<std::uint8_t> bytes);
+
+/// Reads the whole file, as long as it is when it is opened. Throws InputError where it cannot be read or has more than
+/// `most_bytes`.
 std::vector<std::uint8_t> read_regular_file(const std::string& path, std::size_t most_bytes);
 
 }  // namespace tessera::io

@@ -4,6 +4,8 @@
 #include <future>
 #include <limits>
 
+#include "core/base/launch_policy.h"
+
 namespace tessera::worker {
 
 DeviceIndex::DeviceIndex(const DeviceSession& session, const MatchRecord& match, const IndexKind& kind,
@@ -51,7 +53,7 @@ void DeviceIndex::add_segment() {
   const std::size_t first = next_part_;
   std::vector<std::future<IndexRows>> made;
   for (; next_part_ < parts_.size() && parts_[next_part_].first_shape == parts_[first].first_shape; ++next_part_) {
-    made.push_back(std::async(std::launch::async, [this, &part = parts_[next_part_]] { return rows_of(part); }));
+    made.push_back(std::async(kWhereThreadsAre, [this, &part = parts_[next_part_]] { return rows_of(part); }));
   }
   for (std::size_t i = 0; i < made.size(); ++i) upload(parts_[first + i], made[i].get());
 }

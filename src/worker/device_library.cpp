@@ -5,6 +5,7 @@
 #include <future>
 #include <optional>
 
+#include "core/base/launch_policy.h"
 #include "worker/opencl_devices.h"
 
 namespace tessera::worker {
@@ -48,7 +49,7 @@ void DeviceLibrary::load(const BetweenLaunches& between_launches) {
   const std::uint32_t end = match_.first_shape + match_.shapes;
   // The next ones are read while these are put on the device. One thread at a time reads.
   const auto read_from = [&](std::uint32_t first) {
-    return std::async(std::launch::async, [this, parts, first, end] {
+    return std::async(kWhereThreadsAre, [this, parts, first, end] {
       const ShapeRange range{std::min(first, end), std::min(end, first + kShapesAtATime)};
       Loaded loaded;
       if (range.size() > 0) loaded.models = models_->models(range, parts);

@@ -11,8 +11,7 @@ void keep_docked_shortlist(std::vector<Docking>& dockings) {
   std::vector<Docking> kept;
   for (const Docking& docking : dockings) {
     const auto of_its_pairs = [&](const Docking& d) { return d.shape == docking.shape && d.source < kTangentSource; };
-    if (docking.source < kTangentSource &&
-        std::count_if(kept.begin(), kept.end(), of_its_pairs) == kDockingsPerShape) {
+    if (docking.source < kTangentSource && std::count_if(kept.begin(), kept.end(), of_its_pairs) == kDockingsPerShape) {
       continue;
     }
     kept.push_back(docking);

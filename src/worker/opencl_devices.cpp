@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/base/process_limits.h"
 #include "core/base/split_text.h"
 #include "worker/opencl_runtime.h"
 
@@ -51,8 +52,8 @@ std::vector<cl::Platform> platforms() {
 std::string why_no_devices(const std::vector<cl::Platform>& found) {
   if (found.empty()) {
     return "no OpenCL platform is installed (Debian: package pocl-opencl-icd for CPUs; OCL_ICD_VENDORS, where it is "
-           "set, "
-           "names the folder of the list)";
+           "set, names the folder of the list)" +
+           process_limits();
   }
   std::string names;
   for (const cl::Platform& platform : found) {

@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/base/process_limits.h"
+
 namespace tessera::worker {
 namespace {
 
@@ -62,7 +64,8 @@ DeviceSession::DeviceSession(const cl::Device& device, const std::string& source
       program_.build(build_options.c_str());
     } catch (const cl::BuildError& error) {
       const std::string log = program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_);
-      throw EnvironmentError("OpenCL device \"" + name_ + "\" cannot compile the kernels: " + one_line(log));
+      throw EnvironmentError("OpenCL device \"" + name_ + "\" cannot compile the kernels: " + one_line(log) +
+                             process_limits());
     }
   });
 }

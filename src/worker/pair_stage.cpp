@@ -5,9 +5,9 @@
 #include <future>
 #include <numeric>
 #include <span>
-#include <system_error>
 #include <thread>
 
+#include "core/base/launch_policy.h"
 #include "worker/found_pairs.h"
 
 namespace tessera::worker {
@@ -108,10 +108,7 @@ void PairStage::hold(const std::vector<PairRecord>& pairs) {
   const std::size_t threads =
       std::min<std::size_t>({pairs.size() / kPairsOfAThread, kMostThreads, std::thread::hardware_concurrency()});
   std::vector<std::future<void>> others;
-  try {
-    while (others.size() + 1 < threads) others.push_back(std::async(std::launch::async, work));
-  } catch (const std::system_error&) {  // no more threads are allowed: those that are there share the work
-  }
+  while (others.size() + 1 < threads) others.push_back(std::async(kWhereThreadsAre, work));
   work();
   for (std::future<void>& other : others) other.get();
 }

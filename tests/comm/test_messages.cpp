@@ -5,9 +5,12 @@
 #include <rapidcheck.h>
 
 #include <bit>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
 #include "comm/encode.h"
 #include "core/base/error.h"
@@ -233,6 +236,15 @@ TEST(Failures, KeepTheirKindAndText) {
   EXPECT_EQ(described([] { throw EnvironmentError("b"); }), (Failure{1, "b"}));
   EXPECT_EQ(described([] { throw std::bad_alloc(); }), (Failure{1, "out of memory"}));
   EXPECT_EQ(described([] { throw std::logic_error("c"); }), (Failure{1, "internal error: c"}));
+  const std::string refused = "the system gives no further thread or process: Resource temporarily unavailable";
+  EXPECT_EQ(described([] { throw std::system_error(EAGAIN, std::generic_category()); }),
+            (Failure{1, refused + " (ulimit -u, or the container's limit)"}));
+  EXPECT_EQ(described([] { throw std::system_error(EIO, std::generic_category()); }),
+            (Failure{1, "the system refused: Input/output error"}));
+  const std::string long_name(300, 'x');
+  EXPECT_EQ(described([&] { std::filesystem::remove(long_name); }), (Failure{1, long_name + ": File name too long"}));
+  EXPECT_EQ(described([] { std::filesystem::rename("no a", "no b"); }),
+            (Failure{1, "no a, no b: No such file or directory"}));
   EXPECT_EQ(described([] { throw 5; }), (Failure{1, "internal error of unknown kind"}));
   for (const Failure& failure : {Failure{2, "x"}, Failure{1, "y"}}) {
     EXPECT_EQ(described([&] { throw_failure(failure); }), failure);

@@ -35,7 +35,7 @@ RecordedDisk::~RecordedDisk() { recording = nullptr; }
 
 }  // namespace tessera::test
 
-// The program's own definitions go before those of the C library, also for libstdc++ (std::filesystem).
+// The program's own definitions go before those of the C library.
 extern "C" {
 
 int fsync(int file) {
@@ -50,13 +50,13 @@ int fsync(int file) {
   return int(syscall(SYS_fsync, file));
 }
 
-int rename(const char* from, const char* to) noexcept {
+int renameat(int from_folder, const char* from, int to_folder, const char* to) noexcept {
   tessera::test::record("rename", from, to);
-  return int(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
+  return int(syscall(SYS_renameat2, from_folder, from, to_folder, to, 0));
 }
 
-int link(const char* from, const char* to) noexcept {
+int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
   tessera::test::record("link", from, to);
-  return int(syscall(SYS_linkat, AT_FDCWD, from, AT_FDCWD, to, 0));
+  return int(syscall(SYS_linkat, from_folder, from, to_folder, to, flags));
 }
 }

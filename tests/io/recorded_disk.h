@@ -1,5 +1,5 @@
 // What a program asks of the disk, in its order: for the tests of what must be on the disk before what. The functions
-// fsync, rename and link of the whole test program are those of recorded_disk.cpp.
+// fsync, renameat and linkat of the whole test program are those of recorded_disk.cpp.
 #pragma once
 
 #include <string>

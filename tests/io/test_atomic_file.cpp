@@ -1,13 +1,19 @@
 // Files appear whole or not at all.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <thread>
 
 #include "core/base/error.h"
 #include "file_size_limit.h"
 #include "io/atomic_file.h"
+#include "planted_files.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {
@@ -76,14 +82,126 @@ TEST(AtomicFile, AFullDiskKeepsTheOldFileAndLeavesNoHalfOne) {
   EXPECT_FALSE(fs::exists(temporary_path(path)));
 }
 
-TEST(AtomicFile, CommitsWhatAnotherWriterWrote) {
+TEST(AtomicFile, NothingIsFollowedThatOthersPutUnderTheTemporaryNameOrTheLastOne) {
+  for (const test::Plant plant : test::kPlants) {
+    const test::ScratchFolder folder;
+    const test::PlantedFiles planted;
+    const std::string path = folder.path("card.json");
+    planted.put(plant, path);
+    planted.put(plant, temporary_path(path));
+    check_can_be_written(path);
+    write_file_atomically(path, std::string_view("ours"));
+    EXPECT_EQ(content_of(path), "ours");
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path)));
+    EXPECT_FALSE(fs::exists(fs::symlink_status(temporary_path(path))));
+    planted.expect_untouched();
+  }
+}
+
+/// Somebody puts a link back as fast as it can. Where a file is written, it has our bytes; where not, we are told.
+TEST(AtomicFile, AnAttackerWhoNeverRestsChangesNothing) {
   const test::ScratchFolder folder;
-  const std::string path = folder.path("lib.h5");
-  std::ofstream(temporary_path(path)) << "from elsewhere";
-  commit_temporary_file(path);
-  EXPECT_EQ(content_of(path), "from elsewhere");
-  EXPECT_THROW(commit_temporary_file(path), EnvironmentError);
-  EXPECT_EQ(content_of(path), "from elsewhere");
+  const test::PlantedFiles planted;
+  const std::string path = folder.path("card.json");
+  std::atomic<bool> done = false;
+  std::thread attacker([&] {
+    for (int i = 0; !done; ++i) {
+      std::error_code ignored;
+      fs::remove(temporary_path(path), ignored);
+      fs::create_symlink("/proc/self/mem", temporary_path(path), ignored);
+      if (i % 2) continue;
+      fs::remove(temporary_path(path), ignored);
+      ::mkfifo(temporary_path(path).c_str(), 0600);
+    }
+  });
+  int written = 0;
+  for (int i = 0; i < 200; ++i) {
+    const std::string failure = failure_of(path, "ours " + std::to_string(i));
+    if (failure != "no failure") {
+      EXPECT_EQ(failure.find("cannot write " + path), 0u) << failure;
+      continue;
+    }
+    ++written;
+    EXPECT_EQ(content_of(path), "ours " + std::to_string(i));
+  }
+  done = true;
+  attacker.join();
+  RecordProperty("written", written);
+}
+
+TEST(AtomicFile, StaysInItsFolderWhereTheNameLeadsElsewhereBynow) {
+  const test::ScratchFolder scratch;
+  fs::create_directory(scratch.path("out"));
+  fs::create_directory(scratch.path("users"));
+  std::ofstream(scratch.path("users/card.json")) << "precious";
+  TemporaryFile file(scratch.path("out/card.json"));
+  fs::rename(scratch.path("out"), scratch.path("moved"));
+  fs::create_symlink("users", scratch.path("out"));
+  file.write(std::vector<std::uint8_t>{'a'});
+  file.commit();
+  EXPECT_EQ(content_of(scratch.path("moved/card.json")), "a");
+  EXPECT_EQ(content_of(scratch.path("users/card.json")), "precious");
+}
+
+TEST(AtomicFile, AnotherFileUnderTheTemporaryNameIsNotTakenForOurs) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.write("x.png", "old");
+  TemporaryFile file(path);
+  file.write(std::vector<std::uint8_t>{'a'});
+  fs::remove(temporary_path(path));
+  std::ofstream(temporary_path(path)) << "of another run";
+  EXPECT_THROW(file.commit(), EnvironmentError);
+  EXPECT_EQ(content_of(path), "old");
+  EXPECT_EQ(content_of(temporary_path(path)), "of another run");
+}
+
+TEST(AtomicFile, WhatIsNotCommittedIsRemoved) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.path("x.png");
+  {
+    TemporaryFile file(path);
+    file.write(std::vector<std::uint8_t>{'a'});
+    EXPECT_TRUE(fs::exists(temporary_path(path)));
+  }
+  EXPECT_TRUE(fs::is_empty(folder.path("")));
+}
+
+TEST(AtomicFile, AnUnnamedFileCanBeReadBack) {
+  const test::ScratchFolder folder;
+  const test::PlantedFiles planted;
+  planted.put(test::Plant::link, folder.path("x.tiff.tmp.level"));
+  const FileDescriptor file = create_unnamed_file(folder.path("x.tiff"), ".level");
+  ASSERT_EQ(::write(file.number(), "abc", 3), 3);
+  char bytes[3] = {};
+  EXPECT_EQ(::pread(file.number(), bytes, 3, 0), 3);
+  EXPECT_EQ(std::string(bytes, 3), "abc");
+  EXPECT_TRUE(fs::is_empty(folder.path("")));
+  planted.expect_untouched();
+}
+
+TEST(AtomicFile, WhatCannotBeWrittenIsFoundBefore) {
+  const test::ScratchFolder folder;
+  const auto complaint = [](const std::string& path) {
+    try {
+      check_can_be_written(path);
+    } catch (const EnvironmentError& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(complaint(folder.path("card.json")), "none");
+  EXPECT_TRUE(fs::is_empty(folder.path("")));
+  const std::string long_name = folder.path(std::string(256, 'x'));
+  EXPECT_EQ(complaint(long_name), "cannot write " + long_name + ": File name too long");
+  EXPECT_EQ(complaint(folder.path("none/x")), "cannot write " + folder.path("none/x") + ": No such file or directory");
+  fs::create_directories(folder.path("folder"));
+  EXPECT_EQ(complaint(folder.path("folder")), "cannot write " + folder.path("folder") + ": Is a directory");
+  fs::create_directories(folder.path("x.tmp/inside"));
+  EXPECT_EQ(complaint(folder.path("x")),
+            "cannot write " + folder.path("x") + ": x.tmp is in the way and cannot be removed: Is a directory");
+  folder.write("busy.tmp", "another run is writing here");
+  EXPECT_EQ(complaint(folder.path("busy")), "none");
+  EXPECT_EQ(content_of(folder.path("busy.tmp")), "another run is writing here");
 }
 
 }  // namespace

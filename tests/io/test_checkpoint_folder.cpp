@@ -12,6 +12,7 @@
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/library/library_file.h"
+#include "planted_files.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 
@@ -70,6 +71,32 @@ TEST_F(Checkpoints, LeftoversOfAKilledRunDoNotMatter) {
   expect_files({"checkpoint.h5", "checkpoint.previous.h5"});
 }
 
+/// Killed between the two renames: both names are then of one file.
+TEST_F(Checkpoints, OneFileUnderBothNamesLeavesNothingBehind) {
+  keep("one");
+  fs::create_hard_link(folder_.latest(), folder_.previous());
+  keep("two");
+  EXPECT_EQ(content_of(folder_.latest()), "two");
+  EXPECT_EQ(content_of(folder_.previous()), "one");
+  expect_files({"checkpoint.h5", "checkpoint.previous.h5"});
+}
+
+TEST_F(Checkpoints, FollowNothingThatOthersPutThere) {
+  for (const test::Plant plant : test::kPlants) {
+    const test::PlantedFiles planted;
+    folder_.remove();
+    keep("one");
+    for (const std::string& path : {temporary_path(folder_.latest()), temporary_path(folder_.previous())})
+      planted.put(plant, path);
+    planted.put(plant, folder_.previous());
+    keep("two");
+    EXPECT_EQ(content_of(folder_.latest()), "two");
+    EXPECT_EQ(content_of(folder_.previous()), "one");
+    expect_files({"checkpoint.h5", "checkpoint.previous.h5"});
+    planted.expect_untouched();
+  }
+}
+
 TEST_F(Checkpoints, AreRemovedWithTheirLeftovers) {
   keep("one");
   keep("two");
@@ -108,7 +135,8 @@ TEST_F(Checkpoints, WhatCannotBeWrittenKeepsTheLatest) {
   EXPECT_FALSE(fs::exists(temporary_path(folder_.latest())));
   fs::remove_all(folder_.previous());
   fs::create_directories(temporary_path(folder_.latest()));
-  EXPECT_EQ(failure_of("two"), "cannot write " + folder_.latest() + ": Is a directory");
+  EXPECT_EQ(failure_of("two"), "cannot write " + folder_.latest() +
+                                   ": checkpoint.h5.tmp is in the way and cannot be removed: Is a directory");
   EXPECT_EQ(content_of(folder_.latest()), "one");
 }
 

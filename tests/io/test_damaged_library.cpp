@@ -128,13 +128,19 @@ TEST_F(DamagedLibrary, EmptyLibrary) {
 }
 
 TEST_F(DamagedLibrary, CutOffAnywhere) {
-  for (int part = 0; part < 40; ++part) {
-    std::filesystem::resize_file(path_, bytes_.size() * part / 40);
-    EXPECT_NE(complaint(), "") << part;
+  const auto expect_cut_off = [&](std::size_t bytes, std::size_t of) {
+    std::filesystem::resize_file(path_, bytes);
+    EXPECT_EQ(complaint(), path_ + ": cut off: " + std::to_string(bytes) + " of " + std::to_string(of) +
+                               " bytes are there; copy it again, or build it again with tessera library build");
     folder_.write("library.h5", bytes_);
-  }
-  std::filesystem::resize_file(path_, bytes_.size() - 1);
-  EXPECT_NE(complaint(), "");
+  };
+  constexpr std::size_t kHeadBytes = 48;
+  for (std::size_t part = 1; part < 40; ++part) expect_cut_off(bytes_.size() * part / 40, bytes_.size());
+  expect_cut_off(bytes_.size() - 1, bytes_.size());
+  for (const std::size_t bytes : {8, 9, 47}) expect_cut_off(bytes, kHeadBytes);
+  expect_cut_off(kHeadBytes, bytes_.size());
+  std::filesystem::resize_file(path_, 7);
+  expect_complaint("not an HDF5 file");
 }
 
 // Every byte of data and of metadata is covered by a checksum: a change is found, or was in an unused byte.

@@ -1,6 +1,7 @@
 // What is on the disk before what: after a power cut there is a whole file under every name, and what the program
 // called done is still there.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -35,9 +36,11 @@ TEST(DurableFiles, AFileIsFlushedThenRenamedThenItsFolderFlushed) {
 
 TEST(DurableFiles, WhatAnotherWriterWroteIsFlushedTheSameWay) {
   const test::ScratchFolder folder;
-  folder.write("lib.h5.tmp", "1234567");
+  TemporaryFile file(folder.path("lib.h5"));
+  const FileDescriptor other = file.duplicate();
+  ASSERT_EQ(::write(other.number(), "1234567", 7), 7);
   const RecordedDisk disk;
-  commit_temporary_file(folder.path("lib.h5"));
+  file.commit();
   EXPECT_EQ(disk.steps(), (Steps{"flush lib.h5.tmp (7 bytes)", "rename lib.h5.tmp lib.h5", "flush folder"}));
 }
 

@@ -110,7 +110,8 @@ TEST_F(JobFile, names_the_nearest_key) {
             "job.toml:1: unknown key uses (did you mean pieces.uses?); allowed at top level: seed, quality");
   EXPECT_EQ(mistake("[piece]\nuses = 3"),
             "job.toml:2: unknown section [piece] (did you mean [pieces]?); allowed: library, canvas, pieces, start, "
-            "match, objective, improve, stop, deform, checkpoint, comm, colour, style, devices, output, [[shapes]], [[regions]], "
+            "match, objective, improve, stop, deform, checkpoint, comm, colour, style, devices, output, [[shapes]], "
+            "[[regions]], "
             "[[given]], [[keep_out]]");
   EXPECT_EQ(mistake("[stop]\nzzzzzzzzz = 3"),
             "job.toml:2: unknown key stop.zzzzzzzzz; allowed in [stop]: pieces, coverage, seconds");
@@ -159,7 +160,7 @@ TEST_F(JobFile, survives_deep_keys_and_endless_files) {
   std::string deep;
   for (int i = 0; i < 8000; ++i) deep += "a.";
   EXPECT_NE(mistake(deep + "a = 1").find("unknown section [a]"), std::string::npos);
-  EXPECT_NE(mistake(std::string((1 << 20) + 1, ' ')).find("larger than 1048576 bytes"), std::string::npos);
+  EXPECT_NE(mistake(std::string((1 << 20) + 1, ' ')).find("1 MiB, more than the 1 MiB allowed"), std::string::npos);
   EXPECT_THROW(load_job("/dev/zero", {}), InputError);
   EXPECT_THROW(load_job(folder_.path("missing.toml"), {}), InputError);
   EXPECT_THROW(load_job(folder_.path(""), {}), InputError);

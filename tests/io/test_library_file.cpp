@@ -10,8 +10,10 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/atomic_file.h"
 #include "io/library/library_file.h"
 #include "library_surgery.h"
+#include "planted_files.h"
 #include "random_shape.h"
 #include "scratch_folder.h"
 
@@ -268,6 +270,21 @@ TEST(LibraryWriter, KeepsTheOldLibraryUntilTheNewOneIsWhole) {
   write_library(folder.path("a.h5"), old_shapes, {});
   { LibraryWriter(folder.path("a.h5"), {}).append(random_shapes(7, 1, 5)[0]); }
   EXPECT_TRUE(all_equal(LibraryFile(folder.path("a.h5")).read(0, 2, kEverything), old_shapes, 0));
+}
+
+TEST(LibraryWriter, FollowsNothingThatOthersPutThere) {
+  for (const test::Plant plant : test::kPlants) {
+    const ScratchFolder folder;
+    const test::PlantedFiles planted;
+    const std::string path = folder.path("library.h5");
+    planted.put(plant, path);
+    planted.put(plant, temporary_path(path));
+    write_library(path, random_shapes(3, 1, 5), {});
+    EXPECT_EQ(LibraryFile(path).size(), 1u);
+    EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(path)));
+    EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(temporary_path(path))));
+    planted.expect_untouched();
+  }
 }
 
 TEST(LibraryWriter, RefusesShapesThatNoReaderWouldTake) {

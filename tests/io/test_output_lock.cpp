@@ -11,6 +11,8 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "file_size_limit.h"
+#include "planted_files.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {
@@ -108,6 +110,23 @@ TEST_F(OutputLockTest, is_taken_over_by_the_same_slurm_job_queued_again) {
   EXPECT_NE(complaint(), "") << "another job";
   as_slurm_job("12", "2");
   EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(OutputLockTest, follows_nothing_that_others_put_there) {
+  for (const test::Plant plant : test::kPlants) {
+    if (plant == test::Plant::file) continue;
+    const test::PlantedFiles planted;
+    planted.put(plant, path_);
+    EXPECT_THROW(OutputLock(path_, "result"), EnvironmentError);
+    planted.expect_untouched();
+    std::filesystem::remove(path_);
+  }
+}
+
+TEST_F(OutputLockTest, leaves_no_file_where_there_is_no_room_for_a_word) {
+  const test::FileSizeLimit full(0);
+  EXPECT_THROW(OutputLock(path_, "result"), EnvironmentError);
+  EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
 TEST_F(OutputLockTest, cannot_be_written_where_there_is_no_folder) {

@@ -17,6 +17,7 @@
 #include "io/result/drawing_notes.h"
 #include "io/result/png_stream.h"
 #include "io/result/tiff_pyramid.h"
+#include "planted_files.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 
@@ -379,6 +380,22 @@ class ImpatientDrawing : public test::SilentDrawing {
   bool stop_requested() override { return stop; }
   std::atomic<bool> stop = false;
 };
+
+TEST(Png, FollowsNothingThatOthersPutThere) {
+  for (const test::Plant plant : test::kPlants) {
+    const test::ScratchFolder folder;
+    const test::PlantedFiles planted;
+    planted.put(plant, folder.path("collage.png"));
+    planted.put(plant, folder.path("collage.png.tmp"));
+    const cv::Mat picture(30, 40, CV_8UC3, cv::Scalar(1, 2, 3));
+    PngStream png(folder.path("collage.png"), {.size = picture.size()});
+    png.write(picture);
+    png.finish();
+    EXPECT_EQ(cv::norm(cv::imread(folder.path("collage.png")), picture, cv::NORM_INF), 0);
+    EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(folder.path("collage.png.tmp"))));
+    planted.expect_untouched();
+  }
+}
 
 TEST(Png, AStopLeavesNoFile) {
   const test::ScratchFolder folder;

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <array>
+
 #include "core/base/error.h"
 #include "io/regular_file.h"
 #include "scratch_folder.h"
@@ -27,6 +29,22 @@ TEST(RegularFile, IsReadAlsoThroughALink) {
   EXPECT_TRUE(read_regular_file(folder.write("empty", ""), 0).empty());
 }
 
+/// /dev/stdin and its like lead to whatever is open there.
+TEST(RegularFile, IsReadThroughALinkOfTheKernel) {
+  const test::ScratchFolder folder;
+  const FileDescriptor file = open_regular_file(folder.write("file", "abc"));
+  EXPECT_EQ(read_regular_file("/proc/self/fd/" + std::to_string(file.number()), 3).size(), 3u);
+}
+
+TEST(RegularFile, IsReadFromAPlaceUpToItsEnd) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.write("file", "abcdef");
+  std::array<std::uint8_t, 4> bytes{};
+  EXPECT_EQ(read_at(path, open_regular_file(path), 3, bytes), 3u);
+  EXPECT_EQ(bytes, (std::array<std::uint8_t, 4>{'d', 'e', 'f', 0}));
+  EXPECT_EQ(read_at(path, open_regular_file(path), 9, bytes), 0u);
+}
+
 TEST(RegularFile, MayNotBeLargerThanAllowed) {
   const test::ScratchFolder folder;
   const std::string file = folder.write("file", std::string((3u << 20) + 1, 'x'));
@@ -44,6 +62,11 @@ TEST(RegularFile, OtherThingsAreRefusedAndNamed) {
   EXPECT_EQ(mistake(link), link + ": not a readable file: found a pipe" + allowed);
   EXPECT_EQ(mistake(folder.path("")), folder.path("") + ": not a readable file: found a folder" + allowed);
   EXPECT_EQ(mistake("/dev/zero"), "/dev/zero: not a readable file: found a device" + allowed);
+  EXPECT_EQ(mistake("/proc/kmsg"), "/proc/kmsg: not a readable file: found a file of the kernel (proc)" + allowed);
+  EXPECT_EQ(mistake("/proc/self/status"),
+            "/proc/self/status: not a readable file: found a file of the kernel (proc)" + allowed);
+  EXPECT_EQ(
+      mistake("/sys/kernel/mm/transparent_hugepage/enabled").find("/sys/kernel/mm/transparent_hugepage/enabled: "), 0u);
   EXPECT_NE(mistake(folder.path("none")).find("No such file"), std::string::npos);
 }
 

@@ -12,6 +12,7 @@
 #include "io/result/run_log.h"
 #include "io/result/run_record.h"
 #include "io/utc_time.h"
+#include "planted_files.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {
@@ -60,7 +61,22 @@ TEST(RunLog, that_cannot_be_opened_is_a_problem_and_no_error) {
   EXPECT_NE(blocked.problem().find("blocked/run.log"), std::string::npos) << blocked.problem();
   std::filesystem::create_directory(scratch.path("fifo"));
   ASSERT_EQ(mkfifo(scratch.path("fifo/run.log").c_str(), 0600), 0);
-  EXPECT_NE(RunLog(scratch.path("fifo")).problem().find("not a regular file"), std::string::npos);
+  EXPECT_EQ(RunLog(scratch.path("fifo")).problem(),
+            "cannot write " + scratch.path("fifo/run.log") +
+                ": found a pipe, allowed: a regular file with this one name; remove it");
+}
+
+TEST(RunLog, follows_nothing_that_others_put_there) {
+  for (const test::Plant plant : test::kPlants) {
+    if (plant == test::Plant::file) continue;
+    const test::ScratchFolder scratch;
+    const test::PlantedFiles planted;
+    planted.put(plant, scratch.path("run.log"));
+    RunLog log(scratch.path(""));
+    log.info("lost");
+    EXPECT_NE(log.problem().find("allowed: a regular file with this one name"), std::string::npos) << log.problem();
+    planted.expect_untouched();
+  }
 }
 
 TEST(RunLog, that_cannot_be_written_any_more_is_a_problem_and_no_error) {

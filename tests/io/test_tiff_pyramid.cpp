@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "file_size_limit.h"
 #include "io/artwork/alpha.h"
+#include "planted_files.h"
 #include "scratch_folder.h"
 
 namespace tessera::io {
@@ -59,6 +60,25 @@ cv::Mat noise(const cv::Size& size, int type) {
 /// Rows come as a picture is drawn: not in rows of tiles.
 void write(TiffPyramid& tiff, const cv::Mat& picture) {
   for (int y = 0; y < picture.rows; y += 100) tiff.write(picture.rowRange(y, std::min(y + 100, picture.rows)));
+}
+
+TEST(TiffPyramid, FollowsNothingThatOthersPutThere) {
+  for (const test::Plant plant : test::kPlants) {
+    const test::ScratchFolder folder;
+    const test::PlantedFiles planted;
+    for (const char* name : {"collage.tiff", "collage.tiff.tmp", "collage.tiff.tmp.level"})
+      planted.put(plant, folder.path(name));
+    const cv::Mat picture = noise({600, 300}, CV_8UC3);
+    TiffPyramid file(folder.path("collage.tiff"), {.size = picture.size()});
+    write(file, picture);
+    file.finish();
+    const TiffPtr tiff(TIFFOpen(folder.path("collage.tiff").c_str(), "r"));
+    ASSERT_TRUE(tiff);
+    EXPECT_EQ(cv::norm(pixels(tiff.get()), picture, cv::NORM_INF), 0);
+    EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(folder.path("collage.tiff.tmp"))));
+    EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(folder.path("collage.tiff.tmp.level"))));
+    planted.expect_untouched();
+  }
 }
 
 TEST(TiffPyramid, HoldsThePictureAndItsHalves) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -18,6 +19,14 @@ constexpr std::size_t kMostThreadsPerWindow = 4;
 
 /// A look takes some microseconds, and messages that are under way wait for it.
 constexpr std::chrono::milliseconds kBetweenLooks{1};
+
+/// As many as the system gives.
+void start_threads(WindowQueue& queue, std::size_t wanted, std::vector<std::jthread>& threads) {
+  try {
+    while (threads.size() < wanted) threads.emplace_back([&queue] { queue.work(); });
+  } catch (const std::system_error&) {
+  }
+}
 
 }  // namespace
 
@@ -69,8 +78,8 @@ std::vector<ReplacementOutcome> OwnReplacer::take_replaced() {
   {
     std::vector<std::jthread> threads;
     try {
-      const std::size_t wanted = std::min(kMostThreadsPerWindow * windows.size(), std::size_t(threads_));
-      for (std::size_t i = 0; i < wanted; ++i) threads.emplace_back([&queue] { queue.work(); });
+      start_threads(queue, std::min(kMostThreadsPerWindow * windows.size(), std::size_t(threads_)), threads);
+      if (threads.empty()) queue.work();
       while (!queue.wait(kBetweenLooks)) look_();
     } catch (...) {
       queue.give_up();

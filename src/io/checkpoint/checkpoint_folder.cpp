@@ -26,23 +26,20 @@ bool CheckpointFolder::has_latest() const { return exists(latest_); }
 bool CheckpointFolder::has_previous() const { return exists(previous_); }
 
 void CheckpointFolder::keep(std::span<const std::uint8_t> bytes) const {
-  write_temporary_file(latest_, bytes);
+  TemporaryFile latest(latest_);
+  latest.write(bytes);
+  latest.flush();
   if (has_latest()) keep_as_previous();
-  commit_temporary_file(latest_);
+  latest.commit();
 }
 
 /// By a second name, so that the latest one keeps its own until it is replaced. Where the file system has no hard links
 /// it is renamed: for a moment the previous one is the only one.
 void CheckpointFolder::keep_as_previous() const {
+  if (link_atomically(latest_, previous_)) return;
   std::error_code error;
-  fs::remove(temporary_path(previous_), error);
-  fs::create_hard_link(latest_, temporary_path(previous_), error);
-  const std::string& from = error ? latest_ : temporary_path(previous_);
-  fs::rename(from, previous_, error);
-  if (!error) return;
-  std::error_code ignored;
-  fs::remove(temporary_path(latest_), ignored);
-  throw EnvironmentError("cannot write " + previous_ + ": " + error.message());
+  fs::rename(latest_, previous_, error);
+  if (error) throw EnvironmentError("cannot write " + previous_ + ": " + error.message());
 }
 
 void CheckpointFolder::remove() const {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <vector>
 
@@ -36,13 +35,12 @@ void add_blocks(Digest& digest, std::span<const std::uint8_t> bytes) {
   }
 }
 
-std::uint64_t digest_of_rest(std::ifstream& file) {
+/// Of what lies behind the seal.
+std::uint64_t digest_of_rest(const std::string& path, const FileDescriptor& file) {
   Digest digest;
   std::vector<std::uint8_t> block(kBlockBytes);
-  do {
-    file.read(reinterpret_cast<char*>(block.data()), std::streamsize(block.size()));
-    add_blocks(digest, std::span(block).first(std::size_t(file.gcount())));
-  } while (file);
+  for (std::size_t at = kSealBytes; const std::size_t got = read_at(path, file, at, block); at += got)
+    add_blocks(digest, std::span(block).first(got));
   return digest.value();
 }
 
@@ -75,13 +73,11 @@ void seal_checkpoint(std::span<std::uint8_t> file) {
 void check_seal(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": no such file");
-  open_regular_file(path);  // throws: a pipe or device would never end
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": cannot be read (no permission?)");
-  const std::uint64_t size = std::filesystem::file_size(path, error);
+  const FileDescriptor file = open_regular_file(path);
+  const std::uint64_t size = size_of(path, file);
   Seal seal{};
-  file.read(seal.data(), seal.size());
-  const std::string_view text(seal.data(), std::size_t(file.gcount()));
+  const std::size_t got = read_at(path, file, 0, {reinterpret_cast<std::uint8_t*>(seal.data()), seal.size()});
+  const std::string_view text(seal.data(), got);
   if (text.substr(0, kMagic.size()) != kMagic.substr(0, text.size())) throw InputError(path + ": not a checkpoint");
   if (text.size() < kSealBytes) throw InputError(path + ": cut off after " + std::to_string(text.size()) + " bytes");
   check_version(path, number_after(text, "version"));
@@ -89,7 +85,7 @@ void check_seal(const std::string& path) {
   if (size < bytes) {
     throw InputError(path + ": cut off: " + std::to_string(size) + " of " + std::to_string(bytes) + " bytes");
   }
-  if (size != bytes || size > kMaxCheckpointBytes || seal != make_seal(size, digest_of_rest(file))) {
+  if (size != bytes || size > kMaxCheckpointBytes || seal != make_seal(size, digest_of_rest(path, file))) {
     throw InputError(path + ": damaged: its bytes are not those that were written");
   }
 }

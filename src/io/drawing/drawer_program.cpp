@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "io/own_program.h"
 
 namespace tessera::io {
 namespace {
@@ -19,6 +20,14 @@ bool can_be_run(const fs::path& file) {
   return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
 }
 
+fs::path folder_of_program() {
+  try {
+    return fs::path(own_program()).parent_path();
+  } catch (const EnvironmentError& error) {
+    throw EnvironmentError(std::string(error.what()) + "; TESSERA_DRAWER=FILE says where tessera-drawer lies");
+  }
+}
+
 }  // namespace
 
 std::string drawer_program() {
@@ -26,8 +35,7 @@ std::string drawer_program() {
     if (can_be_run(given)) return given;
     throw EnvironmentError(std::string("TESSERA_DRAWER: found ") + given + ", which is no program that can be run");
   }
-  std::error_code error;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path folder = folder_of_program();
   const fs::path beside = folder / kName;
   const fs::path installed = folder.parent_path() / "libexec" / "tessera" / kName;
   for (const fs::path& file : {beside, installed}) {

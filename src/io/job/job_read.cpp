@@ -5,7 +5,6 @@
 #include <cstring>
 #include <deque>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <set>
 #include <sstream>
@@ -20,6 +19,7 @@
 #include "io/job/palette.h"
 #include "io/job/quality_word.h"
 #include "io/job/wishes_file.h"
+#include "io/regular_file.h"
 
 namespace tessera::io {
 namespace {
@@ -36,15 +36,13 @@ constexpr std::size_t kMaxNestedValues = 256;  // inline tables and arrays in ea
 
 std::string read_bytes(const std::string& path) {
   std::error_code error;
-  if (!fs::is_regular_file(path, error)) {
-    throw InputError("job file " + path + ": " + (fs::exists(path, error) ? "not a regular file" : "not found"));
+  if (fs::status(path, error).type() == fs::file_type::not_found) throw InputError("job file " + path + ": not found");
+  try {
+    const std::vector<std::uint8_t> bytes = read_regular_file(path, kMaxJobBytes);
+    return {bytes.begin(), bytes.end()};
+  } catch (const InputError& problem) {
+    throw InputError(std::string("job file ") + problem.what());
   }
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(kMaxJobBytes + 1, '\0');
-  file.read(bytes.data(), std::streamsize(bytes.size()));
-  if (file.gcount() == 0 && !file.eof()) throw InputError("job file " + path + ": cannot be read (no permission?)");
-  bytes.resize(std::size_t(file.gcount()));
-  return bytes;
 }
 
 /// No key of the text has more levels. Each costs a dot, and a dotted key ends with its line: another one below it lies

@@ -1,7 +1,13 @@
 #include "io/library/hdf5_handles.h"
 
+#include <fcntl.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <string_view>
+#include <system_error>
+
+#include "core/base/error.h"
 
 namespace tessera::io {
 namespace {
@@ -29,6 +35,14 @@ std::string last_hdf5_message() {
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_description, &text);  // outermost first: the innermost stays
   std::replace(text.begin(), text.end(), '\n', ' ');
   return system_message_in(text);
+}
+
+FileDescriptor descriptor_of(hid_t file) {
+  void* number = nullptr;
+  hdf5_checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &number), "file");
+  FileDescriptor own(::fcntl(*static_cast<const int*>(number), F_DUPFD_CLOEXEC, 0));
+  if (!own.is_open()) throw EnvironmentError("no file descriptor is left: " + std::generic_category().message(errno));
+  return own;
 }
 
 void check_hard_links(hid_t file, const std::string& path, const std::string& what) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "io/file_descriptor.h"
+
 namespace tessera::io {
 
 /// A failed HDF5 call or content that breaks the library format. Whoever knows the file's name turns it into an
@@ -69,6 +71,9 @@ class Hdf5Handle {
  private:
   hid_t id_ = H5I_INVALID_HID;
 };
+
+/// Another descriptor of the open file. Throws EnvironmentError where no descriptor is left.
+FileDescriptor descriptor_of(hid_t file);
 
 /// Every link on the way to an object must be a hard one: soft and external links could lead to other files. Throws
 /// Hdf5Error, which begins with `what`.

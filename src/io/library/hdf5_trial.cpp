@@ -7,11 +7,13 @@
 #include <cerrno>
 #include <csignal>
 #include <exception>
+#include <system_error>
 #ifdef __SANITIZE_ADDRESS__
 #include <filesystem>
 #include <iterator>
 #endif
 
+#include "core/base/error.h"
 #include "io/library/hdf5_handles.h"
 
 namespace tessera::io {
@@ -52,7 +54,9 @@ void try_in_child(const std::function<void()>& read) {
   if (has_other_threads()) return;
 #endif
   const pid_t child = ::fork();
-  if (child < 0) throw Hdf5Error("cannot be checked: no further process can be started");
+  if (child < 0)
+    throw EnvironmentError("no further process can be started to check a file: " +
+                           std::generic_category().message(errno));
   if (child == 0) run_in_child(read);
   int status = 0;
   pid_t ended = -1;

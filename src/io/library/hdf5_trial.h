@@ -8,7 +8,7 @@ namespace tessera::io {
 
 /// Runs `read` in a child of 20 s of CPU time at most, which shares nothing with this process. What `read` throws does
 /// not matter here: it is thrown again when the caller reads. Throws Hdf5Error where the child crashes or takes too
-/// long.
+/// long, EnvironmentError where the system gives no child.
 void try_in_child(const std::function<void()>& read);
 
 }  // namespace tessera::io

@@ -1,25 +1,20 @@
 #include "io/library/library_create.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <system_error>
 
-#include "core/base/error.h"
 #include "core/shape/shape.h"
-#include "io/atomic_file.h"
 #include "io/library/hdf5_attributes.h"
 #include "io/library/library_layout.h"
 
 namespace tessera::io {
 namespace {
 
-/// What would otherwise show after minutes of work only, or in HDF5's words.
-void check_can_create(const std::string& temporary, const std::string& path) {
-  if (std::filesystem::is_directory(path)) throw EnvironmentError("cannot write " + path + ": it is a folder");
-  std::FILE* file = std::fopen(temporary.c_str(), "wb");
-  if (!file) throw EnvironmentError("cannot write " + path + ": " + std::generic_category().message(errno));
-  std::fclose(file);
+/// Nothing where something stands under the name.
+Hdf5Handle create_exclusively(const std::string& name, hid_t creation, hid_t access) {
+  const hid_t file = H5Fcreate(name.c_str(), H5F_ACC_EXCL, creation, access);
+  std::error_code error;
+  const bool is_taken = std::filesystem::symlink_status(name, error).type() != std::filesystem::file_type::not_found;
+  return file < 0 && is_taken ? Hdf5Handle() : Hdf5Handle(file, "cannot create the file");
 }
 
 Hdf5Handle create_group(hid_t file, const std::string& name) {
@@ -37,16 +32,20 @@ void create_level_group(hid_t file, std::size_t k) {
 
 }  // namespace
 
-Hdf5Handle create_library_file(const std::string& path) {
-  check_can_create(temporary_path(path), path);
+NewLibraryFile create_library_file(const std::string& path) {
+  check_can_be_written(path);  // what would show in HDF5's words
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), "file");
   // The newest format has checksums over all of its metadata, which the reader relies on.
   hdf5_checked(H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110), "file");
   hdf5_checked(H5Pset_file_locking(access.get(), false, true), "file");  // often missing on cluster file systems
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), "file");
   hdf5_checked(H5Pset_obj_track_times(creation.get(), false), "file");
-  return {H5Fcreate(temporary_path(path).c_str(), H5F_ACC_TRUNC, creation.get(), access.get()),
-          "cannot create the file"};
+  NewLibraryFile created;
+  created.disk = std::make_unique<TemporaryFile>(path, [&](const std::string& name) {
+    created.hdf5 = create_exclusively(name, creation.get(), access.get());
+    return created.hdf5.get() < 0 ? FileDescriptor(-1) : descriptor_of(created.hdf5.get());
+  });
+  return created;
 }
 
 void write_library_header(hid_t file, const PadParameters& pad) {

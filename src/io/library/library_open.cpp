@@ -1,8 +1,7 @@
 #include "io/library/library_open.h"
 
-#include <unistd.h>
-
 #include <array>
+#include <cstring>
 #include <filesystem>
 #include <string_view>
 
@@ -15,18 +14,37 @@
 namespace tessera::io {
 namespace {
 
-/// HDF5 1.10 parses older formats without checksums, and not safely where they are damaged. Ours has superblock 3.
+/// The first bytes of an HDF5 file of our format.
+constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
+constexpr std::size_t kVersionAt = 8;      // of the superblock; one byte
+constexpr std::size_t kOffsetBytesAt = 9;  // how many bytes an address has; one byte
+constexpr std::size_t kEndAt = 28;         // the address at which the file ends, where addresses have eight bytes
+constexpr std::uint8_t kOurVersion = 3;
+
+using Superblock = std::array<std::uint8_t, 48>;
+
+/// HDF5 tells it with two numbers and in words of its own.
+void check_is_whole(const std::string& path, const FileDescriptor& file, const Superblock& head, std::size_t got) {
+  const std::uint64_t bytes = size_of(path, file);
+  std::uint64_t all = head.size();
+  if (got == head.size() && head[kOffsetBytesAt] == sizeof all) std::memcpy(&all, &head[kEndAt], sizeof all);
+  if (bytes >= all) return;
+  throw InputError(path + ": cut off: " + std::to_string(bytes) + " of " + std::to_string(all) +
+                   " bytes are there; copy it again, or build it again with tessera library build");
+}
+
+/// HDF5 1.10 parses older formats without checksums, and not safely where they are damaged.
 void check_superblock(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw InputError(path + ": no such file, or not readable");
-  const FileDescriptor file = open_regular_file(path);  // a pipe or device would never end
-  std::array<char, 9> head{};
-  const ssize_t got = ::pread(file.number(), head.data(), head.size(), 0);
-  constexpr std::string_view kSignature = "\x89HDF\r\n\x1a\n";
-  if (got != ssize_t(head.size()) || std::string_view(head.data(), 8) != kSignature) {
+  const FileDescriptor file = open_regular_file(path);
+  Superblock head{};
+  const std::size_t got = read_at(path, file, 0, head);
+  if (std::string_view(reinterpret_cast<const char*>(head.data()), kSignature.size()) != kSignature)
     throw InputError(path + ": not a library: not an HDF5 file");
-  }
-  if (head[8] != 3) throw InputError(path + ": not a library: an HDF5 file of an older format");
+  if (got > kVersionAt && head[kVersionAt] != kOurVersion)
+    throw InputError(path + ": not a library: an HDF5 file of an older format");
+  check_is_whole(path, file, head, got);
 }
 
 }  // namespace

@@ -1,11 +1,7 @@
-#include <fcntl.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <numeric>
 #include <optional>
-#include <system_error>
 
 #include "core/base/error.h"
 #include "io/library/hdf5_trial.h"
@@ -36,14 +32,6 @@ auto naming_the_file(const std::string& path, Read read) {
   }
 }
 
-std::shared_ptr<const FileDescriptor> descriptor_of(hid_t file) {
-  void* number = nullptr;
-  hdf5_checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &number), "file");
-  const int own = ::fcntl(*static_cast<const int*>(number), F_DUPFD_CLOEXEC, 0);
-  if (own < 0) throw EnvironmentError("no file descriptor is left: " + std::generic_category().message(errno));
-  return std::make_shared<const FileDescriptor>(own);
-}
-
 }  // namespace
 
 struct LibraryFile::State {
@@ -64,7 +52,7 @@ struct LibraryFile::State {
     check_rows();
     check_declared_bytes();
     segments = segment_places(file.get(), pad, std::uint32_t(head.shapes()));
-    if (!segments.begins.empty()) bytes = descriptor_of(file.get());
+    if (!segments.begins.empty()) bytes = std::make_shared<const FileDescriptor>(descriptor_of(file.get()));
   }
 
   std::vector<const ColumnReader*> columns() const;

@@ -249,17 +249,10 @@ struct LibraryWriter::State {
     SegmentWriter segments;
   };
 
-  void remove_temporary() {
-    content.reset();
-    file.close();
-    std::remove(temporary_path(path).c_str());
-  }
-
   std::string path;
   PadParameters pad;
-  Hdf5Handle file;
+  NewLibraryFile file;
   std::optional<Content> content;
-  bool finished = false;
 };
 
 namespace {
@@ -274,18 +267,19 @@ LibraryWriter::LibraryWriter(const std::string& path, const PadParameters& pad) 
   const Hdf5Silence silence;
   try {
     state_ = std::make_unique<State>(path, pad);
-    write_library_header(state_->file.get(), pad);
-    state_->content.emplace(state_->file.get(), layout::library_columns(pad.levels), pad,
+    const hid_t file = state_->file.hdf5.get();
+    write_library_header(file, pad);
+    state_->content.emplace(file, layout::library_columns(pad.levels), pad,
                             std::filesystem::absolute(path).lexically_normal().parent_path());
   } catch (const Hdf5Error& error) {
-    if (state_) state_->remove_temporary();
+    state_.reset();
     throw write_error(path, error);
   }
 }
 
 LibraryWriter::~LibraryWriter() {
   const Hdf5Silence silence;
-  if (!state_->finished) state_->remove_temporary();
+  state_.reset();
 }
 
 void LibraryWriter::append(const Shape& shape, std::optional<std::uint32_t> variant_of, const StyleFeatures& style) {
@@ -322,14 +316,13 @@ void LibraryWriter::finish() {
   try {
     state.content->segments.finish();
     // Flushed while the columns are open: closing a column cannot report that the disk is full.
-    hdf5_checked(H5Fflush(state.file.get(), H5F_SCOPE_GLOBAL), "flush");
+    hdf5_checked(H5Fflush(state.file.hdf5.get(), H5F_SCOPE_GLOBAL), "flush");
     state.content.reset();
-    if (!state.file.close()) throw Hdf5Error("close: " + last_hdf5_message());
+    if (!state.file.hdf5.close()) throw Hdf5Error("close: " + last_hdf5_message());
   } catch (const Hdf5Error& error) {
     throw write_error(state.path, error);
   }
-  commit_temporary_file(state.path);
-  state.finished = true;
+  state.file.disk->commit();
 }
 
 }  // namespace tessera::io

@@ -1,12 +1,8 @@
 #include "io/library/segment_reader.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <system_error>
 
 #include "core/base/error.h"
 #include "io/library/library_check.h"
@@ -107,17 +103,8 @@ const LevelSection& SegmentReader::section_of(const SegmentLayout& layout, int l
 }
 
 void SegmentReader::read_into(void* data, std::uint32_t segment, std::size_t at, std::size_t bytes) const {
-  auto* to = static_cast<std::uint8_t*>(data);
-  std::uint64_t from = begins_[segment] + at;
-  while (bytes > 0) {
-    const ssize_t got = ::pread(file_->number(), to, bytes, off_t(from));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw InputError(path_ + ": cannot be read: " + std::generic_category().message(errno));
-    if (got == 0) fail("the file ends too early");
-    to += got;
-    from += std::uint64_t(got);
-    bytes -= std::size_t(got);
-  }
+  const std::span to(static_cast<std::uint8_t*>(data), bytes);
+  if (read_at(path_, *file_, begins_[segment] + at, to) < bytes) fail("the file ends too early");
 }
 
 std::vector<std::uint8_t> SegmentReader::read(std::uint32_t segment, std::size_t at, std::size_t bytes) const {

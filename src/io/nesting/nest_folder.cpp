@@ -1,7 +1,6 @@
 #include "io/nesting/nest_folder.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -10,7 +9,9 @@
 #include "io/atomic_file.h"
 #include "io/nesting/nest_job.h"
 #include "io/nesting/nest_sheets.h"
+#include "io/regular_file.h"
 #include "io/utf8_text.h"
+#include "io/write_all.h"
 
 namespace tessera::io {
 namespace {
@@ -56,11 +57,12 @@ void remove_files(const fs::path& folder, Which which) {
   }
 }
 
-bool begins_with(const fs::path& file, const std::string& words) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return false;
-  std::string first(words.size(), ' ');
-  return std::ifstream(file).read(first.data(), std::streamsize(first.size())) && first == words;
+bool begins_with(const fs::path& file, const std::string& words) try {
+  std::vector<std::uint8_t> first(words.size());
+  read_at(file.string(), open_regular_file(file.string()), 0, first);
+  return std::equal(first.begin(), first.end(), words.begin(), words.end());
+} catch (const InputError&) {  // not there, or no file
+  return false;
 }
 
 /// The first file in the folder that shows that the folder is not of tessera nest; nothing where it may be written into.
@@ -115,7 +117,9 @@ class TemporaryFiles {
   void add(const std::string& name, std::string_view text) {
     between_(names_.size(), all_);
     names_.push_back(name);
-    write_temporary_file((folder_ / name).string(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    TemporaryFile file((folder_ / name).string());
+    file.write(bytes_of(text));
+    file.leave();
   }
   const std::vector<std::string>& names() const { return names_; }
 
@@ -175,12 +179,7 @@ void NestFolder::make_folder() {
 void NestFolder::replace_earlier(const std::vector<std::string>& names) {
   remove_file(folder_ / kNestLayoutName);
   remove_files(folder_, is_of_sheet);
-  for (const std::string& name : names) {
-    const std::string path = (folder_ / name).string();
-    std::error_code error;
-    fs::rename(temporary_path(path), path, error);
-    if (error) throw EnvironmentError("cannot write " + printable_utf8(path) + ": " + error.message());
-  }
+  for (const std::string& name : names) take_left_file((folder_ / name).string());
 }
 
 void NestFolder::write(const NestRun& run, const BetweenFiles& between) {

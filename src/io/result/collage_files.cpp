@@ -1,6 +1,7 @@
 #include "io/result/collage_files.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <system_error>
 
@@ -89,10 +90,16 @@ void create_output_directory(const std::string& dir) {
 
 void prepare_output_directory(const std::string& dir) {
   create_output_directory(dir);
-  const std::string probe = in_directory(dir, ".tessera-write-test");
-  write_file_atomically(probe, "write test\n");
-  std::error_code error;
-  fs::remove(probe, error);
+  TemporaryFile probe(in_directory(dir, ".tessera-write-test"));
+  probe.write(std::array<std::uint8_t, 1>{});  // a disk without room takes files, but no bytes
+  probe.flush();
+}
+
+void check_can_be_published(const std::string& dir) {
+  std::vector<const char*> names = {kManifestName,   "pieces.geojson",        "job.toml", "card.json", "card.txt",
+                                    "checkpoint.h5", "checkpoint.previous.h5"};
+  names.insert(names.end(), std::begin(kPictureNames), std::end(kPictureNames));
+  for (const char* name : names) check_can_be_written(in_directory(dir, name));
 }
 
 void check_nothing_foreign_is_replaced(const std::string& dir, const std::string& job_file) {

@@ -61,6 +61,9 @@ void create_output_directory(const std::string& dir);
 /// Creates `dir` and proves that it can be written; throws EnvironmentError. Called before the work.
 void prepare_output_directory(const std::string& dir);
 
+/// Throws EnvironmentError where a file of a result cannot be written in `dir`, as where a folder has its name.
+void check_can_be_published(const std::string& dir);
+
 /// Throws InputError where `dir` holds files with the names of a result's that no run of this program left there, or
 /// the job file that is about to be run: a result would replace them.
 void check_nothing_foreign_is_replaced(const std::string& dir, const std::string& job_file);

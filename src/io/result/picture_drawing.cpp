@@ -5,6 +5,7 @@
 #include <future>
 #include <utility>
 
+#include "core/base/launch_policy.h"
 #include "io/artwork/alpha.h"
 #include "io/artwork/colour_conversion.h"
 #include "io/job/picture_size.h"
@@ -248,7 +249,7 @@ void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const Pi
   for (int top = 0; top < bands.rows(); top += bands.rows_in_band()) {
     cv::Mat band = bands.band(top);
     if (taken.valid()) taken.get();
-    taken = std::async(std::launch::async, [&take, band = std::move(band)] { take(band); });
+    taken = std::async(kWhereThreadsAre, [&take, band = std::move(band)] { take(band); });
   }
   if (taken.valid()) taken.get();
 }

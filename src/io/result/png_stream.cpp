@@ -7,10 +7,8 @@
 #include <cmath>
 #include <csetjmp>
 #include <system_error>
-#include <utility>
 
 #include "core/base/error.h"
-#include "io/atomic_file.h"
 #include "io/job/picture_size.h"
 
 namespace tessera::io {
@@ -75,19 +73,24 @@ struct PngStream::Encoder {
   png_infop info = nullptr;
 };
 
-PngStream::PngStream(const std::string& path, const PictureFormat& format)
-    : path_(path),
-      file_(std::fopen(temporary_path(path).c_str(), "wbe")),
-      encoder_(std::make_unique<Encoder>()) {
-  errno = file_ ? 0 : errno;
-  if (!file_ || !encoder_->begin(file_, format)) fail(errno);
+/// Null with errno where that cannot be.
+PngStream::Stream PngStream::open_stream(const TemporaryFile& file) {
+  FileDescriptor own = file.duplicate();
+  Stream stream(::fdopen(own.number(), "wb"));
+  if (stream) own.release();
+  return stream;
 }
 
-PngStream::~PngStream() {
-  if (!file_) return;
-  std::fclose(file_);
-  std::remove(temporary_path(path_).c_str());
+PngStream::PngStream(const std::string& path, const PictureFormat& format)
+    : path_(path),
+      file_(path),
+      stream_(open_stream(file_)),
+      encoder_(std::make_unique<Encoder>()) {
+  errno = stream_ ? 0 : errno;
+  if (!stream_ || !encoder_->begin(stream_.get(), format)) fail(errno);
 }
+
+PngStream::~PngStream() = default;
 
 void PngStream::write(const cv::Mat& rows) {
   errno = 0;
@@ -96,20 +99,11 @@ void PngStream::write(const cv::Mat& rows) {
 
 void PngStream::finish() {
   errno = 0;
-  if (!encoder_->end()) fail(errno);
-  if (std::fclose(std::exchange(file_, nullptr)) != 0) {
-    const int reason = errno;
-    std::remove(temporary_path(path_).c_str());
-    fail(reason);
-  }
-  commit_temporary_file(path_);
+  if (!encoder_->end() || std::fclose(stream_.release()) != 0) fail(errno);
+  file_.commit();
 }
 
-void PngStream::fail(int reason) {
-  if (file_) {
-    std::fclose(std::exchange(file_, nullptr));
-    std::remove(temporary_path(path_).c_str());
-  }
+void PngStream::fail(int reason) const {
   throw EnvironmentError("cannot write " + path_ + ": " + std::generic_category().message(reason ? reason : EIO));
 }
 

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "io/atomic_file.h"
 #include "io/result/picture_file.h"
 
 namespace tessera::io {
@@ -14,19 +15,23 @@ class PngStream : public PictureFile {
  public:
   PngStream(const std::string& path, const PictureFormat& format);
   ~PngStream() override;
-  PngStream(const PngStream&) = delete;
-  PngStream& operator=(const PngStream&) = delete;
 
   void write(const cv::Mat& rows) override;
   void finish() override;
 
  private:
   struct Encoder;  // libpng's
+  struct CloseStream {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+  };
+  using Stream = std::unique_ptr<std::FILE, CloseStream>;
 
-  [[noreturn]] void fail(int reason);
+  static Stream open_stream(const TemporaryFile& file);
+  [[noreturn]] void fail(int reason) const;
 
   std::string path_;
-  std::FILE* file_ = nullptr;
+  TemporaryFile file_;
+  Stream stream_;  // null: closed
   std::unique_ptr<Encoder> encoder_;
 };
 

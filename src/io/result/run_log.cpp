@@ -1,15 +1,19 @@
 #include "io/result/run_log.h"
 
-#include <spdlog/sinks/basic_file_sink.h>
-#include <spdlog/spdlog.h>
+#include <fcntl.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "io/own_file.h"
+#include "io/utc_time.h"
+#include "io/write_all.h"
 
 namespace tessera::io {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string one_line(std::string text) {
   const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
@@ -17,47 +21,25 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// Opening anything else to append to it could wait for ever (a FIFO).
-bool may_be_log(const std::string& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  return !fs::exists(status) || fs::is_regular_file(status);
-}
-
 }  // namespace
 
-RunLog::RunLog(const std::string& folder) : problem_(std::make_shared<std::string>()) {
-  const std::string path = (fs::path(folder) / "run.log").string();
-  const auto remember = [problem = problem_, path](const std::string& reason) {
-    if (problem->empty()) *problem = path + ": " + reason;
-  };
-  if (!may_be_log(path)) {
-    remember("not a regular file");
-    return;
-  }
+RunLog::RunLog(const std::string& folder) : path_((std::filesystem::path(folder) / "run.log").string()), file_(-1) {
   try {
-    log_ = std::make_shared<spdlog::logger>("run", std::make_shared<spdlog::sinks::basic_file_sink_st>(path));
-  } catch (const spdlog::spdlog_ex& error) {
-    remember(error.what());
-    return;
+    file_ = open_own_file(path_, O_WRONLY | O_APPEND);
+  } catch (const EnvironmentError& error) {
+    problem_ = error.what();
   }
-  log_->set_pattern("%Y-%m-%dT%H:%M:%SZ %l: %v", spdlog::pattern_time_type::utc);
-  log_->flush_on(spdlog::level::info);
-  log_->set_error_handler(remember);
 }
 
-void RunLog::info(const std::string& text) {
-  if (log_) log_->info("{}", one_line(text));
-}
+void RunLog::info(const std::string& text) { add("info", text); }
+void RunLog::warning(const std::string& text) { add("warning", text); }
+void RunLog::error(const std::string& text) { add("error", text); }
 
-void RunLog::warning(const std::string& text) {
-  if (log_) log_->warn("{}", one_line(text));
+void RunLog::add(const char* kind, const std::string& text) {
+  if (!file_.is_open()) return;
+  const std::string line = utc_now() + " " + kind + ": " + one_line(text) + "\n";
+  if (!write_all(file_.number(), bytes_of(line)) && problem_.empty())
+    problem_ = "cannot write " + path_ + ": " + std::generic_category().message(errno);
 }
-
-void RunLog::error(const std::string& text) {
-  if (log_) log_->error("{}", one_line(text));
-}
-
-const std::string& RunLog::problem() const { return *problem_; }
 
 }  // namespace tessera::io

@@ -1,12 +1,9 @@
 // run.log of a result: what happened when, over all the runs that worked on it. For people; never read by the program.
 #pragma once
 
-#include <memory>
 #include <string>
 
-namespace spdlog {
-class logger;
-}
+#include "io/file_descriptor.h"
 
 namespace tessera::io {
 
@@ -14,8 +11,8 @@ namespace tessera::io {
 /// returns. What has control characters is written with "?" for them, so that no event can look like two.
 class RunLog {
  public:
-  /// Appends to the file in `folder`, which is there. A log that cannot be written is no reason to lose a run:
-  /// nothing throws, see problem().
+  /// Appends to the file in `folder`, which is there (own_file.h says what else may not be there in its place). A log
+  /// that cannot be written is no reason to lose a run: nothing throws, see problem().
   explicit RunLog(const std::string& folder);
 
   void info(const std::string& text);
@@ -23,11 +20,14 @@ class RunLog {
   void error(const std::string& text);
 
   /// The first problem that was met, with the file's name; empty where there was none.
-  const std::string& problem() const;
+  const std::string& problem() const { return problem_; }
 
  private:
-  std::shared_ptr<std::string> problem_;
-  std::shared_ptr<spdlog::logger> log_;  // null: could not be opened
+  void add(const char* kind, const std::string& text);
+
+  std::string path_;
+  FileDescriptor file_;
+  std::string problem_;
 };
 
 }  // namespace tessera::io

@@ -20,7 +20,7 @@ class DrawingObserver {
 };
 
 /// While it lives it asks the observer 50 times a second. Once that wants to stop, it stops the drawers, so that nobody
-/// waits for a drawing that takes long, and check() throws.
+/// waits for a drawing that takes long, and check() throws. Where the system gives no further thread, only check() asks.
 class StopWatcher {
  public:
   StopWatcher(DrawingObserver& observer, Drawers& drawers);

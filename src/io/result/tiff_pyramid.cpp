@@ -6,14 +6,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <opencv2/imgproc.hpp>
 #include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
 #include "io/artwork/alpha.h"
-#include "io/atomic_file.h"
 #include "io/job/picture_size.h"
 
 namespace tessera::io {
@@ -29,15 +27,16 @@ struct CloseTiff {
 };
 using TiffPtr = std::unique_ptr<TIFF, CloseTiff>;
 
-/// Takes the descriptor over. Null where it cannot.
-TiffPtr open_tiff(int descriptor, const char* mode) {
-  if (descriptor < 0) return nullptr;
+/// By a descriptor of its own. Null with errno where that cannot be.
+TiffPtr open_tiff(const FileDescriptor& file, const char* mode) {
+  FileDescriptor own(fcntl(file.number(), F_DUPFD_CLOEXEC, 0));
+  if (!own.is_open()) return nullptr;
   TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, silent, nullptr);
   TIFFOpenOptionsSetWarningHandlerExtR(options, silent, nullptr);
-  TiffPtr tiff(TIFFFdOpenExt(descriptor, "", mode, options));
+  TiffPtr tiff(TIFFFdOpenExt(own.number(), "", mode, options));
   TIFFOpenOptionsFree(options);
-  if (!tiff) close(descriptor);
+  if (tiff) own.release();  // TIFFClose closes it
   return tiff;
 }
 
@@ -85,29 +84,15 @@ void set_tags(TIFF* tiff, const PictureFormat& format, bool is_reduced) {
 /// written one directory after the other.
 class TiffPyramid::Level {
  public:
-  Level(const std::string& path, const PictureFormat& format, bool is_first, const char* mode)
+  /// `path` names the pyramid's file in messages.
+  Level(const std::string& path, FileDescriptor file, const PictureFormat& format, bool is_reduced, const char* mode)
       : path_(path),
-        format_(format) {
-    const std::string name = is_first ? temporary_path(path) : temporary_path(path) + ".level";
-    const int descriptor = open(name.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor < 0) fail(path_, errno);
-    if (is_first) {
-      unfinished_ = name;
-    } else {
-      std::remove(name.c_str());
-      again_ = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
-    }
-    tiff_ = open_tiff(descriptor, mode);
-    if (!tiff_) {
-      const int reason = errno;
-      clean_up();
-      fail(path_, reason);
-    }
-    set_tags(tiff_.get(), format, !is_first);
+        format_(format),
+        file_(std::move(file)),
+        tiff_(open_tiff(file_, mode)) {
+    if (!tiff_) fail(path_, errno);
+    set_tags(tiff_.get(), format, is_reduced);
   }
-  ~Level() { clean_up(); }
-  Level(const Level&) = delete;
-  Level& operator=(const Level&) = delete;
 
   const PictureFormat& format() const { return format_; }
   /// Rows that the row of tiles lacks.
@@ -124,32 +109,23 @@ class TiffPyramid::Level {
     return std::exchange(waiting_, {});
   }
 
-  /// All is written; the file stays.
+  /// All is written.
   void finish() {
     errno = 0;
     if (TIFFFlush(tiff_.get()) == 0) fail(path_, errno);
     tiff_.reset();
-    unfinished_.clear();
   }
 
   /// What was written, for reading.
   TiffPtr reopened() {
-    errno = 0;
-    if (TIFFFlush(tiff_.get()) == 0) fail(path_, errno);
-    tiff_.reset();
-    if (lseek(again_, 0, SEEK_SET) != 0) fail(path_, errno);
-    TiffPtr tiff = open_tiff(std::exchange(again_, -1), "r");
+    finish();
+    if (lseek(file_.number(), 0, SEEK_SET) != 0) fail(path_, errno);
+    TiffPtr tiff = open_tiff(file_, "r");
     if (!tiff) fail(path_, errno);
     return tiff;
   }
 
  private:
-  void clean_up() {
-    tiff_.reset();
-    if (again_ >= 0) close(again_);
-    if (!unfinished_.empty()) std::remove(unfinished_.c_str());
-  }
-
   void write_tiles() {
     cv::Mat tile(kTile_px, kTile_px, waiting_.type());
     for (int x = 0; x < waiting_.cols; x += kTile_px) {
@@ -167,21 +143,20 @@ class TiffPyramid::Level {
 
   const std::string path_;
   const PictureFormat format_;
-  std::string unfinished_;  // the file's name
-  int again_ = -1;          // the file without a name
+  FileDescriptor file_;
   TiffPtr tiff_;
   cv::Mat waiting_;  // rows that do not fill a row of tiles yet
   int written_rows_ = 0;
 };
 
-TiffPyramid::TiffPyramid(const std::string& path, const PictureFormat& format) : path_(path) {
+TiffPyramid::TiffPyramid(const std::string& path, const PictureFormat& format) : path_(path), file_(path) {
   const double bytes = double(format.size.width) * format.size.height * (format.alpha ? 4 : 3) * 4 / 3;
   const char* mode = bytes > kMostClassicBytes ? "w8" : "w";
   PictureFormat level = format;
-  levels_.push_back(std::make_unique<Level>(path, level, true, mode));
+  levels_.push_back(std::make_unique<Level>(path, file_.duplicate(), level, false, mode));
   while (std::max(level.size.width, level.size.height) > kTile_px) {
     level.size = {(level.size.width + 1) / 2, (level.size.height + 1) / 2};
-    levels_.push_back(std::make_unique<Level>(path, level, false, mode));
+    levels_.push_back(std::make_unique<Level>(path, create_unnamed_file(path, ".level"), level, true, mode));
   }
 }
 
@@ -201,7 +176,7 @@ void TiffPyramid::finish() {
   for (std::size_t level = 1; level < levels_.size(); ++level) append(*levels_[level]);
   levels_[0]->finish();
   levels_.clear();
-  commit_temporary_file(path_);
+  file_.commit();
 }
 
 /// As the next directory of the file, without unpacking its tiles.

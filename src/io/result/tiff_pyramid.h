@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/atomic_file.h"
 #include "io/result/picture_file.h"
 
 namespace tessera::io {
@@ -28,6 +29,7 @@ class TiffPyramid : public PictureFile {
   void append(Level& level);
 
   std::string path_;
+  TemporaryFile file_;
   std::vector<std::unique_ptr<Level>> levels_;  // from the whole picture to the smallest
 };
 

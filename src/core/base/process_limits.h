@@ -1,0 +1,12 @@
+// What the system allows this process, for messages about what failed.
+#pragma once
+
+#include <string>
+
+namespace tessera {
+
+/// "; limits of this process: files of 64 KiB (ulimit -f), 300 MiB of address space (ulimit -v)": those that are set of
+/// the size of files, of address space and of data. Empty where none is.
+std::string process_limits();
+
+}  // namespace tessera

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# special_inputs_test.sh TESSERA NEW_FOLDER: pipes, devices, sockets, folders and files of the kernel as the input of
+# every command and as the file of every key: refused at once, by name, with exit code 2.
+set -uo pipefail
+tessera=$1
+folder=$2
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+most_s=20
+
+# refused NAME COMMAND...: with a message that has the name.
+refused() {
+  run 2 "${@:2}"
+  rm -rf none ./none.*
+  [[ $(wc -l <errors) == 1 ]] || fail "not refused in one line: ${*:2}"
+  expect_word "$1"
+}
+
+# Each of them would wait for ever, or read for ever.
+as_input_of_every_command() { # FILE
+  refused "$1" plan "$1"
+  refused "$1" collage "$1" --out none
+  refused "$1" campaign "$1" --seeds 1 --out none
+  refused "$1" card "$1" --size 100,100
+  refused "$1" card result/pieces.geojson --canvas "$1"
+  refused "$1" rank "$1" --out none
+  refused "$1" draw "$1"
+  refused "$1" draw result --library "$1" --to none
+  refused "$1" draw result --palette "$1" --to none
+  refused "$1" refine "$1" --relax --out none
+  refused "$1" refine result --erase "$1" --out none
+  refused "$1" library build "$1" -o none.h5
+  refused "$1" library extract "$1" --element-px 75 -o none.h5
+  refused "$1" library extract sun.png --labels "$1" -o none.h5
+  refused "$1" library info "$1"
+  refused "$1" library styles "$1"
+  refused "$1" library merge own.h5 "$1" -o none.h5
+  refused "$1" library subset "$1" --include 'b*' -o none.h5
+  refused "$1" mosaic "$1" own.h5 --job-only --job none.toml
+  refused "$1" mosaic sun.png "$1" --job-only --job none.toml
+  refused "$1" puzzle make "$1" --out none
+  refused "$1" puzzle solve "$1" --size 100,100 --job none.toml
+  refused "$1" puzzle solve own.h5 --frame "$1" --job none.toml
+  refused "$1" nest "$1" --strip 50 --out none
+  refused "$1" bench pairs --library "$1" --out none.json
+}
+
+as_file_of_every_key() { # FILE
+  local key
+  for key in library.file library.wishes canvas.file canvas.keep_out pieces.size_map colour.palette colour.image \
+    start.pieces output.ground; do
+    refused "$key" collage job.toml --out none --set "$key='$1'" --set "colour.pieces=artwork"
+    expect_word "$1"
+  done
+  refused library.files plan files.toml --set "library.files=['own.h5', '$1']"
+  expect_word "$1"
+}
+
+enter_folder
+rsvg-convert drawings/leaf.svg -o sun.png
+mkdir folder
+mkfifo pipe
+python3 -c 'import socket; socket.socket(socket.AF_UNIX).bind("socket")'
+ln -s pipe link
+write_job '64, 48' '14, 40' 64
+sed -i '1i quality = "draft"' job.toml
+sed 's/^file = .*/files = ["own.h5"]/' job.toml >files.toml
+run 0 collage job.toml --out result --quiet
+
+for file in pipe link socket folder /dev/zero /proc/kmsg /proc/self/status; do
+  as_input_of_every_command "$file"
+  as_file_of_every_key "$file"
+  echo "ok $file"
+done
+
+# What is in a result's folder, or in the way of its files: nobody waits, and it stays as it is.
+for name in manifest.json pieces.geojson job.toml card.json checkpoint.h5; do
+  cp -r result special
+  rm -f "special/$name"
+  mkfifo "special/$name"
+  for command in "draw special" "refine special --relax --out none" "rank special" \
+    "collage job.toml --out special --resume" "card special"; do
+    # shellcheck disable=SC2086
+    run "0 1 2" $command
+    [[ $code == 0 ]] || expect_word special
+  done
+  [[ -p special/$name ]] || fail "special/$name is none any more"
+  rm -r special
+done
+echo "ok results"
