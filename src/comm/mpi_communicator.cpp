@@ -5,18 +5,17 @@
 #include <boost/mpi/environment.hpp>
 #include <boost/mpi/exception.hpp>
 #include <boost/mpi/status.hpp>
-#include <chrono>
-#include <cstdlib>
 #include <limits>
 #include <stdexcept>
-#include <thread>
+
+#include "comm/watchdog.h"
 
 namespace tessera::comm {
 namespace {
 
 namespace mpi = boost::mpi;
 
-constexpr std::chrono::seconds kAbortPatience{5};
+constexpr double kAbortPatience_s = 5;
 
 std::vector<int> ranks_of_this_node(const mpi::communicator& world) {
   MPI_Comm shared = MPI_COMM_NULL;
@@ -51,11 +50,8 @@ std::string MpiCommunicator::place_of(int rank) const {
 }
 
 void MpiCommunicator::abort(int exit_code) {
-  // Where the launcher does not answer, the rank leaves all the same.
-  std::thread([exit_code] {
-    std::this_thread::sleep_for(kAbortPatience);
-    std::_Exit(exit_code);
-  }).detach();
+  const Watchdog watchdog(kAbortPatience_s,
+                          exit_code);  // where the launcher does not answer, the rank leaves all the same
   mpi::environment::abort(exit_code);
   throw std::logic_error("MPI_Abort returned");
 }
