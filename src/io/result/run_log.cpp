@@ -3,19 +3,14 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
 #include <filesystem>
+
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string one_line(std::string text) {
-  const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  std::replace_if(text.begin(), text.end(), control, '?');
-  return text;
-}
 
 /// Opening anything else to append to it could wait for ever (a FIFO).
 bool may_be_log(const std::string& path) {
@@ -47,15 +42,15 @@ RunLog::RunLog(const std::string& folder) : problem_(std::make_shared<std::strin
 }
 
 void RunLog::info(const std::string& text) {
-  if (log_) log_->info("{}", one_line(text));
+  if (log_) log_->info("{}", printable_utf8(text));
 }
 
 void RunLog::warning(const std::string& text) {
-  if (log_) log_->warn("{}", one_line(text));
+  if (log_) log_->warn("{}", printable_utf8(text));
 }
 
 void RunLog::error(const std::string& text) {
-  if (log_) log_->error("{}", one_line(text));
+  if (log_) log_->error("{}", printable_utf8(text));
 }
 
 const std::string& RunLog::problem() const { return *problem_; }
