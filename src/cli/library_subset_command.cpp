@@ -17,9 +17,8 @@ constexpr char kExamples[] =
     "  tessera library styles clipart.h5 --sheet styles.png          what styles there are\n"
     "GLOB is a pattern as the shell has them, compared with the whole name, case told: * any characters, ? one, [ab] "
     "one\n"
-    "of these; a name that is the pattern letter by letter wins. Quote it, or the shell takes it for files. A job can "
-    "also choose by itself: library.include and\n"
-    "library.exclude in docs/job-format.md.";
+    "of these; a name that is the pattern letter by letter wins. Quote it, or the shell takes it for files. A job can\n"
+    "also choose by itself: library.include and library.exclude in docs/job-format.md.";
 
 struct CopyArguments {
   io::LibraryChoice choice;
@@ -42,9 +41,10 @@ void add_library_subset_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<CopyArguments>();
   CLI::App* subset = library.add_subcommand("subset", "Make a library of some shapes of another");
   subset->footer(kExamples);
-  subset->add_option("LIBRARY", arguments->choice.files, "The library file")
+  subset
+      ->add_option_function<std::string>(
+          "LIBRARY", [arguments](const std::string& file) { arguments->choice.files = {file}; }, "The library file")
       ->required()
-      ->expected(1)
       ->type_name("LIB.h5");
   const auto add_globs = [&](const char* option, std::vector<std::string>& globs, const char* meaning) {
     return subset->add_option(option, globs, meaning)->type_name("GLOB")->allow_extra_args(false)->take_all();
@@ -52,9 +52,8 @@ void add_library_subset_command(CLI::App& library, Command& selected) {
   add_globs("--include", arguments->choice.names.include, "Shapes with such names; may be repeated; default: all");
   add_globs("--exclude", arguments->choice.names.exclude, "But not those with such names; may be repeated");
   io::StyleChoice& style = arguments->choice.style;
-  CLI::Option* like = add_globs(
-      "--style-like", style.like,
-      "Shapes drawn like this one; of several, each with an option of its own; auto: the style that prevails");
+  CLI::Option* like = add_globs("--style-like", style.like,
+                                "Shapes drawn like this one; may be repeated; auto: the style that prevails");
   subset->add_option("--closest", style.closest, "So many of them, the nearest in style")
       ->needs(like)
       ->check(CLI::Range(1, 4'000'000))
