@@ -1,12 +1,15 @@
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <memory>
 
 #include "bench/benchmarks.h"
 #include "cli/commands.h"
+#include "cli/list_option.h"
+#include "cli/terminal.h"
 #include "io/atomic_file.h"
+#include "io/number_text.h"
 #include "io/result/collage_files.h"
+#include "worker/opencl_devices.h"
 
 namespace tessera::cli {
 namespace {
@@ -28,14 +31,16 @@ constexpr const char* kExamples =
 using Benchmark = std::function<bench::Report(const bench::Setting&)>;
 
 int run(const bench::Setting& setting, const Benchmark& benchmark) {
+  worker::chosen_devices(setting.devices, {}, "--devices");  // what is wrong with it shows at once, by this name
   const std::filesystem::path folder = std::filesystem::path(setting.out).parent_path();
   io::prepare_output_directory(folder.empty() ? "." : folder.string());
   io::check_can_be_written(setting.out);
   bench::Setting told = setting;
-  told.progress = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  told.progress = print_message;
   const bench::Report report = benchmark(told);
   bench::write_report(report, setting.out);
-  std::printf("%s\nwritten to %s\n", report.text.c_str(), setting.out.c_str());
+  print_lines(report.text + "\n");
+  print_line("written to %s", setting.out.c_str());
   return 0;
 }
 
@@ -79,17 +84,16 @@ void add_table2(CLI::App& bench, Command& selected) {
   CLI::App* sub = add_benchmark(bench, selected, "table2", "Jobs of the sizes of the paper's Table 2",
                                 [options](const bench::Setting& s) { return bench::bench_table2(s, *options); });
   add_library_option(*sub, options->library);
-  sub->add_option("--rows", options->rows, "Figures of the paper: 1,13a,13b,13c,16,17,18,19,21,22; default: all")
-      ->type_name("ROW,..")
-      ->delimiter(',');
+  add_list_option(*sub, "--rows", options->rows, "Figures of the paper: 1,13a,13b,13c,16,17,18,19,21,22; default: all",
+                  {.type_name = "ROW,.."});
 }
 
 void add_square_job_options(CLI::App& sub, bench::SquareJob& job) {
   add_library_option(sub, job.library);
-  sub.add_option("--scale-px", job.scale_px, "Sizes of the smallest and the largest piece, px")
-      ->type_name("MIN,MAX")
-      ->delimiter(',')
-      ->capture_default_str();
+  const auto take_sizes = [&job](const std::vector<float>& given) { job.scale_px = {given[0], given[1]}; };
+  add_list_option<float>(sub, "--scale-px", take_sizes, "Sizes of the smallest and the largest piece, px",
+                         {.type_name = "MIN,MAX", .count = 2})
+      ->default_str(io::significant(double(job.scale_px[0]), 6) + "," + io::significant(double(job.scale_px[1]), 6));
   sub.add_option("--size", job.size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
   sub.add_option("--seed", job.seed, "Start of the random numbers")->type_name("N")->capture_default_str();
 }
@@ -132,9 +136,8 @@ void add_models_option(CLI::App& sub, std::string& folder) {
 }
 
 void add_sizes_option(CLI::App& sub, std::vector<std::uint32_t>& sizes, const std::string& otherwise) {
-  sub.add_option("--sizes", sizes, "Numbers of shapes; beyond the library's, mirrored and stretched ones")
-      ->type_name("N,..")
-      ->delimiter(',')
+  add_list_option(sub, "--sizes", sizes, "Numbers of shapes; beyond the library's, mirrored and stretched ones",
+                  {.type_name = "N,.."})
       ->default_str(otherwise);
 }
 
@@ -156,10 +159,9 @@ void add_variety(CLI::App& bench, Command& selected) {
                     [=](const bench::Setting& s) { return bench::bench_variety(s, *job, *options); });
   add_square_job_options(*sub, *job);
   add_sizes_option(*sub, options->sizes, "100,1000,10000");
-  sub->add_option("--pairs", options->pairs,
-                  "Pairs docked for a target sample; 0: none, as the job key match.top_percent = 0")
-      ->type_name("N,..")
-      ->delimiter(',')
+  add_list_option(*sub, "--pairs", options->pairs,
+                  "Pairs docked for a target sample; 0: none, as the job key match.top_percent = 0",
+                  {.type_name = "N,.."})
       ->default_str("0,25,50,100,200,400");
   sub->add_option("--seeds", options->seeds, "Collages of each kind, whose means are told")
       ->type_name("N")
@@ -176,10 +178,8 @@ void add_scaling(CLI::App& bench, Command& selected) {
                   "Shapes for the most workers; default: the library's. More than it has: "
                   "mirrored and stretched ones")
       ->type_name("N");
-  sub->add_option("--ranks", options->ranks, "Numbers of ranks, one of them the master")
-      ->type_name("N,..")
-      ->delimiter(',')
-      ->capture_default_str();
+  add_list_option(*sub, "--ranks", options->ranks, "Numbers of ranks, one of them the master", {.type_name = "N,.."})
+      ->default_str("2,3");
   sub->add_option("--pieces", options->pieces, "Pieces to place")->type_name("N")->capture_default_str();
   sub->add_option("--size", options->size_px, "Sides of the canvas, px")->type_name("PX")->capture_default_str();
   sub->add_option("--repeats", options->repeats, "Loops of each case; the median counts")

@@ -54,7 +54,7 @@ std::string skipped_lines(const std::vector<io::UnusedFile>& skipped) {
 std::string merged_lines(const std::vector<io::LibraryBuildReport::Merged>& merged) {
   std::string text = "merged " + std::to_string(merged.size()) + " with the same silhouette and colour:\n";
   for (std::size_t i = 0; i < std::min(merged.size(), kMergedShown); ++i) {
-    text += "  " + file_name(merged[i].path) + " = " + merged[i].name + "\n";
+    text += "  " + file_name(merged[i].path) + " = " + io::printable_utf8(merged[i].name) + "\n";
   }
   if (merged.size() > kMergedShown) text += "  ... and " + std::to_string(merged.size() - kMergedShown) + " more\n";
   return text;

@@ -5,6 +5,7 @@
 
 #include "cli/collage_run.h"
 #include "cli/ranking_run.h"
+#include "cli/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/job/job_file.h"
@@ -58,9 +59,9 @@ void check_can_be_made(const std::vector<Task>& tasks) {
 /// For scripts: a line a collage with tabs between state, folder and the values for --set.
 void print_list(const std::vector<Task>& tasks) {
   for (const Task& task : tasks) {
-    std::printf("%s\t%s", task.finished ? "finished" : "open", task.folder.c_str());
-    for (const std::string& override : task.variation.overrides) std::printf("\t%s", override.c_str());
-    std::printf("\n");
+    std::vector<std::string> cells = {task.finished ? "finished" : "open", task.folder};
+    cells.insert(cells.end(), task.variation.overrides.begin(), task.variation.overrides.end());
+    print_cells(cells);
   }
 }
 
@@ -75,9 +76,9 @@ std::string measures_in(const std::string& folder) {
 }
 
 void print_result(const Task& task, std::size_t number, std::size_t of) {
-  std::printf("%zu/%zu  %s: %s%s\n", number, of, task.variation.name.c_str(), measures_in(task.folder).c_str(),
-              task.finished ? ", finished before" : "");
-  std::fflush(stdout);
+  print_line("%zu/%zu  %s: %s%s", number, of, task.variation.name.c_str(), measures_in(task.folder).c_str(),
+             task.finished ? ", finished before" : "");
+  print_now();
 }
 
 /// What an earlier campaign left unfinished goes on from its checkpoint, or is drawn.
@@ -118,7 +119,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   const io::OutputLock lock(io::folder_lock_path(campaign_folder(arguments)), campaign_folder(arguments));
   check_can_be_made(tasks);
   if (!make_all(arguments, tasks, ranks)) {
-    std::fprintf(stderr, "tessera: unfinished: the same command goes on where this one was\n");
+    print_message("unfinished: the same command goes on where this one was");
     return kUnfinishedExitCode;
   }
   RankingArguments ranking{.folders = {}, .out = campaign_folder(arguments), .weights = arguments.weights};

@@ -2,6 +2,7 @@
 
 #include "cli/card_run.h"
 #include "cli/commands.h"
+#include "cli/list_option.h"
 
 namespace tessera::cli {
 namespace {
@@ -29,18 +30,13 @@ void add_card_command(CLI::App& app, Command& selected) {
       ->type_name("FILE.geojson");
   card->add_option("--canvas", arguments->canvas, "What was to be filled: an SVG or image, or the job.toml of a result")
       ->type_name("FILE");
-  card->add_option("--size", arguments->size_px,
-                   "Of the rectangle, or of the box that the file is scaled into; default: as it was drawn")
-      ->type_name("W,H")
-      ->delimiter(',')
-      ->expected(2);
-  card->add_option(
-          "--sizes", arguments->sizes_px,
-          "Sizes that pieces might have had, for the balance; default: the job's where they hold for all pieces, "
-          "else the smallest and the largest")
-      ->type_name("MIN,MAX")
-      ->delimiter(',')
-      ->expected(2);
+  add_list_option(*card, "--size", arguments->size_px,
+                  "Of the rectangle, or of the box that the file is scaled into; default: as it was drawn",
+                  {.type_name = "W,H", .count = 2});
+  add_list_option(*card, "--sizes", arguments->sizes_px,
+                  "Sizes that pieces might have had, for the balance; default: the job's where they hold for all "
+                  "pieces, else the smallest and the largest",
+                  {.type_name = "MIN,MAX", .count = 2});
   card->add_flag("--json", arguments->json, "Print JSON");
   card->callback([arguments, &selected] { selected.run = [arguments] { return run_card(*arguments); }; });
 }

@@ -2,10 +2,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/collage/quality.h"
 #include "io/job/canvas_file.h"
@@ -107,7 +107,7 @@ int run_card(const CardArguments& given) {
   if (!arguments.sizes_px.empty()) frame.sizes = checked_sizes(arguments.sizes_px);
   const std::vector<JudgedPiece> pieces = io::read_polygon_pieces(arguments.pieces, frame.canvas);
   const Quality quality = measure_quality(frame.canvas, pieces, frame.sizes);
-  std::printf("%s", (arguments.json ? io::score_json(quality) : io::score_text(quality)).c_str());
+  print_lines(arguments.json ? io::score_json(quality) : io::score_text(quality));
   return 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "cli/terminal.h"
 #include "core/base/error.h"
 
 namespace tessera::cli {
@@ -100,8 +101,8 @@ void CollageCheckpoints::keep(const CheckpointState& state) {
   } catch (const EnvironmentError& error) {
     if (failure_.empty()) {
       const bool after_bar = isatty(STDERR_FILENO) == 1;
-      std::fprintf(stderr, "%stessera: warning: no checkpoint: %s; going on without\n", after_bar ? "\n" : "",
-                   error.what());
+      if (after_bar) std::fputc('\n', stderr);
+      print_message(std::string("warning: no checkpoint: ") + error.what() + "; going on without");
     }
     failure_ = error.what();
   }

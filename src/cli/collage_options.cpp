@@ -1,6 +1,5 @@
 #include "cli/collage_options.h"
-
-#include <cstdio>
+#include "cli/terminal.h"
 
 namespace tessera::cli {
 namespace {
@@ -48,18 +47,13 @@ void add_collage_options(CLI::App& command, CollageArguments& arguments, const s
 int collage_exit_code(const CollageArguments& arguments, comm::Communicator& ranks) {
   switch (run_collage(arguments, ranks)) {
     case CollageEnd::finished: return 0;
-    case CollageEnd::unfinished:
-      std::fprintf(stderr, "tessera: %s\n", (how_to_go_on(arguments) + draws_so_far(arguments)).c_str());
-      break;
-    case CollageEnd::nothing_placed:
-      std::fprintf(stderr, "tessera: %s\n", (how_to_go_on(arguments) + older_stays(arguments)).c_str());
-      break;
+    case CollageEnd::unfinished: print_message(how_to_go_on(arguments) + draws_so_far(arguments)); break;
+    case CollageEnd::nothing_placed: print_message(how_to_go_on(arguments) + older_stays(arguments)); break;
     case CollageEnd::not_begun:
-      std::fprintf(stderr, "tessera: unfinished, before the first round: the same command starts again\n");
+      print_message("unfinished, before the first round: the same command starts again");
       break;
     case CollageEnd::not_drawn:
-      std::fprintf(stderr, "tessera: collage finished, drawing interrupted: tessera draw %s goes on\n",
-                   output_folder(arguments).c_str());
+      print_message("collage finished, drawing interrupted: tessera draw " + output_folder(arguments) + " goes on");
       break;
   }
   return kUnfinishedExitCode;

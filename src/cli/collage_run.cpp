@@ -1,7 +1,6 @@
 #include "cli/collage_run.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "cli/command_line.h"
 #include "cli/rank_agreement.h"
 #include "cli/result_drawing_run.h"
+#include "cli/terminal.h"
 #include "cli/time_limit.h"
 #include "comm/loop_clock.h"
 #include "comm/rank_sites.h"
@@ -38,8 +38,8 @@
 namespace tessera::cli {
 namespace {
 
-void say(const CollageArguments& arguments, const std::string& line) {
-  if (!arguments.quiet) std::printf("%s\n", line.c_str());
+void say(const CollageArguments& arguments, const std::string& text) {
+  if (!arguments.quiet) print_lines(text + "\n");
 }
 
 /// Nothing where mpirun is ending the job, or a question was given up: workers may be gone, or busy with it.

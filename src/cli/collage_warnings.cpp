@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "cli/terminal.h"
 #include "core/collage/standing_check.h"
 #include "io/job/job_keys.h"
 #include "io/job/job_tables.h"
@@ -207,7 +208,7 @@ std::string joined_warnings(const std::vector<std::string>& warnings) {
 }
 
 void print_warning(const std::string& warning) {
-  if (!warning.empty()) std::fprintf(stderr, "tessera: warning: %s\n", warning.c_str());
+  if (!warning.empty()) print_message("warning: " + warning);
 }
 
 }  // namespace tessera::cli

@@ -37,6 +37,11 @@ worker::DeviceShare share_of_node(const comm::Communicator& ranks, const io::Job
 
 int cores_of(const worker::DeviceShare& share) { return std::max(1, io::available_cores() / share.workers); }
 
+/// The canvas' size is that of the job, whatever its file shows.
+worker::DeviceNeeds needs_of(const io::Job& job, const ModelSource& models) {
+  return {.reads_models = models.reads_singly(), .field_nodes = double(job.canvas.width_px) * job.canvas.height_px};
+}
+
 std::function<void()> give_up_when(const StopReason& stop_reason) {
   return [stop_reason] {
     if (const char* reason = stop_reason()) throw Interrupted{reason};
@@ -65,10 +70,12 @@ void run_collage_worker(comm::Communicator& ranks) {
   worker::limit_cpu_threads(cores);
   comm::first_worker_of_node_first(ranks, [&] { worker::compile_kernels(job.devices, context); });
   const auto look = [&ranks] { ranks.look(); };
-  const std::vector<worker::DevicePart> parts = worker::device_parts(job.devices, context.pad, part, share, look);
+  const auto models = io::models_of(library, context);
+  const std::vector<worker::DevicePart> parts =
+      worker::device_parts(job.devices, context, part, needs_of(job, *models), share, look);
   comm::tell_site(ranks, {host_name(), worker::describe(parts)});
   io::LibraryShapes shapes(library);
-  comm::serve(ranks, worker::make_device_matcher(parts, context, io::models_of(library, context), look),
+  comm::serve(ranks, worker::make_device_matcher(parts, context, models, look),
               std::make_unique<OwnReplacer>(shapes, cores, look));
 }
 
@@ -76,10 +83,10 @@ SitedMatcher own_matcher(const io::Job& job, const io::ShapeLibrary& library, co
   const MatchingContext context = context_of(job, library);
   const ShapeRange all = even_range(library.size(), 0, 1);
   const auto give_up = give_up_when(stop_reason);
-  const std::vector<worker::DevicePart> parts =
-      worker::device_parts(job.devices, context.pad, all, {.per_worker = job.devices_per_worker}, give_up);
-  return {worker::make_device_matcher(parts, context, io::models_of(library, context), give_up),
-          {host_name(), worker::describe(parts)}};
+  const auto models = io::models_of(library, context);
+  const std::vector<worker::DevicePart> parts = worker::device_parts(job.devices, context, all, needs_of(job, *models),
+                                                                     {.per_worker = job.devices_per_worker}, give_up);
+  return {worker::make_device_matcher(parts, context, models, give_up), {host_name(), worker::describe(parts)}};
 }
 
 SitedMatcher workers_matcher(comm::Communicator& ranks) { return {comm::gather_workers(ranks), {host_name(), {}}}; }

@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "comm/communicator.h"
 
@@ -12,8 +14,9 @@ namespace tessera::cli {
 /// What the chosen sub-command runs: one of the two. Both return the exit code and throw InputError and
 /// EnvironmentError.
 struct Command {
-  std::function<int()> run;  // on rank 0 alone
-  std::function<int(comm::Communicator&)> run_on_all_ranks;
+  std::function<int()> run = {};  // on rank 0 alone
+  std::function<int(comm::Communicator&)> run_on_all_ranks = {};
+  std::optional<std::string> time_limit = {};  // what --time-limit was given; for those who wait before the command runs
 };
 
 void add_library_command(CLI::App& app, Command& selected);

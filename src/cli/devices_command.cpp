@@ -1,6 +1,6 @@
-#include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/terminal.h"
 #include "worker/device_list.h"
 
 namespace tessera::cli {
@@ -21,7 +21,7 @@ void add_devices_command(CLI::App& app, Command& selected) {
   devices->footer(kExamples);
   devices->callback([&selected] {
     selected.run = [] {
-      std::printf("%s", worker::device_list().c_str());
+      print_lines(worker::device_list());
       return 0;
     };
   });

@@ -1,18 +1,21 @@
-#include <cstdio>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/collage_run.h"
 #include "cli/collage_warnings.h"
 #include "cli/commands.h"
 #include "cli/result_drawing_run.h"
+#include "cli/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "core/base/split_text.h"
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/job/job_keys.h"
+#include "io/job/palette.h"
 #include "io/output_lock.h"
 #include "io/result/collage_files.h"
 #include "io/result/finished_result.h"
@@ -87,6 +90,12 @@ std::string idle_keys_warning(io::Job job, const std::vector<std::string>& keys)
                           job.colour.shift == before.colour.shift ? "" : idle_shift_warning(job)});
 }
 
+/// What is wrong with the palette is said of the option, whatever key it stands for.
+void check_palette(io::Job job, const std::vector<std::string>& keys, const std::string& palette) {
+  io::set_drawing_keys(job, keys);
+  io::load_palette(job, "--palette " + palette);
+}
+
 /// Pictures of one result are none of another, nor of a run that is to go on.
 void check_takes_pictures(const std::string& folder) {
   if (io::is_in_result(folder, io::kManifestName)) {
@@ -129,14 +138,15 @@ int run(DrawArguments arguments) {
   if (!wanted.png && !wanted.svg && !wanted.pdf && !wanted.tiff) wanted.png = wanted.svg = true;
   wanted.keys = drawing_keys(arguments);
   const io::Job job = job_of_result(arguments.folder);  // no lock is left where there is no result
+  if (!arguments.palette.empty()) check_palette(job, wanted.keys, arguments.palette);
   print_warning(idle_keys_warning(job, wanted.keys));
   const DrawingLocks locks(arguments.folder, wanted.to);
   comm::install_stop_handlers();
   if (!draw(arguments.folder, wanted, arguments.quiet, comm::stop_signalled)) {
-    std::fprintf(stderr, "tessera: drawing interrupted: the same command goes on\n");
+    print_message("drawing interrupted: the same command goes on");
     return kUnfinishedExitCode;
   }
-  if (!arguments.quiet) std::printf("drawn in %s\n", (wanted.to.empty() ? arguments.folder : wanted.to).c_str());
+  if (!arguments.quiet) print_line("drawn in %s", (wanted.to.empty() ? arguments.folder : wanted.to).c_str());
   return 0;
 }
 
@@ -145,10 +155,21 @@ CLI::Range width_range() {
   return {int(key.min), int(key.max)};
 }
 
+bool is_colour(std::string_view text) {
+  return text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
+}
+
 std::string not_a_colour(const std::string& text) {
-  const bool is_one =
-      text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
-  return is_one || text == io::kNoColour ? "" : "found " + text + ", allowed: #rrggbb or none";
+  return is_colour(text) || text == io::kNoColour ? "" : "found " + text + ", allowed: #rrggbb or none";
+}
+
+/// A name or a path is for load_palette to judge.
+std::string not_a_palette(const std::string& text) {
+  const std::vector<std::string_view> colours = split_outside(text, ',');
+  const bool is_list = text.starts_with('#');
+  return !is_list || std::all_of(colours.begin(), colours.end(), is_colour)
+             ? ""
+             : "found " + text + ", allowed: a built-in palette, a palette file, or #rrggbb,#rrggbb,..";
 }
 
 }  // namespace
@@ -171,7 +192,8 @@ void add_draw_command(CLI::App& app, Command& selected) {
       ->check(not_a_colour);
   draw->add_option("--palette", arguments->palette,
                    "Silhouettes in these colours: a built-in palette, a palette file or \"#RRGGBB,#RRGGBB,..\"")
-      ->type_name("PALETTE");
+      ->type_name("PALETTE")
+      ->check(not_a_palette);
   draw->add_option("--to", arguments->request.to, "Another folder for the pictures; RESULT stays as it is")
       ->type_name("DIR");
   draw->add_option("--set", arguments->settings,

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,6 +11,7 @@
 #include "cli/collage_warnings.h"
 #include "cli/library_output.h"
 #include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
@@ -58,12 +58,12 @@ io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, cons
 std::string tell_what_was_left_out(const BuildArguments& arguments, const io::LibraryBuildReport& report) {
   std::error_code error;
   if (std::filesystem::exists(arguments.output, error)) {
-    std::fputs(io::left_out_list(report).c_str(), stdout);
+    print_lines(io::left_out_list(report));
     return "";
   }
   try {
     io::write_left_out_list(arguments.output, report);
-    std::printf("all that was left out: %s\n", io::left_out_path(arguments.output).c_str());
+    print_line("all that was left out: %s", io::left_out_path(arguments.output).c_str());
     return "";
   } catch (const EnvironmentError& failure) {
     return std::string("; ") + failure.what();
@@ -101,16 +101,16 @@ int run(const BuildArguments& arguments) {
   io::check_can_be_written(arguments.output);
   io::check_can_be_written(io::left_out_path(arguments.output));
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
-  std::fputs(build_summary(report).c_str(), stdout);
+  print_lines(build_summary(report));
   if (!report.written) throw_not_written(arguments, report);
   io::write_left_out_list(arguments.output, report);
   if (!io::left_out_list(report).empty()) {
-    std::printf("all that was left out: %s\n", io::left_out_path(arguments.output).c_str());
+    print_line("all that was left out: %s", io::left_out_path(arguments.output).c_str());
   }
   const std::chrono::duration<double> elapsed_s = std::chrono::steady_clock::now() - start;
-  std::printf("%s, %.1f MB, %.1f s; of %s\n", arguments.output.c_str(),
-              double(std::filesystem::file_size(arguments.output)) * 1e-6, elapsed_s.count(),
-              build_counts(report).c_str());
+  print_line("%s, %.1f MB, %.1f s; of %s", arguments.output.c_str(),
+             double(std::filesystem::file_size(arguments.output)) * 1e-6, elapsed_s.count(),
+             build_counts(report).c_str());
   return 0;
 }
 

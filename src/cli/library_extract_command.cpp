@@ -11,6 +11,7 @@
 #include "cli/build_summary.h"
 #include "cli/library_output.h"
 #include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
@@ -20,7 +21,6 @@
 #include "io/elements/photo_extraction.h"
 #include "io/library/library_builder.h"
 #include "io/output_lock.h"
-#include "io/utf8_text.h"
 
 namespace tessera::cli {
 namespace {
@@ -73,13 +73,12 @@ std::string overview_path(const ExtractArguments& arguments, const std::string& 
 void write_overview(const ExtractArguments& arguments, const std::string& photo, const std::vector<std::uint8_t>& png) {
   const std::string path = overview_path(arguments, photo);
   io::write_file_atomically(path, png);
-  std::printf("  overview: %s\n", io::printable_utf8(path).c_str());
+  print_line("  overview: %s", path.c_str());
 }
 
 void write_ground(const ExtractArguments& arguments, const io::Extraction& extraction) {
   io::write_file_atomically(arguments.ground, extraction.ground_png);
-  std::printf("  ground: %s, %.0f %% of the photo\n", io::printable_utf8(arguments.ground).c_str(),
-              100 * extraction.ground_part);
+  print_line("  ground: %s, %.0f %% of the photo", arguments.ground.c_str(), 100 * extraction.ground_part);
 }
 
 std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Drawers& drawers) {
@@ -89,7 +88,7 @@ std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Draw
     io::ExtractionSettings settings = arguments.settings;
     if (!arguments.ground.empty() && photo == arguments.photos.front()) settings.ground_px = arguments.ground_px;
     io::Extraction extraction = io::extract_elements(photo, settings, drawers);
-    std::printf("%s: %s\n", io::printable_utf8(photo).c_str(), counts_text(extraction, settings).c_str());
+    print_line("%s: %s", photo.c_str(), counts_text(extraction, settings).c_str());
     if (!arguments.overview.empty()) write_overview(arguments, photo, extraction.overview_png);
     if (!extraction.ground_png.empty()) write_ground(arguments, extraction);
     for (io::CutOut& cut_out : extraction.cut_outs) all.push_back(std::move(cut_out));
@@ -182,10 +181,10 @@ int run(ExtractArguments arguments) {
   io::Drawers drawers(io::photo_drawer_settings(io::available_cores()));
   const std::vector<io::CutOut> cut_outs = all_cut_outs(arguments, drawers);
   const io::LibraryBuildReport report = build(arguments, cut_outs, drawers);
-  std::fputs(build_summary(report).c_str(), stdout);
+  print_lines(build_summary(report));
   if (!report.written) throw InputError(arguments.output + " was not written: no element has a usable silhouette");
-  std::printf("%s, %zu shapes, %.1f MB\n", io::printable_utf8(arguments.output).c_str(), report.shapes,
-              double(std::filesystem::file_size(arguments.output)) * 1e-6);
+  print_line("%s, %zu shapes, %.1f MB", arguments.output.c_str(), report.shapes,
+             double(std::filesystem::file_size(arguments.output)) * 1e-6);
   return 0;
 }
 

@@ -1,16 +1,15 @@
 #include "cli/library_info_command.h"
 
-#include <cstdio>
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/library/contact_sheet.h"
 #include "io/library/library_file.h"
-#include "io/utf8_text.h"
 
 namespace tessera::cli {
 namespace {
@@ -35,31 +34,33 @@ std::size_t samples_per_shape() {
 
 void print_counts(const io::LibraryFile& library, const io::LibrarySummary& summary) {
   const PadParameters pad = library.pad_parameters();
-  std::printf("library         %s\n", library.path().c_str());
-  std::printf("shapes          %zu\n", summary.shapes);
-  std::printf("curves          %zu (%zu holes)\n", summary.curves, summary.curves - summary.shapes);
-  std::printf("outline points  %zu\n", summary.outline_points);
-  std::printf("samples         %zu (%zu a shape)\n", summary.shapes * samples_per_shape(), samples_per_shape());
-  std::printf("PAD             n = %d, delta_tau = %g rad\n", pad.levels, double(pad.delta_tau));
+  print_line("library         %s", library.path().c_str());
+  print_line("shapes          %zu", summary.shapes);
+  print_line("curves          %zu (%zu holes)", summary.curves, summary.curves - summary.shapes);
+  print_line("outline points  %zu", summary.outline_points);
+  print_line("samples         %zu (%zu a shape)", summary.shapes * samples_per_shape(), samples_per_shape());
+  print_line("PAD             n = %d, delta_tau = %g rad", pad.levels, double(pad.delta_tau));
   const std::vector<std::uint32_t> variant_of = library.variant_of();
   const std::set<std::uint32_t> silhouettes(variant_of.begin(), variant_of.end());
-  std::printf("silhouettes     %zu (%zu in other colours)\n", silhouettes.size(), summary.shapes - silhouettes.size());
-  std::printf("artwork         %s\n", summary.original_bytes > 0 ? "embedded" : "referred to by path");
+  print_line("silhouettes     %zu (%zu in other colours)", silhouettes.size(), summary.shapes - silhouettes.size());
+  print_line("artwork         %s", summary.original_bytes > 0 ? "embedded" : "referred to by path");
 }
 
 void print_levels() {
-  std::printf("\nsmoothing level  sigma (shape units)  curve points  samples\n");
+  print_lines("\n");
+  print_line("smoothing level  sigma (shape units)  curve points  samples");
   for (std::size_t k = 0; k < kSmoothingLevels.size(); ++k) {
     const SmoothingLevel& level = kSmoothingLevels[k];
-    std::printf("%-15zu  %19.6f  %12d  %7d\n", k, double(level.sigma), level.curve_points, level.samples);
+    print_line("%-15zu  %19.6f  %12d  %7d", k, double(level.sigma), level.curve_points, level.samples);
   }
 }
 
 void print_bytes(const io::LibrarySummary& summary) {
-  std::printf("\npart                 bytes  bytes a shape\n");
+  print_lines("\n");
+  print_line("part                 bytes  bytes a shape");
   const auto row = [&](const std::string& part, std::uint64_t bytes) {
-    std::printf("%-10s  %14llu  %13.0f\n", part.c_str(), static_cast<unsigned long long>(bytes),
-                double(bytes) / double(summary.shapes));
+    print_line("%-10s  %14llu  %13.0f", part.c_str(), static_cast<unsigned long long>(bytes),
+               double(bytes) / double(summary.shapes));
   };
   for (const auto& [part, bytes] : summary.stored_bytes_of_part) row(part, bytes);
   row("file", summary.file_bytes);
@@ -68,9 +69,8 @@ void print_bytes(const io::LibrarySummary& summary) {
 void print_names(const io::LibraryFile& library) {
   constexpr std::size_t kNamesAtATime = 1024;
   constexpr io::LibraryParts kNames{.outline = false, .field = false, .levels = 0, .artwork = false, .original = false};
-  for (std::size_t at = 0; at < library.size(); at += kNamesAtATime) {
-    for (const Shape& shape : library.read(at, at + kNamesAtATime, kNames))
-      std::printf("%s\n", io::printable_utf8(shape.name).c_str());
+  for (std::size_t at = 0; at < library.size() && printing_works(); at += kNamesAtATime) {
+    for (const Shape& shape : library.read(at, at + kNamesAtATime, kNames)) print_line("%s", shape.name.c_str());
   }
 }
 
@@ -87,7 +87,8 @@ int run(const InfoArguments& arguments) {
   print_bytes(summary);
   if (arguments.sheet.empty()) return 0;
   const std::size_t shown = io::write_contact_sheet(library, arguments.sheet);
-  std::printf("\n%s: %zu shapes\n", arguments.sheet.c_str(), shown);
+  print_lines("\n");
+  print_line("%s: %zu shapes", arguments.sheet.c_str(), shown);
   return 0;
 }
 

@@ -1,10 +1,10 @@
 #include "cli/library_output.h"
 
-#include <cstdio>
 #include <filesystem>
 
 #include "cli/build_summary.h"
 #include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
@@ -60,10 +60,10 @@ void copy_to_library(const io::LibraryChoice& choice, const std::string& output)
   }
   const io::LibraryBuildReport report = report_of(library);
   io::write_left_out_list(output, report);
-  std::fputs(build_summary(report).c_str(), stdout);
-  if (!report.merged.empty()) std::printf("all that was left out: %s\n", io::left_out_path(output).c_str());
-  std::printf("%s, %.1f MB, %zu %s\n", output.c_str(), double(std::filesystem::file_size(output)) * 1e-6, report.shapes,
-              report.shapes == 1 ? "shape" : "shapes");
+  print_lines(build_summary(report));
+  if (!report.merged.empty()) print_line("all that was left out: %s", io::left_out_path(output).c_str());
+  print_line("%s, %.1f MB, %zu %s", output.c_str(), double(std::filesystem::file_size(output)) * 1e-6, report.shapes,
+             report.shapes == 1 ? "shape" : "shapes");
 }
 
 }  // namespace tessera::cli

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/library_info_command.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/style/style_groups.h"
 #include "io/library/library_file.h"
 #include "io/library/style_reference.h"
 #include "io/library/style_sheet.h"
-#include "io/utf8_text.h"
+#include "io/number_text.h"
 
 namespace tessera::cli {
 namespace {
@@ -47,7 +47,7 @@ Styles styles_of(const io::LibraryFile& library) {
   for (std::size_t at = 0; at < library.size(); at += kHeadsAtATime) {
     for (const io::ShapeHead& head : library.heads(at, std::min(library.size(), at + kHeadsAtATime))) {
       if (!head.style.known()) throw InputError(io::unknown_style_text(library.path(), head.name));
-      styles.names.push_back(io::printable_utf8(head.name));
+      styles.names.push_back(head.name);
       styles.features.push_back(head.style);
       styles.places.push_back(style_place(head.style));
     }
@@ -56,7 +56,7 @@ Styles styles_of(const io::LibraryFile& library) {
 }
 
 void print_table(const Styles& styles, const std::vector<StyleGroup>& groups) {
-  std::printf("group  drawings  line width %%  outlined %%  colours  chroma  texture  shaded %%  detail %%  typical\n");
+  print_line("group  drawings  line width %%  outlined %%  colours  chroma  texture  shaded %%  detail %%  typical");
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::vector<std::uint32_t>& members = groups[g].members;
     const auto mean = [&](float StyleFeatures::*number) {
@@ -64,11 +64,11 @@ void print_table(const Styles& styles, const std::vector<StyleGroup>& groups) {
       for (const std::uint32_t i : members) sum += double(styles.features[i].*number);
       return sum / double(members.size());
     };
-    std::printf("%5zu  %8zu  %12.1f  %10.0f  %7.1f  %6.0f  %7.2f  %8.0f  %8.0f  %s\n", g + 1, members.size(),
-                100 * mean(&StyleFeatures::line_width), 100 * mean(&StyleFeatures::outlined),
-                std::exp2(mean(&StyleFeatures::palette)), mean(&StyleFeatures::chroma), mean(&StyleFeatures::texture),
-                100 * mean(&StyleFeatures::shading), 100 * mean(&StyleFeatures::detail),
-                styles.names[members.front()].c_str());
+    print_line("%5zu  %8zu  %12.1f  %10.0f  %7.1f  %6.0f  %7.2f  %8.0f  %8.0f  %s", g + 1, members.size(),
+               100 * mean(&StyleFeatures::line_width), 100 * mean(&StyleFeatures::outlined),
+               std::exp2(mean(&StyleFeatures::palette)), mean(&StyleFeatures::chroma), mean(&StyleFeatures::texture),
+               100 * mean(&StyleFeatures::shading), 100 * mean(&StyleFeatures::detail),
+               styles.names[members.front()].c_str());
   }
 }
 
@@ -76,7 +76,8 @@ void print_names(const Styles& styles, const std::vector<StyleGroup>& groups) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const StylePlace& typical = styles.places[groups[g].members.front()];
     for (const std::uint32_t i : groups[g].members) {
-      std::printf("%zu\t%.2f\t%s\n", g + 1, double(style_distance(styles.places[i], typical)), styles.names[i].c_str());
+      print_cells(
+          {std::to_string(g + 1), io::fixed(double(style_distance(styles.places[i], typical)), 2), styles.names[i]});
     }
   }
 }
@@ -93,7 +94,8 @@ int run(const StylesArguments& arguments) {
   print_table(styles, groups);
   if (arguments.sheet.empty()) return 0;
   const std::size_t shown = io::write_style_sheet(library, groups, arguments.sheet);
-  std::printf("\n%s: %zu shapes\n", arguments.sheet.c_str(), shown);
+  print_lines("\n");
+  print_line("%s: %zu shapes", arguments.sheet.c_str(), shown);
   return 0;
 }
 

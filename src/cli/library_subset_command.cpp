@@ -11,14 +11,14 @@ namespace {
 
 constexpr char kExamples[] =
     "Examples:\n"
-    "  tessera library subset animals.h5 --include 'cat*' 'dog*' --exclude '*bird*' -o pets.h5\n"
+    "  tessera library subset animals.h5 --include 'cat*' --include 'dog*' --exclude '*bird*' -o pets.h5\n"
     "  tessera library subset clipart.h5 --style-like owl --closest 200 -o like_the_owl.h5\n"
     "  tessera library info animals.h5 --names                       what the names are\n"
     "  tessera library styles clipart.h5 --sheet styles.png          what styles there are\n"
     "GLOB is a pattern as the shell has them, compared with the whole name, case told: * any characters, ? one, [ab] "
     "one\n"
-    "of these. Quote it, or the shell takes it for files. A job can also choose by itself: library.include and\n"
-    "library.exclude in docs/job-format.md.";
+    "of these; a name that is the pattern letter by letter wins. Quote it, or the shell takes it for files. A job can\n"
+    "also choose by itself: library.include and library.exclude in docs/job-format.md.";
 
 struct CopyArguments {
   io::LibraryChoice choice;
@@ -41,17 +41,19 @@ void add_library_subset_command(CLI::App& library, Command& selected) {
   const auto arguments = std::make_shared<CopyArguments>();
   CLI::App* subset = library.add_subcommand("subset", "Make a library of some shapes of another");
   subset->footer(kExamples);
-  subset->add_option("LIBRARY", arguments->choice.files, "The library file")
+  subset
+      ->add_option_function<std::string>(
+          "LIBRARY", [arguments](const std::string& file) { arguments->choice.files = {file}; }, "The library file")
       ->required()
-      ->expected(1)
       ->type_name("LIB.h5");
-  subset->add_option("--include", arguments->choice.names.include, "Shapes with such names; default: all")
-      ->type_name("GLOB");
-  subset->add_option("--exclude", arguments->choice.names.exclude, "But not those with such names")->type_name("GLOB");
+  const auto add_globs = [&](const char* option, std::vector<std::string>& globs, const char* meaning) {
+    return subset->add_option(option, globs, meaning)->type_name("GLOB")->allow_extra_args(false)->take_all();
+  };
+  add_globs("--include", arguments->choice.names.include, "Shapes with such names; may be repeated; default: all");
+  add_globs("--exclude", arguments->choice.names.exclude, "But not those with such names; may be repeated");
   io::StyleChoice& style = arguments->choice.style;
-  CLI::Option* like = subset->add_option(
-      "--style-like", style.like, "Shapes drawn like this one, or like several; auto: in the style that prevails");
-  like->type_name("GLOB");
+  CLI::Option* like = add_globs("--style-like", style.like,
+                                "Shapes drawn like this one; may be repeated; auto: the style that prevails");
   subset->add_option("--closest", style.closest, "So many of them, the nearest in style")
       ->needs(like)
       ->check(CLI::Range(1, 4'000'000))

@@ -3,20 +3,28 @@
 #include <malloc.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
+#include "cli/terminal.h"
+#include "cli/time_limit.h"
 #include "comm/in_process_communicator.h"
 #include "comm/launcher_check.h"
 #include "comm/mpi_guard.h"
 #include "comm/rank_program.h"
 #include "core/base/error.h"
+#include "core/base/kept_memory.h"
 #include "core/base/version.h"
 #include "io/lack_of_memory.h"
 
@@ -36,10 +44,43 @@ std::string parse_problem(const CLI::App& app, const CLI::ParseError& error) {
   return lacks_command ? "unknown command or option " + not_understood.front() : error.what();
 }
 
-/// --help and --version come as errors too.
-int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error);
-  throw InputError(parse_problem(app, error) + " (see " + understood_command(app) + " --help)");
+std::vector<const CLI::App*> with_all_below(const CLI::App& app) {
+  std::vector<const CLI::App*> all = {&app};
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+    const std::vector<const CLI::App*> below = with_all_below(*sub);
+    all.insert(all.end(), below.begin(), below.end());
+  }
+  return all;
+}
+
+/// CLI11 takes whatever follows "--out" for its value, be it the next option.
+void check_no_option_was_swallowed(const CLI::App& app, const std::vector<std::string>& words) {
+  const std::vector<const CLI::App*> commands = with_all_below(app);
+  const auto is_option = [&](const std::string& text) {
+    return text.starts_with('-') && std::find(words.begin(), words.end(), text) != words.end() &&
+           std::any_of(commands.begin(), commands.end(),
+                       [&](const CLI::App* command) { return command->get_option_no_throw(text) != nullptr; });
+  };
+  for (const CLI::App* command : commands) {
+    for (const CLI::Option* option : command->get_options()) {
+      if (option->get_positional()) continue;
+      const std::vector<std::string> values = option->results();
+      const auto swallowed = std::find_if(values.begin(), values.end(), is_option);
+      if (swallowed == values.end()) continue;
+      const std::string name = option->get_name();
+      throw CLI::ValidationError(name, "found the option " + *swallowed +
+                                           ", allowed: a value; one that begins so: " + name + "=" + *swallowed);
+    }
+  }
+}
+
+/// That of the sub-command that was given, where there is one.
+std::optional<std::string> given_time_limit(const CLI::App& app) {
+  for (const CLI::App* sub : app.get_subcommands()) {
+    const CLI::Option* limit = sub->get_option_no_throw("--time-limit");
+    return limit && limit->count() > 0 ? std::optional(limit->results().back()) : given_time_limit(*sub);
+  }
+  return std::nullopt;
 }
 
 /// For CLI11, last first. It would take what follows "--time-limit=" for the value, be it the job file.
@@ -53,8 +94,7 @@ std::vector<std::string> reversed_arguments(int argc, char** argv) {
   return arguments;
 }
 
-int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
-  CLI::App app("Collages of shapes, on one machine or a cluster.", "tessera");
+void add_commands(CLI::App& app, Command& selected) {
   app.set_version_flag("--version", std::string("tessera ") + program_version() + ", commit " + program_commit());
   app.require_subcommand(1);
   app.footer(
@@ -72,7 +112,6 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
       "  tessera card theirs.geojson --size 1000,800      anybody's collage, by the same measures\n"
       "Exit codes: 0 done, 1 the machine failed (disk, memory, device), 2 bad input, 3 done, but something that was\n"
       "counted is missing (warnings name it), 75 interrupted: --resume goes on.");
-  Command selected;
   add_library_command(app, selected);
   add_collage_command(app, selected);
   add_mosaic_command(app, selected);
@@ -86,18 +125,40 @@ int parse_and_run(int argc, char** argv, comm::Communicator& ranks) {
   add_card_command(app, selected);
   add_devices_command(app, selected);
   add_bench_command(app, selected);
+}
+
+/// What the command line asks for. What is wrong with it is told when the command is run, as are --help and --version,
+/// which CLI11 takes for errors too.
+Command parsed_command(int argc, char** argv) {
+  CLI::App app("Collages of shapes, on one machine or a cluster.", "tessera");
+  Command selected;
   try {
+    add_commands(app, selected);
     app.parse(reversed_arguments(argc, argv));
-  } catch (const CLI::ParseError& error) {  // the same on every rank
-    return ranks.rank() == 0 ? end_of_parsing(app, error) : 0;
+    check_no_option_was_swallowed(app, {argv, argv + argc});
+    selected.time_limit = given_time_limit(app);
+    return selected;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+      std::ostringstream help;
+      app.exit(error, help);
+      return {.run = [text = help.str()] {
+        print_lines(text);
+        return kDoneExitCode;
+      }};
+    }
+    const std::string problem = parse_problem(app, error) + " (see " + understood_command(app) + " --help)";
+    return {.run = [problem]() -> int { throw InputError(problem); }};
+  } catch (...) {
+    return {.run = [problem = std::current_exception()]() -> int { std::rethrow_exception(problem); }};
   }
-  if (selected.run_on_all_ranks) {
-    const std::string problem =
-        comm::launcher_problem([](const char* name) { return std::getenv(name); }, ranks.size());
-    if (!problem.empty()) throw InputError(problem);
-    return selected.run_on_all_ranks(ranks);
-  }
-  return ranks.rank() == 0 ? selected.run() : 0;
+}
+
+int run_command(const Command& command, comm::Communicator& ranks) {
+  if (!command.run_on_all_ranks) return ranks.rank() == 0 ? command.run() : 0;
+  const std::string problem = comm::launcher_problem([](const char* name) { return std::getenv(name); }, ranks.size());
+  if (!problem.empty()) throw InputError(problem);
+  return command.run_on_all_ranks(ranks);
 }
 
 /// By Open MPI's mpirun, or by srun --mpi=pmix. Without, MPI is left alone: it takes a third of a second to start.
@@ -107,20 +168,53 @@ bool started_by_launcher() { return std::getenv("OMPI_COMM_WORLD_SIZE") || std::
 /// in between, their pages are cleared each time: loading takes a third less without (docs/measurements.md).
 void keep_freed_memory() {
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that there is
-  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  mallopt(M_TRIM_THRESHOLD, int(kKeptFreed_bytes));
+}
+
+/// The exit code of a command that is over and has printed all it had to say. Where that was lost, the command has
+/// failed; but for one that was interrupted, which is to be called again all the same.
+int printed_exit_code(int exit_code) {
+  try {
+    check_printed();
+  } catch (const EnvironmentError& error) {
+    if (exit_code != kUnfinishedExitCode) throw;
+    print_message(error.what());
+  }
+  return exit_code;
+}
+
+/// Reading of stdout and stderr may end while there is work left, which goes on: writing to them is an error then, not
+/// the end of the process.
+void ignore_closed_pipes() { std::signal(SIGPIPE, SIG_IGN); }
+
+/// The ranks of a job find each other within its time limit, or they never do. Four ranks on a busy machine take some
+/// seconds, however short the limit.
+comm::MpiPatience patience_of(const Command& command) {
+  constexpr double kLeastStart_s = 10;
+  comm::MpiPatience patience;
+  try {
+    const double limit_s =
+        time_limit_s(command.time_limit, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr)), 0);
+    patience.start_s = std::clamp(limit_s, kLeastStart_s, patience.start_s);
+  } catch (const InputError&) {  // the command says what is wrong with the limit
+  }
+  return patience;
 }
 
 int run(int argc, char** argv) {
+  occupy_standard_descriptors();
+  ignore_closed_pipes();
   keep_freed_memory();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer, who then cleans up
   std::signal(SIGCHLD, SIG_DFL);  // whoever started us may have ignored it: then nobody learns how a child ended
+  const Command command = parsed_command(argc, argv);
   const comm::RankProgram program{
       .run =
           [&](comm::Communicator& ranks) {
-            return io::with_lack_of_memory_named([&] { return parse_and_run(argc, argv, ranks); });
+            return io::with_lack_of_memory_named([&] { return printed_exit_code(run_command(command, ranks)); });
           },
-      .report_error = [](const std::string& line) { std::fprintf(stderr, "tessera: %s\n", line.c_str()); }};
-  if (started_by_launcher()) return comm::run_mpi_job(argc, argv, program);
+      .report_error = print_message};
+  if (started_by_launcher()) return comm::run_mpi_job(argc, argv, program, patience_of(command));
   comm::InProcessNetwork alone(1);
   return comm::run_rank(*alone.connect(0), program).exit_code;
 }

@@ -6,12 +6,12 @@
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "io/elements/photo_extraction.h"
 #include "io/job/job_file.h"
 #include "io/library/library_view.h"
 #include "io/mosaic/mosaic_files.h"
-#include "io/utf8_text.h"
 
 namespace tessera::cli {
 namespace {
@@ -60,15 +60,14 @@ void write_job(const MosaicArguments& arguments) {
   check_overrides(arguments, written);
   const io::MosaicPlan& plan = written.plan;
   if (arguments.collage.quiet) return;
-  const std::string job = io::printable_utf8(request.job);
-  std::printf("%s: %d x %d px, about %d pieces of %g to %g px out of %zu shapes; sizes: %s", job.c_str(),
-              plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
-              library.size(), io::printable_utf8(io::size_map_path(request.job)).c_str());
-  if (written.regions > 0)
-    std::printf("; %d regions: %s", written.regions, io::printable_utf8(io::region_picture_path(request.job)).c_str());
-  std::printf("\n");
-  if (arguments.job_only) std::printf("next: tessera collage %s\n", job.c_str());
-  std::fflush(stdout);
+  const std::string regions =
+      written.regions > 0 ? "; " + std::to_string(written.regions) + " regions: " + io::region_picture_path(request.job)
+                          : "";
+  print_line("%s: %d x %d px, about %d pieces of %g to %g px out of %zu shapes; sizes: %s%s", request.job.c_str(),
+             plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
+             library.size(), io::size_map_path(request.job).c_str(), regions.c_str());
+  if (arguments.job_only) print_line("next: tessera collage %s", request.job.c_str());
+  print_now();
 }
 
 /// Rank 0 alone reads the image and writes the job; the workers get it from there as of any collage.

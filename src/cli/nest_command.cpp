@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/list_option.h"
 #include "cli/nest_run.h"
 
 namespace tessera::cli {
@@ -30,15 +31,11 @@ void add_nest_command(CLI::App& app, Command& selected) {
       ->add_option("--strip", arguments->strip_mm,
                    "A strip of that height, as short as it can be; default: the instance's")
       ->type_name("MM");
-  command->add_option("--sheet", arguments->sheet_mm, "Sheets of that size, as few as are needed")
-      ->delimiter(',')
-      ->expected(2)
-      ->type_name("W,H");
-  command
-      ->add_option("--angles", arguments->angles_deg,
-                   "By which pieces may be turned, degrees; default: the instance's, or 0,90,180,270")
-      ->delimiter(',')
-      ->type_name("DEG,...");
+  add_list_option(*command, "--sheet", arguments->sheet_mm, "Sheets of that size, as few as are needed",
+                  {.type_name = "W,H", .count = 2});
+  add_list_option(*command, "--angles", arguments->angles_deg,
+                  "By which pieces may be turned, degrees; default: the instance's, or 0,90,180,270",
+                  {.type_name = "DEG,..."});
   command
       ->add_option("--demand", arguments->demands,
                    "How many of the shapes of that name, which may have * and ?; default: 1, or the instance's")

@@ -7,11 +7,13 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "cli/collage_warnings.h"
 #include "cli/exit_codes.h"
 #include "cli/nest_chains.h"
 #include "cli/nest_problem_arguments.h"
 #include "cli/nest_stop.h"
 #include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
@@ -129,24 +131,23 @@ void warn_of_left_over(const io::NestRun& run) {
     if (run.layout.left_over[i] > 0) names += (names.empty() ? "" : ", ") + run.input.sources[i].drawing.name;
   }
   if (names.empty()) return;
-  std::fprintf(stderr, "tessera: warning: %d of %d pieces found no place: %s\n", left_over(run), io::wanted_pieces(run),
-               io::cut_utf8(names, 200).c_str());
+  print_warning(std::to_string(left_over(run)) + " of " + std::to_string(io::wanted_pieces(run)) +
+                " pieces found no place: " + io::cut_utf8(names, 200));
 }
 
 void report(const NestArguments& arguments, const io::NestRun& run) {
   warn_of_left_over(run);
   if (run.stopped_by) {
-    std::fprintf(stderr,
-                 "tessera: warning: stopped by %s: the best layout so far was written; the same command may give "
-                 "another one\n",
-                 run.stopped_by == std::string_view("signal") ? "a signal" : "the time limit");
+    print_warning(std::string("stopped by ") +
+                  (run.stopped_by == std::string_view("signal") ? "a signal" : "the time limit") +
+                  ": the best layout so far was written; the same command may give another one");
   }
   if (arguments.quiet) return;
-  std::printf("%s", io::nest_card_text(run).c_str());
-  std::printf("%s: layout.json, and the sheets as .svg, .dxf and .png\n", shown_folder(arguments).c_str());
+  print_lines(io::nest_card_text(run));
+  print_line("%s: layout.json, and the sheets as .svg, .dxf and .png", shown_folder(arguments).c_str());
   if (!run.input.library.empty()) {
-    std::printf("next: tessera collage %s/layout%s.toml\n", shown_folder(arguments).c_str(),
-                run.layout.sheets > 1 ? "_1" : "");
+    print_line("next: tessera collage %s/layout%s.toml", shown_folder(arguments).c_str(),
+               run.layout.sheets > 1 ? "_1" : "");
   }
 }
 
@@ -162,8 +163,8 @@ bool draw(const NestArguments& arguments, const io::NestRun& run, NestStop& stop
     });
     return true;
   } catch (const Interrupted&) {
-    std::fprintf(stderr, "tessera: warning: %s: drew %zu of %d layout pictures (.png); all other files are there\n",
-                 shown_folder(arguments).c_str(), drawn, run.layout.sheets);
+    print_warning(shown_folder(arguments) + ": drew " + std::to_string(drawn) + " of " +
+                  std::to_string(run.layout.sheets) + " layout pictures (.png); all other files are there");
     return false;
   }
 }
@@ -202,7 +203,7 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
   run.effort = arguments.effort;
   run.seed = arguments.seed;
   if (arguments.folder.empty()) arguments.folder = "out/" + run.input.name;
-  for (const std::string& note : run.input.notes) std::fprintf(stderr, "tessera: warning: %s\n", note.c_str());
+  for (const std::string& note : run.input.notes) print_warning(note);
   stop.leave_time_for(points_to_write(run), sheets_to_draw(run.problem));
   comm::install_stop_handlers();
   io::NestFolder folder(arguments.folder);
@@ -229,9 +230,7 @@ int nest_on_all_ranks(NestArguments arguments, comm::Communicator& ranks) {
     return nest(arguments, ranks);
   } catch (const Interrupted&) {
     ranks.hurry();
-    std::fprintf(stderr,
-                 "tessera: unfinished, nothing was written, and an earlier layout is as it was: the same command "
-                 "starts again\n");
+    print_message("unfinished, nothing was written, and an earlier layout is as it was: the same command starts again");
     return kUnfinishedExitCode;
   }
 }

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/plan_estimate.h"
 #include "cli/plan_text.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/field/free_field.h"
 #include "io/job/job_file.h"
@@ -64,7 +64,7 @@ int run(const PlanArguments& arguments) {
   const PlanInput input = plan_input(arguments);
   const PlanEstimate plan = estimate(input);
   print_warning(idle_workers_warning(input, plan));
-  std::printf("%s\n%s", plan_text(input, plan).c_str(), sbatch_header(input, plan).c_str());
+  print_lines(plan_text(input, plan) + "\n" + sbatch_header(input, plan));
   return 0;
 }
 

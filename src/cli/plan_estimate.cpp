@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "cli/time_estimate.h"
+#include "core/base/kept_memory.h"
 #include "core/matching/matching_context.h"
 #include "core/tuning.h"
 #include "master/replacing.h"
-#include "worker/opencl_matcher.h"
+#include "worker/device_room.h"
 #include "worker/shard.h"
 
 namespace tessera::cli {
@@ -43,10 +44,11 @@ constexpr double kOverhead_s = 2;
 constexpr double kLoadingAShape_s = 0.45e-3;
 constexpr double kWritingAPiece_s = 5e-3;
 
-// Peak resident memory of the ranks of 3-rank runs and of single processes, /proc's maximum.
-constexpr double kMasterProcess_bytes = 95e6;
-constexpr double kWorkerProcess_bytes = 155e6;
-constexpr double kBothProcess_bytes = 175e6;
+// Peak resident memory of the ranks of 3-rank runs and of single processes, /proc's maximum, from before freed memory was
+// kept; so that is added.
+constexpr double kMasterProcess_bytes = 95e6 + kKeptFreed_bytes;
+constexpr double kWorkerProcess_bytes = 155e6 + kKeptFreed_bytes;
+constexpr double kBothProcess_bytes = 175e6 + kKeptFreed_bytes;
 // Master, while quality is counted: 60 bytes a canvas px at 1 and 4 Mpx; beyond, 18 more for each (16 Mpx), as it is
 // counted coarser there.
 constexpr double kCountedNode_bytes = 60;
@@ -63,8 +65,6 @@ constexpr double kFieldNode_bytes = 10;
 constexpr double kWholeShape_bytes = 80e3;
 constexpr double kKeptShapes = 1024;
 constexpr double kPassingShapes = 512;
-// Lists of pairs on a device, by shapes, at most: those of several samples grow so far; those of dockings take no more.
-constexpr double kPairsOfAShape_bytes = 15e3;
 
 // The checkpoint's format, not a measurement: bytes of a piece, of an open target sample with as many candidates as the
 // pool keeps of it, of a sample that was matched; the empty file.
@@ -95,10 +95,11 @@ double expected_pieces(const PlanInput& input) {
 void add_memory(const PlanInput& input, const MatchingContext& context, PlanEstimate& plan) {
   const double shapes = double(plan.shapes_per_worker);
   const worker::ShardBytes shard = worker::shard_bytes(context, plan.shapes_per_worker, input.reads);
-  const double lists = std::min(double(worker::kMostGrowth * worker::kStageBytes), shapes * kPairsOfAShape_bytes);
+  const double lists = double(worker::list_bytes(plan.shapes_per_worker));
   const double passing = kWholeShape_bytes * std::min(shapes, kPassingShapes);
   const double field = kFieldNode_bytes * input.canvas_nodes;
-  plan.device_bytes = double(shard.device) + sizeof(float) * input.canvas_nodes + 2 * lists;
+  plan.device_bytes = double(worker::device_bytes(context, plan.shapes_per_worker,
+                                                  {.reads_models = input.reads, .field_nodes = input.canvas_nodes}));
   const double on_host = input.host_devices ? double(shard.device) + lists : 0;
   const double library = passing + double(shard.host) + on_host;
   const double kept = kWholeShape_bytes * std::min(double(input.shapes), kKeptShapes);

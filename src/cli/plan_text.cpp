@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/kept_memory.h"
 #include "io/number_text.h"
 
 namespace tessera::cli {
@@ -67,7 +68,10 @@ std::string plan_text(const PlanInput& input, const PlanEstimate& plan) {
          "\nFrom formulas with figures of one machine, 120 to 10,000 shapes and 30 to 500 pieces; a worker has two CPU "
          "cores of\n2 GHz. Half or twice the time is likely; the network is not in it, nor what a GPU changes. In 12 "
          "runs on a "
-         "quiet\nmachine the memory was 0.8 to 1.0 and the time 0.5 to 0.7 times the estimate.\n";
+         "quiet\nmachine the memory was 0.8 to 1.0 and the time 0.5 to 0.7 times the estimate. Beside that each "
+         "process "
+         "may keep " +
+         megabytes(double(kKeptFreed_bytes)) + "\nof freed memory, which are counted.\n";
 }
 
 std::string idle_workers_warning(const PlanInput& input, const PlanEstimate& plan) {

@@ -12,6 +12,7 @@
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
+#include "cli/list_option.h"
 #include "cli/progress_bar.h"
 #include "cli/time_limit.h"
 #include "comm/stop_signals.h"
@@ -222,11 +223,9 @@ void add_solve(CLI::App& puzzle, Command& selected) {
   CLI::App* command = puzzle.add_subcommand("solve", "Lay a puzzle's pieces beside each other as they were cut");
   command->footer(kSolveExamples);
   command->add_option("LIB", request.library, "The pieces")->required()->type_name("LIB.h5");
-  command->add_option("--size", request.frame_px, "The frame, px of the canvas, or the box of --frame; default: none")
-      ->delimiter(',')
-      ->expected(2)
-      ->check(CLI::Range(64, 20'000))
-      ->type_name("W,H");
+  add_list_option<int>(*command, "--size", [&request](std::vector<int> given) { request.frame_px = std::move(given); },
+                       "The frame, px of the canvas, or the box of --frame; default: none",
+                       {.type_name = "W,H", .count = 2, .value = CLI::Range(64, 20'000)});
   command
       ->add_option("--frame", request.frame_file,
                    "The frame is what this file shows, as a canvas.file; without --size as large as the pieces want it")

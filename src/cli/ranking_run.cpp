@@ -1,8 +1,7 @@
 #include "cli/ranking_run.h"
 
-#include <cstdio>
-
 #include "cli/collage_warnings.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "io/number_text.h"
 #include "io/result/collage_files.h"
@@ -55,8 +54,8 @@ int run_ranking(const RankingArguments& arguments) {
   const std::string out = output_folder(arguments);
   io::prepare_output_directory(out);
   io::write_ranking(out, results, weights);
-  std::printf("%s%s\n\nwritten to %s: ranking.csv, ranking.json, ranking.png\n", table_text(results).c_str(),
-              io::score_formula(weights).c_str(), out.c_str());
+  print_lines(table_text(results) + io::score_formula(weights) + "\n\n");
+  print_line("written to %s: ranking.csv, ranking.json, ranking.png", out.c_str());
   return 0;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -9,8 +8,10 @@
 #include "cli/collage_options.h"
 #include "cli/commands.h"
 #include "cli/erased_choice.h"
+#include "cli/list_option.h"
 #include "cli/ranking_run.h"
 #include "cli/refined_result.h"
+#include "cli/terminal.h"
 #include "core/base/error.h"
 #include "io/job/job_keys.h"
 #include "io/result/collage_sheet.h"
@@ -126,8 +127,8 @@ int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
     if (one.resume.empty() && !one.restart) one.resume = "auto";
     ranking.folders.push_back(one.out);
     if (run_collage(one, ranks) == CollageEnd::finished) continue;
-    std::fprintf(stderr, "tessera: unfinished: the same command%s goes on where this one was\n",
-                 one.restart ? " without --restart" : "");
+    print_message(std::string("unfinished: the same command") + (one.restart ? " without --restart" : "") +
+                  " goes on where this one was");
     return kUnfinishedExitCode;
   }
   return run_ranking(ranking);
@@ -158,23 +159,18 @@ void add_actions(CLI::App& refine, RefineArguments& arguments) {
           "Outlines and drawings are deformed to close gaps and overlaps, a little; --deform=voronoi: as far as there "
           "is something to fill")
       ->check(CLI::IsMember({"capped", "voronoi"}));
-  actions->add_option("--pieces", arguments.erase.pieces, "These go, and the room where they lay is filled anew")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("N,N..");
-  actions
-      ->add_option("--box", arguments.erase.box_px, "Pieces whose centre lies in this rectangle go, px of the canvas")
-      ->delimiter(',')
-      ->expected(4)
-      ->type_name("X,Y,W,H");
+  const ListOption pieces{.type_name = "N,N.."};
+  add_list_option(*actions, "--pieces", arguments.erase.pieces, "These go, and the room where they lay is filled anew",
+                  pieces);
+  add_list_option(*actions, "--box", arguments.erase.box_px,
+                  "Pieces whose centre lies in this rectangle go, px of the canvas",
+                  {.type_name = "X,Y,W,H", .count = 4});
   actions
       ->add_option("--erase", arguments.erase.mask,
                    "Pieces go that this drawing touches, which is laid over the canvas: SVG, or an image")
       ->type_name("MASK");
-  actions->add_option("--swap", arguments.erase.swapped, "These go, and none of their drawings comes in for them")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("N,N..");
+  add_list_option(*actions, "--swap", arguments.erase.swapped, "These go, and none of their drawings comes in for them",
+                  pieces);
 }
 
 }  // namespace
@@ -185,10 +181,8 @@ void add_refine_command(CLI::App& app, Command& selected) {
   refine->footer(kExamples);
   refine->add_option("RESULT", arguments->result, "The folder of the result")->required()->type_name("DIR");
   add_actions(*refine, *arguments);
-  refine->add_option("--lock", arguments->locked, "These stay where they are, now and in later refinements")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("N,N..");
+  add_list_option(*refine, "--lock", arguments->locked, "These stay where they are, now and in later refinements",
+                  {.type_name = "N,N.."});
   const io::JobKey& trials = *io::find_job_key("improve", "trials");
   refine
       ->add_option("--trials", arguments->trials,

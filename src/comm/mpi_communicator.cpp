@@ -5,19 +5,19 @@
 #include <boost/mpi/environment.hpp>
 #include <boost/mpi/exception.hpp>
 #include <boost/mpi/status.hpp>
-#include <chrono>
-#include <cstdlib>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
+
+#include "comm/watchdog.h"
 
 namespace tessera::comm {
 namespace {
 
 namespace mpi = boost::mpi;
 
-constexpr std::chrono::seconds kAbortPatience{5};
+constexpr double kAbortPatience_s = 5;
 
 std::vector<int> ranks_of_this_node(const mpi::communicator& world) {
   MPI_Comm shared = MPI_COMM_NULL;
@@ -52,12 +52,9 @@ std::string MpiCommunicator::place_of(int rank) const {
 }
 
 void MpiCommunicator::abort(int exit_code) {
-  // Where the launcher does not answer, the rank leaves all the same.
+  std::optional<Watchdog> watchdog;  // where the launcher does not answer, the rank leaves all the same
   try {
-    std::thread([exit_code] {
-      std::this_thread::sleep_for(kAbortPatience);
-      std::_Exit(exit_code);
-    }).detach();
+    watchdog.emplace(kAbortPatience_s, exit_code);
   } catch (const std::system_error&) {  // no thread is left: the launcher has to answer
   }
   mpi::environment::abort(exit_code);

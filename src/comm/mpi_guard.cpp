@@ -2,12 +2,16 @@
 
 #include <boost/mpi/config.hpp>  // mpi.h without its old C++ interface
 #include <boost/mpi/exception.hpp>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <optional>
+#include <string>
 
 #include "comm/mpi_communicator.h"
 #include "comm/stop_signals.h"
+#include "comm/watchdog.h"
 
 namespace tessera::comm {
 
@@ -28,23 +32,53 @@ MpiGuard::~MpiGuard() {
 
 namespace {
 
+/// Rank 0 speaks first, then rank 1, then all others: when one has spoken and left, the launcher ends the rest.
+constexpr double kBehind_s = 5;
+
 [[noreturn]] void leave_at_once(int exit_code) {
   std::fflush(nullptr);
   std::_Exit(exit_code);
 }
 
+/// As the launcher says it, before MPI can be asked.
+std::string launched_rank() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK"}) {
+    if (const char* rank = std::getenv(name)) return rank;
+  }
+  return "0";
+}
+
+/// Ends this process with `exit_code` and a message unless the calls of MPI that `doing` names are over in time. `rest`:
+/// what the message says of the run.
+void watch(std::optional<Watchdog>& watchdog, const RankProgram& program, double patience_s, int exit_code,
+           const std::string& doing, const std::string& rest) {
+  const std::string rank = launched_rank();
+  const double own_patience_s = patience_s + (rank == "0" ? 0 : rank == "1" ? 1 : 2) * kBehind_s;
+  watchdog.emplace(own_patience_s, exit_code, [=, report = program.report_error] {
+    report("rank " + rank + " has waited " + std::to_string(std::lround(own_patience_s)) +
+           " s for the other ranks to " + doing + ": one of them was stopped, hangs or was never started; " + rest);
+  });
+}
+
 }  // namespace
 
-int run_mpi_job(int& argc, char**& argv, const RankProgram& program) {
+int run_mpi_job(int& argc, char**& argv, const RankProgram& program, const MpiPatience& patience) {
+  std::optional<Watchdog> leaving;  // outlives MPI
+  std::optional<Watchdog> starting;
+  watch(starting, program, patience.start_s, kEnvironmentExitCode, "start MPI",
+        "the run ends before it has begun: start it again");
   const MpiGuard mpi(argc, argv);
   MpiCommunicator ranks;
+  starting.reset();
   prepare_stop_signals(ranks.rank());
   try {
     const RankResult result = run_rank(ranks, program);
     if (result.ending == Ending::at_once) leave_at_once(result.exit_code);
+    watch(leaving, program, patience.end_s, result.exit_code, "end MPI", "the run's files are written");
     return result.exit_code;
   } catch (...) {  // the transport itself failed: nobody can be told
     program.report_error(ranks.place() + ": " + describe_current_exception().text);
+    watch(leaving, program, patience.end_s, kEnvironmentExitCode, "end MPI", "the run ends here");
     throw;
   }
 }

@@ -18,8 +18,15 @@ class MpiGuard {
   int exceptions_before_;
 };
 
+/// How long ranks wait for each other where MPI itself waits.
+struct MpiPatience {
+  double start_s = 300;  // until all ranks are there: a large cluster takes a minute
+  double end_s = 30;     // until all have left, once they have said goodbye
+};
+
 /// What main returns: runs `program` as this process' rank of the job and leaves together with the others, with the
-/// signals as stop_signals.h says. mpirun's exit code is that of rank 0.
-int run_mpi_job(int& argc, char**& argv, const RankProgram& program);
+/// signals as stop_signals.h says. mpirun's exit code is that of rank 0. Where some ranks do not start or end MPI in time,
+/// as one was stopped, hangs or was never started, the others end with a message.
+int run_mpi_job(int& argc, char**& argv, const RankProgram& program, const MpiPatience& patience = {});
 
 }  // namespace tessera::comm

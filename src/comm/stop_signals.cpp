@@ -53,7 +53,6 @@ void remember(int) { signalled.store(true, std::memory_order_relaxed); }
 }  // namespace
 
 void prepare_stop_signals(int rank) {
-  signal(SIGPIPE, SIG_IGN);
   struct sigaction action = {};
   if (rank == 0) {
     action.sa_sigaction = on_continue;

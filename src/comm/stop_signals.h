@@ -16,7 +16,7 @@ namespace tessera::comm {
 
 /// To be called once on each rank. Rank 0: mpirun's SIGCONT raises SIGTERM, and mpirun's own SIGTERM follows a second
 /// later. Other ranks: the first SIGINT, SIGTERM and SIGHUP do nothing, and SIGUSR2, which mpirun and srun pass on to
-/// all ranks, never does: rank 0 ends the job. All: writing to a closed pipe is an error of that write, not the end.
+/// all ranks, never does: rank 0 ends the job.
 void prepare_stop_signals(int rank);
 
 /// Whether mpirun has begun to kill the job.

@@ -1,9 +1,11 @@
 #include "io/csv_text.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "core/base/error.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
@@ -68,7 +70,37 @@ class CsvReader {
   std::size_t line_ = 1;
 };
 
+/// Whether what begins there would begin a formula, in the wide letters of East Asian keyboards too.
+bool begins_formula(std::string_view text) {
+  for (const std::string_view sign : {"=", "+", "-", "@", "＝", "＋", "－", "＠"}) {
+    if (text.starts_with(sign)) return true;
+  }
+  return false;
+}
+
+std::string without_formulas(const std::string& text) {
+  std::string harmless;
+  bool begins_cell = true;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (begins_cell && begins_formula(std::string_view(text).substr(at))) harmless += '\'';
+    begins_cell = text[at] == ';' || (begins_cell && (text[at] == ' ' || text[at] == '"'));
+    harmless += text[at];
+  }
+  return harmless;
+}
+
+std::string quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
 }  // namespace
+
+std::string csv_text_cell(const std::string& text) {
+  const std::string cell = without_formulas(printable_utf8(text));
+  return cell.find_first_of(",;\"") == std::string::npos ? cell : quoted(cell);
+}
 
 std::vector<CsvRow> read_csv(const std::string& text) { return CsvReader(text).rows(); }
 

@@ -17,4 +17,9 @@ struct CsvRow {
 /// beside them.
 std::vector<CsvRow> read_csv(const std::string& text);
 
+/// A cell for a text that comes from elsewhere: escaped (printable_utf8), in quotes where it holds a separator, and no
+/// formula for a spreadsheet. What would begin one (= + - @, also behind a semicolon, which separates cells where the
+/// decimal point is a comma) gets an apostrophe before it. Numbers of our own need none of this.
+std::string csv_text_cell(const std::string& text);
+
 }  // namespace tessera::io

@@ -2,7 +2,14 @@
 
 #include <algorithm>
 
+#include "io/utf8_text.h"
+
 namespace tessera::io {
+
+void TextTable::add(std::vector<std::string> row) {
+  for (std::string& cell : row) cell = printable_utf8(cell);
+  rows_.push_back(std::move(row));
+}
 
 std::string TextTable::text() const {
   std::vector<std::size_t> width(rows_.front().size(), 0);

@@ -7,12 +7,13 @@
 
 namespace tessera::io {
 
-/// Columns are as wide as their widest cell; the first is aligned to the left, the others to the right.
+/// Columns are as wide as their widest cell; the first is aligned to the left, the others to the right. Cells may hold
+/// names from files: they are escaped (printable_utf8).
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
   /// `row` has as many cells as the header.
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  void add(std::vector<std::string> row);
   std::string text() const;
 
  private:

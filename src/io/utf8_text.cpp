@@ -14,6 +14,10 @@ bool is_control(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0xfffe || code == 0xffff;
 }
 
+/// Unicode's line and paragraph separators, and what embeds, overrides or isolates a direction of writing: a name with
+/// one of these changes how the text beside it is shown.
+bool is_layout(std::uint32_t code) { return (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069); }
+
 struct Character {
   std::size_t bytes;  // 0: this is none
   std::uint32_t code;
@@ -39,11 +43,12 @@ Character character_at(const std::string& text, std::size_t at) {
 
 }  // namespace
 
-std::string printable_utf8(const std::string& text) {
+std::string printable_utf8(const std::string& text, std::string_view kept) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const auto [bytes, code] = character_at(text, at);
-    if (bytes == 0 || is_control(code)) {
+    const bool is_kept = kept.find(text[at]) != kept.npos;
+    if (!is_kept && (bytes == 0 || is_control(code) || is_layout(code))) {
       // Of a control character each byte, as of what is no UTF-8.
       result.append(std::max<std::size_t>(1, bytes), '_');
     } else {

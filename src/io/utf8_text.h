@@ -3,11 +3,14 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace tessera::io {
 
-/// `text` with every control character and every byte that is not part of valid UTF-8 replaced by '_'.
-std::string printable_utf8(const std::string& text);
+/// `text` with '_' instead of every byte that is no valid UTF-8, of every control character and of every character that
+/// reorders the text round it (Unicode's bidirectional controls). The ASCII control characters in `kept` stay: "\n" keeps
+/// the line ends of a text of several lines.
+std::string printable_utf8(const std::string& text, std::string_view kept = {});
 
 /// Whether all of it is valid UTF-8, whatever the characters are.
 bool is_utf8(const std::string& text);

@@ -4,7 +4,6 @@
 #include <cstdlib>
 
 #include "core/matching/composite_matcher.h"
-#include "core/ranks/partition.h"
 #include "worker/device_speed.h"
 #include "worker/opencl_devices.h"
 #include "worker/opencl_matcher.h"
@@ -16,16 +15,17 @@ void limit_cpu_threads(int threads) {
   setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(std::max(1, threads)).c_str(), keep_users_choice);
 }
 
-std::vector<DevicePart> device_parts(const std::string& devices_use, const PadParameters& pad, const ShapeRange& shapes,
-                                     const DeviceShare& share, const BetweenLaunches& between_launches) {
+std::vector<DevicePart> device_parts(const std::string& devices_use, const MatchingContext& context,
+                                     const ShapeRange& shapes, const DeviceNeeds& needs, const DeviceShare& share,
+                                     const BetweenLaunches& between_launches) {
   std::vector<cl::Device> devices = chosen_devices(devices_use, share);
-  const std::size_t count = shapes.end - shapes.begin;
-  devices.resize(std::clamp<std::size_t>(count, 1, devices.size()));
+  devices.resize(std::clamp<std::size_t>(shapes.size(), 1, devices.size()));
   std::vector<double> speeds(devices.size(), 1);
-  if (count > devices.size()) speeds = device_speeds(devices, pad, between_launches);
+  if (shapes.size() > devices.size()) speeds = device_speeds(devices, context.pad, between_launches);
+  const std::vector<DeviceRoom> rooms = rooms_of(devices, share.per_worker > 0 ? 1 : share.workers, share.workers);
   std::vector<DevicePart> parts;
-  for (const ShapeRange& part : ranges_by_speed(count, speeds)) {
-    parts.push_back({devices[parts.size()], {shapes.begin + part.begin, shapes.begin + part.end}});
+  for (const ShapeRange& part : parts_that_fit(shapes, speeds, rooms, context, needs)) {
+    parts.push_back({devices[parts.size()], part});
   }
   return parts;
 }
@@ -53,7 +53,8 @@ std::unique_ptr<Matcher> make_device_matcher(const std::vector<DevicePart>& part
 std::unique_ptr<Matcher> make_device_matcher(const std::string& devices_use, const MatchingContext& context,
                                              const ShapeRange& shapes,
                                              const std::shared_ptr<const ModelSource>& models) {
-  return make_device_matcher(device_parts(devices_use, context.pad, shapes), context, models);
+  const DeviceNeeds needs{.reads_models = models->reads_singly()};
+  return make_device_matcher(device_parts(devices_use, context, shapes, needs), context, models);
 }
 
 void compile_kernels(const std::string& devices_use, const MatchingContext& context) {

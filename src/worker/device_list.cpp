@@ -1,7 +1,9 @@
 #include "worker/device_list.h"
 
+#include <algorithm>
 #include <cstdio>
 
+#include "core/base/kept_memory.h"
 #include "worker/opencl_devices.h"
 
 namespace tessera::worker {
@@ -28,6 +30,16 @@ std::string platform_line(const cl::Platform& platform) {
   return "platform \"" + platform.getInfo<CL_PLATFORM_NAME>() + "\", " + platform.getInfo<CL_PLATFORM_VERSION>() + "\n";
 }
 
+/// What the processes of a job take of a CPU's memory beside what lies on it as a device.
+std::string kept_memory_text(const std::vector<cl::Device>& devices) {
+  const bool any_cpu = std::any_of(devices.begin(), devices.end(), [](const cl::Device& device) {
+    return device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU;
+  });
+  if (!any_cpu) return "";
+  return "The memory of a CPU is that of the host: each process of a job may keep " +
+         std::to_string(kKeptFreed_bytes / 1'000'000) + " MB of it that it has freed\n(tessera plan counts them).\n";
+}
+
 std::string use_text(std::size_t devices) {
   const std::string what = devices == 1 ? "this device" : "all " + std::to_string(devices) + " devices";
   return "\nA job without [devices] uses " + what +
@@ -47,7 +59,7 @@ std::string device_list() {
     text += device_line(i, devices[i]);
     latest = platform;
   }
-  return text + use_text(devices.size());
+  return text + use_text(devices.size()) + kept_memory_text(devices);
 }
 
 }  // namespace tessera::worker

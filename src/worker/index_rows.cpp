@@ -136,17 +136,23 @@ IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, const
   return result;
 }
 
-std::size_t index_bytes(const MatchRecord& match, const IndexKind& kind) {
-  const std::size_t pad_bytes = filter_rows(kind.pad_levels) + place_numbers(kind.pad_levels) * sizeof(std::uint16_t) +
-                                (kind.with_chords ? sizeof(ChordRecord) : 0);
-  std::size_t bytes = 0;
+BufferBytes index_bytes(const MatchRecord& match, const IndexKind& kind) {
+  std::size_t roots = 0, nodes = 0;
   for (const IndexPart& part : index_parts(match)) {
-    const std::size_t lanes_of_nodes = std::size_t(part.roots) * kFilterLanes;
-    const std::size_t lanes_of_blocks = std::size_t(part.nodes) * kFilterLanes;
-    bytes += part.roots * sizeof(RootRecord) + (lanes_of_nodes + lanes_of_blocks) * box_rows(kind.pad_levels) +
-             lanes_of_blocks * kFilterLanes * pad_bytes;
+    roots += part.roots;
+    nodes += part.nodes;
   }
-  return bytes;
+  const std::size_t lanes_of_nodes = roots * kFilterLanes;
+  const std::size_t lanes_of_blocks = nodes * kFilterLanes;
+  const std::size_t pads = lanes_of_blocks * kFilterLanes;
+  BufferBytes buffers;
+  buffers.add(roots * sizeof(RootRecord));
+  buffers.add(lanes_of_nodes * box_rows(kind.pad_levels));
+  buffers.add(lanes_of_blocks * box_rows(kind.pad_levels));
+  buffers.add(pads * filter_rows(kind.pad_levels));
+  buffers.add(pads * place_numbers(kind.pad_levels) * sizeof(std::uint16_t));
+  if (kind.with_chords) buffers.add(pads * sizeof(ChordRecord));
+  return buffers;
 }
 
 }  // namespace tessera::worker

@@ -3,6 +3,8 @@
 // made piece by piece and kept with its shapes.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -54,7 +56,18 @@ struct IndexedPads {
 IndexRows make_index_rows(const IndexPart& part, const MatchRecord& match, const IndexedPads& of_segment,
                           const IndexKind& kind, std::vector<u32> order = {});
 
+/// The sizes of buffers on a device.
+struct BufferBytes {
+  std::size_t all = 0;
+  std::size_t largest = 0;
+
+  void add(std::size_t buffer) {
+    all += buffer;
+    largest = std::max(largest, buffer);
+  }
+};
+
 /// What the index of a shard takes on its device.
-std::size_t index_bytes(const MatchRecord& match, const IndexKind& kind);
+BufferBytes index_bytes(const MatchRecord& match, const IndexKind& kind);
 
 }  // namespace tessera::worker

@@ -64,22 +64,28 @@ std::string why_no_devices(const std::vector<cl::Platform>& found) {
          "POCL_CACHE_DIR where it is set, must be a folder that can be written";
 }
 
-std::vector<cl::Device> devices_of_kind(const std::vector<cl::Device>& all, const std::string& kind) {
+/// 'devices.use = "gpu"' or '--devices gpu'.
+std::string request_text(const std::string& use, const std::string& option) {
+  return option.empty() ? "devices.use = \"" + use + "\"" : option + " " + use;
+}
+
+std::vector<cl::Device> devices_of_kind(const std::vector<cl::Device>& all, const std::string& kind,
+                                        const std::string& request) {
   std::vector<cl::Device> chosen;
   for (const cl::Device& device : all) {
     if (kind_name(device) == kind) chosen.push_back(device);
   }
   if (chosen.empty()) {
-    throw EnvironmentError("devices.use = \"" + kind + "\": this machine has no such OpenCL device; it has " +
-                           listed(all));
+    throw EnvironmentError(request + ": this machine has no such OpenCL device; it has " + listed(all));
   }
   return chosen;
 }
 
-std::vector<cl::Device> devices_by_index(const std::vector<cl::Device>& all, const std::string& use) {
+std::vector<cl::Device> devices_by_index(const std::vector<cl::Device>& all, const std::string& use,
+                                         const std::string& request) {
   const auto refuse = [&](const std::string& found) {
     return InputError(
-        "devices.use = \"" + use + "\": " + found +
+        request + ": " + found +
         "; allowed: \"all\", \"cpu\", \"gpu\" or distinct indices of this machine's OpenCL devices: " + listed(all));
   };
   std::vector<std::size_t> indices;
@@ -146,22 +152,25 @@ std::string missing_arithmetic(cl_device_fp_config single_precision) {
   return missing;
 }
 
-void check_arithmetic(const std::string& device, cl_device_fp_config single_precision, const std::string& all) {
+void check_arithmetic(const std::string& device, cl_device_fp_config single_precision, const std::string& all,
+                      const std::string& key) {
   const std::string missing = missing_arithmetic(single_precision);
   if (missing.empty()) return;
-  throw EnvironmentError(
-      "OpenCL device \"" + device + "\" has no " + missing +
-      ": a collage would have other bytes there than elsewhere; choose others by devices.use: " + all);
+  throw EnvironmentError("OpenCL device \"" + device + "\" has no " + missing +
+                         ": a collage would have other bytes there than elsewhere; choose others by " + key + ": " +
+                         all);
 }
 
-std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share) {
+std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share, const std::string& option) {
   const std::vector<cl::Device> all = opencl_devices();
+  const std::string request = request_text(use, option);
   const std::vector<cl::Device> named = use == "all"                   ? all
-                                        : use == "cpu" || use == "gpu" ? devices_of_kind(all, use)
-                                                                       : devices_by_index(all, use);
+                                        : use == "cpu" || use == "gpu" ? devices_of_kind(all, use, request)
+                                                                       : devices_by_index(all, use, request);
   std::vector<cl::Device> own;
   for (const std::size_t i : own_devices(named.size(), share)) {
-    check_arithmetic(named[i].getInfo<CL_DEVICE_NAME>(), named[i].getInfo<CL_DEVICE_SINGLE_FP_CONFIG>(), listed(all));
+    check_arithmetic(named[i].getInfo<CL_DEVICE_NAME>(), named[i].getInfo<CL_DEVICE_SINGLE_FP_CONFIG>(), listed(all),
+                     option.empty() ? "devices.use" : option);
     own.push_back(named[i]);
   }
   return own;

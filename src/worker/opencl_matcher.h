@@ -28,6 +28,7 @@ class OpenCLMatcher : public Matcher {
   void limit(const StandingLimits& limits) override;
   void post_count(const CountRequest& request) override;
   bool step_count() override { return pairs_.step_count(); }
+  bool step_is_ready() override { return pairs_.step_is_ready(); }
   std::vector<DistanceHistogram> take_count() override { return pairs_.take_count(); }
   void post_dock(const DockRequest& request) override;
   DockReply take_dock() override { return docking_.take(); }

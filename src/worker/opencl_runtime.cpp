@@ -86,6 +86,18 @@ void DeviceSession::wait_for_launches() const {
   }
 }
 
+bool DeviceSession::launches_are_done() const {
+  while (!launches_.empty()) {
+    const cl_int status =
+        checked(name_, [&] { return launches_.front().getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>(); });
+    if (status > CL_COMPLETE) return false;
+    if (status < CL_COMPLETE) return true;  // it failed: wait_for_launches says how
+    launches_.pop_front();
+    if (between_launches_) between_launches_();
+  }
+  return true;
+}
+
 void set_argument(cl::Kernel& kernel, cl_uint index, std::uint32_t value) { kernel.setArg(index, value); }
 
 void enqueue(const DeviceSession& session, cl::Kernel& kernel, const WorkSize& size, cl_uint arguments) {

@@ -52,6 +52,8 @@ class DeviceSession {
   void add_launch(cl::Event launch) const { launches_.push_back(std::move(launch)); }
   /// Waits until all launches that were posted are done, one after the other.
   void wait_for_launches() const;
+  /// Whether wait_for_launches would not wait any more.
+  bool launches_are_done() const;
 
  private:
   cl::Device device_;

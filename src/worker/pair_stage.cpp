@@ -124,6 +124,8 @@ bool PairStage::step_count() {
   return run_is_posted();
 }
 
+bool PairStage::step_is_ready() const { return !run_is_posted() || library_->session().launches_are_done(); }
+
 std::vector<DistanceHistogram> PairStage::take_count() {
   while (step_count()) {
   }

@@ -17,6 +17,8 @@ class PairStage {
   void post_count(std::vector<std::uint32_t> bins, std::uint32_t segment_stride);
   /// Waits for what is on the device and posts what is to be searched next; false where nothing is.
   bool step_count();
+  /// As in Matcher.
+  bool step_is_ready() const;
   std::vector<DistanceHistogram> take_count();
 
   /// The pairs of these samples whose bins are below each one's limit, by sample, then by shape, best first. Waits for

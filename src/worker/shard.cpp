@@ -148,18 +148,15 @@ Shard make_shard(const MatchRecord& match, const IndexKind& kind, const std::vec
 
 ShardBytes shard_bytes(const MatchingContext& context, std::size_t shapes, bool reads) {
   const MatchRecord match = make_match_record(context, {0, u32(shapes)});
-  ShapeModel model;  // all shapes are of one size
-  for (const int level : context.levels) {
-    const std::size_t samples = std::size_t(kSmoothingLevels[std::size_t(level)].samples);
-    model.levels.push_back({level, std::vector<ModelSample>(samples)});
-  }
-  const std::size_t of_one = make_shard(make_match_record(context, {0, 1}), index_kind(context), {model}).bytes();
   const HeldShapes held;
   const bool whole = !reads || held.holds_all(shapes);
   const std::size_t contours = whole ? shapes : held.contours;
   const std::size_t keypoints = whole ? shapes * match.sources * keypoint_numbers(context.pad.levels) : 0;
-  return {of_one * shapes + index_bytes(match, index_kind(context)) + contours * kContourFloats * sizeof(float),
-          keypoints * sizeof(std::int16_t)};
+  BufferBytes buffers = index_bytes(match, index_kind(context));
+  buffers.add(shapes * kSketchFloats * sizeof(float));
+  buffers.add(shapes * sizeof(ShapeRecord));
+  buffers.add(contours * kContourFloats * sizeof(float));
+  return {.device = buffers.all, .host = keypoints * sizeof(std::int16_t), .largest_buffer = buffers.largest};
 }
 
 }  // namespace tessera::worker

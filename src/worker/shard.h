@@ -58,6 +58,7 @@ static_assert(HeldShapes().most_whole >= kWholeDeck);
 struct ShardBytes {
   std::size_t device = 0;
   std::size_t host = 0;
+  std::size_t largest_buffer = 0;  // on the device
 };
 ShardBytes shard_bytes(const MatchingContext& context, std::size_t shapes, bool reads);
 

@@ -27,7 +27,7 @@ run 0 library info all.h5
 grep -qx 'silhouettes     6 (1 in other colours)' output || fail "no variants"
 echo "ok merge"
 
-run 0 library subset all.h5 --include '*e*' 'star*' --exclude '*d*' -o some.h5
+run 0 library subset all.h5 --include '*e*' --include 'star*' --exclude '*d*' -o some.h5
 run 0 library info some.h5 --names
 [[ $(tr '\n' , <output) == 'bean,corner,leaf,star,leaf (more),' ]] || fail "another choice"
 run 2 library subset all.h5 --include 'Star' -o none.h5

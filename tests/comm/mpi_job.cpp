@@ -1,6 +1,8 @@
 // A job for mpi_job_test.sh: mpi_job HOW FILE; rank 0 writes FILE at its end.
+#include <boost/mpi/config.hpp>  // mpi.h without its old C++ interface
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -28,7 +30,7 @@ int lead(Communicator& ranks, const std::string& how, const std::string& file) {
     std::fflush(stdout);
   }
   try {
-    if (how != "done") ranks.receive(1, Tag::turn);
+    if (how != "done" && !how.starts_with("stopped")) ranks.receive(1, Tag::turn);
   } catch (const tessera::Interrupted&) {
     std::this_thread::sleep_for(std::chrono::milliseconds(700));  // pictures take their time
   }
@@ -57,13 +59,41 @@ int work(Communicator& ranks, const std::string& how) {
   return 0;
 }
 
+/// Little where a rank is stopped.
+tessera::comm::MpiPatience patience_of(const std::string& how) {
+  tessera::comm::MpiPatience patience;
+  if (how.starts_with("stopped_starting")) patience.start_s = 2;
+  if (how.starts_with("stopped_ending")) patience.end_s = 2;
+  return patience;
+}
+
+/// Stops this process where it is, if it is that rank and the job is to go so: `how` is "stopped_WHERE_RANK".
+void stop_if_told(const std::string& where) {
+  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  const char* how = std::getenv("MPI_JOB_HOW");
+  if (rank && how && how == "stopped_" + where + "_" + rank) std::raise(SIGSTOP);
+}
+
 }  // namespace
+
+// MPI's own names, which a program may define (the profiling interface): the library has them as PMPI_...
+extern "C" int MPI_Init_thread(int* argc, char*** argv, int required, int* provided) {
+  stop_if_told("starting");
+  return PMPI_Init_thread(argc, argv, required, provided);
+}
+
+extern "C" int MPI_Finalize() {
+  stop_if_told("ending");
+  return PMPI_Finalize();
+}
 
 int main(int argc, char** argv) {
   const std::string how = argv[1];
   const std::string file = argv[2];
+  setenv("MPI_JOB_HOW", argv[1], 1);
   return tessera::comm::run_mpi_job(
       argc, argv,
       {.run = [&](Communicator& ranks) { return ranks.rank() == 0 ? lead(ranks, how, file) : work(ranks, how); },
-       .report_error = [](const std::string& line) { std::fprintf(stderr, "error: %s\n", line.c_str()); }});
+       .report_error = [](const std::string& line) { std::fprintf(stderr, "error: %s\n", line.c_str()); }},
+      patience_of(how));
 }

@@ -43,6 +43,19 @@ start worker_dies
 [[ $? == 137 ]] || fail "worker_dies: exit code"
 echo "ok worker_dies"
 
+# Where MPI waits for a rank that does not come, whichever it is; what rank 0 wrote before is there.
+hangs() { # HOW CODE LINE WITHIN_S
+  SECONDS=0
+  expect "$1" "$2" "$3"
+  ((SECONDS <= $4)) || fail "$1: took $SECONDS s"
+}
+hangs stopped_starting_1 1 'rank 0 has waited 2 s for the other ranks to start MPI: .*' 8
+[[ ! -e $folder/stopped_starting_1 ]] || fail "it ran without rank 1"
+hangs stopped_starting_0 1 'rank 1 has waited 7 s for the other ranks to start MPI: .*' 13
+# mpirun calls it a failure that rank 0 leaves without the others.
+hangs stopped_ending_1 1 "rank 0 has waited 2 s for the other ranks to end MPI: .*; the run's files are written" 8
+[[ -s $folder/stopped_ending_1 ]] || fail "nothing was written before the end"
+
 "${on_ranks[@]}" 3 "$job" interrupted "$folder/interrupted" >"$folder/output" 2>"$folder/errors" &
 started=$!
 for ((i = 0; i < 200; ++i)); do

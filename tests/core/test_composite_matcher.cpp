@@ -84,6 +84,45 @@ TEST(CompositeMatcher, AStepIsOneOfEachPartAndTellsWhetherAnyIsLeft) {
   EXPECT_EQ(calls, (Calls{"step 0", "step 1", "step 0"}));
 }
 
+/// A part that is ready for its next step only now and then.
+class SlowMatcher : public SteppingMatcher {
+ public:
+  SlowMatcher(std::uint32_t shape, int steps, int looks, std::vector<std::string>& calls)
+      : SteppingMatcher(shape, steps, calls),
+        looks_(looks) {}
+  bool step_is_ready() override { return ++looked_ % looks_ == 0; }
+
+ private:
+  int looks_;
+  int looked_ = 0;
+};
+
+/// A slow device with a large step, and a fast one with many small ones.
+TEST(CompositeMatcher, NobodyWaitsForAPartThatIsNotReady) {
+  Calls calls;
+  std::vector<std::unique_ptr<Matcher>> parts;
+  parts.push_back(std::make_unique<SlowMatcher>(0, 2, 4, calls));
+  parts.push_back(std::make_unique<SteppingMatcher>(1, 3, calls));
+  CompositeMatcher matcher(std::move(parts));
+  matcher.post_count({});
+  matcher.take_count();
+  EXPECT_EQ(calls, (Calls{"post 0", "post 1",            //
+                          "step 1", "step 1", "step 1",  //
+                          "step 0", "step 0",            //
+                          "take 0", "take 1"}));
+}
+
+TEST(CompositeMatcher, WhereNoPartIsReadyItWaitsForTheFirst) {
+  Calls calls;
+  std::vector<std::unique_ptr<Matcher>> parts;
+  parts.push_back(std::make_unique<SlowMatcher>(0, 1, 5, calls));
+  parts.push_back(std::make_unique<SlowMatcher>(1, 2, 2, calls));
+  CompositeMatcher matcher(std::move(parts));
+  matcher.post_count({});
+  matcher.take_count();
+  EXPECT_EQ(calls, (Calls{"post 0", "post 1", "step 1", "step 1", "step 0", "take 0", "take 1"}));
+}
+
 class CountingMatcher : public test::IdleMatcher {
  public:
   CountingMatcher(std::uint32_t shape, std::size_t samples) : shape_(shape), samples_(samples) {}

@@ -119,6 +119,35 @@ TEST(RangesBySpeed, AreInProportionToTheSpeeds) {
   EXPECT_EQ(sizes_of(ranges_by_speed(100, std::vector{1000.0, 1.0, 1.0})), (Sizes{98, 1, 1})) << "one at least";
 }
 
+TEST(RangesBySpeed, WhatAPartCannotHoldGoesToTheOthersBySpeed) {
+  using Sizes = std::vector<std::size_t>;
+  const auto sizes = [](std::size_t items, const std::vector<double>& speeds, const Sizes& most) {
+    return sizes_of(ranges_by_speed(items, speeds, most));
+  };
+  EXPECT_EQ(sizes(1000, {3, 1}, {1000, 1000}), (Sizes{750, 250}));
+  EXPECT_EQ(sizes(1000, {3, 1}, {600, 1000}), (Sizes{600, 400}));
+  EXPECT_EQ(sizes(1000, {3, 1}, {600, 400}), (Sizes{600, 400})) << "just so";
+  EXPECT_EQ(sizes(1000, {6, 3, 1}, {100, 1000, 1000}), (Sizes{100, 675, 225}));
+  EXPECT_EQ(sizes(1000, {6, 3, 1}, {100, 500, 1000}), (Sizes{100, 500, 400})) << "who takes over may become full";
+  EXPECT_EQ(sizes(10, {1, 1}, {0, 10}), (Sizes{0, 10}));
+  EXPECT_THROW(sizes(1000, {3, 1}, {600, 399}), std::invalid_argument);
+  EXPECT_THROW(sizes(1000, {3, 1}, {1000}), std::invalid_argument);
+}
+
+RC_GTEST_PROP(RangesBySpeed, NoneHasMoreThanItCanHold, ()) {
+  const std::vector<double> speeds = some_speeds();
+  std::vector<std::size_t> most;
+  for (std::size_t p = 0; p < speeds.size(); ++p) most.push_back(*rc::gen::inRange<std::size_t>(0, 300));
+  const std::size_t room = std::accumulate(most.begin(), most.end(), std::size_t(0));
+  const std::size_t items = *rc::gen::inRange<std::size_t>(0, room + 1);
+  const std::vector<ShapeRange> ranges = ranges_by_speed(items, speeds, most);
+  RC_ASSERT(ranges.front().begin == 0u);
+  RC_ASSERT(ranges.back().end == items);
+  for (std::size_t p = 1; p < ranges.size(); ++p) RC_ASSERT(ranges[p].begin == ranges[p - 1].end);
+  const std::vector<std::size_t> sizes = sizes_of(ranges);
+  for (std::size_t p = 0; p < sizes.size(); ++p) RC_ASSERT(sizes[p] <= most[p]);
+}
+
 TEST(RangesBySpeed, NeedSpeeds) {
   EXPECT_THROW(ranges_by_speed(5, {}), std::invalid_argument);
   EXPECT_THROW(ranges_by_speed(5, std::vector{1.0, 0.0}), std::invalid_argument);

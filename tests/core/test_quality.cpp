@@ -62,6 +62,17 @@ TEST(Quality, OverlapCountsEveryPieceBeyondTheFirst) {
   EXPECT_NEAR(q.overlap, 0.08 + 0.04, 1e-3);
 }
 
+TEST(Quality, OverlapCountsAnyNumberOfLayers) {
+  for (const std::size_t layers : {255u, 256u, 257u, 600u}) {
+    // Half of each lies outside, where layers count nothing.
+    const Quality q =
+        measure(make_rectangle_canvas(100, 100), std::vector<Placement>(layers, at(kSquare, 20, {0, 50})));
+    EXPECT_NEAR(q.coverage, 0.02, 1e-9);
+    EXPECT_NEAR(q.overlap, 0.02 * double(layers - 1), 1e-9);
+    EXPECT_NEAR(q.outside, 0.02, 1e-9);
+  }
+}
+
 TEST(Quality, OutsideOfTheCanvasIsNotCoverage) {
   const Quality q = measure(make_rectangle_canvas(100, 100), {at(kSquare, 40, {100, 50})});
   EXPECT_NEAR(q.coverage, 0.08, 1e-3);

@@ -130,14 +130,16 @@ TEST(CollageFiles, TheCardsTellOfTheLatestDrawing) {
   const std::string card = publish_result(folder.path(""), sample.report, sample.origin(), true);
   DrawingNotes notes;
   notes.pieces = 2;
+  notes.seconds = 12.34;
   notes.notes = {{"disc", DrawnFrom::thumbnail, "original missing", 1}};
   for (int i = 0; i < 2; ++i) add_drawing_to_cards(folder.path(""), notes);
   EXPECT_EQ(content_of(folder.path("card.txt")),
-            card + "Drawing\n  drawn from thumbnail    1 piece: original missing\n");
+            card + "Drawing\n  drawing time            12.3 s\n  drawn from thumbnail    1 piece: original missing\n");
   EXPECT_NE(content_of(folder.path("card.json")).find("original missing"), std::string::npos);
+  EXPECT_NE(content_of(folder.path("card.json")).find("\"seconds\": 12.34"), std::string::npos);
   read_manifest(folder.path(""));
-  add_drawing_to_cards(folder.path(""), {2, {}, {}});
-  EXPECT_EQ(content_of(folder.path("card.txt")), card);
+  add_drawing_to_cards(folder.path(""), {.pieces = 2});
+  EXPECT_EQ(content_of(folder.path("card.txt")), card + "Drawing\n  drawing time            0.0 s\n");
 }
 
 TEST(CollageFiles, ADrawingIsNotLostWithACard) {
@@ -145,7 +147,7 @@ TEST(CollageFiles, ADrawingIsNotLostWithACard) {
   const test::SampleCollage sample;
   publish_result(folder.path(""), sample.report, sample.origin(), true);
   std::filesystem::remove(folder.path("card.json"));
-  DrawingNotes notes{2, {{"disc", DrawnFrom::thumbnail, "original missing", 1}}, {}};
+  DrawingNotes notes{.pieces = 2, .notes = {{"disc", DrawnFrom::thumbnail, "original missing", 1}}};
   notes.cards = add_drawing_to_cards(folder.path(""), notes);
   ASSERT_EQ(notes.cards.size(), 1u);
   EXPECT_NE(

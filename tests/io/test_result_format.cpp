@@ -57,7 +57,7 @@ TEST(ResultFormat, has_every_key_of_the_card) {
 
 TEST(ResultFormat, has_every_key_of_the_drawing) {
   const DrawingNotes notes{
-      2, {{"disc", DrawnFrom::thumbnail, "lost", 1}, {"ring", DrawnFrom::silhouette, "bad", 1}}, {}};
+      .pieces = 2, .notes = {{"disc", DrawnFrom::thumbnail, "lost", 1}, {"ring", DrawnFrom::silhouette, "bad", 1}}};
   const json section = json::parse(drawing_json(notes));
   const std::string text = documented_section("### drawing");
   expect_all_named(section, text);

@@ -22,6 +22,19 @@ TEST(PrintableUtf8, ReplacesControlsAndBrokenBytes) {
   EXPECT_EQ(printable_utf8("\xef\xbf\xbe\xef\xbf\xbf"), "______");  // which XML does not allow
 }
 
+TEST(PrintableUtf8, ReplacesWhatReordersTheTextRoundIt) {
+  for (const char* text : {"\u2028", "\u2029", "\u202a", "\u202e", "\u2066", "\u2069"}) {
+    EXPECT_EQ(printable_utf8(std::string("a") + text + "b"), "a___b");
+  }
+  for (const char* text : {"\u2027", "\u202f", "\u2065", "\u206a", "\u200d", "שלום"})
+    EXPECT_EQ(printable_utf8(text), text);
+}
+
+TEST(PrintableUtf8, KeepsWhatItIsTold) {
+  EXPECT_EQ(printable_utf8("a\nb\tc\x1b\r", "\n"), "a\nb_c__");
+  EXPECT_EQ(printable_utf8("a\nb\tc\x1b\r", "\n\t"), "a\nb\tc__");
+}
+
 TEST(IsUtf8, AsksNotWhatTheCharactersAre) {
   EXPECT_TRUE(is_utf8(""));
   EXPECT_TRUE(is_utf8("aé€\n\x1b\xc2\x85"));

@@ -35,7 +35,8 @@ class DifferentDevices : public testing::Test {
   }
 
   static std::vector<DevicePart> parts(std::uint32_t shapes, const BetweenLaunches& between_launches = {}) {
-    return device_parts("all", {}, {7, 7 + shapes}, {}, between_launches);
+    const MatchingContext context = make_matching_context(CollageSettings(), 7 + shapes);
+    return device_parts("all", context, {7, 7 + shapes}, {}, {}, between_launches);
   }
 };
 

@@ -104,6 +104,18 @@ TEST(ChosenDevices, RefusalsSayWhatThereIs) {
   }
 }
 
+TEST(ChosenDevices, RefusalsNameTheOptionThatWasGiven) {
+  for (const std::string use : {"7", "x"}) {
+    try {
+      chosen_devices(use, {}, "--devices");
+      FAIL() << use;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("--devices " + use + ": ")) << error.what();
+      EXPECT_FALSE(has(error.what(), "devices.use")) << error.what();
+    }
+  }
+}
+
 TEST(LimitCpuThreads, LeavesTheUsersChoice) {
   setenv("POCL_MAX_PTHREAD_COUNT", "3", 1);
   limit_cpu_threads(1);

@@ -30,13 +30,17 @@ TEST(Shard, bytes_are_known_beforehand) {
     std::vector<float> contours;
     for (const ShapeModel& model : models) append_contour(contours, model);
     std::size_t bytes = shard.bytes() + contours.size() * sizeof(float);
+    std::size_t rows = 0;
     for (const IndexPart& part : index_parts(match)) {
-      bytes += bytes_of(make_index_rows(part, match, shard.pads, index_kind(context)));
+      const IndexRows made = make_index_rows(part, match, shard.pads, index_kind(context));
+      bytes += bytes_of(made);
+      rows += made.rows.size();
     }
     std::vector<std::int16_t> keypoints;
     for (const ShapeModel& model : models) append_keypoints(keypoints, model, context.pad.levels);
     for (const bool reads : {false, true}) {
       EXPECT_EQ(shard_bytes(context, 3, reads).device, bytes);
+      EXPECT_EQ(shard_bytes(context, 3, reads).largest_buffer, std::max(rows, contours.size() * sizeof(float)));
       EXPECT_EQ(shard_bytes(context, 3, reads).host, keypoints.size() * sizeof keypoints[0]);
     }
   }

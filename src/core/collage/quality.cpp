@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <string>
 
@@ -18,16 +19,17 @@
 namespace tessera {
 namespace {
 
-constexpr std::size_t kMaxCells = std::size_t(1) << 26;     // 64 MiB of counters
+constexpr std::size_t kMaxCells = std::size_t(1) << 26;     // 64 MiB a grid
 constexpr std::size_t kMaxGapNodes = std::size_t(1) << 23;  // two float grids of 32 MiB
 constexpr int kMaxGapSides = 32768;                         // width + height that the distance transform takes
 
-/// How many pieces cover each cell, and which cells belong to the region to fill.
+/// Which cells are covered by pieces, and which belong to the region to fill: 0 or 1.
 struct CellCounts {
   int per_px = 1;
   Window cells;  // node (0, 0) of the grids is its upper left cell
-  Grid<std::uint8_t> pieces;
+  Grid<std::uint8_t> covered;
   Grid<std::uint8_t> region;
+  std::uint64_t layers = 0;  // cells of the region, each as often as pieces cover it
 };
 
 int cells_per_px(const Canvas& canvas) {
@@ -55,8 +57,10 @@ Window counted_cells(const Canvas& canvas, const std::vector<JudgedPiece>& piece
 
 void count_piece(const Outline& piece_px, const Similarity& cells_from_canvas, CellCounts& counts) {
   for (const Span& span : fill_spans(piece_px, cells_from_canvas, counts.cells)) {
-    std::uint8_t* row = counts.pieces.row(span.y - counts.cells.y0) - counts.cells.x0;
-    for (int x = span.x0; x < span.x1; ++x) row[x] = std::uint8_t(std::min(255, row[x] + 1));
+    std::uint8_t* covered = counts.covered.row(span.y - counts.cells.y0) - counts.cells.x0;
+    const std::uint8_t* region = counts.region.row(span.y - counts.cells.y0) - counts.cells.x0;
+    std::fill(covered + span.x0, covered + span.x1, std::uint8_t(1));
+    counts.layers += std::accumulate(region + span.x0, region + span.x1, std::uint64_t(0));
   }
 }
 
@@ -76,31 +80,26 @@ CellCounts count_cells(const Canvas& canvas, const std::vector<JudgedPiece>& pie
   counts.per_px = cells_per_px(canvas);
   const Similarity cells_from_canvas{float(counts.per_px), 0, 0, 0};
   counts.cells = counted_cells(canvas, pieces, cells_from_canvas);
-  counts.pieces = Grid<std::uint8_t>(counts.cells.width(), counts.cells.height(), 0);
+  counts.covered = Grid<std::uint8_t>(counts.cells.width(), counts.cells.height(), 0);
   counts.region = Grid<std::uint8_t>(counts.cells.width(), counts.cells.height(), 0);
+  mark_region(canvas, counts);
   for (const JudgedPiece& piece : pieces) {
     for (const Vec2 offset : canvas.period.offsets()) {
       count_piece(piece.outline_px, moved(cells_from_canvas, offset * float(counts.per_px)), counts);
     }
   }
-  mark_region(canvas, counts);
   return counts;
 }
 
 void measure_areas(const CellCounts& counts, double canvas_area_px2, Quality& quality) {
-  std::size_t covered = 0;
-  std::size_t again = 0;
-  std::size_t outside = 0;
-  for (std::size_t i = 0; i < counts.pieces.data().size(); ++i) {
-    const std::uint8_t pieces = counts.pieces.data()[i];
-    const std::uint8_t region = counts.region.data()[i];
-    covered += region && pieces;
-    again += region && pieces ? pieces - 1u : 0u;
-    outside += !region && pieces;
+  std::uint64_t covered = 0;
+  std::uint64_t outside = 0;
+  for (std::size_t i = 0; i < counts.covered.data().size(); ++i) {
+    (counts.region.data()[i] ? covered : outside) += counts.covered.data()[i];
   }
   const double cells = canvas_area_px2 * counts.per_px * counts.per_px;
   quality.coverage = double(covered) / cells;
-  quality.overlap = double(again) / cells;
+  quality.overlap = double(counts.layers - covered) / cells;
   quality.outside = double(outside) / cells;
 }
 
@@ -133,7 +132,7 @@ double largest_gap_px(const CellCounts& counts, const Period& period) {
     const int row = images.row(cells.y0 + (y - 1) * step);
     for (int x = 1; x + 1 < taken.width(); ++x) {
       const int column = images.column(cells.x0 + (x - 1) * step);
-      const bool free = counts.region(column, row) && !counts.pieces(column, row);
+      const bool free = counts.region(column, row) && !counts.covered(column, row);
       taken(x, y) = !free;
       any_free |= free;
     }

@@ -1,8 +1,10 @@
 #include "core/matching/composite_matcher.h"
 
 #include <algorithm>
+#include <chrono>
 #include <span>
 #include <stdexcept>
+#include <thread>
 
 namespace tessera {
 namespace {
@@ -25,6 +27,12 @@ CompositeMatcher::CompositeMatcher(std::vector<std::unique_ptr<Matcher>> parts) 
       throw std::logic_error("the shape ranges of a composite matcher's parts leave a gap");
     }
   }
+  expect_steps();
+}
+
+void CompositeMatcher::expect_steps() {
+  counting_.clear();
+  for (const auto& part : parts_) counting_.push_back(part.get());
 }
 
 ShapeRange CompositeMatcher::shapes() const { return {parts_.front()->shapes().begin, parts_.back()->shapes().end}; }
@@ -43,12 +51,34 @@ void CompositeMatcher::limit(const StandingLimits& limits) {
 
 void CompositeMatcher::post_count(const CountRequest& request) {
   for (const auto& part : parts_) part->post_count(request);
+  expect_steps();
 }
 
+bool CompositeMatcher::take_ready_steps() {
+  bool any_ready = false;
+  std::erase_if(counting_, [&](Matcher* part) {
+    if (!part->step_is_ready()) return false;
+    any_ready = true;
+    return !part->step_count();
+  });
+  return any_ready;
+}
+
+/// Devices of different speeds and parts need different numbers of steps: none stands idle because another one takes
+/// longer for its step.
 bool CompositeMatcher::step_count() {
-  bool more = false;
-  for (const auto& part : parts_) more |= part->step_count();
-  return more;
+  constexpr std::chrono::microseconds kLook{50};
+  if (counting_.size() == 1) {
+    if (!counting_.front()->step_count()) counting_.clear();
+  } else {
+    while (!counting_.empty() && !take_ready_steps()) std::this_thread::sleep_for(kLook);
+  }
+  return !counting_.empty();
+}
+
+bool CompositeMatcher::step_is_ready() {
+  return counting_.empty() ||
+         std::any_of(counting_.begin(), counting_.end(), [](Matcher* part) { return part->step_is_ready(); });
 }
 
 /// Devices take all of their steps first: parts that wait for other ranks, which step by themselves, would hold them

@@ -18,8 +18,9 @@ class CompositeMatcher : public Matcher {
   void update_field(const FieldPatch& patch) override;
   void limit(const StandingLimits& limits) override;
   void post_count(const CountRequest& request) override;
-  /// One step of each part.
+  /// One step of each part that is ready; where none is, it waits until one is.
   bool step_count() override;
+  bool step_is_ready() override;
   std::vector<DistanceHistogram> take_count() override;
   void post_dock(const DockRequest& request) override;
   DockReply take_dock() override;
@@ -33,6 +34,10 @@ class CompositeMatcher : public Matcher {
   void expect_docks(std::size_t samples) { samples_posted_ = std::uint32_t(samples); }
 
  private:
+  void expect_steps();
+  /// Steps of the parts that are ready. False: none was.
+  bool take_ready_steps();
+
   using PostTo = void (Matcher::*)(const std::vector<Docking>&);
   template <class Answer>
   using TakeFrom = std::vector<Answer> (Matcher::*)();
@@ -41,6 +46,7 @@ class CompositeMatcher : public Matcher {
   std::vector<Answer> take_divided(TakeFrom<Answer> take);
 
   std::vector<std::unique_ptr<Matcher>> parts_;
+  std::vector<Matcher*> counting_;  // parts that may have another step of the count
   std::uint32_t samples_posted_ = 0;
   std::vector<std::vector<std::size_t>> posted_to_;  // per part: positions in the request that was divided
 };

@@ -10,8 +10,8 @@
 //   measure the terms of given poses, after the field has changed
 //
 // A question is posted, then taken: whoever joins several matchers posts to all before it takes from any. One of them
-// may count some samples after others: whoever joins several has all of them take their steps in turns, so that they
-// work at the same time.
+// may count some samples after others: whoever joins several has each of them take its next step as soon as it is ready,
+// so that they work at the same time, however many steps each has.
 #pragma once
 
 #include <array>
@@ -85,6 +85,8 @@ class Matcher {
   /// Takes the next step of the count that was posted, which waits for no more than this matcher's own devices, and
   /// tells whether there may be another one. take_count takes the steps that are left; without steps there are none.
   virtual bool step_count() { return false; }
+  /// Whether the next step would not have to wait.
+  virtual bool step_is_ready() { return true; }
   /// Of the samples that were not left out, in order.
   virtual std::vector<DistanceHistogram> take_count() = 0;
   virtual void post_dock(const DockRequest& request) = 0;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace tessera {
 namespace {
@@ -31,6 +33,57 @@ std::size_t end_near(std::size_t goal, std::size_t begin, std::size_t items, std
   return std::max(std::min(goal, latest), std::min(begin + 1, items));
 }
 
+constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+
+/// By speed; whoever would get more than its limit gets that, and the others share the rest.
+std::vector<double> limited_shares(std::size_t items, std::span<const double> speeds,
+                                   const std::vector<std::size_t>& limits) {
+  std::vector<double> shares(speeds.size(), 0);
+  std::vector<bool> is_full(speeds.size(), false);
+  for (bool found_full = true; found_full;) {
+    double left = double(items);
+    double speed = 0;
+    for (std::size_t p = 0; p < speeds.size(); ++p) (is_full[p] ? left : speed) += is_full[p] ? -shares[p] : speeds[p];
+    found_full = false;
+    for (std::size_t p = 0; p < speeds.size(); ++p) {
+      if (is_full[p]) continue;
+      shares[p] = left * (speeds[p] / speed);
+      if (shares[p] <= double(limits[p])) continue;
+      shares[p] = double(limits[p]);
+      is_full[p] = found_full = true;
+    }
+  }
+  return shares;
+}
+
+/// Whole numbers whose sums are as near to those of the shares as leaves an item for each part.
+std::vector<std::size_t> rounded_sizes(const std::vector<double>& shares, std::size_t items) {
+  std::vector<std::size_t> sizes;
+  double sum = 0;
+  std::size_t begin = 0;
+  for (std::size_t p = 0; p < shares.size(); ++p) {
+    sum += shares[p];
+    const std::size_t end = end_near(std::size_t(std::llround(sum)), begin, items, shares.size() - 1 - p);
+    sizes.push_back(end - begin);
+    begin = end;
+  }
+  return sizes;
+}
+
+/// What rounding, or an item for each, has put beyond a part's limit goes to the first that has room.
+void move_excess(const std::vector<std::size_t>& limits, std::vector<std::size_t>& sizes) {
+  std::size_t excess = 0;
+  for (std::size_t p = 0; p < sizes.size(); ++p) {
+    const std::size_t kept = std::min(sizes[p], limits[p]);
+    excess += std::exchange(sizes[p], kept) - kept;
+  }
+  for (std::size_t p = 0; p < sizes.size(); ++p) {
+    const std::size_t more = std::min(excess, limits[p] - sizes[p]);
+    sizes[p] += more;
+    excess -= more;
+  }
+}
+
 }  // namespace
 
 std::vector<ShapeRange> balanced_ranges(std::span<const std::uint64_t> weights, int parts) {
@@ -54,21 +107,25 @@ ShapeRange even_range(std::size_t shapes, int part, int parts) {
   return balanced_ranges(weights, parts)[std::size_t(part)];
 }
 
-std::vector<ShapeRange> ranges_by_speed(std::size_t items, std::span<const double> speeds) {
+std::vector<ShapeRange> ranges_by_speed(std::size_t items, std::span<const double> speeds,
+                                        std::span<const std::size_t> most) {
   const auto usable = [](double speed) { return speed > 0 && std::isfinite(speed); };
   if (speeds.empty() || !std::all_of(speeds.begin(), speeds.end(), usable)) {
     throw std::invalid_argument("ranges_by_speed: at least one part is needed, and speeds above 0");
   }
-  const double all = std::accumulate(speeds.begin(), speeds.end(), 0.0);
+  const std::vector<std::size_t> limits = most.empty() ? std::vector<std::size_t>(speeds.size(), items)
+                                                       : std::vector<std::size_t>(most.begin(), most.end());
+  const auto room = [](std::size_t sum, std::size_t limit) { return sum + std::min(limit, kNoLimit - sum); };
+  if (limits.size() != speeds.size() || std::accumulate(limits.begin(), limits.end(), std::size_t(0), room) < items) {
+    throw std::invalid_argument("ranges_by_speed: no room for all items");
+  }
+  std::vector<std::size_t> sizes = rounded_sizes(limited_shares(items, speeds, limits), items);
+  move_excess(limits, sizes);
   std::vector<ShapeRange> ranges;
-  double sum = 0;
   std::size_t begin = 0;
-  for (std::size_t p = 0; p < speeds.size(); ++p) {
-    sum += speeds[p];
-    const auto goal = std::size_t(std::llround(double(items) * (sum / all)));
-    const std::size_t end = end_near(goal, begin, items, speeds.size() - 1 - p);
-    ranges.push_back({std::uint32_t(begin), std::uint32_t(end)});
-    begin = end;
+  for (const std::size_t size : sizes) {
+    ranges.push_back({std::uint32_t(begin), std::uint32_t(begin + size)});
+    begin += size;
   }
   return ranges;
 }

@@ -14,8 +14,6 @@
 namespace tessera::io {
 namespace {
 
-/// Counted up with every change of the format, and of the algorithm, that would make an old state go on differently.
-constexpr int kVersion = 16;
 constexpr std::string_view kMagic = "tessera-checkpoint\n";
 constexpr std::size_t kBlockBytes = std::size_t(1) << 20;
 
@@ -23,8 +21,8 @@ using Seal = std::array<char, kSealBytes>;
 
 Seal make_seal(std::uint64_t bytes, std::uint64_t digest) {
   Seal seal{};
-  std::snprintf(seal.data(), seal.size(), "%sversion %d\nbytes %llu\ndigest %016llx\n", kMagic.data(), kVersion,
-                static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(digest));
+  std::snprintf(seal.data(), seal.size(), "%sversion %d\nbytes %llu\ndigest %016llx\n", kMagic.data(),
+                kCheckpointVersion, static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(digest));
   return seal;
 }
 
@@ -56,9 +54,9 @@ std::uint64_t number_after(std::string_view seal, const std::string& name) {
 }
 
 void check_version(const std::string& path, std::uint64_t version) {
-  if (version == std::uint64_t(kVersion)) return;
+  if (version == std::uint64_t(kCheckpointVersion)) return;
   throw InputError(path + ": checkpoint format version " + std::to_string(version) + ", this program reads version " +
-                   std::to_string(kVersion) + "; continue with the program that wrote it");
+                   std::to_string(kCheckpointVersion) + "; continue with the program that wrote it");
 }
 
 }  // namespace

@@ -104,7 +104,8 @@ std::vector<std::string> colours_of_file(const std::string& path) {
   return colours;
 }
 
-std::vector<std::string> load(const Job& job, const std::string& key, const std::vector<std::string>& palette) {
+/// `place`: who asks for it, for messages.
+std::vector<std::string> load(const std::string& place, const std::vector<std::string>& palette) {
   if (is_colour_list(palette)) return distinct(palette);
   if (const auto found = built_in().find(palette[0]); found != built_in().end()) return found->second;
   try {
@@ -113,9 +114,8 @@ std::vector<std::string> load(const Job& job, const std::string& key, const std:
     std::string names;
     for (const std::string& name : built_in_palettes()) names += name + ", ";
     const std::string nearest = nearest_name(std::filesystem::path(palette[0]).filename(), built_in_palettes());
-    throw InputError(job.path + ": " + key + ": " + error.what() +
-                     (nearest.empty() ? "" : " (did you mean " + nearest + "?)") + "; allowed: " + names +
-                     "a GIMP palette or a file with a #rrggbb a line, or a list of colours");
+    throw InputError(place + ": " + error.what() + (nearest.empty() ? "" : " (did you mean " + nearest + "?)") +
+                     "; allowed: " + names + "a GIMP palette or a file with a #rrggbb a line, or a list of colours");
   }
 }
 
@@ -132,11 +132,13 @@ const std::vector<std::string>& built_in_palettes() {
 
 bool is_colour_list(const std::vector<std::string>& palette) { return palette.size() > 1 || is_colour(palette[0]); }
 
-std::vector<std::string> load_palette(const Job& job) { return load(job, "colour.palette", job.colour.palette); }
+std::vector<std::string> load_palette(const Job& job, const std::string& option) {
+  return load(option.empty() ? job.path + ": colour.palette" : option, job.colour.palette);
+}
 
 std::vector<std::string> load_library_colours(const Job& job) {
   if (job.library_colours == std::vector<std::string>{"all"}) return {};
-  return load(job, "library.colours", job.library_colours);
+  return load(job.path + ": library.colours", job.library_colours);
 }
 
 }  // namespace tessera::io

@@ -54,7 +54,8 @@ void take_found(const fs::path& file, ArtworkFiles& found) {
 }
 
 bool is_wanted(const fs::path& file, const std::string& glob) {
-  if (!glob.empty()) return ::fnmatch(glob.c_str(), file.filename().c_str(), 0) == 0;
+  const std::string name = file.filename();
+  if (!glob.empty()) return name == glob || ::fnmatch(glob.c_str(), name.c_str(), 0) == 0;
   const std::string extension = extension_of(file);
   return contains(kExtensions, extension) || contains(kOtherExtensions, extension);
 }

@@ -21,27 +21,31 @@ NameIndex::NameIndex(std::vector<std::string> names) : names_(std::move(names)),
                    [&](std::uint32_t a, std::uint32_t b) { return names_[a] < names_[b]; });
 }
 
+std::span<const std::uint32_t> NameIndex::named(const std::string& name) const {
+  const auto found = std::ranges::equal_range(in_order_, std::string_view(name), std::less<std::string_view>(),
+                                              [&](std::uint32_t place) { return std::string_view(names_[place]); });
+  return {found.begin(), found.end()};
+}
+
 std::span<const std::uint32_t> NameIndex::candidates(const std::string& glob) const {
-  const std::string_view start = std::string_view(glob).substr(0, glob.find_first_of(kWildCards));
-  const bool is_name = start.size() == glob.size();
-  const auto beginning = [&](std::uint32_t place) {
-    return std::string_view(names_[place]).substr(0, is_name ? std::string_view::npos : start.size());
-  };
-  const auto found = std::ranges::equal_range(in_order_, start, std::less<std::string_view>(), beginning);
+  const std::size_t start = glob.find_first_of(kWildCards);
+  const std::span<const std::uint32_t> exact = named(glob);
+  if (!exact.empty() || start == std::string::npos) return exact;
+  const auto beginning = [&](std::uint32_t place) { return std::string_view(names_[place]).substr(0, start); };
+  const auto found = std::ranges::equal_range(in_order_, std::string_view(glob).substr(0, start),
+                                              std::less<std::string_view>(), beginning);
   return {found.begin(), found.end()};
 }
 
 std::optional<std::uint32_t> NameIndex::find(const std::string& name) const {
-  const auto at = std::ranges::lower_bound(in_order_, name, std::less<std::string_view>(),
-                                           [&](std::uint32_t place) { return std::string_view(names_[place]); });
-  if (at == in_order_.end() || names_[*at] != name) return std::nullopt;
-  return *at;
+  const std::span<const std::uint32_t> places = named(name);
+  return places.empty() ? std::nullopt : std::optional(places.front());
 }
 
 std::vector<std::uint32_t> NameIndex::matching(const std::string& glob) const {
   std::vector<std::uint32_t> places;
   for (const std::uint32_t place : candidates(glob)) {
-    if (::fnmatch(glob.c_str(), names_[place].c_str(), 0) == 0) places.push_back(place);
+    if (names_[place] == glob || ::fnmatch(glob.c_str(), names_[place].c_str(), 0) == 0) places.push_back(place);
   }
   std::sort(places.begin(), places.end());
   return places;

@@ -19,14 +19,17 @@ class NameIndex {
   /// The first place of exactly this name.
   std::optional<std::uint32_t> find(const std::string& name) const;
 
-  /// The places, ascending, of the names that the pattern (name_globs.h) is of.
+  /// The places, ascending, of the names that the pattern (name_globs.h) is of. Where there is a name that is the pattern
+  /// letter by letter, it is that name that was meant: "logo [final]" selects itself, and no "logo f".
   std::vector<std::uint32_t> matching(const std::string& glob) const;
 
-  /// The places, by name, of all that the pattern may be of: those that begin as it does up to its first wild card, and
-  /// where it has none those of this very name.
+  /// The places, by name, of all that the pattern may be of: those of this very name; where there are none, those that
+  /// begin as it does up to its first wild card.
   std::span<const std::uint32_t> candidates(const std::string& glob) const;
 
  private:
+  std::span<const std::uint32_t> named(const std::string& name) const;
+
   std::vector<std::string> names_;
   std::vector<std::uint32_t> in_order_;  // by name; of equal ones by place
 };

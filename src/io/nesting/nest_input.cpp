@@ -1,7 +1,5 @@
 #include "io/nesting/nest_input.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -9,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/nesting/search_outline.h"
 #include "io/library/library_view.h"
+#include "io/library/name_index.h"
 #include "io/nesting/dxf_drawings.h"
 #include "io/nesting/nest_instance.h"
 #include "io/nesting/svg_drawings.h"
@@ -197,14 +196,13 @@ std::string names_of(const NestInput& input) {
 }  // namespace
 
 void set_demands(NestInput& input, const std::vector<std::pair<std::string, int>>& demands) {
+  std::vector<std::string> names;
+  for (const NestSource& source : input.sources) names.push_back(source.drawing.name);
+  const NameIndex index(std::move(names));
   for (const auto& [pattern, demand] : demands) {
-    bool any = false;
-    for (NestSource& source : input.sources) {
-      if (::fnmatch(pattern.c_str(), source.drawing.name.c_str(), 0) != 0) continue;
-      source.demand = demand;
-      any = true;
-    }
-    if (!any)
+    const std::vector<std::uint32_t> places = index.matching(pattern);
+    for (const std::uint32_t place : places) input.sources[place].demand = demand;
+    if (places.empty())
       throw InputError("--demand " + printable_utf8(pattern) + ": fits no name of a shape; allowed: patterns of " +
                        names_of(input));
   }

@@ -4,12 +4,14 @@
 #include <string>
 
 #include "io/number_text.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 
+/// `value` may hold names from files: they are escaped.
 inline std::string card_line(const std::string& label, const std::string& value) {
   constexpr std::size_t kLabelWidth = 24;
-  return "  " + label + std::string(kLabelWidth - label.size(), ' ') + value + "\n";
+  return "  " + label + std::string(kLabelWidth - label.size(), ' ') + printable_utf8(value) + "\n";
 }
 
 inline std::string percent_text(double fraction, int decimals = 2) { return fixed(100 * fraction, decimals) + " %"; }

@@ -3,6 +3,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "io/number_text.h"
+#include "io/utf8_text.h"
+
 namespace tessera::io {
 namespace {
 
@@ -36,7 +39,8 @@ std::string cut(std::string text, std::size_t most_bytes) {
 
 std::string line(const std::string& label, const std::string& value) {
   constexpr std::size_t kLabelWidth = 24, kMostBytes = 78;
-  return "  " + cut(label + std::string(kLabelWidth - label.size(), ' ') + value, kMostBytes - 2) + "\n";
+  return "  " + cut(label + std::string(kLabelWidth - label.size(), ' ') + printable_utf8(value), kMostBytes - 2) +
+         "\n";
 }
 
 }  // namespace
@@ -51,15 +55,15 @@ std::string drawing_json(const DrawingNotes& notes) {
     silhouettes.push_back({{"shape", note.shape}, {"reason", note.reason}, {"pieces", note.pieces}});
   }
   const std::size_t others = pieces_of(notes, DrawnFrom::thumbnail) + pieces_of(notes, DrawnFrom::silhouette);
-  const Json section{{"pieces_from_originals", notes.pieces - others},
+  const Json section{{"seconds", rounded(notes.seconds, 3)},
+                     {"pieces_from_originals", notes.pieces - others},
                      {"from_thumbnails", thumbnails},
                      {"as_silhouettes", silhouettes}};
   return section.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string drawing_text(const DrawingNotes& notes) {
-  if (notes.notes.empty()) return "";
-  std::string text = kDrawingHeading;
+  std::string text = kDrawingHeading + line("drawing time", fixed(notes.seconds, 1) + " s");
   for (const auto& [reason, pieces] : by_reason(notes, DrawnFrom::thumbnail)) {
     text += line("drawn from thumbnail", counted(pieces) + ": " + reason);
   }

@@ -1,4 +1,4 @@
-// Which pieces of a picture are not drawn from their originals, for the card and for stderr.
+// How long drawing took, and which pieces of a picture are not drawn from their originals, for the card and for stderr.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,8 @@ struct DrawingNote {
 
 struct DrawingNotes {
   std::size_t pieces = 0;               // of the collage
-  std::vector<DrawingNote> notes;       // in the order of the library
+  std::vector<DrawingNote> notes = {};  // in the order of the library
+  double seconds = 0;                   // that drawing took, reading the result included
   std::vector<std::string> cards = {};  // why a card does not tell of this drawing
   DrawerLayers layers = {};             // not for the card: it tells of the result, whatever the machine
 };
@@ -32,7 +33,7 @@ std::string drawing_json(const DrawingNotes& notes);
 /// The first line of drawing_text().
 inline constexpr const char* kDrawingHeading = "Drawing\n";
 
-/// A section of card.txt, lines of less than 80 characters; empty where all pieces are drawn from their originals.
+/// A section of card.txt, lines of less than 80 characters.
 std::string drawing_text(const DrawingNotes& notes);
 
 /// One line that counts the pieces by reason and names the cards that do not tell of them; mostly empty.

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/atomic_file.h"
+#include "io/csv_text.h"
 #include "io/number_text.h"
 #include "io/result/collage_sheet.h"
 #include "io/result/finished_result.h"
@@ -45,14 +46,6 @@ double parsed_weight(const std::string& change, const std::string& text) {
 std::string short_text(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-/// A field that holds a separator stands in quotes.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 /// The measures that older cards lack: name, value and decimals, in the order of the columns.
@@ -218,14 +211,14 @@ std::string ranking_csv(const std::vector<RankedResult>& results) {
   for (const RankedResult& result : results) {
     const ResultCard& card = result.card;
     const Quality& q = card.quality;
-    text += std::to_string(result.rank) + "," + csv_field(card.folder) + "," + fixed(result.score, 3) + "," +
+    text += std::to_string(result.rank) + "," + csv_text_cell(card.folder) + "," + fixed(result.score, 3) + "," +
             fixed(q.coverage, 6) + "," + fixed(q.overlap, 6) + "," + fixed(q.outside, 6) + "," +
             fixed(q.shared_boundary, 6) + "," + std::to_string(q.pieces) + "," + std::to_string(q.distinct_shapes) +
             "," + fixed(q.largest_gap_px, 3);
     for (const PictureMeasure& measure : picture_measures(card)) {
       text += "," + (measure.value ? fixed(*measure.value, measure.decimals) : std::string());
     }
-    text += "," + fixed(card.total_s, 3) + "," + csv_field(card.stopped_by) + "\n";
+    text += "," + fixed(card.total_s, 3) + "," + csv_text_cell(card.stopped_by) + "\n";
   }
   return text;
 }

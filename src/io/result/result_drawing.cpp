@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "io/atomic_file.h"
 #include "io/available_cores.h"
 #include "io/checkpoint/checkpoint_origin.h"
@@ -267,6 +268,7 @@ class ResultPictures {
 }  // namespace
 
 DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, DrawingObserver& observer) {
+  const Stopwatch watch;
   const WholeResult result = read_result(dir);
   const ResultManifest& manifest = result.manifest;
   auto [job, other_colours] = job_of(result, request);
@@ -310,6 +312,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   if (request.png && job.output.labels) pictures.labels();
   DrawingNotes notes = pictures.notes();
   notes.layers = drawers.layers();
+  notes.seconds = watch.seconds();
   if (is_result) notes.cards = add_drawing_to_cards(dir, notes);
   return notes;
 }

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -10,18 +9,10 @@
 #include "core/base/error.h"
 #include "io/own_file.h"
 #include "io/utc_time.h"
+#include "io/utf8_text.h"
 #include "io/write_all.h"
 
 namespace tessera::io {
-namespace {
-
-std::string one_line(std::string text) {
-  const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  std::replace_if(text.begin(), text.end(), control, '?');
-  return text;
-}
-
-}  // namespace
 
 RunLog::RunLog(const std::string& folder) : path_((std::filesystem::path(folder) / "run.log").string()), file_(-1) {
   try {
@@ -37,7 +28,7 @@ void RunLog::error(const std::string& text) { add("error", text); }
 
 void RunLog::add(const char* kind, const std::string& text) {
   if (!file_.is_open()) return;
-  const std::string line = utc_now() + " " + kind + ": " + one_line(text) + "\n";
+  const std::string line = utc_now() + " " + kind + ": " + printable_utf8(text) + "\n";
   if (!write_all(file_.number(), bytes_of(line)) && problem_.empty())
     problem_ = "cannot write " + path_ + ": " + std::generic_category().message(errno);
 }
