@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "io/number_text.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
@@ -36,7 +37,8 @@ std::string left_over_text(const NestRun& run) {
   for (std::size_t i = 0; i < run.layout.left_over.size(); ++i) {
     const int count = run.layout.left_over[i];
     if (count > 0)
-      text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + run.input.sources[i].drawing.name;
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " +
+              printable_utf8(run.input.sources[i].drawing.name);
   }
   return text.empty() ? "nothing" : text;
 }
@@ -80,7 +82,7 @@ std::string nest_card_text(const NestRun& run) {
     return "  " + label + std::string(16 - label.size(), ' ') + value + "\n";
   };
   const std::string length = fixed(run.layout.used_length, 3) + " mm";
-  std::string text = std::string(kNestProgram) + ": " + run.input.name + "\n";
+  std::string text = std::string(kNestProgram) + ": " + printable_utf8(run.input.name) + "\n";
   text += line("pieces", std::to_string(run.layout.pieces.size()) + " of " + std::to_string(wanted_pieces(run)));
   text += line("density", fixed(100 * density_of(run), 2) + " %");
   if (is_strip(run)) {
