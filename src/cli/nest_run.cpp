@@ -107,16 +107,6 @@ NestOutcome searched(const NestArguments& arguments, const NestProblem& problem,
       [&] { return stop.search_over(); });
 }
 
-std::size_t points_to_write(const io::NestRun& run) {
-  std::size_t points = 0;
-  for (const io::NestSource& source : run.input.sources) {
-    std::size_t of_source = source.drawing.outline.size();
-    for (const NestRing& hole : source.drawing.holes) of_source += hole.size();
-    points += of_source * std::size_t(source.demand);
-  }
-  return points;
-}
-
 int left_over(const io::NestRun& run) {
   int count = 0;
   for (const int of_item : run.layout.left_over) count += of_item;
@@ -157,7 +147,8 @@ bool draw(const NestArguments& arguments, const io::NestRun& run, NestStop& stop
   try {
     folder.draw(run, [&](std::size_t done, std::size_t all) {
       drawn = done;
-      end_if(stop.drawing_over());
+      // The first one, which most layouts have alone, is part of the layout.
+      end_if(done == 0 ? stop.writing_over() : stop.drawing_over());
       progress.show(done, all);
     });
     return true;
@@ -203,7 +194,7 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
   run.seed = arguments.seed;
   if (arguments.folder.empty()) arguments.folder = "out/" + run.input.name;
   for (const std::string& note : run.input.notes) std::fprintf(stderr, "tessera: warning: %s\n", note.c_str());
-  stop.leave_time_for(points_to_write(run), sheets_to_draw(run.problem));
+  stop.leave_time_for(io::points_to_cut(run.input), sheets_to_draw(run.problem));
   comm::install_stop_handlers();
   io::NestFolder folder(arguments.folder);
   const Stopwatch watch;
