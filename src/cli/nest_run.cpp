@@ -147,8 +147,7 @@ bool draw(const NestArguments& arguments, const io::NestRun& run, NestStop& stop
   try {
     folder.draw(run, [&](std::size_t done, std::size_t all) {
       drawn = done;
-      // The first one, which most layouts have alone, is part of the layout.
-      end_if(done == 0 ? stop.writing_over() : stop.drawing_over());
+      end_if(stop.drawing_over(done));
       progress.show(done, all);
     });
     return true;
