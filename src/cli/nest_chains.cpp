@@ -8,6 +8,7 @@
 #include "comm/encode.h"
 #include "core/base/interrupted.h"
 #include "core/base/stopwatch.h"
+#include "core/nesting/column_layout.h"
 #include "io/parallel_for.h"
 
 #include <boost/serialization/vector.hpp>
@@ -200,6 +201,7 @@ NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, 
         progress(done, best);
         if (const char* reason = stop_reason()) throw Interrupted{reason};
       });
+  findings.add(ColumnLayout(problem).all());
   try {
     std::vector<NestLayout> of_ranks{best_of({problem, effort, seed}, ranks, findings)};
     for (int worker = 1; worker <= workers; ++worker) of_ranks.push_back(last_of(ranks, worker));

@@ -10,7 +10,7 @@
 namespace tessera::cli {
 
 struct NestOutcome {
-  NestLayout layout;                 // the best; without a piece where a stop came before any was found
+  NestLayout layout;                 // the best; without a piece where none fits
   const char* stopped_by = nullptr;  // as Interrupted::reason; null: all chains ended by themselves
 };
 

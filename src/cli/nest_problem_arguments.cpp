@@ -15,6 +15,8 @@ namespace {
 constexpr double kLeast_mm = 1e-3;
 /// Each shape is kept at each of its angles: some 300 MB.
 constexpr std::size_t kMostTurnedPoints = 10'000'000;
+/// Each has some 80 bytes in the files of the layout.
+constexpr std::size_t kMostCutPoints = 3'000'000;
 
 void check_length(const std::string& option, double mm, double least) {
   if (mm >= least && mm <= io::kFarthest_mm) return;
@@ -95,6 +97,10 @@ NestProblem problem_of(const NestArguments& arguments, const io::NestInput& inpu
     throw InputError(io::printable_utf8(arguments.input) + ": found " + std::to_string(points) +
                      " points of all shapes at all angles, allowed: " + std::to_string(kMostTurnedPoints) +
                      " (--angles)");
+  }
+  if (const std::size_t cut = io::points_to_cut(input); cut > kMostCutPoints) {
+    throw InputError(io::printable_utf8(arguments.input) + ": found " + std::to_string(cut) +
+                     " points of all pieces, allowed: " + std::to_string(kMostCutPoints) + " (--demand)");
   }
   return problem;
 }

@@ -109,16 +109,6 @@ NestOutcome searched(const NestArguments& arguments, const NestProblem& problem,
       [&] { return stop.search_over(); });
 }
 
-std::size_t points_to_write(const io::NestRun& run) {
-  std::size_t points = 0;
-  for (const io::NestSource& source : run.input.sources) {
-    std::size_t of_source = source.drawing.outline.size();
-    for (const NestRing& hole : source.drawing.holes) of_source += hole.size();
-    points += of_source * std::size_t(source.demand);
-  }
-  return points;
-}
-
 int left_over(const io::NestRun& run) {
   int count = 0;
   for (const int of_item : run.layout.left_over) count += of_item;
@@ -158,7 +148,7 @@ bool draw(const NestArguments& arguments, const io::NestRun& run, NestStop& stop
   try {
     folder.draw(run, [&](std::size_t done, std::size_t all) {
       drawn = done;
-      end_if(stop.drawing_over());
+      end_if(stop.drawing_over(done));
       progress.show(done, all);
     });
     return true;
@@ -204,7 +194,7 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
   run.seed = arguments.seed;
   if (arguments.folder.empty()) arguments.folder = "out/" + run.input.name;
   for (const std::string& note : run.input.notes) print_warning(note);
-  stop.leave_time_for(points_to_write(run), sheets_to_draw(run.problem));
+  stop.leave_time_for(io::points_to_cut(run.input), sheets_to_draw(run.problem));
   comm::install_stop_handlers();
   io::NestFolder folder(arguments.folder);
   const Stopwatch watch;

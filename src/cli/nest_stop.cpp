@@ -12,7 +12,7 @@ namespace {
 constexpr double kLeaving_s = 4;  // of several ranks, as of a collage
 /// mpirun kills its ranks two seconds after a signal; a file, and leaving, take the rest. A process alone has more time
 /// for many sheets.
-constexpr double kWritingAfterSignal_s = 1.2, kWritingAlone_s = 5;
+constexpr double kWritingAfterSignal_s = 1.2, kWritingAlone_s = 10;
 
 }  // namespace
 
@@ -43,9 +43,9 @@ const char* NestStop::writing_over() {
   return is_signalled() && watch_.seconds() - signalled_s_ > writing_after_signal_s_ ? "signal" : nullptr;
 }
 
-const char* NestStop::drawing_over() {
+const char* NestStop::drawing_over(std::size_t drawn) {
   if (is_signalled() && watch_.seconds() - signalled_s_ > kWritingAfterSignal_s) return "signal";
-  return limit_.drawing_over(leaving_s_) ? "time_limit" : nullptr;
+  return drawn > 0 && limit_.drawing_over(leaving_s_) ? "time_limit" : nullptr;
 }
 
 double NestStop::search_left_s() const {

@@ -24,8 +24,9 @@ class NestStop {
   /// Whether a signal came so long ago that writing the layout must end, too; null: no. The limit does not end it: the
   /// search has left time for it.
   const char* writing_over();
-  /// Whether drawing pictures, which the layout does not need, is to end; null: no.
-  const char* drawing_over();
+  /// Whether drawing pictures, of which so many are done, is to end; null: no. The limit does not end the first one,
+  /// which most layouts have alone.
+  const char* drawing_over(std::size_t drawn);
   /// Until a search ends by the limit; infinite without one.
   double search_left_s() const;
   /// Whether the user said how long it may take: then the end of that time is no interruption.

@@ -169,9 +169,13 @@ import math
 rings = ["".join("%s%.4f %.4f" % ("ML"[k > 0], math.cos(k * math.tau / 900) * 9, math.sin(k * math.tau / 900) * 9) for k in range(900))
          for _ in range(200)]
 open("many.svg", "w").write("<svg xmlns='http://www.w3.org/2000/svg'>" + "".join("<path d='%sZ'/>" % r for r in rings) + "</svg>")
+fine = "".join("%s%.4f %.4f" % ("ML"[k > 0], math.cos(k * math.tau / 4000) * 9, math.sin(k * math.tau / 4000) * 9) for k in range(4000))
+open("fine.svg", "w").write("<svg xmlns='http://www.w3.org/2000/svg'><path d='%sZ'/></svg>" % fine)
 PYTHON
 run 2 nest many.svg --strip 50 --angles "$(seq -s, 0 359)"
 expect_word 'many.svg: found 64800000 points of all shapes at all angles, allowed: 10000000 (--angles)'
+run 2 nest fine.svg --strip 50 --demand '*=1000'
+expect_word 'fine.svg: found 4000000 points of all pieces, allowed: 3000000 (--demand)'
 head -c 300 parts.json >cut.json
 run 2 nest cut.json
 expect_word 'cut.json: not a readable JSON file'

@@ -112,6 +112,23 @@ TEST_F(LargeDrawings, AreReadWithinTheBounds) {
   });
 }
 
+/// One lies in the box of each other, and in none; or in all.
+TEST_F(LargeDrawings, OfManyContoursInEachOtherAreSortedInSeconds) {
+  std::string frames = kSvg, nested = kSvg;
+  for (int i = 0; i < 2'000; ++i) {
+    const std::string x = std::to_string(i * 0.01), far = std::to_string(5000 - i * 0.01);
+    frames += "<path d='M" + x + " " + x + "V" + far + "H" + far;
+    for (int step = 0; step < 40; ++step) frames += "l-1 -.0" + std::to_string(step + 10);
+    frames += "z'/><path d='M4000 " + std::to_string(1 + i * 0.5) + "h.2v.2z'/>";
+    nested += "<path d='M" + x + " " + x + "V" + far + "H" + far + "V" + x + "z'/>";
+  }
+  for (const std::string& text : {frames, nested}) {
+    const std::string path = folder_.write("contours.svg", text + "</svg>");
+    test::expect_refused(path, "contours.svg",
+                         [&] { throw InputError(path + ": " + std::to_string(read_nest_input(path).sources.size())); });
+  }
+}
+
 TEST_F(LargeDrawings, InDxfAreRefused) {
   const std::string begin = "0\nSECTION\n2\nENTITIES\n";
   const std::string points = "found more than 200000 points, allowed: so many in a file";

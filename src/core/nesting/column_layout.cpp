@@ -1,60 +1,63 @@
 #include "core/nesting/column_layout.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/nesting/nest_scene.h"
+#include "core/nesting/nest_tuning.h"
 
 namespace tessera {
-namespace {
 
-struct Boxed {
-  int item = 0;
-  int angle = 0;
-  NestPoint corner;  // the shift that puts the box into the corner of the material
-  double width = 0, height = 0;
-};
+ColumnLayout::ColumnLayout(const NestProblem& problem) : problem_(&problem) {
+  for (int item = 0; item < int(problem.items.size()); ++item) boxes_.push_back(boxed(item));
+}
 
-/// At the angle at which its box is smallest, of equals the narrowest.
-Boxed boxed(const NestScene& material, int item) {
+ColumnLayout::Boxed ColumnLayout::boxed(int item) const {
+  const double tolerance = nest_tuning::kInset * problem_->height;
+  const NestItem& of = problem_->items[std::size_t(item)];
   Boxed best;
-  bool any = false;
-  for (int angle = 0; angle < material.angles_of(item); ++angle) {
-    const PosedShape& shape = material.shape(item, angle);
-    if (!material.fits(shape)) continue;
-    const Boxed here{item, angle, material.range(shape).low, shape.own_box.width(), shape.own_box.height()};
+  for (int angle = 0; angle < int(of.angles_deg.size()); ++angle) {
+    const NestBox box = box_of(placed_outline(*problem_, {item, angle, {}, 0}));
+    const Boxed here{item, angle, box.low * -1, box.width(), box.height()};
+    if (here.width > problem_->length + tolerance || here.height > problem_->height + tolerance) continue;
     const double area = here.width * here.height, least = best.width * best.height;
-    if (any && (area > least || (area == least && here.width >= best.width))) continue;
-    best = here;
-    any = true;
+    if (best.angle < 0 || area < least || (area == least && here.width < best.width)) best = here;
   }
   return best;
 }
 
-}  // namespace
+NestLayout ColumnLayout::all() const {
+  NestLayout layout;
+  layout.left_over.assign(boxes_.size(), 0);
+  std::vector<int> items;
+  for (std::size_t item = 0; item < boxes_.size(); ++item)
+    items.insert(items.end(), std::size_t(problem_->items[item].demand), int(item));
+  add(items, 0, layout);
+  return layout;
+}
 
-void add_in_columns(const NestProblem& problem, const PosedItems& shapes, const std::vector<int>& items, double from,
-                    NestLayout& layout) {
-  if (items.empty()) return;
-  NestScene material(shapes, problem.height, problem.spacing);
-  material.set_length(problem.length);
+void ColumnLayout::add(std::span<const int> items, double from, NestLayout& layout) const {
   std::vector<Boxed> boxes;
-  for (const int item : items) boxes.push_back(boxed(material, item));
+  for (const int item : items) {
+    if (boxes_[std::size_t(item)].angle >= 0)
+      boxes.push_back(boxes_[std::size_t(item)]);
+    else
+      ++layout.left_over[std::size_t(item)];
+  }
+  if (boxes.empty()) return;
   std::stable_sort(boxes.begin(), boxes.end(), [](const Boxed& a, const Boxed& b) { return a.width > b.width; });
   NestPoint at{from, 0};
   double column_end = from;
   layout.used_length = from;
   for (const Boxed& box : boxes) {
-    if (at.y > 0 && at.y + box.height > problem.height) at = {column_end + problem.spacing, 0};
-    if (at.x > 0 && at.x + box.width > problem.length) {
+    if (at.y > 0 && at.y + box.height > problem_->height) at = {column_end + problem_->spacing, 0};
+    if (at.x > 0 && at.x + box.width > problem_->length) {
       ++layout.sheets;
       layout.used_length = 0;
       at = {};
     }
     layout.pieces.push_back({box.item, box.angle, box.corner + at, layout.sheets});
-    column_end = at.y > 0 ? column_end : at.x + box.width;
+    if (at.y == 0) column_end = at.x + box.width;  // the widest of its column
     layout.used_length = std::max(layout.used_length, at.x + box.width);
-    at.y += box.height + problem.spacing;
+    at.y += box.height + problem_->spacing;
   }
   ++layout.sheets;
 }

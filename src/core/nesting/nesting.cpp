@@ -106,7 +106,7 @@ class Chain {
 
   void tell_with_columns(NestLayout layout, const std::vector<int>& left, double from) {
     if (!found_) return;
-    add_in_columns(problem_, shapes_, left, from, layout);
+    columns_.add(left, from, layout);
     tell(layout);
   }
 
@@ -128,6 +128,7 @@ class Chain {
   const NestChainWatch& watch_;
   double most_done_ = 0;
   std::optional<NestLayout> best_;
+  const ColumnLayout columns_{problem_};
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
+#include "core/nesting/ring_rows.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -27,6 +28,12 @@ void check_contour(const NestRing& contour, const std::string& what) {
     throw InputError(what + ": found a contour that encloses nothing");
 }
 
+std::size_t points_of(const NestDrawing& drawing) {
+  std::size_t points = drawing.outline.size();
+  for (const NestRing& hole : drawing.holes) points += hole.size();
+  return points;
+}
+
 void check_name(const std::string& name, const std::string& what) {
   if (name.size() <= kMostNameBytes) return;
   throw InputError(what + ": found a name of " + std::to_string(name.size()) + " bytes, \"" +
@@ -36,10 +43,10 @@ void check_name(const std::string& name, const std::string& what) {
 namespace {
 
 /// Whether most of some of its points are inside: sides may touch.
-bool lies_in(const NestRing& inner, const NestRing& outer) {
+bool lies_in(const NestRing& inner, const RingRows& outer) {
   constexpr std::size_t kLooks = 5;
   std::size_t inside = 0;
-  for (std::size_t i = 0; i < kLooks; ++i) inside += contains(outer, inner[i * inner.size() / kLooks]) ? 1 : 0;
+  for (std::size_t i = 0; i < kLooks; ++i) inside += outer.contains(inner[i * inner.size() / kLooks]) ? 1 : 0;
   return 2 * inside > kLooks;
 }
 
@@ -56,18 +63,22 @@ bool holds(const NestBox& outer, const NestBox& inner) {
 /// Of each contour the largest that it lies in; -1: none.
 std::vector<int> outermost(const std::vector<NamedContour>& contours) {
   std::vector<double> areas;
-  std::vector<NestBox> boxes;
+  std::vector<RingRows> rows;
+  std::vector<std::size_t> largest_first;
   for (const NamedContour& contour : contours) {
+    largest_first.push_back(areas.size());
     areas.push_back(std::abs(signed_area(contour.ring)));
-    boxes.push_back(box_of(contour.ring));
+    rows.emplace_back(contour.ring);
   }
+  std::stable_sort(largest_first.begin(), largest_first.end(),
+                   [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
   std::vector<int> outer(contours.size(), -1);
   for (std::size_t i = 0; i < contours.size(); ++i) {
-    double largest = areas[i];
-    for (std::size_t j = 0; j < contours.size(); ++j) {
-      if (!(areas[j] > largest) || !holds(boxes[j], boxes[i]) || !lies_in(contours[i].ring, contours[j].ring)) continue;
+    for (const std::size_t j : largest_first) {
+      if (!(areas[j] > areas[i])) break;
+      if (!holds(rows[j].box(), rows[i].box()) || !lies_in(contours[i].ring, rows[j])) continue;
       outer[i] = int(j);
-      largest = areas[j];
+      break;
     }
   }
   return outer;

@@ -15,6 +15,9 @@ struct NestDrawing {
   std::vector<NestRing> holes;
 };
 
+/// Of the outline and the holes.
+std::size_t points_of(const NestDrawing& drawing);
+
 /// Most points of one contour, and of all of a file; most pieces of a file.
 inline constexpr std::size_t kMostContourPoints = 5'000;
 inline constexpr std::size_t kMostDrawingPoints = 200'000;

@@ -64,12 +64,6 @@ void add_file(const fs::path& path, NestInput& input) {
   add(std::move(found.drawings), input);
 }
 
-std::size_t points_of(const NestDrawing& drawing) {
-  std::size_t points = drawing.outline.size();
-  for (const NestRing& hole : drawing.holes) points += hole.size();
-  return points;
-}
-
 void add_folder(const fs::path& folder, NestInput& input) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -152,6 +146,12 @@ void remove_spikes(const std::string& path, NestInput& input) {
 }
 
 }  // namespace
+
+std::size_t points_to_cut(const NestInput& input) {
+  std::size_t points = 0;
+  for (const NestSource& source : input.sources) points += points_of(source.drawing) * std::size_t(source.demand);
+  return points;
+}
 
 NestInput read_nest_input(const std::string& path) {
   NestInput input;

@@ -27,6 +27,9 @@ struct NestInput {
   std::vector<std::string> notes;   // what was left out, for people
 };
 
+/// How many points all pieces have together.
+std::size_t points_to_cut(const NestInput& input);
+
 /// An instance (.json), an SVG (.svg, .svgz), a DXF, a library (.h5), or a folder of SVGs and DXFs. Throws InputError.
 NestInput read_nest_input(const std::string& path);
 

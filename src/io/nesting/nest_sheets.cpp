@@ -57,17 +57,23 @@ void set_colour(cairo_t* cairo, int source) {
   cairo_set_source_rgb(cairo, channel(0), channel(2), channel(4));
 }
 
+void add_path(cairo_t* cairo, const NestRing& contour) {
+  cairo_new_sub_path(cairo);
+  for (const NestPoint p : contour) cairo_line_to(cairo, p.x, p.y);
+  cairo_close_path(cairo);
+}
+
+/// Lines one contour after the other: cairo takes very long for the lines of thousands at once.
 void draw(cairo_t* cairo, const NestCut& cut, double line_mm) {
-  for (const NestRing& ring : cut.contours) {
-    cairo_new_sub_path(cairo);
-    for (const NestPoint p : ring) cairo_line_to(cairo, p.x, p.y);
-    cairo_close_path(cairo);
-  }
+  for (const NestRing& contour : cut.contours) add_path(cairo, contour);
   set_colour(cairo, cut.source);
-  cairo_fill_preserve(cairo);
+  cairo_fill(cairo);
   cairo_set_source_rgb(cairo, 0.15, 0.15, 0.2);
   cairo_set_line_width(cairo, line_mm);
-  cairo_stroke(cairo);
+  for (const NestRing& contour : cut.contours) {
+    add_path(cairo, contour);
+    cairo_stroke(cairo);
+  }
 }
 
 cairo_status_t append(void* to, const unsigned char* bytes, unsigned count) {
@@ -114,14 +120,21 @@ std::string sheet_svg(const NestSheet& sheet) {
 }
 
 std::string sheet_dxf(const NestSheet& sheet) {
+  constexpr std::size_t kPointBytes = 64;
   std::string text = pair(0, "SECTION") + pair(2, "HEADER") + pair(9, "$ACADVER") + pair(1, "AC1009") +
                      pair(9, "$INSUNITS") + pair(70, "4") + pair(0, "ENDSEC") + pair(0, "SECTION") +
                      pair(2, "ENTITIES");
+  std::size_t points = 0;
+  for (const NestCut& cut : sheet.cuts) {
+    for (const NestRing& contour : cut.contours) points += contour.size();
+  }
+  text.reserve(text.size() + kPointBytes * points);
   for (const NestCut& cut : sheet.cuts) {
     for (std::size_t i = 0; i < cut.contours.size(); ++i)
       text += polyline(cut.contours[i], sheet.height_mm, i == 0 ? "OUTLINES" : "HOLES");
   }
-  return text + pair(0, "ENDSEC") + pair(0, "EOF");
+  text += pair(0, "ENDSEC") + pair(0, "EOF");
+  return text;
 }
 
 std::vector<std::uint8_t> sheet_png(const NestSheet& sheet) {

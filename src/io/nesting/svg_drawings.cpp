@@ -175,8 +175,8 @@ class Reader {
   SvgDrawings take() {
     found_.drawings = drawings_of(std::move(contours_));
     if (found_.drawings.size() > kMostDrawings)
-      throw InputError(path_ + ": found " + std::to_string(found_.drawings.size()) + " shapes, allowed: " +
-                       std::to_string(kMostDrawings));
+      throw InputError(path_ + ": found " + std::to_string(found_.drawings.size()) +
+                       " shapes, allowed: " + std::to_string(kMostDrawings));
     return std::move(found_);
   }
 

@@ -20,12 +20,12 @@ using SvgTree = std::unique_ptr<xmlDoc, FreeXml>;
 namespace svg_limits {
 inline constexpr std::size_t kBytes = std::size_t(64) << 20;  // unpacked
 inline constexpr std::size_t kElements = 100'000;
-inline constexpr std::size_t kLevels = 250;  // a few less than libxml2 reads
-inline constexpr std::size_t kAttributes = 400'000;           // name spaces are some, too
+inline constexpr std::size_t kLevels = 250;                 // a few less than libxml2 reads
+inline constexpr std::size_t kAttributes = 400'000;         // name spaces are some, too
 inline constexpr std::size_t kAttributesOfElement = 3'000;  // libxml2 compares each two of them
-inline constexpr std::size_t kNameSpaces = 1'000;             // at one place
-inline constexpr std::size_t kDeclarations = 1'000;           // of entities and attributes
-inline constexpr std::size_t kTagBytes = 9'000'000;           // libxml2 reads 10 MB of an attribute
+inline constexpr std::size_t kNameSpaces = 1'000;           // at one place
+inline constexpr std::size_t kDeclarations = 1'000;         // of entities and attributes
+inline constexpr std::size_t kTagBytes = 9'000'000;         // libxml2 reads 10 MB of an attribute
 }  // namespace svg_limits
 
 /// Elements and attributes alone, without texts. Nothing is loaded, over the network or
