@@ -67,7 +67,7 @@ std::string build_summary(const io::LibraryBuildReport& report) {
   if (!report.trimmed.empty()) {
     text += "parts that do not touch the largest one are not in the silhouettes of " +
             std::to_string(report.trimmed.size()) + ": " + first_names(report.trimmed) +
-            "\n  join them to have them; where less than half opaque parts join them, --edge-opacity 0.05 has them\n";
+            "\n  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n";
   }
   if (!report.merged.empty()) text += merged_lines(report.merged);
   if (!report.skipped.empty()) text += skipped_lines(report.skipped);

@@ -141,7 +141,8 @@ void add_library_build_command(CLI::App& library, Command& selected) {
       ->check(CLI::Range(1, 1024));
   build
       ->add_option("--edge-opacity", settings.tracing.edge_opacity,
-                   "Where the outline runs: at this opacity of the drawing; 0.05 takes in halos and soft shadows")
+                   "Where the outline runs: at this opacity of the drawing; 0.05 takes in halos and soft shadows. At 0.5 these "
+                   "are left out, and translucent parts with an edge are in")
       ->check(CLI::Range(0.02, 0.9))
       ->capture_default_str();
   build

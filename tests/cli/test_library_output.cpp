@@ -54,7 +54,7 @@ TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
   EXPECT_EQ(
       build_summary(report),
       "parts that do not touch the largest one are not in the silhouettes of 1: deer.svg\n"
-      "  join them to have them; where less than half opaque parts join them, --edge-opacity 0.05 has them\n"
+      "  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n"
       "merged 1 with the same silhouette and colour:\n"
       "  red.svg = blue\n"
       "skipped 6:\n"

@@ -85,6 +85,15 @@ TEST_F(CanvasFile, opaque_svg_is_filled_where_it_differs_from_its_background) {
   EXPECT_NEAR(distance_at(canvas, 100, 50), 40, 1);
 }
 
+TEST_F(CanvasFile, translucent_parts_of_an_svg_are_filled) {
+  const auto area = [&](const std::string& body) {
+    return load_canvas({.width_px = 200, .height_px = 100, .file = svg(body)}).area_px2;
+  };
+  const std::string body = "<rect x=\"30\" y=\"10\" width=\"40\" height=\"30\"/>";
+  EXPECT_NEAR(area("<rect x=\"10\" y=\"20\" width=\"80\" height=\"10\" fill-opacity=\"0.4\"/>" + body), 6400, 30);
+  EXPECT_NEAR(area("<circle cx=\"50\" cy=\"25\" r=\"20\" opacity=\"0.4\"/>"), 3.1416 * 40 * 40, 30);
+}
+
 TEST_F(CanvasFile, black_on_white_and_white_on_black_images_are_masks) {
   cv::Mat image(60, 90, CV_8UC1, cv::Scalar(255));
   cv::rectangle(image, {30, 20, 30, 20}, cv::Scalar(0), cv::FILLED);

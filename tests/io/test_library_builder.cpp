@@ -352,7 +352,7 @@ TEST(LeftOutList, has_a_line_a_file_whatever_its_name) {
       "skipped\t/a/b.svg\thairlines\n"
       "merged\t/a/red.svg\tthe silhouette and colour of blue\n"
       "trimmed\t/a/deer.svg\tparts that do not touch the largest one are not in the silhouette; join them to have "
-      "them, or, where less than half opaque parts join them, build with --edge-opacity 0.05\n");
+      "them, or, where a soft shadow joins them, build with --edge-opacity 0.05\n");
 }
 
 }  // namespace

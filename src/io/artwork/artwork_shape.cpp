@@ -21,13 +21,27 @@ ColourGrid colour_grid_of(const Silhouette& silhouette, const Shape& shape) {
   return make_colour_grid(silhouette.colours, box_px.low, box_px.high);
 }
 
+using OutlineOrReason = std::variant<TracedOutline, SkipReason>;
+
+/// Of the drawing's body; where that is of no use, a translucent plate behind it for example, of what is opaque.
+OutlineOrReason traced_outline(const Silhouette& silhouette, const TracingSettings& settings) {
+  const auto trace = [&](const Grid<float>& coverage) {
+    return trace_outline(coverage, silhouette.origin_px, silhouette.source_px, settings.edge_opacity,
+                         settings.keep_rectangles);
+  };
+  OutlineOrReason by_body = SkipReason::empty;
+  if (silhouette.body.width() > 0) by_body = trace(silhouette.body);
+  if (std::holds_alternative<TracedOutline>(by_body)) return by_body;
+  OutlineOrReason by_alpha = trace(silhouette.alpha);
+  return std::holds_alternative<TracedOutline>(by_alpha) || silhouette.body.width() == 0 ? by_alpha : by_body;
+}
+
 }  // namespace
 
 std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
                                                           const TracingSettings& settings) {
   Silhouette silhouette = make_silhouette(bytes, path, settings.edge_opacity);
-  const auto traced = trace_outline(silhouette.alpha, silhouette.origin_px, silhouette.source_px, settings.edge_opacity,
-                                    settings.keep_rectangles);
+  const auto traced = traced_outline(silhouette, settings);
   if (const auto* reason = std::get_if<SkipReason>(&traced)) return *reason;
 
   const auto& outline = std::get<TracedOutline>(traced);

@@ -9,6 +9,7 @@
 #include "io/artwork/alpha.h"
 #include "io/artwork/artwork_page.h"
 #include "io/artwork/colour_conversion.h"
+#include "io/artwork/solid_coverage.h"
 #include "io/artwork/style_picture.h"
 
 namespace tessera::io {
@@ -17,13 +18,27 @@ namespace {
 /// A drawing that would gain less resolution than this is not drawn again.
 constexpr double kLeastZoom = 1.15;
 constexpr int kColoursSide_px = 64;
+constexpr float kLeastSeen = 0.02f;
 /// Kept around the drawing: what was too faint to be seen at first.
 constexpr int kMargin_px = 4;
 
+/// Empty where `bgra` is.
+cv::Mat alpha_of(const cv::Mat& bgra) {
+  cv::Mat alpha;
+  if (!bgra.empty()) cv::extractChannel(bgra, alpha, 3);
+  return alpha;
+}
+
+/// Whether it has parts that alpha alone misjudges.
+bool has_body(const ArtworkPage& page, const cv::Mat& first, float edge_opacity) {
+  if (edge_opacity != kEdgeOpacity) return false;
+  const cv::Mat alpha = alpha_of(first);
+  return solid_coverage(alpha, page.source_px(kSilhouetteSide_px)).data != alpha.data;
+}
+
 /// What is drawn on, with a margin; empty where nothing is.
 cv::Rect drawn_part(const cv::Mat& bgra, float edge_opacity) {
-  cv::Mat alpha;
-  cv::extractChannel(bgra, alpha, 3);
+  const cv::Mat alpha = alpha_of(bgra);
   const cv::Rect part = cv::boundingRect(alpha >= int(std::ceil(255 * edge_opacity)));
   if (part.empty()) return {};
   const cv::Rect grown = part + cv::Size(2 * kMargin_px, 2 * kMargin_px) - cv::Point(kMargin_px, kMargin_px);
@@ -53,12 +68,13 @@ Drawing drawn_finely(const ArtworkPage& page, const cv::Mat& first, float edge_o
   return finer;
 }
 
-Grid<float> alpha_grid(const cv::Mat& bgra) {
-  Grid<float> alpha(bgra.cols, bgra.rows);
-  for (int y = 0; y < bgra.rows; ++y) {
-    for (int x = 0; x < bgra.cols; ++x) alpha(x, y) = float(bgra.at<cv::Vec4b>(y, x)[3]) / 255;
+/// 0..1, of CV_8U.
+Grid<float> grid_of(const cv::Mat& alpha) {
+  Grid<float> grid(alpha.cols, alpha.rows);
+  for (int y = 0; y < alpha.rows; ++y) {
+    for (int x = 0; x < alpha.cols; ++x) grid(x, y) = float(alpha.at<std::uint8_t>(y, x)) / 255;
   }
-  return alpha;
+  return grid;
 }
 
 cv::Mat thumbnail_of(const cv::Mat& page_bgra) {
@@ -71,8 +87,7 @@ cv::Mat thumbnail_of(const cv::Mat& page_bgra) {
 
 ArtworkColour colour_of(const cv::Mat& straight_bgra) {
   const cv::Mat lab = lab_image_of(straight_bgra);
-  cv::Mat alpha;
-  cv::extractChannel(straight_bgra, alpha, 3);
+  const cv::Mat alpha = alpha_of(straight_bgra);
   cv::Vec3d sum(0, 0, 0);
   double weight = 0, squares = 0;
   for (int y = 0; y < lab.rows; ++y) {
@@ -100,7 +115,7 @@ ColourRaster colours_of(const Drawing& drawing) {
   small = straightened(small);
   const cv::Mat lab = lab_image_of(small);
   ColourRaster raster{Grid<Lab>(size.width, size.height),
-                      alpha_grid(small),
+                      grid_of(alpha_of(small)),
                       {float(drawing.part.x), float(drawing.part.y)},
                       {float(drawing.bgra.cols) / float(size.width), float(drawing.bgra.rows) / float(size.height)}};
   for (int y = 0; y < size.height; ++y) {
@@ -123,7 +138,9 @@ std::vector<std::uint8_t> png_of(const cv::Mat& bgra) {
 Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path, float edge_opacity) {
   const std::unique_ptr<ArtworkPage> page = open_artwork_page(bytes, path);
   const cv::Mat first = page->draw(kSilhouetteSide_px, cv::Rect({0, 0}, page_size_px(*page, kSilhouetteSide_px)));
-  const Drawing drawing = drawn_finely(*page, first, edge_opacity);
+  const bool body = has_body(*page, first, edge_opacity);
+  // A shadow is known by how it fades, so that all of it must be there.
+  const Drawing drawing = drawn_finely(*page, first, body ? kLeastSeen : edge_opacity);
   const cv::Size size = page_size_px(*page, drawing.longest_side_px);
   const cv::Mat thumbnail = thumbnail_of(first);
 
@@ -131,9 +148,11 @@ Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::strin
   silhouette.path = path;
   silhouette.width_px = size.width;
   silhouette.height_px = size.height;
-  silhouette.alpha = alpha_grid(drawing.bgra);
+  const cv::Mat alpha = alpha_of(drawing.bgra);
+  silhouette.alpha = grid_of(alpha);
   silhouette.origin_px = {float(drawing.part.x), float(drawing.part.y)};
   silhouette.source_px = page->source_px(drawing.longest_side_px);
+  if (body) silhouette.body = grid_of(solid_coverage(alpha, silhouette.source_px));
   silhouette.drawn_px =
       float(std::max(page->natural_size().width, page->natural_size().height) / drawing.longest_side_px);
   silhouette.colour = colour_of(thumbnail);

@@ -31,6 +31,7 @@ struct Silhouette {
   int width_px = 0;
   int height_px = 0;
   Grid<float> alpha;    // 0..1, of the part of the page that is drawn on
+  Grid<float> body;     // the same, but for soft shadows and translucent parts (solid_coverage.h); empty: it is alpha
   Vec2 origin_px;       // upper left corner of alpha's upper left pixel
   float source_px = 0;  // size of a pixel of the source; 0 for vectors
   float drawn_px = 0;   // of the page's own px (1/96 inch of an SVG) for one of the raster
@@ -40,8 +41,9 @@ struct Silhouette {
   std::vector<std::uint8_t> thumbnail_png;  // the whole page, RGBA, longest side kThumbnailSide_px
 };
 
-/// Drawn on is what has `edge_opacity` at least. Throws InputError as open_artwork_page (artwork_page.h) does. `path`
-/// is kept and stands in messages.
+/// Drawn on is what has `edge_opacity` at least. An opacity other than kEdgeOpacity was asked for, and is taken by the
+/// word: there is no `body` then. Throws InputError as open_artwork_page (artwork_page.h) does. `path` is kept and stands
+/// in messages.
 Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path,
                            float edge_opacity = kEdgeOpacity);
 

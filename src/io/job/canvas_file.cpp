@@ -7,6 +7,8 @@
 #include "core/base/error.h"
 #include "core/field/free_field.h"
 #include "io/artwork/mask.h"
+#include "io/artwork/silhouette.h"
+#include "io/artwork/solid_coverage.h"
 #include "io/job/canvas_keep_out.h"
 #include "io/job/canvas_regions.h"
 #include "io/job/job_keys.h"
@@ -32,9 +34,31 @@ bool has_transparency(const cv::Mat& page) {
 
 namespace {
 
+/// Found in a page of this size at most, as finding them in a larger one takes gigabytes.
+constexpr int kMostForParts_px = 4096;
+
+cv::Mat shrunk(const cv::Mat& image, int longest_side_px) {
+  const double scale = double(longest_side_px) / std::max(image.cols, image.rows);
+  if (scale >= 1) return image;
+  cv::Mat small;
+  cv::resize(image, small, {}, scale, scale, cv::INTER_AREA);
+  return small;
+}
+
+/// Adds translucent parts that end at edges to an alpha channel, as a library does (solid_coverage.h). Soft edges stay:
+/// how wide those of an enlarged image are is not known here.
+void add_translucent_parts(cv::Mat& alpha) {
+  const cv::Mat small = shrunk(alpha, kSilhouetteSide_px);
+  if (solid_coverage(small, 0).data == small.data) return;  // most have none
+  cv::Mat parts;
+  cv::resize(solid_coverage(shrunk(alpha, kMostForParts_px), 0), parts, alpha.size(), 0, 0, cv::INTER_LINEAR);
+  alpha = cv::max(alpha, parts);
+}
+
 cv::Mat region(const cv::Mat& page) {
   cv::Mat alpha;
   cv::extractChannel(page, alpha, 3);
+  add_translucent_parts(alpha);
   if (!has_transparency(page)) {  // an SVG with a background; images come cut out already
     cv::Mat bgr;
     cv::cvtColor(page, bgr, cv::COLOR_BGRA2BGR);

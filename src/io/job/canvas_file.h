@@ -40,8 +40,9 @@ bool has_transparency(const cv::Mat& page);
 /// Throws InputError where the images beside a seamless canvas make it larger than a canvas may be.
 void check_images(const Canvas& canvas, const PieceSettings& pieces);
 
-/// The region in a page of straight BGRA, as coverage 0..1 of each pixel: the alpha
-/// where the page is transparent anywhere, else what differs from the colour that prevails along its edge (mask.h).
+/// The region in a page of straight BGRA, as coverage 0..1 of each pixel: the alpha where the page is transparent
+/// anywhere, translucent parts with an edge counting wholly; else what differs from the colour that prevails along its
+/// edge (mask.h).
 Grid<float> mask_coverage(const cv::Mat& page);
 
 /// What of the page is the canvas of this spec: by the colours of its regions, or as mask_coverage says.

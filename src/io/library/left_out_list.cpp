@@ -34,7 +34,7 @@ std::string left_out_list(const LibraryBuildReport& report) {
   for (const std::string& path : report.trimmed) {
     text += line("trimmed", path,
                  "parts that do not touch the largest one are not in the silhouette; join them to have them, or, where "
-                 "less than half opaque parts join them, build with --edge-opacity 0.05");
+                 "a soft shadow joins them, build with --edge-opacity 0.05");
   }
   return text;
 }

@@ -1,0 +1,133 @@
+#include "io/artwork/alpha_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+namespace tessera::io {
+namespace {
+
+/// An edge takes so much of the way that alpha goes within 3 px around, from a pixel's neighbour on one side to that on the
+/// other. A blur of 1.3 px and more (standard deviation) takes less.
+constexpr double kEdgePart = 0.6;
+constexpr int kNearEdge_px = 3;
+constexpr double kLeastStep = 20;
+/// What is no wider is a line.
+constexpr int kLine_px = 4;
+constexpr double kFlat = 0.3;
+
+cv::Mat square(int radius_px) { return cv::Mat::ones(2 * radius_px + 1, 2 * radius_px + 1, CV_8U); }
+
+/// How far alpha goes up and down within so many px.
+cv::Mat range_within(const cv::Mat& alpha, int radius_px) {
+  cv::Mat most, least;
+  cv::dilate(alpha, most, square(radius_px));
+  cv::erode(alpha, least, square(radius_px));
+  return most - least;
+}
+
+/// CV_8U, 255 where alpha jumps.
+cv::Mat edges_of(const cv::Mat& alpha, int unit_px) {
+  const cv::Mat step = range_within(alpha, unit_px), way = range_within(alpha, kNearEdge_px * unit_px);
+  return (step >= kLeastStep) & (step >= way * kEdgePart);
+}
+
+/// The veins of a wing and the line round it say nothing of how opaque it is, and how it ends; nor do gaps between lines.
+cv::Mat without_lines(const cv::Mat& alpha, int unit_px) {
+  cv::Mat wide;
+  cv::morphologyEx(alpha, wide, cv::MORPH_OPEN, square(kLine_px / 2 * unit_px), {-1, -1}, 1, cv::BORDER_CONSTANT,
+                   cv::Scalar(0));
+  return wide;
+}
+
+/// CV_8U, 255 where it is clear as far as the page's edge: not in a hole.
+cv::Mat outside_of(const cv::Mat& alpha) {
+  constexpr std::uint8_t kReached = 128;
+  cv::Mat clear;  // with a clear rim, from which all of the edge is reached
+  cv::copyMakeBorder(alpha < kClearAlpha, clear, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
+  cv::floodFill(clear, cv::Point(0, 0), cv::Scalar(kReached));
+  return clear(cv::Rect(1, 1, alpha.cols, alpha.rows)) == kReached;
+}
+
+class Measurement {
+ public:
+  Measurement(const cv::Mat& alpha, int unit_px)
+      : alpha_(alpha),
+        wide_(without_lines(alpha, unit_px)),
+        outside_(outside_of(alpha)),
+        reach_px_(kEdgeWidth_px * unit_px) {
+    const cv::Mat smooth =
+        ~edges_of(wide_, unit_px) & (wide_ >= kClearAlpha) & (alpha >= kClearAlpha) & (alpha < kOpaqueAlpha);
+    found_.regions.resize(std::size_t(cv::connectedComponents(smooth, found_.label, 4, CV_32S)));
+    core_ = without_lines(smooth, unit_px);
+  }
+
+  AlphaRegions measured() {
+    if (found_.regions.size() == 1) return std::move(found_);
+    for_pixels([this](AlphaRegion& region, cv::Point at) { measure(region, at); });
+    for (AlphaRegion& region : found_.regions) region.level /= std::max(1, region.pixels);
+    for_pixels([this](AlphaRegion& region, cv::Point at) {
+      const bool is_flat = std::abs(wide_.at<std::uint8_t>(at) - region.level) <= kFlat * region.level;
+      if (is_flat) region.flat_part += 1. / region.pixels;
+    });
+    return std::move(found_);
+  }
+
+ private:
+  template <class Do>
+  void for_pixels(Do act) {
+    for (int y = 0; y < alpha_.rows; ++y) {
+      for (int x = 0; x < alpha_.cols; ++x) {
+        const int label = label_at({x, y});
+        if (label > 0) act(found_.regions[std::size_t(label)], cv::Point(x, y));
+      }
+    }
+  }
+
+  void measure(AlphaRegion& region, cv::Point at) const {
+    const int alpha = wide_.at<std::uint8_t>(at);
+    ++region.pixels;
+    region.core_pixels += core_.at<std::uint8_t>(at) > 0;
+    region.level += alpha;
+    region.most = std::max(region.most, alpha);
+    region.least = std::min(region.least, alpha);
+    for (const cv::Point step : {cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
+      look_beyond(region, at, step);
+    }
+  }
+
+  /// What lies beside a pixel of the region, behind an edge if there is one. The page's end and holes say nothing.
+  void look_beyond(AlphaRegion& region, cv::Point from, cv::Point step) const {
+    const cv::Rect page({0, 0}, alpha_.size());
+    for (int i = 1; i <= reach_px_; ++i) {
+      const cv::Point at = from + step * i;
+      if (!page.contains(at) || label_at(at) == label_at(from)) return;
+      if (i < reach_px_ && in_edge(at)) continue;
+      const bool falls = alpha_.at<std::uint8_t>(at) < alpha_.at<std::uint8_t>(from);
+      if (alpha_.at<std::uint8_t>(at) < kClearAlpha && !outside_.at<std::uint8_t>(at)) return;
+      ++(i > 1 ? (falls ? region.falling : region.rising) : (falls ? region.fading : region.merging));
+      return;
+    }
+  }
+
+  int label_at(cv::Point at) const { return found_.label.at<int>(at); }
+
+  bool in_edge(cv::Point at) const {
+    const int alpha = alpha_.at<std::uint8_t>(at);
+    return label_at(at) == 0 && alpha >= kClearAlpha && alpha < kOpaqueAlpha;
+  }
+
+  const cv::Mat& alpha_;
+  const cv::Mat wide_;
+  const cv::Mat outside_;
+  cv::Mat core_;  // CV_8U, 255 where a region is wider than a line
+  const int reach_px_;
+  AlphaRegions found_;
+};
+
+}  // namespace
+
+AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px) { return Measurement(alpha, unit_px).measured(); }
+
+}  // namespace tessera::io

@@ -1,0 +1,42 @@
+// The parts of an alpha channel: regions in which it changes little by little, with edges, where it jumps, between them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace tessera::io {
+
+// Alpha, of 255: below the one a pixel is clear, from the other on it is opaque. Neither belongs to a region.
+inline constexpr int kClearAlpha = 25;
+inline constexpr int kOpaqueAlpha = 250;
+/// So wide an edge is at most, in px of the source.
+inline constexpr int kEdgeWidth_px = 4;
+
+struct AlphaRegion {
+  int pixels = 0;
+  int core_pixels = 0;  // of them, where it is wider than a line
+  // Alpha, of 255, but for lines:
+  int least = 255;
+  int most = 0;
+  double level = 0;      // the mean
+  double flat_part = 0;  // of its pixels: no further from the level than 30 % of it
+  // How many of its pixels' sides lie on its border, by what is beyond:
+  int fading = 0;   // clear outside, without an edge between
+  int falling = 0;  // an edge, and less alpha behind it
+  int rising = 0;   // an edge, and more alpha behind it
+  int merging = 0;  // opaque, without an edge between
+};
+
+struct AlphaRegions {
+  cv::Mat label;                     // CV_32S, of each pixel; 0: in no region
+  std::vector<AlphaRegion> regions;  // by label; the first one stands for no region
+
+  const AlphaRegion& at(int y, int x) const { return regions[std::size_t(label.at<int>(y, x))]; }
+};
+
+/// `alpha`: CV_8U. `unit_px`: size of a pixel of the source, 1 or more.
+AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px);
+
+}  // namespace tessera::io

@@ -1,0 +1,22 @@
+// What of a drawing counts as its silhouette: translucent parts do, soft shadows do not.
+//
+// Alpha alone does not tell a wing of opacity 0.4 from a shadow. But the wing ends at an edge, and its opacity goes on
+// beside the edge; a shadow fades out over many pixels. So the drawing is cut into smooth regions, between which alpha
+// jumps, and each region is judged by how it ends on its outer side.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace tessera::io {
+
+/// `alpha`: CV_8U. Returns how much of each pixel the drawing's body covers, CV_8U, to be read as alpha: the outline runs
+/// at one half.
+/// - Parts of any opacity of 0.2 and more that end at an edge are covered wholly, if they touch an opaque part or
+///   there is none.
+/// - What fades out to nothing beside a body with an edge is a shadow or a halo, and not covered.
+/// - Everything else is covered as far as it is opaque, among it bodies that are blurred themselves.
+/// Where no part of the drawing is concerned, the result is `alpha` itself, to the byte. `source_px`: size of a pixel of
+/// the source in pixels of `alpha`, above 1 for an enlarged image, whose edges are wider.
+cv::Mat solid_coverage(const cv::Mat& alpha, double source_px);
+
+}  // namespace tessera::io
