@@ -49,12 +49,11 @@ void copy_to_library(const io::LibraryChoice& choice, const std::string& output)
   const io::LibraryView library(choice);
   check_replaceable(output);
   const io::OutputLock lock(output + ".lock", output);
-  comm::install_stop_handlers();  // the half library is removed
   {
     ProgressBar bar("library", library.size());
-    io::copy_library(
-        library, output, [&](std::size_t done) { bar.update(done); }, comm::stop_signalled);
+    io::copy_library(library, output, [&](std::size_t done) { bar.update(done); });
   }
+  const comm::StopDelay delay;  // for the list that belongs to it
   const io::LibraryBuildReport report = report_of(library);
   io::write_left_out_list(output, report);
   std::fputs(build_summary(report).c_str(), stdout);

@@ -16,8 +16,10 @@
 #include "comm/launcher_check.h"
 #include "comm/mpi_guard.h"
 #include "comm/rank_program.h"
+#include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "io/leftover_file.h"
 
 namespace tessera::cli {
 namespace {
@@ -111,6 +113,7 @@ void keep_freed_memory() {
 
 int run(int argc, char** argv) {
   keep_freed_memory();
+  comm::end_at_once_when_signalled(io::remove_leftover_files);
   std::signal(SIGCHLD, SIG_DFL);  // whoever started us may have ignored it: then nobody learns how a child ended
   const comm::RankProgram program{
       .run = [&](comm::Communicator& ranks) { return parse_and_run(argc, argv, ranks); },

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "io/leftover_file.h"
 
 namespace tessera::io {
 namespace {
@@ -61,6 +62,7 @@ void flush_folder_of(const std::string& path) {
 std::string temporary_path(const std::string& path) { return path + ".tmp"; }
 
 void commit_temporary_file(const std::string& path) {
+  const LeftoverFile leftover(temporary_path(path));
   Descriptor file(temporary_path(path), O_RDONLY);
   if (!file.open() || ::fsync(file.get()) != 0 || !file.close()) fail(path);
   if (std::rename(temporary_path(path).c_str(), path.c_str()) != 0) fail(path);
@@ -68,11 +70,13 @@ void commit_temporary_file(const std::string& path) {
 }
 
 void write_temporary_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+  const LeftoverFile leftover(temporary_path(path));
   Descriptor file(temporary_path(path), O_WRONLY | O_CREAT | O_TRUNC);
   if (!file.open() || !write_all(file.get(), bytes) || ::fsync(file.get()) != 0 || !file.close()) fail(path);
 }
 
 void write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes) {
+  const LeftoverFile leftover(temporary_path(path));
   Descriptor file(temporary_path(path), O_WRONLY | O_CREAT | O_TRUNC);
   if (!file.open() || !write_all(file.get(), bytes) || !file.close()) fail(path);
   commit_temporary_file(path);

@@ -143,6 +143,7 @@ OutputLock::OutputLock(const std::string& path, const std::string& output) : pat
     }
     try {
       take(file_, path, output, locking);
+      leftover_.emplace(path);
       return;
     } catch (...) {
       close(file_);

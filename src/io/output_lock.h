@@ -5,7 +5,10 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
+
+#include "io/leftover_file.h"
 
 namespace tessera::io {
 
@@ -23,7 +26,8 @@ class OutputLock {
  private:
   std::string path_;
   int file_ = -1;
-  pid_t owner_;  // a child process has a copy of this object, but not the lock
+  pid_t owner_;                           // a child process has a copy of this object, but not the lock
+  std::optional<LeftoverFile> leftover_;  // from when the lock is ours
 };
 
 /// The file of the lock of a result's folder, or of a campaign's.

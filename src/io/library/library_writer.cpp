@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "io/atomic_file.h"
+#include "io/leftover_file.h"
 #include "io/library/library_check.h"
 #include "io/library/library_column.h"
 #include "io/library/library_create.h"
@@ -217,6 +218,7 @@ struct LibraryWriter::State {
   State(const std::string& target, const PadParameters& parameters)
       : path(target),
         pad(parameters),
+        leftover(temporary_path(target)),
         file(create_library_file(target)) {}
 
   /// Members are destroyed from the last to the first: the columns before their file.
@@ -257,6 +259,7 @@ struct LibraryWriter::State {
 
   std::string path;
   PadParameters pad;
+  LeftoverFile leftover;
   Hdf5Handle file;
   std::optional<Content> content;
   bool finished = false;
