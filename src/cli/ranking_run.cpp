@@ -3,9 +3,11 @@
 #include <cstdio>
 
 #include "cli/collage_warnings.h"
+#include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/number_text.h"
-#include "io/result/collage_files.h"
+#include "io/output_folder.h"
+#include "io/output_lock.h"
 #include "io/result/ranking.h"
 #include "io/text_table.h"
 
@@ -49,12 +51,19 @@ std::string table_text(const std::vector<io::RankedResult>& results) {
 }  // namespace
 
 int run_ranking(const RankingArguments& arguments) {
+  comm::end_stop_handlers();  // of a campaign's collages: a ranking is soon made again
   const io::RankingWeights weights = io::ranking_weights(arguments.weights);
   const std::vector<io::RankedResult> results = io::ranked(cards_of(arguments.folders), weights);
   for (const std::string& line : io::lacking_measures(results, weights)) print_warning(line);
   const std::string out = output_folder(arguments);
-  io::prepare_output_directory(out);
-  io::write_ranking(out, results, weights);
+  const io::OutputFolder folder(out);
+  const io::OutputLock lock(out + "/ranking.lock",
+                            out);  // a campaign, or a run that goes on, may have the folder's own
+  const io::RankingFiles files = io::ranking_files(results, weights);
+  {
+    const comm::StopDelay delay;  // they belong together
+    io::write_ranking(out, files);
+  }
   std::printf("%s%s\n\nwritten to %s: ranking.csv, ranking.json, ranking.png\n", table_text(results).c_str(),
               io::score_formula(weights).c_str(), out.c_str());
   return 0;
