@@ -41,14 +41,13 @@ struct BuildArguments {
 };
 
 io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, const io::ArtworkFiles& files) {
-  comm::install_stop_handlers();  // the half library is removed
   ProgressBar bar("library", files.paths.size());
-  const io::BuildMonitor monitor{
-      [&](std::size_t done, std::size_t shapes) { bar.update(done, std::to_string(shapes) + " shapes"); },
-      comm::stop_signalled};
+  const io::BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
+    bar.update(done, std::to_string(shapes) + " shapes");
+  };
   io::Drawers drawers({.processes = arguments.settings.files_at_a_time});
   const io::LibraryBuildReport report = io::build_library(
-      files, arguments.output, arguments.settings, io::artwork_loader(drawers, arguments.settings.tracing), monitor);
+      files, arguments.output, arguments.settings, io::artwork_loader(drawers, arguments.settings.tracing), progress);
   if (io::any_failed(drawers.layers())) print_warning(io::layers_note(drawers.layers()));
   return report;
 }
@@ -101,6 +100,7 @@ int run(const BuildArguments& arguments) {
   io::check_can_be_written(arguments.output);
   io::check_can_be_written(io::left_out_path(arguments.output));
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
+  const comm::StopDelay delay;  // for the list that belongs to it
   print_lines(build_summary(report));
   if (!report.written) throw_not_written(arguments, report);
   io::write_left_out_list(arguments.output, report);

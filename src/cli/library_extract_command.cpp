@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,6 @@
 #include "cli/library_output.h"
 #include "cli/progress_bar.h"
 #include "cli/terminal.h"
-#include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/available_cores.h"
@@ -20,6 +20,7 @@
 #include "io/elements/cut_outs.h"
 #include "io/elements/photo_extraction.h"
 #include "io/library/library_builder.h"
+#include "io/output_folder.h"
 #include "io/output_lock.h"
 
 namespace tessera::cli {
@@ -84,7 +85,6 @@ void write_ground(const ExtractArguments& arguments, const io::Extraction& extra
 std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Drawers& drawers) {
   std::vector<io::CutOut> all;
   for (const std::string& photo : arguments.photos) {
-    arguments.settings.search.look();
     io::ExtractionSettings settings = arguments.settings;
     if (!arguments.ground.empty() && photo == arguments.photos.front()) settings.ground_px = arguments.ground_px;
     io::Extraction extraction = io::extract_elements(photo, settings, drawers);
@@ -105,16 +105,16 @@ std::vector<io::CutOut> all_cut_outs(const ExtractArguments& arguments, io::Draw
 io::LibraryBuildReport build(const ExtractArguments& arguments, const std::vector<io::CutOut>& cut_outs,
                              io::Drawers& drawers) {
   ProgressBar bar("library", cut_outs.size());
-  const io::BuildMonitor monitor{
-      [&](std::size_t done, std::size_t shapes) { bar.update(done, std::to_string(shapes) + " shapes"); },
-      comm::stop_signalled};
+  const io::BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
+    bar.update(done, std::to_string(shapes) + " shapes");
+  };
   io::LibraryBuildSettings settings;
   settings.files_at_a_time = io::available_cores();
   settings.tracing.keep_rectangles = true;  // tiles
   io::ArtworkFiles files;
   for (const io::CutOut& cut_out : cut_outs) files.paths.push_back(cut_out.path);
   return io::build_library(files, arguments.output, settings, io::cut_out_loader(drawers, cut_outs, settings.tracing),
-                           monitor);
+                           progress);
 }
 
 /// Before the search: it would replace none of the photos, and can be written.
@@ -135,12 +135,12 @@ void check(const ExtractArguments& arguments) {
   const auto check_number = [](const char* option, double value) {
     if (std::isnan(value)) throw InputError(std::string(option) + ": found nan, allowed: a number");
   };
-  check_number("--element-px", arguments.settings.search.element_px);
+  check_number("--element-px", arguments.settings.element_px);
   check_number("--min", arguments.settings.sizes.least_px);
   check_number("--max", arguments.settings.sizes.most_px);
   if (arguments.settings.sizes.least_px > arguments.settings.sizes.most_px)
     throw InputError("--min: found more than --max, allowed: at most that");
-  if (arguments.settings.labels.empty() == (arguments.settings.search.element_px == 0))
+  if (arguments.settings.labels.empty() == (arguments.settings.element_px == 0))
     throw InputError(std::string("found ") +
                      (arguments.settings.labels.empty() ? "neither --element-px nor" : "both --element-px and") +
                      " --labels; needed: one of them");
@@ -157,26 +157,32 @@ void check(const ExtractArguments& arguments) {
   }
 }
 
-/// Before the search.
-void check_can_be_written(const ExtractArguments& arguments) {
-  io::check_can_be_written(arguments.output);
-  if (!arguments.ground.empty()) io::check_can_be_written(arguments.ground);
-  if (arguments.overview.empty()) return;
-  std::error_code error;
-  std::filesystem::create_directories(arguments.overview, error);
-  if (error) throw EnvironmentError(arguments.overview + ": cannot make this folder: " + error.message());
-  for (const std::string& photo : arguments.photos) io::check_can_be_written(overview_path(arguments, photo));
-}
+/// Keeps other runs away from all that is written, and finds at once where it could not be.
+class ExtractOutputs {
+ public:
+  explicit ExtractOutputs(const ExtractArguments& arguments) : library_(arguments.output + ".lock", arguments.output) {
+    io::check_can_be_written(arguments.output);
+    if (!arguments.ground.empty()) {
+      ground_.emplace(arguments.ground + ".lock", arguments.ground);
+      io::check_can_be_written(arguments.ground);
+    }
+    if (arguments.overview.empty()) return;
+    overview_.emplace(arguments.overview);
+    overview_lock_.emplace(io::folder_lock_path(arguments.overview), arguments.overview);
+    for (const std::string& photo : arguments.photos) io::check_can_be_written(overview_path(arguments, photo));
+  }
+
+ private:
+  io::OutputLock library_;
+  std::optional<io::OutputLock> ground_;
+  std::optional<io::OutputFolder> overview_;
+  std::optional<io::OutputLock> overview_lock_;
+};
 
 int run(ExtractArguments arguments) {
   check(arguments);
   check_replaceable(arguments.output);
-  const io::OutputLock lock(arguments.output + ".lock", arguments.output);
-  check_can_be_written(arguments);
-  comm::install_stop_handlers();  // the half library is removed
-  arguments.settings.search.look = [&] {
-    if (comm::stop_signalled()) throw EnvironmentError("interrupted; " + arguments.output + " was not written");
-  };
+  const ExtractOutputs outputs(arguments);
   arguments.settings.with_overview = !arguments.overview.empty();
   io::Drawers drawers(io::photo_drawer_settings(io::available_cores()));
   const std::vector<io::CutOut> cut_outs = all_cut_outs(arguments, drawers);
@@ -201,7 +207,7 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
       ->required()
       ->type_name("LIB.h5");
   extract
-      ->add_option("--element-px", arguments->settings.search.element_px,
+      ->add_option("--element-px", arguments->settings.element_px,
                    "Short side of a typical element, px of the photo; rather too small than too large")
       ->check(CLI::Range(4.0, kMostSide_px));
   extract

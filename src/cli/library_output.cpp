@@ -52,12 +52,11 @@ void copy_to_library(const io::LibraryChoice& choice, const std::string& output)
   io::check_can_be_written(output);
   io::check_can_be_written(io::left_out_path(output));
   const io::LibraryView library(choice);
-  comm::install_stop_handlers();  // the half library is removed
   {
     ProgressBar bar("library", library.size());
-    io::copy_library(
-        library, output, [&](std::size_t done) { bar.update(done); }, comm::stop_signalled);
+    io::copy_library(library, output, [&](std::size_t done) { bar.update(done); });
   }
+  const comm::StopDelay delay;  // for the list that belongs to it
   const io::LibraryBuildReport report = report_of(library);
   io::write_left_out_list(output, report);
   print_lines(build_summary(report));

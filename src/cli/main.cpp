@@ -23,10 +23,12 @@
 #include "comm/launcher_check.h"
 #include "comm/mpi_guard.h"
 #include "comm/rank_program.h"
+#include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "core/base/kept_memory.h"
 #include "core/base/version.h"
 #include "io/lack_of_memory.h"
+#include "io/leftover_file.h"
 
 namespace tessera::cli {
 namespace {
@@ -205,6 +207,7 @@ int run(int argc, char** argv) {
   occupy_standard_descriptors();
   ignore_closed_pipes();
   keep_freed_memory();
+  comm::end_at_once_when_signalled(io::remove_leftover_files);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of its writer, who then cleans up
   std::signal(SIGCHLD, SIG_DFL);  // whoever started us may have ignored it: then nobody learns how a child ended
   const Command command = parsed_command(argc, argv);

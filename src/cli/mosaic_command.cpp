@@ -3,10 +3,15 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "cli/collage_options.h"
 #include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "cli/job_output.h"
 #include "cli/terminal.h"
+#include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/elements/photo_extraction.h"
 #include "io/job/job_file.h"
@@ -42,13 +47,17 @@ std::string job_path(const io::MosaicRequest& request) {
   return request.job.empty() ? std::filesystem::path(request.image).stem().string() + ".toml" : request.job;
 }
 
-/// What is wrong with the overrides is wrong with the command: it leaves nothing behind.
-void check_overrides(const MosaicArguments& arguments, const io::WrittenMosaic& written) try {
-  io::load_job(arguments.request.job, arguments.collage.overrides);
-} catch (const InputError&) {
-  std::error_code ignored;
-  for (const std::string& path : written.new_files) std::filesystem::remove(path, ignored);
-  throw;
+/// All files or none. What is wrong with the overrides is wrong with the command: it leaves nothing behind.
+void write_checked(const MosaicArguments& arguments, const io::Mosaic& mosaic) {
+  const comm::StopDelay delay;
+  const std::vector<std::string> new_files = io::write_mosaic(mosaic);
+  try {
+    io::load_job(arguments.request.job, arguments.collage.overrides);
+  } catch (const InputError&) {
+    std::error_code ignored;
+    for (const std::string& path : new_files) std::filesystem::remove(path, ignored);
+    throw;
+  }
 }
 
 void write_job(const MosaicArguments& arguments) {
@@ -56,13 +65,13 @@ void write_job(const MosaicArguments& arguments) {
   if (std::isnan(request.shift)) throw InputError("--shift: found nan, allowed: a number");
   const io::LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
   io::Drawers drawers(io::photo_drawer_settings(1));
-  const io::WrittenMosaic written = io::write_mosaic_files(request, drawers);
-  check_overrides(arguments, written);
-  const io::MosaicPlan& plan = written.plan;
+  const io::Mosaic mosaic = io::make_mosaic(request, drawers);
+  write_checked(arguments, mosaic);
+  const io::MosaicPlan& plan = mosaic.plan;
   if (arguments.collage.quiet) return;
   const std::string regions =
-      written.regions > 0 ? "; " + std::to_string(written.regions) + " regions: " + io::region_picture_path(request.job)
-                          : "";
+      mosaic.regions > 0 ? "; " + std::to_string(mosaic.regions) + " regions: " + io::region_picture_path(request.job)
+                         : "";
   print_line("%s: %d x %d px, about %d pieces of %g to %g px out of %zu shapes; sizes: %s%s", request.job.c_str(),
              plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
              library.size(), io::size_map_path(request.job).c_str(), regions.c_str());
@@ -70,12 +79,19 @@ void write_job(const MosaicArguments& arguments) {
   print_now();
 }
 
+/// Rank 0: the job, and then the collage.
+int write_and_run(const MosaicArguments& arguments, comm::Communicator& ranks) {
+  const JobOutput output(arguments.collage, arguments.job_only);
+  write_job(arguments);
+  return arguments.job_only ? kDoneExitCode : collage_exit_code(arguments.collage, ranks);
+}
+
 /// Rank 0 alone reads the image and writes the job; the workers get it from there as of any collage.
 int run(MosaicArguments arguments, comm::Communicator& ranks) {
   arguments.request.job = job_path(arguments.request);
   arguments.collage.job = arguments.request.job;
-  if (ranks.rank() == 0) write_job(arguments);
-  return arguments.job_only ? 0 : collage_exit_code(arguments.collage, ranks);
+  if (ranks.rank() == 0) return write_and_run(arguments, ranks);
+  return arguments.job_only ? kDoneExitCode : collage_exit_code(arguments.collage, ranks);
 }
 
 }  // namespace

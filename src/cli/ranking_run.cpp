@@ -2,9 +2,11 @@
 
 #include "cli/collage_warnings.h"
 #include "cli/terminal.h"
+#include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "io/number_text.h"
-#include "io/result/collage_files.h"
+#include "io/output_folder.h"
+#include "io/output_lock.h"
 #include "io/result/ranking.h"
 #include "io/text_table.h"
 
@@ -48,12 +50,19 @@ std::string table_text(const std::vector<io::RankedResult>& results) {
 }  // namespace
 
 int run_ranking(const RankingArguments& arguments) {
+  comm::end_stop_handlers();  // of a campaign's collages: a ranking is soon made again
   const io::RankingWeights weights = io::ranking_weights(arguments.weights);
   const std::vector<io::RankedResult> results = io::ranked(cards_of(arguments.folders), weights);
   for (const std::string& line : io::lacking_measures(results, weights)) print_warning(line);
   const std::string out = output_folder(arguments);
-  io::prepare_output_directory(out);
-  io::write_ranking(out, results, weights);
+  const io::OutputFolder folder(out);
+  const io::OutputLock lock(out + "/ranking.lock",
+                            out);  // a campaign, or a run that goes on, may have the folder's own
+  const io::RankingFiles files = io::ranking_files(results, weights);
+  {
+    const comm::StopDelay delay;  // they belong together
+    io::write_ranking(out, files);
+  }
   print_lines(table_text(results) + io::score_formula(weights) + "\n\n");
   print_line("written to %s: ranking.csv, ranking.json, ranking.png", out.c_str());
   return 0;

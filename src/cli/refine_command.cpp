@@ -14,6 +14,8 @@
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "io/job/job_keys.h"
+#include "io/output_folder.h"
+#include "io/output_lock.h"
 #include "io/result/collage_sheet.h"
 #include "io/result/placed_pieces.h"
 
@@ -117,6 +119,8 @@ int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
   }
   const CollageArguments all = collage_of(arguments);
   const std::uint64_t first_seed = io::load_job(all.job, all.overrides).settings.seed;
+  const io::OutputFolder folder(all.out);
+  const io::OutputLock lock(io::folder_lock_path(all.out), all.out);
   RankingArguments ranking{.folders = {}, .out = all.out, .weights = {}};
   for (int k = 0; k < arguments.variants; ++k) {
     const std::string seed = std::to_string(first_seed + std::uint64_t(k));

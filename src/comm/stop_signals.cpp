@@ -4,11 +4,11 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <initializer_list>
 #include <string_view>
 
 namespace tessera::comm {
@@ -45,10 +45,27 @@ void on_continue(int, siginfo_t* info, void*) {
 
 void on_first_stop(int) {}
 
-std::atomic<bool> signalled{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+std::atomic<int> signalled{0};  // its number
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-void remember(int) { signalled.store(true, std::memory_order_relaxed); }
+void remember(int number) { signalled.store(number, std::memory_order_relaxed); }
+
+void (*clean_up_at_end)() = nullptr;
+
+void end_at_once(int number) {
+  clean_up_at_end();
+  constexpr char kLine[] = "\ntessera: interrupted\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kLine, sizeof kLine - 1);
+  signal(number, SIG_DFL);
+  sigset_t own;
+  sigemptyset(&own);
+  sigaddset(&own, number);
+  pthread_sigmask(SIG_UNBLOCK, &own, nullptr);
+  raise(number);
+}
+
+/// Those of install_stop_handlers.
+constexpr std::array kStops = {SIGINT, SIGTERM, SIGUSR2};
 
 }  // namespace
 
@@ -68,13 +85,47 @@ void prepare_stop_signals(int rank) {
 
 bool launcher_ends_job() { return launcher_has_begun != 0; }
 
+void end_at_once_when_signalled(void (*clean_up)()) {
+  clean_up_at_end = clean_up;
+  struct sigaction action = {}, before = {};
+  action.sa_handler = end_at_once;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR2, SIGXCPU}) {
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
+  }
+}
+
 void install_stop_handlers() {
   struct sigaction action = {};
   action.sa_handler = remember;
   action.sa_flags = SA_RESTART;  // a system call of MPI or OpenCL goes on
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR2}) sigaction(signal, &action, nullptr);
+  for (const int signal : kStops) sigaction(signal, &action, nullptr);
 }
 
-bool stop_signalled() { return signalled.load(std::memory_order_relaxed); }
+bool stop_signalled() { return signalled.load(std::memory_order_relaxed) != 0; }
+
+void end_stop_handlers() {
+  struct sigaction at_once = {}, before = {};
+  at_once.sa_handler = clean_up_at_end ? end_at_once : SIG_DFL;
+  for (const int signal : kStops) {
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler == remember) sigaction(signal, &at_once, nullptr);
+  }
+  if (const int number = signalled.exchange(0); number != 0) raise(number);
+}
+
+struct StopDelay::Before {
+  std::array<struct sigaction, kStops.size()> actions = {};
+};
+
+StopDelay::StopDelay() : before_(std::make_unique<Before>()) {
+  for (std::size_t i = 0; i < kStops.size(); ++i) sigaction(kStops[i], nullptr, &before_->actions[i]);
+  install_stop_handlers();
+}
+
+StopDelay::~StopDelay() {
+  for (std::size_t i = 0; i < kStops.size(); ++i) sigaction(kStops[i], &before_->actions[i], nullptr);
+  if (const int number = signalled.exchange(0); number != 0) raise(number);
+}
 
 }  // namespace tessera::comm

@@ -1,6 +1,6 @@
 // The signals that end a run before its time: Ctrl-C, the SIGTERM that mpirun and Slurm send, and SIGUSR2, which Slurm
-// sends on demand some time before the end. They set a flag; who asks for it ends with a checkpoint and what is done so
-// far.
+// sends on demand some time before the end. A command that has nothing to save is ended by them at once. A run that has
+// lets them set a flag; who asks for it ends with a checkpoint and what is done so far.
 //
 // What mpirun (Open MPI 4.1) does when it gets SIGINT (Ctrl-C), SIGTERM or SIGHUP, or when a
 // rank died, to every rank: SIGCONT at once, SIGTERM after 1 s, SIGKILL after 2 s; each pause (MCA parameter
@@ -12,6 +12,8 @@
 // without MPI_Finalize.
 #pragma once
 
+#include <memory>
+
 namespace tessera::comm {
 
 /// To be called once on each rank. Rank 0: mpirun's SIGCONT raises SIGTERM, and mpirun's own SIGTERM follows a second
@@ -22,11 +24,34 @@ void prepare_stop_signals(int rank);
 /// Whether mpirun has begun to kill the job.
 bool launcher_ends_job();
 
+/// From now on the signals that end a process (Ctrl-C, SIGTERM, SIGHUP, SIGUSR2 and the limit on processor time) end it
+/// at once, whatever it computes, with a line on stderr; before, they call `clean_up`, which may do only what a signal
+/// handler may. A signal that is ignored stays so. For main; what follows has an effect on the same signals.
+void end_at_once_when_signalled(void (*clean_up)());
+
 /// From now on SIGINT, SIGTERM and SIGUSR2 only set a flag, however often they come (mpirun sends both). To be called
 /// where a run has something to lose; before, they end the process.
 void install_stop_handlers();
 
 /// Whether a signal has come since.
 bool stop_signalled();
+
+/// After install_stop_handlers, where nothing is left to lose: signals end the process at once again, also one that has
+/// come.
+void end_stop_handlers();
+
+/// For files that are written one after the other and belong together: while it lives signals only set the flag, which
+/// the writer may heed. At its end what held before holds again, also for a signal that came meanwhile.
+class StopDelay {
+ public:
+  StopDelay();
+  ~StopDelay();
+  StopDelay(const StopDelay&) = delete;
+  StopDelay& operator=(const StopDelay&) = delete;
+
+ private:
+  struct Before;
+  std::unique_ptr<Before> before_;
+};
 
 }  // namespace tessera::comm

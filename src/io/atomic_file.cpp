@@ -99,12 +99,14 @@ TemporaryFile::TemporaryFile(const std::string& path)
     : path_(path),
       name_(temporary_name_of(path)),
       folder_(open_folder_of(path)),
+      leftover_(std::in_place, temporary_path(path)),
       file_(create_anew(path, folder_, name_)) {}
 
 TemporaryFile::TemporaryFile(const std::string& path, const std::function<FileDescriptor(const std::string&)>& create)
     : path_(path),
       name_(temporary_name_of(path)),
       folder_(open_folder_of(path)),
+      leftover_(std::in_place, temporary_path(path)),
       file_(create_anew(path, folder_, name_, [&] { return create(temporary_path(path)); })) {
   if (!is_ours()) throw_cannot_write(path, "its folder was replaced by another one meanwhile");
 }
@@ -134,6 +136,7 @@ void TemporaryFile::commit() {
   if (::renameat(folder_.number(), name_.c_str(), folder_.number(), name.c_str()) != 0) fail();
   if (!leads_to(folder_, name, open)) throw_replaced(path_, name_);  // at the last moment
   name_.clear();
+  leftover_.reset();
   // Without it a power cut may undo the renaming. Some file systems cannot flush a folder (EINVAL) and keep its order
   // by themselves.
   if (::fsync(folder_.number()) != 0 && errno != EINVAL) fail();

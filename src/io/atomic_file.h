@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "io/file_descriptor.h"
+#include "io/leftover_file.h"
 
 namespace tessera::io {
 
@@ -57,6 +59,7 @@ class TemporaryFile {
   std::string path_;
   std::string name_;  // the temporary one, without its folder
   FileDescriptor folder_;
+  std::optional<LeftoverFile> leftover_;
   FileDescriptor file_;
 };
 

@@ -10,8 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <mutex>
-#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -132,32 +130,6 @@ void take(int file, const std::string& path, const std::string& output, Locking 
   throw EnvironmentError("cannot write " + path + ": " + std::generic_category().message(reason));
 }
 
-/// The locks of this process. A library may end it by exit (LLVM does where its file cannot grow): what runs then is no
-/// destructor of ours.
-class HeldLocks {
- public:
-  void add(const OutputLock* lock) {
-    const std::lock_guard guard(mutex_);
-    locks_.insert(lock);
-  }
-  void remove(const OutputLock* lock) {
-    const std::lock_guard guard(mutex_);
-    locks_.erase(lock);
-  }
-  ~HeldLocks() {
-    for (const OutputLock* lock : locks_) lock->remove_file();
-  }
-
- private:
-  std::mutex mutex_;
-  std::set<const OutputLock*> locks_;
-};
-
-HeldLocks& held_locks() {
-  static HeldLocks locks;
-  return locks;
-}
-
 }  // namespace
 
 OutputLock::OutputLock(const std::string& path, const std::string& output)
@@ -170,15 +142,10 @@ OutputLock::OutputLock(const std::string& path, const std::string& output)
     locking = try_to_lock(file_.number());
   }
   take(file_.number(), path, output, locking);
-  held_locks().add(this);
+  leftover_.emplace(path);
 }
 
 OutputLock::~OutputLock() {
-  held_locks().remove(this);
-  remove_file();
-}
-
-void OutputLock::remove_file() const {
   if (getpid() != owner_) return;
   if (is_file(file_.number(), path_)) unlink(path_.c_str());  // it may be another run's: somebody had removed ours
 }

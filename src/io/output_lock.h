@@ -5,9 +5,11 @@
 
 #include <sys/types.h>
 
+#include <optional>
 #include <string>
 
 #include "io/file_descriptor.h"
+#include "io/leftover_file.h"
 
 namespace tessera::io {
 
@@ -22,13 +24,11 @@ class OutputLock {
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;
 
-  /// Removes the file, unless it is another run's by now, or this is a child process.
-  void remove_file() const;
-
  private:
   std::string path_;
   FileDescriptor file_;
-  pid_t owner_;  // a child process has a copy of this object, but not the lock
+  pid_t owner_;                           // a child process has a copy of this object, but not the lock
+  std::optional<LeftoverFile> leftover_;  // from when the lock is ours
 };
 
 /// The file of the lock of a result's folder, or of a campaign's.

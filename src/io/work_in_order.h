@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -26,7 +25,6 @@ struct OrderedWork {
   int threads = 1;
   std::function<Result(std::size_t index)> work;                  // called in any order, by any of the threads
   std::function<void(std::size_t index, Result result)> consume;  // called in order, by the calling thread
-  std::function<bool()> interrupted = [] { return false; };       // asked several times a second
   std::function<void()> stop = [] {};  // called where it ends early: work under way shall throw soon
 };
 
@@ -55,12 +53,8 @@ class OrderedWorkers {
     if (consumed_ < job_.count) job_.stop();
   }
 
-  bool run() {
-    while (consumed_ < job_.count) {
-      if (job_.interrupted()) return false;
-      if (auto outcome = next_outcome()) consume(std::move(*outcome));
-    }
-    return true;
+  void run() {
+    while (consumed_ < job_.count) consume(next_outcome());
   }
 
  private:
@@ -93,15 +87,10 @@ class OrderedWorkers {
     }
   }
 
-  /// Nothing where the next one is not there after a moment.
-  std::optional<Outcome> next_outcome() {
+  Outcome next_outcome() {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, std::chrono::milliseconds(100), [&] { return waiting_.contains(consumed_); });
-    const auto next = waiting_.find(consumed_);
-    if (next == waiting_.end()) return std::nullopt;
-    std::optional<Outcome> outcome = std::move(next->second);
-    waiting_.erase(next);
-    return outcome;
+    changed_.wait(lock, [&] { return waiting_.contains(consumed_); });
+    return std::move(waiting_.extract(consumed_).mapped());
   }
 
   void consume(Outcome outcome) {
@@ -122,11 +111,10 @@ class OrderedWorkers {
   std::vector<std::jthread> threads_;  // joined first
 };
 
-/// Does the work; returns false where `interrupted` ended it. What `work` or `consume` throws ends it and is thrown
-/// again here. No thread outlives the call.
+/// Does the work. What `work` or `consume` throws ends it and is thrown again here. No thread outlives the call.
 template <class Result>
-bool work_in_order(const OrderedWork<Result>& job) {
-  return OrderedWorkers<Result>(job).run();
+void work_in_order(const OrderedWork<Result>& job) {
+  OrderedWorkers<Result>(job).run();
 }
 
 }  // namespace tessera::io

@@ -11,7 +11,7 @@
 namespace tessera::io {
 namespace {
 
-const BuildMonitor kSilent{[](std::size_t, std::size_t) {}, [] { return false; }};
+const BuildProgress kSilent = [](std::size_t, std::size_t) {};
 const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
 
 /// Twelve discs, larger to the right and below, on grey.

@@ -124,12 +124,5 @@ TEST(GroundSynthesis, TakesPatchesAsLargeAsThereAreEnoughOf) {
   EXPECT_EQ(patch_side_px(cv::Mat(60, 600, CV_8U, cv::Scalar(255))), 24) << "48 places and more, not 12";
 }
 
-TEST(GroundSynthesis, AsksWhetherToGoOn) {
-  const Wall wall(test::discs());
-  int asked = 0;
-  synthesised_ground(wall.photo.bgr, wall.ground(), 100, [&] { ++asked; });
-  EXPECT_GT(asked, 3);
-}
-
 }  // namespace
 }  // namespace tessera::io

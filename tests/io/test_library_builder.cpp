@@ -11,6 +11,7 @@
 #include "artwork_samples.h"
 #include "core/base/error.h"
 #include "io/drawing/shape_codec.h"
+#include "io/leftover_file.h"
 #include "io/library/contact_sheet.h"
 #include "io/library/left_out_list.h"
 #include "io/library/library_builder.h"
@@ -27,7 +28,7 @@ namespace {
 using test::RandomShape;
 using test::ScratchFolder;
 
-const BuildMonitor kSilent{[](std::size_t, std::size_t) {}, [] { return false; }};
+const BuildProgress kSilent = [](std::size_t, std::size_t) {};
 const LibraryParts kEverything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
 
 std::string bytes_of(const std::string& path) {
@@ -221,19 +222,23 @@ TEST_F(LibraryBuilder, EmbedsTheFiles) {
   EXPECT_EQ(shapes()[0].artwork.original, (std::vector<std::uint8_t>{'1', '7'}));
 }
 
-TEST_F(LibraryBuilder, AnInterruptionLeavesNothing) {
+TEST_F(LibraryBuilder, ASignalLeavesNothing) {
   write("a.svg", "1");
-  const BuildMonitor impatient{[](std::size_t, std::size_t) {}, [] { return true; }};
-  EXPECT_THROW(build_library(found(), folder_.path("out.h5"), {}, kFake, impatient), EnvironmentError);
+  const std::string unfinished = folder_.path("out.h5.tmp");
+  const BuildProgress signalled = [&](std::size_t, std::size_t) {
+    EXPECT_TRUE(std::filesystem::exists(unfinished));
+    remove_leftover_files();  // as the signal's handler does
+    EXPECT_FALSE(std::filesystem::exists(unfinished));
+  };
+  EXPECT_THROW(build_library(found(), folder_.path("out.h5"), {}, kFake, signalled), EnvironmentError);
   EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5")));
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("out.h5.tmp")));
 }
 
 TEST_F(LibraryBuilder, ReportsProgress) {
   for (int i = 0; i < 5; ++i) write(std::to_string(i) + ".svg", std::to_string(i));
   std::vector<std::size_t> seen;
-  const BuildMonitor monitor{[&](std::size_t done, std::size_t) { seen.push_back(done); }, [] { return false; }};
-  build_library(found(), folder_.path("out.h5"), {}, kFake, monitor);
+  build_library(found(), folder_.path("out.h5"), {}, kFake,
+                [&](std::size_t done, std::size_t) { seen.push_back(done); });
   EXPECT_EQ(seen, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
 }
 

@@ -46,8 +46,7 @@ class LibraryViews : public testing::Test {
   }
 
   std::string copied(const ShapeLibrary& library, const std::string& name) const {
-    copy_library(
-        library, folder_.path(name), [](std::size_t) {}, [] { return false; });
+    copy_library(library, folder_.path(name), [](std::size_t) {});
     return folder_.path(name);
   }
 
@@ -292,17 +291,6 @@ TEST_F(LibraryViews, CopiesFindArtworkThatMovedWithItsLibrary) {
   const Artwork artwork = copy.read(0, 1, kEverything)[0].artwork;
   EXPECT_EQ(artwork.path, folder_.path("old/art/cat.svg"));
   EXPECT_EQ(artwork.path_beside_library, folder_.path("new/art/cat.svg"));
-}
-
-TEST_F(LibraryViews, AnInterruptedCopyLeavesNothing) {
-  const LibraryFile file(write("a.h5", animals_));
-  std::size_t copied = 0;
-  EXPECT_THROW(
-      copy_library(
-          file, folder_.path("copy.h5"), [&](std::size_t done) { copied = done; }, [&] { return copied == 2; }),
-      EnvironmentError);
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("copy.h5")));
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("copy.h5.tmp")));
 }
 
 LibraryChoice mirroring(const std::string& path, std::vector<MirroringRule> rules) { return {{path}, {}, rules}; }

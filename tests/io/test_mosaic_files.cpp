@@ -72,9 +72,11 @@ class MosaicFilesTest : public testing::Test {
             .job = folder_.path("m.toml"),
             .pieces = 200};
   }
-  WrittenMosaic write(const MosaicRequest& request) {
+  Mosaic write(const MosaicRequest& request) {
     Drawers drawers({});
-    return write_mosaic_files(request, drawers);
+    Mosaic mosaic = make_mosaic(request, drawers);
+    write_mosaic(mosaic);
+    return mosaic;
   }
   /// With names as seen from there.
   void write_from_the_folder(const std::string& job) {

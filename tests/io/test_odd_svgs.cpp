@@ -157,7 +157,7 @@ TEST(OddSvg, AsArtworkOfALibrary) {
   Drawers drawers(patient);
   LibraryBuildSettings settings;
   settings.files_at_a_time = kThreads;
-  const BuildMonitor silent{[](std::size_t, std::size_t) {}, [] { return false; }};
+  const BuildProgress silent = [](std::size_t, std::size_t) {};
   const auto report = build_library(find_artwork({folder.path("in")}, ""), folder.path("out.h5"), settings,
                                     artwork_loader(drawers, {}), silent);
   EXPECT_TRUE(report.written);

@@ -283,7 +283,7 @@ TEST_F(ResultFolders, the_files_of_a_ranking) {
   cv::imwrite(scratch_.path("b/collage.png"), cv::Mat(100, 640, CV_8UC3, cv::Scalar(0, 0, 255)));  // a has none
   const RankingWeights weights = ranking_weights({});
   const auto results = ranked({read_card(scratch_.path("a")), read_card(scratch_.path("b"))}, weights);
-  write_ranking(scratch_.path(""), results, weights);
+  write_ranking(scratch_.path(""), ranking_files(results, weights));
   std::ifstream file(scratch_.path("ranking.json"));
   const auto json = nlohmann::json::parse(file);
   EXPECT_EQ(json["weights"]["overlap"], -2);

@@ -34,14 +34,14 @@ TEST(WorkInOrder, GivesResultsInOrder) {
     std::this_thread::sleep_for(std::chrono::microseconds(i * 7919 % 1000));
     return std::to_string(i);
   };
-  EXPECT_TRUE(work_in_order(job));
+  work_in_order(job);
   ASSERT_EQ(results.size(), 600u);
   for (std::size_t i = 0; i < results.size(); ++i) ASSERT_EQ(results[i], std::to_string(i));
 }
 
 TEST(WorkInOrder, TakesNothing) {
   std::vector<std::string> results;
-  EXPECT_TRUE(work_in_order(numbers(0, results)));
+  work_in_order(numbers(0, results));
   EXPECT_TRUE(results.empty());
 }
 
@@ -59,7 +59,7 @@ TEST(WorkInOrder, WaitsForASlowPieceWithABoundedNumberOfResults) {
     }
     return std::to_string(i);
   };
-  EXPECT_TRUE(work_in_order(job));
+  work_in_order(job);
   EXPECT_EQ(results.size(), 2000u);
   EXPECT_LT(furthest, 256u);
 }
@@ -83,21 +83,6 @@ TEST(WorkInOrder, WhatTheWorkThrowsComesInItsTurn) {
   };
   EXPECT_THROW(work_in_order(job), std::runtime_error);
   EXPECT_EQ(results.size(), 2u);
-}
-
-TEST(WorkInOrder, EndsWhenInterrupted) {
-  std::vector<std::string> results;
-  OrderedWork<std::string> job = numbers(2, results);
-  std::atomic<bool> stopped = false;
-  job.work = [&](std::size_t) -> std::string {
-    while (!stopped) std::this_thread::sleep_for(1ms);
-    throw std::runtime_error("stopped");
-  };
-  job.stop = [&] { stopped = true; };
-  const auto start = std::chrono::steady_clock::now();
-  job.interrupted = [&] { return std::chrono::steady_clock::now() - start > 200ms; };
-  EXPECT_FALSE(work_in_order(job));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, 2s);
 }
 
 }  // namespace

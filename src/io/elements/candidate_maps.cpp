@@ -93,7 +93,7 @@ std::vector<cv::Mat> by_merges(const cv::Mat& lab, const BoundaryKind& kind, con
 
 }  // namespace
 
-std::vector<cv::Mat> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab, const std::function<void()>& look) {
+std::vector<cv::Mat> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab) {
   const std::vector<std::function<std::vector<cv::Mat>()>> ways = {
       [&] {
         return by_merges(lab, {0.5, 1.2, 9}, {{0.03, 4}, {0.08, 4}, {0.15, 4}});
@@ -112,7 +112,6 @@ std::vector<cv::Mat> candidate_maps(const cv::Mat& bgr, const cv::Mat& lab, cons
   std::vector<std::exception_ptr> thrown(ways.size());  // not every backend of parallel_for_ carries them over
   const auto go = [&](std::size_t way) {
     try {
-      look();
       found[way] = ways[way]();
     } catch (...) {
       thrown[way] = std::current_exception();

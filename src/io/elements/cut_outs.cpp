@@ -26,11 +26,10 @@ std::vector<std::uint8_t> png_of(const cv::Mat& picture) {
 }
 
 std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const cv::Mat& labels,
-                             const std::vector<PhotoElement>& elements, const std::function<void()>& look) {
+                             const std::vector<PhotoElement>& elements) {
   const std::string first = photo + "/" + std::filesystem::path(photo).stem().string() + "_";
   std::vector<CutOut> result;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    look();
     const std::string path = first + number_text(i + 1, elements.size()) + ".png";
     result.push_back({path, photo, png_of(cut_element(picture, labels, elements[i]))});
   }

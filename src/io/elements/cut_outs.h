@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -22,10 +21,9 @@ struct CutOut {
 /// A PNG file, in memory.
 std::vector<std::uint8_t> png_of(const cv::Mat& picture);
 
-/// `picture`, `labels`: see cut_element. Numbers are those of the overview. `look` is called before each and may throw.
-std::vector<CutOut> cut_outs(
-    const std::string& photo, const cv::Mat& picture, const cv::Mat& labels, const std::vector<PhotoElement>& elements,
-    const std::function<void()>& look = [] {});
+/// `picture`, `labels`: see cut_element. Numbers are those of the overview.
+std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const cv::Mat& labels,
+                             const std::vector<PhotoElement>& elements);
 
 /// For build_library, of the cut-outs' paths. Their PNGs become Artwork::original, the photo Artwork::path. Drawers and
 /// cut-outs must outlive the loader.

@@ -57,27 +57,25 @@ cv::Mat zoomed(const cv::Mat& photo_bgr, double zoom) {
   return copy;
 }
 
-cv::Mat labels_in_copies(const cv::Mat& coarse, const cv::Mat& fine, const std::function<void()>& look) {
+cv::Mat labels_in_copies(const cv::Mat& coarse, const cv::Mat& fine) {
   const cv::Mat lab = smooth_lab(fine);
-  std::vector<cv::Mat> maps = candidate_maps(fine, lab, look);
-  for (const cv::Mat& map : candidate_maps(coarse, smooth_lab(coarse), look)) {
+  std::vector<cv::Mat> maps = candidate_maps(fine, lab);
+  for (const cv::Mat& map : candidate_maps(coarse, smooth_lab(coarse))) {
     maps.emplace_back();
     cv::resize(map, maps.back(), fine.size(), 0, 0, cv::INTER_NEAREST);
   }
-  look();
   const cv::Mat voted = voted_regions(maps, boundary_map(lab, {}), kElement_px * kFiner);
-  look();
   return without_gap_regions(voted, fine, lab);
 }
 
 }  // namespace
 
-cv::Mat element_labels(const cv::Mat& photo_bgr, const ElementSearch& search) {
-  check(photo_bgr, search.element_px);
+cv::Mat element_labels(const cv::Mat& photo_bgr, double element_px) {
+  check(photo_bgr, element_px);
   if (photo_bgr.empty()) return {};
-  const double zoom = zoom_for(photo_bgr.size(), search.element_px);
+  const double zoom = zoom_for(photo_bgr.size(), element_px);
   if (std::min(photo_bgr.cols, photo_bgr.rows) * zoom < kLeastSide_px) return cv::Mat::zeros(photo_bgr.size(), CV_32S);
-  const cv::Mat found = labels_in_copies(zoomed(photo_bgr, zoom), zoomed(photo_bgr, zoom * kFiner), search.look);
+  const cv::Mat found = labels_in_copies(zoomed(photo_bgr, zoom), zoomed(photo_bgr, zoom * kFiner));
   return without_margins(photo_bgr, scaled_labels(found, photo_bgr.size()));
 }
 

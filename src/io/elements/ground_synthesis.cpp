@@ -82,9 +82,8 @@ class Quilt {
     for (int i = 0; i <= count; ++i) starts_.push_back(int((long long)(side_px)*i / count));
   }
 
-  cv::Mat filled(const std::function<void()>& look) {
+  cv::Mat filled() {
     for (std::size_t row = 0; row + 1 < starts_.size(); ++row) {
-      look();
       for (std::size_t column = 0; column + 1 < starts_.size(); ++column) lay_patch(row, column);
     }
     return quilt_;
@@ -258,12 +257,11 @@ int patch_side_px(const cv::Mat& ground) {
   return enough_for_some;
 }
 
-cv::Mat synthesised_ground(const cv::Mat& photo_bgr, const cv::Mat& ground, int side_px,
-                           const std::function<void()>& look) {
+cv::Mat synthesised_ground(const cv::Mat& photo_bgr, const cv::Mat& ground, int side_px) {
   const int patch_px = patch_side_px(ground);
   if (patch_px == 0) return {};
   const cv::Mat source = evened_out(photo_bgr, ground, kLight_patches * patch_px);
-  return Quilt(source, patch_places(ground, patch_px), patch_px, side_px).filled(look);
+  return Quilt(source, patch_places(ground, patch_px), patch_px, side_px).filled();
 }
 
 }  // namespace tessera::io

@@ -38,10 +38,9 @@ cv::Mat enlarged_photo(const std::string& photo, const cv::Mat& picture, int tim
   return enlarged;
 }
 
-cv::Mat searched_labels(const std::string& photo, const cv::Mat& picture, ElementSearch search, int times) {
-  search.element_px *= times;
+cv::Mat searched_labels(const std::string& photo, const cv::Mat& picture, double element_px) {
   try {
-    return element_labels(without_alpha(picture), search);
+    return element_labels(without_alpha(picture), element_px);
   } catch (const std::invalid_argument& error) {
     throw InputError(photo + ": --element-px: " + error.what());
   }
@@ -60,7 +59,7 @@ void add_ground(const std::string& photo, const cv::Mat& picture, const cv::Mat&
                 const ExtractionSettings& settings, Extraction& extraction) {
   const cv::Mat bgr = without_alpha(picture);
   const GroundPixels pixels = ground_pixels(bgr, labels);
-  const cv::Mat ground = synthesised_ground(bgr, pixels.certain, settings.ground_px, settings.search.look);
+  const cv::Mat ground = synthesised_ground(bgr, pixels.certain, settings.ground_px);
   if (ground.empty()) {
     throw InputError(photo + ": --ground: found hardly any gaps between the elements, needed: some " +
                      std::to_string(kLeastPlaces) + " places of " + std::to_string(kLeastPatch_px) + " x " +
@@ -78,7 +77,7 @@ Extraction extract_elements(const std::string& photo, const ExtractionSettings& 
   const cv::Mat picture = enlarged_photo(photo, as_it_is, times);
   cv::Mat labels;
   if (settings.labels.empty()) {
-    labels = searched_labels(photo, picture, settings.search, times);
+    labels = searched_labels(photo, picture, settings.element_px * times);
   } else {
     labels = given_labels(settings.labels, photo, as_it_is.size(), drawers);
     if (times > 1) labels = scaled_labels(labels, picture.size());
@@ -89,7 +88,7 @@ Extraction extract_elements(const std::string& photo, const ExtractionSettings& 
   const std::vector<PhotoElement>& elements = extraction.found.elements;
   if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
   if (settings.ground_px > 0) add_ground(photo, picture, labels, settings, extraction);
-  extraction.cut_outs = cut_outs(photo, picture, labels, elements, settings.search.look);
+  extraction.cut_outs = cut_outs(photo, picture, labels, elements);
   return extraction;
 }
 

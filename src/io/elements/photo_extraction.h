@@ -20,7 +20,7 @@ inline constexpr int kMostEnlarged = 8;
 
 /// All px are those of the photo as it is, whatever `enlarged` is.
 struct ExtractionSettings {
-  ElementSearch search;
+  double element_px = 0;  // element_labels(); unless there are labels
   ElementSizes sizes;
   int enlarged = 1;            // times, 1 to kMostEnlarged: the photo is searched, cut up and shown so
   std::string labels;          // path of a map from another program, instead of searching; empty = none
@@ -39,7 +39,7 @@ struct Extraction {
 };
 
 /// Throws InputError where a file is no photo or no map of its size, where elements are too small for the photo, where
-/// it would be too large when enlarged, or where it shows not enough ground; and what `search.look` throws.
+/// it would be too large when enlarged, or where it shows not enough ground.
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers);
 
 }  // namespace tessera::io

@@ -62,10 +62,10 @@ std::string without_path(const std::string& message, const std::string& path) {
 class Builder {
  public:
   Builder(const ArtworkFiles& files, const std::string& output, const LibraryBuildSettings& settings,
-          const BuildMonitor& monitor)
+          const BuildProgress& progress)
       : files_(files),
         settings_(settings),
-        monitor_(monitor),
+        progress_(progress),
         writer_(output, settings.tracing.pad) {
     report_.files = files.paths.size() + files.left_out.size();
     report_.skipped = files.left_out;
@@ -78,7 +78,7 @@ class Builder {
     } else {
       skip(path, std::get<std::string>(loaded));
     }
-    monitor_.progress(index + 1, report_.shapes);
+    progress_(index + 1, report_.shapes);
   }
 
   LibraryBuildReport finish() {
@@ -127,7 +127,7 @@ class Builder {
 
   const ArtworkFiles& files_;
   const LibraryBuildSettings& settings_;
-  const BuildMonitor& monitor_;
+  const BuildProgress& progress_;
   LibraryWriter writer_;
   LibraryNames names_;
   std::map<std::uint64_t, std::vector<Variant>> variants_of_silhouette_;
@@ -145,16 +145,13 @@ ShapeLoader artwork_loader(Drawers& drawers, const TracingSettings& settings) {
 
 LibraryBuildReport build_library(const ArtworkFiles& files, const std::string& output,
                                  const LibraryBuildSettings& settings, const ShapeLoader& loader,
-                                 const BuildMonitor& monitor) {
-  Builder builder(files, output, settings, monitor);
-  const bool finished = work_in_order<Loaded>(
-      {.count = files.paths.size(),
-       .threads = settings.files_at_a_time,
-       .work = [&](std::size_t index) { return loaded(loader, files.paths[index]); },
-       .consume = [&](std::size_t index, Loaded result) { builder.take(index, std::move(result)); },
-       .interrupted = monitor.interrupted,
-       .stop = loader.stop});
-  if (!finished) throw EnvironmentError("interrupted; " + output + " was not written");
+                                 const BuildProgress& progress) {
+  Builder builder(files, output, settings, progress);
+  work_in_order<Loaded>({.count = files.paths.size(),
+                         .threads = settings.files_at_a_time,
+                         .work = [&](std::size_t index) { return loaded(loader, files.paths[index]); },
+                         .consume = [&](std::size_t index, Loaded result) { builder.take(index, std::move(result)); },
+                         .stop = loader.stop});
   return builder.finish();
 }
 

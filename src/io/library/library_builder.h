@@ -48,16 +48,12 @@ struct ShapeLoader {
 /// Drawers::shape of the file. The drawers must outlive the loader.
 ShapeLoader artwork_loader(Drawers& drawers, const TracingSettings& settings);
 
-/// What the caller wants to see and say while it lasts; both are called in the calling thread.
-struct BuildMonitor {
-  std::function<void(std::size_t files_done, std::size_t shapes)> progress;
-  std::function<bool()> interrupted;
-};
+/// Called after each file, in the calling thread.
+using BuildProgress = std::function<void(std::size_t files_done, std::size_t shapes)>;
 
-/// Writes the library at `output`, whole or not at all. Throws EnvironmentError where the file cannot be written or the
-/// build was interrupted.
+/// Writes the library at `output`, whole or not at all. Throws EnvironmentError where the file cannot be written.
 LibraryBuildReport build_library(const ArtworkFiles& files, const std::string& output,
                                  const LibraryBuildSettings& settings, const ShapeLoader& loader,
-                                 const BuildMonitor& monitor);
+                                 const BuildProgress& progress);
 
 }  // namespace tessera::io

@@ -3,19 +3,17 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/error.h"
 #include "io/library/library_file.h"
 
 namespace tessera::io {
 
-void copy_library(const ShapeLibrary& library, const std::string& output, const std::function<void(std::size_t)>& done,
-                  const std::function<bool()>& interrupted) {
+void copy_library(const ShapeLibrary& library, const std::string& output,
+                  const std::function<void(std::size_t)>& done) {
   const LibraryParts everything{.outline = true, .field = true, .levels = ~0u, .artwork = true, .original = true};
   const std::vector<std::uint32_t> variant_of = library.variant_of();
   const std::vector<StyleFeatures> styles = library.styles();
   LibraryWriter writer(output, library.pad_parameters());
   for (std::size_t i = 0; i < library.size(); ++i) {
-    if (interrupted()) throw EnvironmentError("interrupted; " + output + " was not written");
     writer.append(library.read(i, i + 1, everything).front(), variant_of[i], styles[i]);
     done(i + 1);
   }

@@ -9,10 +9,8 @@
 namespace tessera::io {
 
 /// The new file has the content digest of `library`. One shape at a time is in memory. `done` is called with the number
-/// of shapes written; what `interrupted` says is asked before each. Throws InputError where a shape is damaged,
-/// EnvironmentError where the file cannot be written or the copy was interrupted: then there is no new file, and an
-/// older one stays.
-void copy_library(const ShapeLibrary& library, const std::string& output, const std::function<void(std::size_t)>& done,
-                  const std::function<bool()>& interrupted);
+/// of shapes written. Throws InputError where a shape is damaged, EnvironmentError where the file cannot be written:
+/// then there is no new file, and an older one stays.
+void copy_library(const ShapeLibrary& library, const std::string& output, const std::function<void(std::size_t)>& done);
 
 }  // namespace tessera::io

@@ -25,11 +25,6 @@ namespace fs = std::filesystem;
 
 using Bytes = std::vector<std::uint8_t>;
 
-struct Output {
-  std::string path;
-  Bytes bytes;
-};
-
 /// Of a file that is compared with what is to be written.
 constexpr std::size_t kMostOwnBytes = std::size_t(64) << 20;
 
@@ -94,10 +89,6 @@ void check_replaceable(const std::string& output, std::span<const std::uint8_t> 
   }
 }
 
-void write_unless_there(const std::string& path, std::span<const std::uint8_t> bytes) {
-  if (!holds(path, bytes)) write_file_atomically(path, bytes);
-}
-
 std::string path_beside(const std::string& job, const char* ending) {
   const fs::path path(job);
   return (path.parent_path() / (path.stem().string() + ending)).string();
@@ -122,7 +113,7 @@ std::string size_map_path(const std::string& job) { return path_beside(job, "_si
 
 std::string region_picture_path(const std::string& job) { return path_beside(job, "_regions.png"); }
 
-WrittenMosaic write_mosaic_files(const MosaicRequest& request, Drawers& drawers) {
+Mosaic make_mosaic(const MosaicRequest& request, Drawers& drawers) {
   check_regions(request.regions);
   const std::string map_path = size_map_path(request.job), picture_path = region_picture_path(request.job);
   check_is_not_read(request.job, request);
@@ -137,22 +128,27 @@ WrittenMosaic write_mosaic_files(const MosaicRequest& request, Drawers& drawers)
 
   const cv::Mat image = read_image(request.image, drawers);
   const MosaicPlan plan = plan_for(request, image);
-  std::vector<Output> outputs = {{map_path, png_of(size_map(image, plan))}};
+  Mosaic mosaic{.plan = plan, .regions = 0, .files = {{map_path, png_of(size_map(image, plan))}}};
   std::vector<MosaicRegion> regions;
   if (const Segmentation found = segmentation(image, plan, request.regions); found.colours.size() > 1) {
     regions = region_tables(found);
     files.regions = fs::path(picture_path).filename().string();
-    outputs.push_back({picture_path, png_of(region_picture(found, plan))});
+    mosaic.files.push_back({picture_path, png_of(region_picture(found, plan))});
   }
   const std::string text = mosaic_job(files, plan, request.shift, hex_of(joint_colour(image)), regions);
-  outputs.push_back({request.job, Bytes(text.begin(), text.end())});
-  for (const Output& output : outputs) check_replaceable(output.path, output.bytes, request);
-  WrittenMosaic written{.plan = plan, .new_files = {}, .regions = int(regions.size())};
-  for (const Output& output : outputs) {
-    if (!fs::exists(output.path)) written.new_files.push_back(output.path);
-    write_unless_there(output.path, output.bytes);
+  mosaic.files.push_back({request.job, Bytes(text.begin(), text.end())});
+  for (const MosaicFile& file : mosaic.files) check_replaceable(file.path, file.bytes, request);
+  mosaic.regions = int(regions.size());
+  return mosaic;
+}
+
+std::vector<std::string> write_mosaic(const Mosaic& mosaic) {
+  std::vector<std::string> new_files;
+  for (const MosaicFile& file : mosaic.files) {
+    if (!fs::exists(file.path)) new_files.push_back(file.path);
+    if (!holds(file.path, file.bytes)) write_file_atomically(file.path, file.bytes);
   }
-  return written;
+  return new_files;
 }
 
 }  // namespace tessera::io

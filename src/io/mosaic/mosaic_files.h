@@ -1,6 +1,7 @@
 // From an image to the files of a mosaic: its job, and beside it the pictures that the job names, sizes and regions.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,15 @@ struct MosaicRequest {
   bool replace = false;  // another mosaic's files of these names
 };
 
-struct WrittenMosaic {
+struct MosaicFile {
+  std::string path;
+  std::vector<std::uint8_t> bytes;
+};
+
+struct Mosaic {
   MosaicPlan plan;
-  std::vector<std::string> new_files;  // that were not there before
   int regions = 0;  // 0: the image has no parts of different colours that are large enough, or none were wanted
+  std::vector<MosaicFile> files;  // the job last
 };
 
 /// Of the job's name: portrait_sizes.png beside portrait.toml.
@@ -31,9 +37,13 @@ std::string size_map_path(const std::string& job);
 /// portrait_regions.png beside portrait.toml.
 std::string region_picture_path(const std::string& job);
 
-/// Writes all of them, each whole or not at all; those that are there with the same content stay. Paths in the job are
-/// relative to its folder where the request's are relative. Throws InputError where the image or a path is of no use,
-/// and where a file of another content is there (with `replace`: one that is no mosaic's); EnvironmentError.
-WrittenMosaic write_mosaic_files(const MosaicRequest& request, Drawers& drawers);
+/// Writes nothing. Paths in the job are relative to its folder where the request's are relative. Throws InputError where
+/// the image or a path is of no use, and where a file of another content is there (with `replace`: one that is no
+/// mosaic's); EnvironmentError.
+Mosaic make_mosaic(const MosaicRequest& request, Drawers& drawers);
+
+/// Writes all files, each whole or not at all; those that are there with the same content stay. Returns the paths of
+/// those that were not there before. Throws EnvironmentError.
+std::vector<std::string> write_mosaic(const Mosaic& mosaic);
 
 }  // namespace tessera::io

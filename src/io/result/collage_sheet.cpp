@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "io/artwork/alpha.h"
-#include "io/atomic_file.h"
 #include "io/drawing/drawers.h"
 #include "io/number_text.h"
 #include "io/regular_file.h"
@@ -81,7 +80,7 @@ std::string last_name(const std::string& folder) {
 
 }  // namespace
 
-void write_collage_sheet(const std::vector<RankedResult>& results, const std::string& path) {
+std::vector<std::uint8_t> collage_sheet(const std::vector<RankedResult>& results, const std::string& path) {
   const std::size_t shown = std::min(results.size(), kMaxSheetCollages);
   const std::vector<cv::Mat> pictures = pictures_of(results, shown);
   const Sheet sheet(layout_for(pictures), title(results, shown));
@@ -93,7 +92,7 @@ void write_collage_sheet(const std::vector<RankedResult>& results, const std::st
                       fixed(result.score, 2));
     sheet.caption(k, 1, measures(result.card.quality));
   }
-  write_file_atomically(path, sheet.png(path));
+  return sheet.png(path);
 }
 
 }  // namespace tessera::io

@@ -11,8 +11,8 @@ namespace tessera::io {
 /// No more than these are shown.
 inline constexpr std::size_t kMaxSheetCollages = 60;
 
-/// Writes a PNG at `path`. A result whose collage.png is missing or damaged leaves its place empty. `results` holds at
-/// least one. Throws EnvironmentError where `path` cannot be written.
-void write_collage_sheet(const std::vector<RankedResult>& results, const std::string& path);
+/// A PNG, for `path`. A result whose collage.png is missing or damaged leaves its place empty. `results` holds at least
+/// one. Throws EnvironmentError where cairo cannot draw it.
+std::vector<std::uint8_t> collage_sheet(const std::vector<RankedResult>& results, const std::string& path);
 
 }  // namespace tessera::io

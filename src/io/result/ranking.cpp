@@ -17,6 +17,8 @@
 namespace tessera::io {
 namespace {
 
+constexpr char kPicture[] = "ranking.png";
+
 namespace fs = std::filesystem;
 
 double variety(const Quality& q) { return q.pieces > 0 ? q.effective_shapes.value_or(0) / double(q.pieces) : 0; }
@@ -231,10 +233,14 @@ std::string ranking_json(const std::vector<RankedResult>& results, const Ranking
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-void write_ranking(const std::string& dir, const std::vector<RankedResult>& results, const RankingWeights& weights) {
-  write_file_atomically((fs::path(dir) / "ranking.csv").string(), ranking_csv(results));
-  write_file_atomically((fs::path(dir) / "ranking.json").string(), ranking_json(results, weights));
-  write_collage_sheet(results, (fs::path(dir) / "ranking.png").string());
+RankingFiles ranking_files(const std::vector<RankedResult>& results, const RankingWeights& weights) {
+  return {ranking_csv(results), ranking_json(results, weights), collage_sheet(results, kPicture)};
+}
+
+void write_ranking(const std::string& dir, const RankingFiles& files) {
+  write_file_atomically((fs::path(dir) / "ranking.csv").string(), files.csv);
+  write_file_atomically((fs::path(dir) / "ranking.json").string(), files.json);
+  write_file_atomically((fs::path(dir) / kPicture).string(), files.png);
 }
 
 FoundResults find_results(const std::string& argument) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -50,9 +51,18 @@ std::string score_formula(const RankingWeights& weights);
 std::string ranking_csv(const std::vector<RankedResult>& results);
 std::string ranking_json(const std::vector<RankedResult>& results, const RankingWeights& weights);
 
-/// Writes ranking.csv, ranking.json and ranking.png (collage_sheet.h) into `dir`, which is there. Throws
-/// EnvironmentError.
-void write_ranking(const std::string& dir, const std::vector<RankedResult>& results, const RankingWeights& weights);
+/// The files of a ranking: ranking.csv, ranking.json and ranking.png.
+struct RankingFiles {
+  std::string csv;
+  std::string json;
+  std::vector<std::uint8_t> png;  // collage_sheet.h
+};
+
+/// Throws EnvironmentError.
+RankingFiles ranking_files(const std::vector<RankedResult>& results, const RankingWeights& weights);
+
+/// Writes them into `dir`, which is there. Throws EnvironmentError.
+void write_ranking(const std::string& dir, const RankingFiles& files);
 
 struct FoundResults {
   std::vector<ResultCard> cards;     // by folder

@@ -1,0 +1,25 @@
+// A command that writes a job and then runs it as tessera collage does: what it holds while it is at work.
+#pragma once
+
+#include <optional>
+
+#include "cli/collage_run.h"
+#include "io/output_folder.h"
+#include "io/output_lock.h"
+
+namespace tessera::cli {
+
+/// Keeps other runs away from the job's file and those beside it, and finds at once where it or the result could not be
+/// written.
+class JobOutput {
+ public:
+  /// `collage.job`: the file to write. `job_only`: no result follows. Throws InputError where another run is at work,
+  /// EnvironmentError.
+  JobOutput(const CollageArguments& collage, bool job_only);
+
+ private:
+  io::OutputLock lock_;
+  std::optional<io::OutputFolder> result_;
+};
+
+}  // namespace tessera::cli
