@@ -95,7 +95,9 @@ CollageArguments collage_of(const CampaignArguments& arguments, const Task& task
 /// False: a signal ended a collage, and with it the campaign.
 bool make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    if (!tasks[i].finished) {
+    if (tasks[i].finished) {
+      io::remove_stale_lock(io::folder_lock_path(tasks[i].folder));  // of a campaign that was killed
+    } else {
       if (run_collage(collage_of(arguments, tasks[i]), ranks) != CollageEnd::finished) return false;
     }
     print_result(tasks[i], i + 1, tasks.size());

@@ -150,6 +150,16 @@ OutputLock::~OutputLock() {
   if (is_file(file_.number(), path_)) unlink(path_.c_str());  // it may be another run's: somebody had removed ours
 }
 
+void remove_stale_lock(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return;
+  try {
+    const OutputLock taken_over(path, path);
+  } catch (const InputError&) {
+  } catch (const EnvironmentError&) {
+  }
+}
+
 std::string folder_lock_path(const std::string& folder) { return std::filesystem::path(folder) / "run.lock"; }
 
 }  // namespace tessera::io

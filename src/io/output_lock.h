@@ -31,6 +31,9 @@ class OutputLock {
   std::optional<LeftoverFile> leftover_;  // from when the lock is ours
 };
 
+/// Removes the file of a lock whose process is gone. Nothing where there is none, or where its run may still be at work.
+void remove_stale_lock(const std::string& path);
+
 /// The file of the lock of a result's folder, or of a campaign's.
 std::string folder_lock_path(const std::string& folder);
 

@@ -68,7 +68,7 @@ run 0 collage job.toml --out result --quiet --resume=auto --set seed=3 --set out
 [[ $(grep -c ' info: start: ' result/run.log) == 3 ]] || fail "a run that did nothing stands in result/run.log"
 mkdir -p unlogged/run.log
 run 0 collage job.toml --out unlogged --quiet
-expect_word 'tessera: warning: no run log: unlogged/run.log: not a regular file'
+expect_word 'tessera: warning: no run log: cannot write unlogged/run.log: found a folder, allowed: a regular file'
 grep -q 'no run log' unlogged/card.json || fail "the warning is not in the card"
 echo "ok what made the result"
 

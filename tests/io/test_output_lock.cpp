@@ -93,6 +93,29 @@ TEST_F(OutputLockTest, is_not_kept_by_a_child_of_a_dead_process) {
   EXPECT_EQ(complaint(), "");
 }
 
+TEST_F(OutputLockTest, of_a_dead_process_can_be_removed_and_no_other) {
+  remove_stale_lock(path_);
+  const pid_t holder = start_holder(false);
+  remove_stale_lock(path_);
+  EXPECT_TRUE(std::filesystem::exists(path_)) << "its holder is alive";
+  kill_and_wait(holder);
+  remove_stale_lock(path_);
+  EXPECT_FALSE(std::filesystem::exists(path_));
+  leave_by_another_machine();
+  remove_stale_lock(path_);
+  EXPECT_TRUE(std::filesystem::exists(path_)) << "nobody knows of its holder";
+}
+
+TEST_F(OutputLockTest, is_removed_where_a_library_ends_the_process) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const OutputLock lock(path_, "result");
+    std::exit(0);
+  }
+  waitpid(child, nullptr, 0);
+  EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
 TEST_F(OutputLockTest, of_another_machine_is_left_to_the_user) {
   leave_by_another_machine();
   EXPECT_EQ(complaint(),

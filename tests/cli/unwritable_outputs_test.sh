@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# unwritable_outputs_test.sh TESSERA NEW_FOLDER: an output that cannot be written is found before any work is done: the
+# program says so, and nothing else.
+set -uo pipefail
+tessera=$1
+folder=$2
+# shellcheck source=tests/cli/command_fixture.sh
+source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+most_s=20
+
+# before_work MESSAGE COMMAND...
+before_work() {
+  run 1 "${@:2}"
+  [[ ! -s output ]] || fail "work was done before: ${*:2}"
+  [[ $(wc -l <errors) == 1 ]] || fail "more than one line: ${*:2}"
+  expect_word "$1"
+  [[ -z $(find . -name '*.tmp' ! -type d -o -name '*.lock') ]] || fail "something half-written: ${*:2}"
+}
+
+enter_folder
+rsvg-convert drawings/leaf.svg -o sun.png
+printf 'no picture' >spoiled.png
+write_job '64, 48' '14, 40' 64
+sed -i '1i quality = "draft"' job.toml
+run 0 collage job.toml --out result --quiet
+cp own.h5 another.h5
+
+# A folder has the name of the file, or of the temporary one.
+for taken in taken.png taken.json free.png.tmp free.left_out.txt free.json.tmp free.toml.tmp found/sun_found.png; do
+  mkdir -p "$taken/inside"
+done
+echo "a file" >file
+is_folder=': Is a directory'
+in_the_way='is in the way and cannot be removed: Is a directory'
+before_work "cannot write free.left_out.txt$is_folder" library build drawings spoiled.png -o free.h5
+before_work "cannot write free.left_out.txt$is_folder" library merge own.h5 another.h5 -o free.h5
+before_work "cannot write taken.png$is_folder" library info own.h5 --sheet taken.png
+before_work "cannot write free.png: free.png.tmp $in_the_way" library styles own.h5 --sheet free.png
+before_work "cannot write taken.png$is_folder" library extract sun.png --element-px 75 -o new.h5 --ground taken.png
+before_work "cannot write found/sun_found.png$is_folder" library extract sun.png --element-px 75 -o new.h5 --overview found
+before_work 'file: cannot make this folder: ' library extract sun.png --element-px 75 -o new.h5 --overview file
+before_work "cannot write free.toml: free.toml.tmp $in_the_way" mosaic sun.png own.h5 --job free.toml
+before_work "cannot write taken.json$is_folder" bench pairs --out taken.json
+before_work "cannot write free.json: free.json.tmp $in_the_way" bench pairs --out free.json
+before_work 'cannot create the output directory file' rank result --out file
+before_work 'cannot create the output directory file' draw result --to file
+for command in "collage job.toml --restart" "refine result --relax"; do
+  for name in pieces.geojson card.json card.txt job.toml manifest.json collage.png collage.svg checkpoint.h5; do
+    mkdir -p "out/$name.tmp/inside"
+    # shellcheck disable=SC2086
+    before_work "cannot write out/$name: $name.tmp $in_the_way" $command --out out
+    rm -r out
+  done
+done
+mkdir campaign
+echo "a file" >campaign/seed_2
+before_work 'campaign/seed_2' campaign job.toml --seeds 1-2 --out campaign
+[[ ! -e campaign/seed_1 ]] || fail "a collage of a campaign that cannot be finished"
+echo "ok"
