@@ -169,7 +169,8 @@ std::string not_a_palette(const std::string& text) {
   const bool is_list = text.starts_with('#');
   return !is_list || std::all_of(colours.begin(), colours.end(), is_colour)
              ? ""
-             : "found " + text + ", allowed: a built-in palette, a palette file, or #rrggbb,#rrggbb,..";
+             : "found " + text + ", allowed: " + joined(io::built_in_palettes()) +
+                   ", a palette file, or #rrggbb,#rrggbb,..";
 }
 
 }  // namespace

@@ -109,9 +109,9 @@ mv red.txt gone.txt
 run 0 draw reds --svg --set output.outline_colour=#123456 --set output.outline_px=1 --quiet
 grep -q 'fill="#ff0000"' reds/collage.svg || fail "a line's colour takes those of the pieces"
 run 2 draw drawn --palette none.gpl
-grep -q 'colour.palette: .*none.gpl.*allowed: dusk' errors || fail "another message for a palette that is not there"
+grep -q -- '--palette none.gpl: .*none.gpl.*allowed: dusk' errors || fail "another message for a palette that is not there"
 run 2 draw drawn --palette '#12'
-grep -q 'colour.palette: found .*#12.*, allowed: "dusk"' errors || fail "another message for no colour"
+grep -q -- '--palette: found #12, allowed: dusk, ' errors || fail "another message for no colour"
 run 2 draw drawn --to dusk
 grep -q -- '--to dusk: found a result there, allowed: a folder without one' errors || fail "another message for a result"
 for name in checkpoint.h5 checkpoint.previous.h5; do

@@ -107,3 +107,16 @@ done
 SLURM_JOB_ID=3 SLURM_NTASKS=3 SLURM_PROCID=0 start 1 alone
 expect_end 0 "one process in a batch script of three tasks"
 echo "ok launchers"
+
+# What rank 0 prints is lost; a rank that never starts: the time limit holds for MPI, too, but for 10 s at least.
+"${on_ranks[@]}" 2 bash -c "exec '$tessera' library info own.h5 >/dev/full" >output 2>errors
+[[ $? == 1 ]] || fail "lost output of rank 0: another exit code"
+expect_error_line '^tessera: standard output cannot be written: No space left on device' "lost output of rank 0"
+SECONDS=0
+"${on_ranks[@]}" 2 bash -c "((OMPI_COMM_WORLD_RANK == 1)) && exec sleep 60
+  exec '$tessera' collage job.toml --out none --time-limit 4" >output 2>errors
+[[ $? == 1 ]] || fail "a rank that never starts: another exit code"
+((SECONDS >= 10 && SECONDS <= 20)) || fail "a rank that never starts: took $SECONDS s"
+expect_error_line '^tessera: rank 0 has waited 10 s for the other ranks to start MPI' "a rank that never starts"
+[[ ! -e none ]] || fail "a rank that never starts: something was written"
+echo "ok lost output and lost ranks"

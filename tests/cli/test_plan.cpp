@@ -4,6 +4,7 @@
 
 #include "cli/plan_estimate.h"
 #include "cli/plan_text.h"
+#include "core/base/kept_memory.h"
 #include "core/matching/matching_context.h"
 #include "worker/shard.h"
 
@@ -74,6 +75,16 @@ TEST(Plan, takes_the_device_bytes_from_the_workers) {
   const double shard = double(worker::shard_bytes(context, input.shapes / 2, true).device);  // each of two workers
   constexpr double kListsOfAShape_bytes = 2 * 15e3;  // of pairs, and of dockings
   EXPECT_NEAR(more, shard + kListsOfAShape_bytes * double(input.shapes / 2), 0.05 * more);
+}
+
+/// Of a job that has hardly any of its own.
+TEST(Plan, counts_the_freed_memory_that_each_process_keeps) {
+  PlanInput small = animals();
+  small.shapes = 1;
+  small.canvas_px2 = small.canvas_nodes = small.picture_px2 = 100;
+  constexpr double kLeastOfAll_bytes = 3 * 95e6;  // measured before any was kept
+  EXPECT_GT(estimate(small).node_bytes, kLeastOfAll_bytes + 3 * double(kKeptFreed_bytes));
+  EXPECT_NE(plan_text(small, estimate(small)).find("may keep 64 MB"), std::string::npos);
 }
 
 TEST(Plan, obeys_the_limits_of_the_job) {
