@@ -39,7 +39,8 @@ FileBlocks::FileBlocks(FileDescriptor file, const std::string& path, std::size_t
   if (::fstat(file_.number(), &status) != 0) throw_unreadable(path_);
   left_bytes_ = std::size_t(status.st_size);
   if (left_bytes_ > most_bytes)
-    throw InputError(path + ": found " + std::to_string(left_bytes_) + " bytes, allowed: " + std::to_string(most_bytes));
+    throw InputError(path + ": found " + std::to_string(left_bytes_) +
+                     " bytes, allowed: " + std::to_string(most_bytes));
   digest_.add(left_bytes_);
   block_.resize(std::min(kBlockBytes, left_bytes_));
 }
