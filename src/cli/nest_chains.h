@@ -1,5 +1,5 @@
-// The chains of a nesting shared among ranks and their cores. What comes out does not depend on how many there are, unless
-// the search is stopped.
+// The chains of a nesting shared among ranks and their cores. What comes out does not depend on how many there are,
+// unless the search is stopped.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@ struct NestOutcome {
   const char* stopped_by = nullptr;  // as Interrupted::reason; null: all chains ended by themselves
 };
 
-/// Told now and then, by one thread at a time: the part of the budget that this rank's chains have used, 0 to 1, and the
-/// best layout that they have found so far.
+/// Told now and then, by one thread at a time: the part of the budget that this rank's chains have used, 0 to 1, and
+/// the best layout that they have found so far.
 using NestProgress = std::function<void(double done, const NestLayout& best)>;
 
 /// Rank 0: sends the problem to all ranks, and gives the best layout of all chains. Soon after `stop_reason`, which any

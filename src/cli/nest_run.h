@@ -24,9 +24,9 @@ struct NestArguments {
   std::optional<std::string> time_limit;
 };
 
-/// Rank 0 writes the layout, the others search with it. Returns the exit code (exit_codes.h). A time limit that the user
-/// gave ends the search and is no interruption; signals and the end of a Slurm job are, though the best layout so far is
-/// written all the same.
+/// Rank 0 writes the layout, the others search with it. Returns the exit code (exit_codes.h). A time limit that the
+/// user gave ends the search and is no interruption; signals and the end of a Slurm job are, though the best layout so
+/// far is written all the same.
 int nest_on_all_ranks(NestArguments arguments, comm::Communicator& ranks);
 
 }  // namespace tessera::cli

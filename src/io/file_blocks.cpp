@@ -9,8 +9,6 @@
 namespace tessera::io {
 namespace {
 
-std::string mebibytes(std::size_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
-
 /// In words of eight bytes; the last one is filled up with zeros.
 void add_words(std::span<const char> bytes, Digest& digest) {
   for (std::size_t at = 0; at < bytes.size(); at += sizeof(std::uint64_t)) {
@@ -30,7 +28,8 @@ FileBlocks::FileBlocks(FileDescriptor file, const std::string& path, std::size_t
       file_(std::move(file)),
       left_bytes_(size_of(path_, file_)) {
   if (left_bytes_ > most_bytes)
-    throw InputError(path + ": found " + mebibytes(left_bytes_) + ", allowed: " + mebibytes(most_bytes));
+    throw InputError(path + ": found " + std::to_string(left_bytes_) +
+                     " bytes, allowed: " + std::to_string(most_bytes));
   digest_.add(left_bytes_);
   block_.resize(std::min(kBlockBytes, left_bytes_));
 }

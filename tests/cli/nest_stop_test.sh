@@ -124,7 +124,7 @@ expect_word 'cannot write stuck/layout.dxf: is a folder; remove it'
 [[ $(ls stuck) == $'card.txt\nlayout.dxf' ]] || fail "left something behind"
 echo "ok folder"
 
-# Plates of which a sheet holds one: a thousand files.
+# Plates of which a sheet holds one: thousands of files.
 cat >plates.json <<'JSON'
 {"items": [{"id": "plate", "demand": 2, "allowed_orientations": [0], "shape": {"type": "simple_polygon", "data": [[0,0],[20,0],[20,15],[0,15]]}}]}
 JSON
@@ -136,7 +136,7 @@ run 0 $(plates 2)
 expect_whole out/plates 2
 before=$(cd out/plates && sha256sum ./*)
 # shellcheck disable=SC2046
-"$tessera" $(plates 500) >output 2>errors &
+"$tessera" $(plates 1500) >output 2>errors &
 nesting=$!
 wait_for 60 test -e out/plates/layout_30.svg.tmp
 kill -KILL $nesting
@@ -144,7 +144,7 @@ wait $nesting 2>/dev/null
 [[ $(cd out/plates && rm -f ./*.tmp run.lock && sha256sum ./*) == "$before" ]] ||
   fail "a run that was killed while it wrote has changed the layout that was there"
 # shellcheck disable=SC2046
-"$tessera" $(plates 500) >output 2>errors &
+"$tessera" $(plates 1500) >output 2>errors &
 nesting=$!
 wait_for 60 test -e out/plates/layout_30.svg.tmp
 kill -KILL $nesting

@@ -51,8 +51,8 @@ inline constexpr std::size_t kMostOfReader_bytes = std::size_t(2) << 30;
 inline constexpr std::size_t kMostOfReader_bytes = std::size_t(512) << 20;
 #endif
 
-/// `read` refuses the file, or takes it where `said` is empty: in seconds, with little memory, by one line that names the
-/// file and says `said`.
+/// `read` refuses the file, or takes it where `said` is empty: in seconds, with little memory, by one line that names
+/// the file and says `said`.
 inline void expect_refused(const std::string& path, const std::string& said, const std::function<void()>& read) {
   const ChildReport report = in_child([&]() -> std::string {
     try {

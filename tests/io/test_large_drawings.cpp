@@ -1,5 +1,5 @@
-// Drawings and instances that would eat the machine: each is refused within seconds and 512 MiB, by its name and what it
-// has too much of.
+// Drawings and instances that would eat the machine: each is refused within seconds and 512 MiB, by its name and what
+// it has too much of.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -178,6 +178,11 @@ TEST(SvgOutput, IsAsLargeOnPaperAsItsCanvasIsAskedFor) {
   EXPECT_EQ(count(drawn_svg(sample.report), " width=\"210.000mm\" height=\"105.400mm\" viewBox=\"0 0 200 100.381\""),
             1u);
   EXPECT_EQ(count(drawn_svg(sample.report), "preserveAspectRatio=\"none\""), 0u);
+  // Copies are to meet: the px of the canvas fill the page.
+  sample.canvas = make_seamless_canvas(200, 100, true, false);
+  EXPECT_EQ(
+      count(drawn_svg(sample.report), " height=\"105.400mm\" viewBox=\"0 0 200 100\" preserveAspectRatio=\"none\""),
+      1u);
 }
 
 TEST(SvgOutput, OutlinesAndShadowsAreThoseOfThePng) {

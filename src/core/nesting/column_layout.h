@@ -1,5 +1,5 @@
-// A layout without a search: pieces in columns beside each other, by their boxes. It is what there is of a layout before
-// a search has found a better one.
+// A layout without a search: pieces in columns beside each other, by their boxes. It is what there is of a layout
+// before a search has found a better one.
 #pragma once
 
 #include <span>
@@ -17,8 +17,9 @@ class ColumnLayout {
   /// Of all pieces.
   NestLayout all() const;
 
-  /// Adds pieces, given by their items, to a layout: on a strip from x = `from` on, on sheets from a new sheet on. What is
-  /// too large at all of its angles is left over. `layout.used_length` then is that of the strip, or of the last sheet.
+  /// Adds pieces, given by their items, to a layout: on a strip from x = `from` on, on sheets from a new sheet on. What
+  /// is too large at all of its angles is left over. `layout.used_length` then is that of the strip, or of the last
+  /// sheet.
   void add(std::span<const int> items, double from, NestLayout& layout) const;
 
  private:

@@ -17,8 +17,8 @@ inline constexpr double kNestTolerance = 1e-6;
 /// that are near each other; what it throws ends the check.
 std::string nest_fault(const NestProblem& problem, const NestLayout& layout, const std::function<void()>& look = {});
 
-/// Whether a point of one outline's boundary, or its middle, lies inside the other one and farther than `depth` from the
-/// other's boundary.
+/// Whether a point of one outline's boundary, or its middle, lies inside the other one and farther than `depth` from
+/// the other's boundary.
 bool lie_deeper(const NestRing& a, const NestRing& b, double depth);
 
 /// Whether two points of the boundaries are nearer to each other than `distance`.

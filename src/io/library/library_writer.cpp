@@ -217,7 +217,6 @@ struct LibraryWriter::State {
   State(const std::string& target, const PadParameters& parameters)
       : path(target),
         pad(parameters),
-        leftover(temporary_path(target)),
         file(create_library_file(target)) {}
 
   /// Members are destroyed from the last to the first: the columns before their file.

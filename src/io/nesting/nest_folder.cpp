@@ -65,8 +65,8 @@ bool begins_with(const fs::path& file, const std::string& words) try {
   return false;
 }
 
-/// The first file in the folder that shows that the folder is not of tessera nest; nothing where it may be written into.
-/// A run that was killed leaves its lock and temporary files, or its card without layout.json.
+/// The first file in the folder that shows that the folder is not of tessera nest; nothing where it may be written
+/// into. A run that was killed leaves its lock and temporary files, or its card without layout.json.
 std::string foreign_file(const fs::path& folder) {
   const std::string program(kNestProgram);
   const std::set<std::string> names = names_in(folder);

@@ -28,9 +28,9 @@ class NestFolder {
   NestFolder& operator=(const NestFolder&) = delete;
 
   /// layout.json, card.txt, and of each sheet layout.svg and .dxf; of a library's shapes layout.toml and
-  /// layout_pieces.geojson, too. Of several sheets they are called layout_1.svg and so on. All get temporary names first:
-  /// until all are there an earlier layout stays as it was, then the whole of it is replaced, pictures included. Other
-  /// files stay. Where layout.json is missing, the rest is not complete. Throws EnvironmentError.
+  /// layout_pieces.geojson, too. Of several sheets they are called layout_1.svg and so on. All get temporary names
+  /// first: until all are there an earlier layout stays as it was, then the whole of it is replaced, pictures included.
+  /// Other files stay. Where layout.json is missing, the rest is not complete. Throws EnvironmentError.
   void write(const NestRun& run, const BetweenFiles& between);
 
   /// The pictures of a layout that was written: layout.png of each sheet. Those before what `between` throws stay.

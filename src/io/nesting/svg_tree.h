@@ -15,8 +15,8 @@ struct FreeXml {
 };
 using SvgTree = std::unique_ptr<xmlDoc, FreeXml>;
 
-/// What an SVG may have. Drawings of 200,000 points, which is as much as is read of them, have a tenth of this. The whole
-/// takes some 300 MB at most.
+/// What an SVG may have. Drawings of 200,000 points, which is as much as is read of them, have a tenth of this. The
+/// whole takes some 300 MB at most.
 namespace svg_limits {
 inline constexpr std::size_t kBytes = std::size_t(64) << 20;  // unpacked
 inline constexpr std::size_t kElements = 100'000;

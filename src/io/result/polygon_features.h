@@ -29,7 +29,8 @@ inline constexpr double kMostCoordinate = 40'000;
 
 /// Hands out the features of a FeatureCollection of Polygons and MultiPolygons in their order. A third number of a
 /// position is passed over. Throws InputError that names the feature, from 0, the key, what was found and what is
-/// allowed; what `take` throws as InputError gets the feature's number, too. The name of the file is the caller's to add.
+/// allowed; what `take` throws as InputError gets the feature's number, too. The name of the file is the caller's to
+/// add.
 void read_polygon_features(JsonFile& file, const std::function<void(PolygonFeature)>& take);
 
 }  // namespace tessera::io

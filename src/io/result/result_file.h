@@ -29,7 +29,8 @@ FileBlocks open_result_file(const std::string& dir, const std::string& name, std
 std::string read_result_file(const std::string& dir, const std::string& name,
                              std::size_t most_bytes = kMostResultFileBytes);
 
-/// The text of a JSON file that nlohmann may make a tree of, within `bounds`. Throws InputError, too, where it has more.
+/// The text of a JSON file that nlohmann may make a tree of, within `bounds`. Throws InputError, too, where it has
+/// more.
 std::string read_result_json(const std::string& dir, const std::string& name, const JsonBounds& bounds);
 
 }  // namespace tessera::io
