@@ -11,14 +11,20 @@
 #include <vector>
 
 #include "cli/collage_options.h"
+#include "cli/collage_warnings.h"
 #include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "cli/job_output.h"
 #include "cli/list_option.h"
 #include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "cli/time_limit.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/puzzle/puzzle_solver.h"
+#include "io/new_folder.h"
+#include "io/number_text.h"
 #include "io/puzzle/puzzle_making.h"
 #include "io/puzzle/puzzle_solving.h"
 #include "io/utf8_text.h"
@@ -51,8 +57,9 @@ constexpr const char* kSolveExamples =
     "LIB.h5 holds the pieces, each once, in one scale among themselves: as large as their pictures. What fits is\n"
     "found by outlines and by what is on both sides of them; pieces need corners. A frame may come out upside down. "
     "jigsaw_pieces.geojson\n"
-    "says where they lie, jigsaw.toml is a job that shows it, which is then run as by tessera collage. Pieces that\n"
-    "found no place are named, and the others laid: the exit code is 0 all the same.";
+    "says where they lie, jigsaw.toml is a job that shows it, which is then run as by tessera collage. Nothing is "
+    "laid\n"
+    "beyond a frame. Pieces that find no place are named, the others are laid, and the exit code is 3.";
 
 /// As a shell takes it, for commands to be typed next.
 std::string shell_word(const std::string& text) {
@@ -68,26 +75,36 @@ const std::map<std::string, CutStyle> kCuts = {
 
 struct MakeArguments {
   io::PuzzleRequest request;
+  std::string folder;
   std::string cut = "tabs";
 };
+
+/// Without a slash at its end.
+std::string folder_of(const MakeArguments& arguments) {
+  if (arguments.folder.empty()) return std::filesystem::path(arguments.request.picture).stem().string() + "_puzzle";
+  const std::filesystem::path folder = arguments.folder;
+  return folder.has_filename() ? arguments.folder : folder.parent_path().string();
+}
 
 int make(MakeArguments arguments) {
   io::PuzzleRequest& request = arguments.request;
   request.style = kCuts.at(arguments.cut);
-  if (request.folder.empty()) request.folder = std::filesystem::path(request.picture).stem().string() + "_puzzle";
-  if (!std::filesystem::path(request.folder).has_filename())  // a slash at its end
-    request.folder = std::filesystem::path(request.folder).parent_path().string();
+  const std::string out = folder_of(arguments);
+  io::NewFolder new_folder(out);
   io::Drawers drawers(io::photo_drawer_settings(1));
   const io::MadePuzzle made = io::make_puzzle(request, drawers);
-  const std::string folder = io::printable_utf8(request.folder);
-  std::printf("%s: %d pieces of a picture of %d x %d px\n", folder.c_str(), made.pieces, made.width_px, made.height_px);
+  {
+    const comm::StopDelay delay;  // before, a signal ends the command at once
+    if (!new_folder.write(made.files, comm::stop_signalled)) return kUnfinishedExitCode;
+  }
+  const std::string folder = io::printable_utf8(out);
+  print_line("%s: %d pieces of a picture of %d x %d px", folder.c_str(), made.pieces, made.width_px, made.height_px);
   const std::string library = shell_word(folder + ".h5");
-  const std::string frame = made.frame.empty() ? "" : " --frame " + shell_word(io::printable_utf8(made.frame));
-  std::printf("next: tessera library build %s -o %s --puzzle\n", shell_word(folder + "/pieces").c_str(),
-              library.c_str());
-  std::printf("      tessera puzzle solve %s%s --size %d,%d\n", library.c_str(), frame.c_str(), made.width_px,
-              made.height_px);
-  return 0;
+  const std::string frame = made.frame.empty() ? "" : " --frame " + shell_word(folder + "/" + made.frame);
+  print_line("next: tessera library build %s -o %s --puzzle", shell_word(folder + "/pieces").c_str(), library.c_str());
+  print_line("      tessera puzzle solve %s%s --size %d,%d", library.c_str(), frame.c_str(), made.width_px,
+             made.height_px);
+  return kDoneExitCode;
 }
 
 struct SolveArguments {
@@ -104,16 +121,23 @@ std::string listed(const std::vector<std::string>& names) {
   return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " others" : text;
 }
 
+bool has_frame(const SolveArguments& arguments) {
+  return arguments.request.frame_px || !arguments.request.frame_file.empty();
+}
+
+/// How to go on where pieces found no place, by what was given.
+std::string advice(const SolveArguments& arguments) {
+  if (!has_frame(arguments)) return "";
+  if (!arguments.request.scale) return "; where pieces are missing or foreign, --scale says how large the others are";
+  return "; without --size and --frame all that fits together is laid";
+}
+
 /// What is not as it should be, beside pieces that are left over.
 std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
-  constexpr double kLeastCovered = 0.99;
+  constexpr double kLeastFilled = 0.99;
   if (solved.gaps > kMostPuzzleGaps)
     return "there are narrow gaps between pieces: not all of them belong where they lie";
-  if ((arguments.request.frame_px || !arguments.request.frame_file.empty()) && !solved.in_frame)
-    return "what was laid does not lie in the frame, the canvas is as large as it; where pieces are missing or "
-           "foreign, --scale says "
-           "how large the others are";
-  if (solved.left_over.empty() && solved.in_frame && solved.covered < kLeastCovered)
+  if (solved.left_over.empty() && has_frame(arguments) && solved.filled < kLeastFilled)
     return "the frame is not full: pieces are missing";
   if (solved.undecided > 0)
     return std::to_string(solved.undecided) + " of " + std::to_string(solved.placed) +
@@ -123,27 +147,30 @@ std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solve
   return "";
 }
 
+std::string erosion_text(double erosion_px) {
+  return erosion_px > 0 ? "; they are " + io::fixed(erosion_px, 2) + " px smaller all round than they were cut" : "";
+}
+
 void report(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
   if (!solved.left_over.empty()) {
-    std::fprintf(stderr, "tessera: warning: %zu of %zu pieces found no place: %s\n", solved.left_over.size(),
-                 solved.pieces, listed(solved.left_over).c_str());
+    print_warning(std::to_string(solved.left_over.size()) + " of " + std::to_string(solved.pieces) +
+                  " pieces found no place" + (has_frame(arguments) ? " in the frame" : "") + ": " +
+                  listed(solved.left_over) + advice(arguments));
   }
-  if (const std::string text = doubt(arguments, solved); !text.empty())
-    std::fprintf(stderr, "tessera: warning: %s\n", text.c_str());
+  print_warning(doubt(arguments, solved));
   if (!arguments.collage.quiet) {
-    std::printf("%s: %zu of %zu pieces on %d x %d px, %.2f %% of it covered, scale %.4g\n",
-                io::printable_utf8(arguments.request.job).c_str(), solved.placed, solved.pieces, solved.width_px,
-                solved.height_px, 100 * solved.covered, solved.scale);
+    print_line("%s: %zu of %zu pieces on %d x %d px, %.2f %% of it covered, scale %.4g%s",
+               io::printable_utf8(arguments.request.job).c_str(), solved.placed, solved.pieces, solved.width_px,
+               solved.height_px, 100 * solved.covered, solved.scale, erosion_text(solved.erosion_px).c_str());
   }
   if (solved.agreement) {  // who asks for it wants to know
-
-    std::printf("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %.2f px off at most\n",
-                io::printable_utf8(arguments.request.truth).c_str(), solved.agreement->right, solved.pieces,
-                double(solved.agreement->worst_px));
+    print_line("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %.2f px off at most",
+               io::printable_utf8(arguments.request.truth).c_str(), solved.agreement->right, solved.pieces,
+               double(solved.agreement->worst_px));
   }
   if (arguments.job_only && !arguments.collage.quiet)
-    std::printf("next: tessera collage %s\n", shell_word(io::printable_utf8(arguments.request.job)).c_str());
-  std::fflush(stdout);
+    print_line("next: tessera collage %s", shell_word(io::printable_utf8(arguments.request.job)).c_str());
+  print_now();
 }
 
 /// How far it is, and whether it is time to end.
@@ -177,17 +204,28 @@ class SolvingWatch {
   bool laying_ = false;
 };
 
-/// Whether it was not interrupted.
-bool solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks) {
+/// The exit code of the job that was written, or that of an end before its time.
+int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks) {
   try {
     SolvingWatch watch(arguments.collage, ranks);
     arguments.request.watch = [&](const PuzzleProgress& at) { watch.look(at); };
-    report(arguments, io::write_solved_puzzle(arguments.request));
-    return true;
+    const io::SolvedPuzzle solved = io::write_solved_puzzle(arguments.request);
+    report(arguments, solved);
+    return solved.left_over.empty() ? kDoneExitCode : kIncompleteExitCode;
   } catch (const Interrupted&) {
-    std::fprintf(stderr, "tessera: unfinished, nothing was written: the same command starts again\n");
-    return false;
+    print_message("unfinished, nothing was written: the same command starts again");
+    return kUnfinishedExitCode;
   }
+}
+
+/// Rank 0: the job, and then the collage.
+int solve_and_collage(SolveArguments& arguments, comm::Communicator& ranks) {
+  const JobOutput output(arguments.collage, arguments.job_only);
+  const int solved = solve_and_report(arguments, ranks);
+  if (solved == kUnfinishedExitCode || arguments.job_only) return solved;
+  comm::end_stop_handlers();  // until the collage has something to lose
+  const int made = collage_exit_code(arguments.collage, ranks);
+  return made == kDoneExitCode ? solved : made;
 }
 
 /// Rank 0 alone lays the pieces and writes the job; the workers get it from there as of any collage.
@@ -196,8 +234,8 @@ int solve(SolveArguments arguments, comm::Communicator& ranks) {
   if (request.job.empty()) request.job = std::filesystem::path(request.library).stem().string() + ".toml";
   if (request.scale && std::isnan(*request.scale)) throw InputError("--scale: found nan, allowed: a number");
   arguments.collage.job = request.job;
-  if (ranks.rank() == 0 && !solve_and_report(arguments, ranks)) return kUnfinishedExitCode;
-  return arguments.job_only ? 0 : collage_exit_code(arguments.collage, ranks);
+  if (ranks.rank() == 0) return solve_and_collage(arguments, ranks);
+  return arguments.job_only ? kDoneExitCode : collage_exit_code(arguments.collage, ranks);
 }
 
 void add_make(CLI::App& puzzle, Command& selected) {
@@ -213,7 +251,8 @@ void add_make(CLI::App& puzzle, Command& selected) {
       ->check(CLI::IsMember(kCuts))
       ->capture_default_str();
   command->add_option("--seed", request.seed, "Another seed, another cut")->capture_default_str();
-  command->add_option("--out", request.folder, "A new folder; default: <name of the image>_puzzle")->type_name("DIR");
+  command->add_option("--out", arguments->folder, "A new folder; default: <name of the image>_puzzle")
+      ->type_name("DIR");
   command->callback([arguments, &selected] { selected.run = [arguments] { return make(*arguments); }; });
 }
 
@@ -231,8 +270,9 @@ void add_solve(CLI::App& puzzle, Command& selected) {
                    "The frame is what this file shows, as a canvas.file; without --size as large as the pieces want it")
       ->type_name("FILE");
   command
-      ->add_option("--scale", request.scale,
-                   "px of the canvas for one px of the pieces; default: so that all of them fill the frame, or 1")
+      ->add_option(
+          "--scale", request.scale,
+          "px of the canvas for one px of the pieces; default: so that they reach the edges of the frame, or 1")
       ->check(CLI::Range(0.001, 1000.0))
       ->type_name("K");
   command

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# puzzle_test.sh TESSERA MPIRUN NEW_FOLDER: tessera puzzle, from a picture to its pieces and from them to the picture.
+# puzzle_test.sh TESSERA MPIRUN NEW_FOLDER SAWN_PIECES: tessera puzzle, from a picture to its pieces and from them to
+# the picture.
 set -uo pipefail
 tessera=$1
 # shellcheck disable=SC2034 # support/ranks.sh
 mpirun=$2
 folder=$3
+sawn_pieces=$4
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 photo=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../jobs/photos" && pwd)/chelsea.png
@@ -36,7 +38,32 @@ expect_word 'sun.png: found 640 x 480 px, which gives pieces of 27 px; allowed: 
 run 2 puzzle make none.png
 expect_word 'none.png: '
 [[ ! -e one && ! -e dust && ! -e none_puzzle ]] || fail "left something behind"
+# What cannot be written is found before the picture is read.
+run 1 puzzle make none.png --out sun.png/jigsaw
+expect_word 'cannot write into the folder sun.png/jigsaw: Not a directory'
 echo "ok make"
+
+# end_of SIGNAL SECONDS COMMAND...: how tessera ends after that signal: within 2 s, by the signal, nothing behind.
+end_of() {
+  timeout -s "$1" -k 2 "$2" "$tessera" "${@:3}" >output 2>errors
+  code=$?
+  [[ $code -eq 124 ]] || fail "$1 after $2 s: exit code $code: it had ended, or did not end within 2 s: ${*:3}"
+  grep -q 'tessera: interrupted' errors || fail "does not say that it was interrupted"
+}
+rsvg-convert -w 6400 -h 4800 sun.svg -o large.png
+for seconds in 0.7 1.5; do
+  end_of TERM $seconds puzzle make large.png --pieces 200 --out made/large
+  [[ ! -e made ]] || fail "puzzle make: left something behind after $seconds s"
+done
+# Two runs into one folder: one is refused.
+"$tessera" puzzle make large.png --pieces 200 --out made >/dev/null 2>&1 &
+making=$!
+until [[ -e made/run.lock ]] || ! kill -0 $making 2>/dev/null; do sleep 0.02; done
+run 2 puzzle make sun.png --pieces 12 --out made
+expect_word 'made: another run is at work here'
+kill $making && wait $making
+[[ ! -e made ]] || fail "left something behind"
+echo "ok make alone"
 
 run 0 library build jigsaw/pieces -o jigsaw.h5 --puzzle
 # Larger than the pieces are: their scale is not known.
@@ -85,7 +112,38 @@ run 0 puzzle solve jigsaw.h5 --truth jigsaw/truth --job loose.toml --job-only --
 run 2 puzzle solve jigsaw.h5 --truth nowhere --job huge.toml --job-only
 expect_word 'nowhere'
 [[ ! -e huge.toml && ! -e huge_pieces.geojson ]] || fail "left something behind"
+run 1 puzzle solve jigsaw.h5 --out sun.png/result --job huge.toml
+expect_word 'cannot write into the folder sun.png/result: Not a directory'
+[[ ! -e huge.toml ]] || fail "it was solved before the result's folder was tried"
+run 1 puzzle solve jigsaw.h5 --job nowhere/huge.toml --job-only
+expect_word 'cannot write nowhere/huge.toml.lock'
 echo "ok without a frame"
+
+# within_frame JOB WIDTH HEIGHT PX PIECES: of what lies, nothing reaches farther beyond the frame.
+within_frame() {
+  python3 - "$@" <<'PYTHON'
+import json, sys
+job, width, height, most, pieces = sys.argv[1], float(sys.argv[2]), float(sys.argv[3]), float(sys.argv[4]), int(sys.argv[5])
+features = json.load(open(job + "_pieces.geojson"))["features"]
+rings = [p for feature in features for p in feature["geometry"]["coordinates"][0]]
+beyond = max(max(-x, x - width, -y, y - height) for x, y in rings)
+assert len(features) == pieces, "%d pieces" % len(features)
+assert beyond <= most, "%.2f px beyond the frame" % beyond
+PYTHON
+}
+
+# Sawn and scanned: a px smaller all round, at three quarters of the size. They are grown, and all fit.
+"$sawn_pieces" jigsaw/pieces sawn 1 0.75 || fail "no sawn pieces"
+run 0 library build sawn -o sawn.h5 --puzzle
+for scale in '--scale 1.33333' ''; do
+  # shellcheck disable=SC2086
+  run 0 puzzle solve sawn.h5 --size 640,480 $scale --job-only --replace
+  expect_no_warning "a warning of sawn pieces that fit $scale"
+  grep -qE '^sawn.toml: 12 of 12 pieces .* scale 1.3[234].*; they are [01].[0-9]* px smaller all round than they were cut' output ||
+    fail "sawn pieces are not all laid $scale"
+  within_frame sawn 640 480 0.5 12 || fail "sawn pieces leave the frame $scale"
+done
+echo "ok sawn pieces"
 
 rm jigsaw/pieces/piece_005.png
 run 0 library build jigsaw/pieces -o gap.h5 --puzzle
@@ -93,12 +151,29 @@ run 0 puzzle solve gap.h5 --size 640,480 --scale 1 --truth jigsaw/truth --job-on
 expect_word 'the frame is not full: pieces are missing'
 grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "the others are not where they belong"
 run 0 puzzle solve gap.h5 --size 640,480 --truth jigsaw/truth --job unknown.toml --job-only
-expect_word 'does not lie in the frame, the canvas is as large as it; where pieces are missing or foreign, --scale'
-grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "a frame of another size spoils what fits"
+expect_word 'the frame is not full: pieces are missing'
+grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "a missing piece hides how large the others are"
+within_frame unknown 640 480 1 11 || fail "they leave the frame"
 cp other/pieces/piece_001.png jigsaw/pieces/stranger.png
 run 0 library build jigsaw/pieces -o stranger.h5 --puzzle
-run 0 puzzle solve stranger.h5 --size 640,480 --scale 1 --truth jigsaw/truth --job-only
+# What finds no place is named, and the advice is for what was given; the collage is made, and exit code 3 says it.
+run 3 puzzle solve stranger.h5 --size 640,480 --scale 1 --truth jigsaw/truth
+expect_word '1 of 12 pieces found no place in the frame: stranger; without --size and --frame all that fits together is laid'
+! grep -q -- '--scale' errors || fail "advises --scale, which was given"
+grep -q '^by jigsaw/truth: 11 of 12 right' output || fail "a stranger spoils what fits"
+[[ -s out/stranger/collage.png ]] || fail "no picture"
+run 3 puzzle solve stranger.h5 --size 640,480 --job unscaled.toml --job-only
+expect_word '1 of 12 pieces found no place in the frame: stranger; where pieces are missing or foreign, --scale says'
+within_frame unscaled 640 480 1 11 || fail "they leave the frame"
+run_on_ranks 2 3 puzzle solve stranger.h5 --job ranks.toml --quiet
 expect_word '1 of 12 pieces found no place: stranger'
+! grep -q 'in the frame' errors || fail "speaks of a frame that was not given"
+# A frame that is too small for them, and known to be so.
+run 3 puzzle solve jigsaw.h5 --size 420,480 --scale 1 --job small.toml --job-only
+expect_word ' pieces found no place in the frame: piece_'
+placed=$(sed -n 's/^small.toml: \([0-9]*\) of 12 pieces on 420 x 480 px.*/\1/p' output)
+((placed >= 6)) || fail "$placed pieces in a frame that has room for eight"
+within_frame small 420 480 2 "$placed" || fail "pieces leave a frame that is too small"
 echo "ok pieces missing or foreign"
 
 # A shape is cut along its outline, in its colours; it is the frame, too, at any size.
@@ -162,7 +237,7 @@ grep -q '^  coverage  *\(99.[0-9]*\|100.00\) %' output || fail "the collage does
 run 0 library build tangram -o fewer.h5
 grep -q '5 shapes, 2 merged' output || fail "without --puzzle the pieces that are alike are not left out"
 run 0 puzzle solve fewer.h5 --size 400,400 --scale 1 --job-only
-expect_word 'tessera: warning: there are narrow gaps between pieces'
+expect_word 'tessera: warning: the frame is not full: pieces are missing'
 echo "ok pieces that are alike"
 
 # Rectangles of one size: what is on them says where they belong.

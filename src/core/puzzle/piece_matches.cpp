@@ -128,43 +128,86 @@ void keep_best(std::vector<Found>& found, std::size_t most) {
   if (found.size() > most) found.resize(most);
 }
 
+using Matches = std::vector<std::vector<PieceMatch>>;
+
+/// What runs alike from corner `c` of piece `i` ahead, of the pieces from `first` on.
+void add_matches(const std::vector<PuzzlePiece>& pieces, std::size_t i, std::size_t c, std::size_t first,
+                 const PuzzleScale& scale, Matches& matches) {
+  const PuzzleCorner& here = pieces[i].corners[c];
+  std::vector<Found> found;
+  for (std::size_t j = first; j < pieces.size(); ++j) {
+    if (j == i) continue;
+    for (const PuzzleCorner& there : pieces[j].corners) {
+      const std::size_t last = std::min(here.ahead.size(), there.back.size()) - 1;  // of a speck that is near
+      const int steps = std::min(int(std::min({kFirstSteps, here.side_ahead, there.side_back})), int(last));
+      if (steps < kLeastSteps || !chords_agree(here.ahead, there.back, steps, 1.5f * scale.tolerance)) continue;
+      const Run run = run_alike(here.ahead, there.back, steps, scale.tolerance);
+      const bool whole_side = pieces[i].area > 0 && pieces[j].area > 0
+                                  ? std::abs(here.side_ahead - there.side_back) < kSameLength
+                                  : fills(here, there, run.alignment.here_from_there, scale);
+      if (run.steps == 0) continue;
+      const float agreement = pictures_agree(pieces[i], here, pieces[j], there, run.steps, scale);
+      found.push_back({int(j), run, whole_side, float(run.steps) * (1 + kOfPictures * agreement)});
+    }
+  }
+  keep_best(found, pieces.size() > kFewPieces ? kMostTried : kMostTriedOfFew);
+  for (const Found& f : found) {
+    const PosedPiece standing{&pieces[i], {}}, other{&pieces[std::size_t(f.piece)], f.run.alignment.here_from_there};
+    if (overlap(other, standing, scale)) continue;
+    const float worth = f.steps * scale.step;
+    const float apart = f.run.alignment.rms / scale.tolerance;
+    matches[i].push_back({f.piece, other.pose, worth, f.whole_side, int(c), apart});
+    matches[std::size_t(f.piece)].push_back({int(i), rigid_inverse(other.pose), worth, f.whole_side, -1, apart});
+  }
+}
+
 }  // namespace
 
-std::vector<std::vector<PieceMatch>> piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale,
-                                                   const std::function<void(std::size_t)>& watch) {
-  std::vector<std::vector<PieceMatch>> matches(pieces.size());
+Matches piece_matches(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale,
+                      const std::function<void(std::size_t)>& watch) {
+  Matches matches(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t c = 0; c < pieces[i].corners.size(); ++c) {
-      const PuzzleCorner& here = pieces[i].corners[c];
       watch(i);
-      std::vector<Found> found;
-      for (std::size_t j = 0; j < pieces.size(); ++j) {
-        if (j == i) continue;
-        for (const PuzzleCorner& there : pieces[j].corners) {
-          const std::size_t last = std::min(here.ahead.size(), there.back.size()) - 1;  // of a speck that is near
-          const int first = std::min(int(std::min({kFirstSteps, here.side_ahead, there.side_back})), int(last));
-          if (first < kLeastSteps || !chords_agree(here.ahead, there.back, first, 1.5f * scale.tolerance)) continue;
-          const Run run = run_alike(here.ahead, there.back, first, scale.tolerance);
-          const bool whole_side = pieces[i].area > 0 && pieces[j].area > 0
-                                      ? std::abs(here.side_ahead - there.side_back) < kSameLength
-                                      : fills(here, there, run.alignment.here_from_there, scale);
-          if (run.steps == 0) continue;
-          const float agreement = pictures_agree(pieces[i], here, pieces[j], there, run.steps, scale);
-          found.push_back({int(j), run, whole_side, float(run.steps) * (1 + kOfPictures * agreement)});
-        }
-      }
-      keep_best(found, pieces.size() > kFewPieces ? kMostTried : kMostTriedOfFew);
-      for (const Found& f : found) {
-        const PosedPiece standing{&pieces[i], {}},
-            other{&pieces[std::size_t(f.piece)], f.run.alignment.here_from_there};
-        if (overlap(other, standing, scale)) continue;
-        const float worth = f.steps * scale.step;
-        matches[i].push_back({f.piece, other.pose, worth, f.whole_side, int(c)});
-        matches[std::size_t(f.piece)].push_back({int(i), rigid_inverse(other.pose), worth, f.whole_side, -1});
-      }
+      add_matches(pieces, i, c, 0, scale, matches);
     }
   }
   return matches;
+}
+
+double matched_length(const std::vector<PuzzlePiece>& pieces, std::size_t sample, const PuzzleScale& scale,
+                      const std::function<void()>& watch) {
+  const std::size_t count = std::min(sample, pieces.size());
+  Matches matches(pieces.size());
+  double length = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = k * pieces.size() / count;
+    for (std::size_t c = 0; c < pieces[i].corners.size(); ++c) {
+      watch();
+      matches[i].clear();
+      add_matches(pieces, i, c, 0, scale, matches);
+      float longest = 0;
+      for (const PieceMatch& match : matches[i])
+        longest = std::max(longest, match.whole_side ? match.worth * (1 - match.apart) : 0);
+      length += double(longest);
+    }
+  }
+  return length;
+}
+
+void match_frame_anew(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& scale, Matches& matches,
+                      const std::function<void(std::size_t)>& watch) {
+  const std::size_t frame = pieces.size() - 1;
+  matches[frame].clear();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    std::erase_if(matches[i], [&](const PieceMatch& match) { return match.piece == int(frame); });
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    for (std::size_t c = 0; c < pieces[i].corners.size(); ++c) {
+      watch(i);
+      add_matches(pieces, i, c, i == frame ? 0 : frame, scale, matches);
+    }
+  }
 }
 
 }  // namespace tessera

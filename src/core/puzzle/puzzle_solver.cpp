@@ -1,73 +1,35 @@
 #include "core/puzzle/puzzle_solver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "core/geometry/polygon.h"
+#include "core/puzzle/arrangement.h"
 #include "core/puzzle/frame_covering.h"
+#include "core/puzzle/piece_erosion.h"
 #include "core/puzzle/piece_exchange.h"
 #include "core/puzzle/piece_matches.h"
 #include "core/puzzle/poses_in_frame.h"
 #include "core/puzzle/puzzle_contact.h"
 #include "core/puzzle/puzzle_piece.h"
+#include "core/puzzle/within_frame.h"
 
 namespace tessera {
 namespace {
 
-/// What a boundary beside a gap costs, in parts of what one in contact is worth.
-constexpr float kGapCost = 1;
-/// What a boundary in contact is worth more where the pictures agree, and less where they do not: a bend's is 1, a
-/// straight line's 0.3.
-constexpr float kOfPictures = 0.5f;
-/// Of what is laid in one place: the best and so many others.
-constexpr std::size_t kMostBranches = 4;
-/// A place's contact is worth so much, by the neighbours with which it shares a side from corner to corner: one comes
-/// about by chance, two hardly.
-constexpr std::array<float, 4> kOfSides = {0.5f, 1, 2, 3};
 /// Beginnings without a frame, where most of the pieces do not go together.
 constexpr int kMostIslands = 4;
 /// Pieces that may lie in a corner of the frame.
 constexpr std::size_t kMostBeginnings = 16;
 /// Arrangements times pieces: more than 250 pieces are laid by greed alone.
 constexpr int kMostFollowed = 2'000;
-/// Coherence is nothing where a tenth of the boundaries is beside narrow gaps.
-constexpr double kGapsAgainst = 10;
-/// What a place must be worth, in sides of a piece: so much agrees by chance. Or, for small pieces, in parts of what
-/// the place would be worth where all of the boundary touched.
-constexpr float kLeastWorth = 0.3f;
-constexpr float kLeastPart = 0.5f;
-/// Part of a piece's boundary, as it counts, that touches others in the end.
-constexpr float kLeastTouching = 0.2f;
-/// Of an arrangement, the best; a puzzle of 400 pieces has some hundreds, drawings that are none may have any number.
-constexpr std::size_t kMostPlaces = 4'000;
-/// Steps in which a piece comes to rest when it is laid, and rounds in which all do in the end.
-constexpr int kSettlingSteps = 3;
-constexpr int kLastRounds = 20;
-
-/// A place that a piece may have, in one arrangement.
-struct Place {
-  int piece = 0;
-  Similarity pose = {};
-  std::vector<Beside> beside = {};  // of each point of its boundary
-  float pictures = 0;               // how well they agree, a sum over those points that touch
-  float worth = 0;
-  int whole_sides = 0;  // neighbours with which it shares one from corner to corner
-};
-
-struct Laid {
-  int piece = 0;
-  Similarity pose;
-};
-
-struct Arrangement {
-  std::vector<Laid> laid;  // the frame first, if any
-  std::vector<bool> used;
-  std::vector<Place> places;
-  double worth = 0;
-  bool frame_is_open = false;  // pieces are looked for along the frame, too
-};
+/// Arrangements that are followed at a time at most, and beside pieces that were moved into the frame.
+constexpr int kWidest = 64, kWidestBesideMoved = 8;
+/// Places in the frame of what was laid without it that are looked at in full.
+constexpr std::size_t kMostMoves = 4;
+/// Scales less apart are one, as what fills the frame says it better.
+constexpr double kSameScale = 0.01;
 
 /// Mean distance of the pictures' colours between places of different pieces, along their boundaries; 0 without
 /// pictures, and of plain ones.
@@ -93,58 +55,56 @@ float contrast_of(const std::vector<PuzzlePiece>& pieces, const PuzzleScale& sca
   return mean < kPlain ? 0 : mean;
 }
 
+PuzzleScale scale_of(const std::vector<std::vector<Vec2>>& pieces) {
+  std::vector<double> areas;
+  for (const auto& polygon : pieces) areas.push_back(signed_area(polygon));
+  return PuzzleScale::of(areas);
+}
+
 class Solver {
  public:
-  explicit Solver(const PuzzleInput& input) : scale_(scale_of(input)), watch_(input.watch) {
-    for (const auto& polygon : input.pieces) pieces_.push_back(puzzle_piece(polygon, scale_));
-    if (!input.frame.empty()) {
-      std::vector<Vec2> around(input.frame.rbegin(), input.frame.rend());
-      frame_ = int(pieces_.size());
-      pieces_.push_back(puzzle_piece(around, scale_));
+  explicit Solver(const PuzzleInput& input)
+      : scale_(scale_of(input.pieces)),
+        watch_(input.watch),
+        frame_(input.frame.empty() ? -1 : int(input.pieces.size())),
+        arranger_(pieces_, matches_, scale_, frame_, [this](std::size_t laid) { tell_laying(laid); }) {
+    for (const auto& polygon : input.pieces) {
+      pieces_.push_back(puzzle_piece(polygon, scale_));
+      watch_({.laying = false, .done = 0, .of = input.pieces.size()});
     }
+    if (frame_ >= 0) pieces_.push_back(frame_piece(input.frame, 1));
     for (std::size_t i = 0; i < input.pictures.size(); ++i) pieces_[i].picture = &input.pictures[i];
     scale_.contrast = contrast_of(pieces_, scale_);
-    matches_ = piece_matches(
-        pieces_, scale_, [&](std::size_t piece) { watch_({.laying = false, .done = piece, .of = pieces_.size()}); });
+    matches_ = piece_matches(pieces_, scale_, tell_matching());
   }
 
   /// Pieces among themselves first: what fits a frame's straight edges is found by chance. What pieces alone do not
   /// decide, a frame may.
-  PuzzleSolution solve() {
-    Arrangement best = solved_alone();
-    if (frame_ >= 0 && !(whole(best) && fit_into_frame(best))) {
-      const std::vector<Arrangement> starts = beginnings_in_frame();
-      if (starts.empty()) return solution_of(std::move(best));
-      Arrangement framed = solved(starts);
-      if (!whole(framed)) framed = covering_or(std::move(framed));
-      if (placed(framed) >= placed(best)) best = std::move(framed);  // else the frame is of another size
-    }
-    return solution_of(std::move(best));
+  PuzzleSolution solve(const PuzzleInput& input) {
+    Arrangement alone = solved_alone();
+    if (frame_ < 0 || (arranger_.whole(alone) && fit_into_frame(alone))) return solution_of(std::move(alone));
+    if (!input.frame_fits && take_scale(alone, input.frame) && fit_into_frame(alone))
+      return solution_of(std::move(alone));
+    return solution_of(solved_in_frame(alone));
   }
 
  private:
-  static PuzzleScale scale_of(const PuzzleInput& input) {
-    std::vector<double> areas;
-    for (const auto& polygon : input.pieces) areas.push_back(signed_area(polygon));
-    return PuzzleScale::of(areas);
+  /// As it lies round pieces that are `times` as large.
+  PuzzlePiece frame_piece(const std::vector<Vec2>& frame, double times) const {
+    std::vector<Vec2> around(frame.rbegin(), frame.rend());
+    for (Vec2& p : around) p = p * float(1 / times);
+    return puzzle_piece(around, scale_);
   }
-
-  static bool ahead(const Arrangement& a, const Arrangement& b) {
-    if (a.laid.size() != b.laid.size()) return a.laid.size() > b.laid.size();
-    return a.worth > b.worth;
-  }
-
-  PosedPiece posed(int piece, const Similarity& pose) const { return {&pieces_[std::size_t(piece)], pose}; }
 
   /// Without the frame. What matches longest may be strangers that fit each other alone: then what is left over is
   /// tried.
   Arrangement solved_alone() const {
-    Arrangement best = solved({beginning(longest_match(std::vector<bool>(pieces_.size())))});
+    Arrangement best = solved({arranger_.beginning(longest_match(std::vector<bool>(pieces_.size())))}, kWidest);
     std::vector<bool> tried = best.used;
-    for (int k = 1; k < kMostIslands && 2 * placed(best) < pieces_count(); ++k) {
-      Arrangement other = solved({beginning(longest_match(tried))});
+    for (int k = 1; k < kMostIslands && 2 * arranger_.placed(best) < arranger_.pieces_count(); ++k) {
+      Arrangement other = solved({arranger_.beginning(longest_match(tried))}, kWidest);
       for (std::size_t i = 0; i < tried.size(); ++i) tried[i] = tried[i] || other.used[i];
-      if (coherence(other) > coherence(best)) best = std::move(other);
+      if (arranger_.coherence(other) > arranger_.coherence(best)) best = std::move(other);
     }
     return best;
   }
@@ -153,7 +113,7 @@ class Solver {
   int longest_match(const std::vector<bool>& tried) const {
     int longest = 0;
     float most = -1;
-    for (std::size_t i = 0; i < pieces_count(); ++i) {
+    for (std::size_t i = 0; i < arranger_.pieces_count(); ++i) {
       for (const PieceMatch& match : matches_[i]) {
         if (match.piece == frame_ || tried[i] || match.worth <= most) continue;
         most = match.worth;
@@ -163,384 +123,200 @@ class Solver {
     return longest;
   }
 
-  std::size_t pieces_count() const { return pieces_.size() - (frame_ < 0 ? 0 : 1); }
-
-  Arrangement beginning(int first) const {
-    Arrangement start;
-    start.used.assign(pieces_.size(), false);
-    lay({.piece = first}, start);
-    return start;
-  }
-
-  /// One piece in a corner of the frame, each that may lie in one: from there on pieces follow pieces.
-  std::vector<Arrangement> beginnings_in_frame() const {
-    Arrangement empty = beginning(frame_);
-    std::stable_sort(empty.places.begin(), empty.places.end(),
-                     [](const Place& a, const Place& b) { return a.worth > b.worth; });
-    if (empty.places.size() > kMostBeginnings) empty.places.resize(kMostBeginnings);
-    std::vector<Arrangement> starts;
-    const std::vector<Place> places = std::move(empty.places);
-    empty.places.clear();
-    for (const Place& place : places) {
-      starts.push_back(empty);
-      lay(place, starts.back());
-    }
-    return starts;
-  }
-
   /// Each beginning alone, then more and more arrangements at a time, until one is whole.
-  Arrangement solved(const std::vector<Arrangement>& starts) const {
+  Arrangement solved(const std::vector<Arrangement>& starts, int widest) const {
     Arrangement best = starts.front();
     const auto follow = [&](const std::vector<Arrangement>& from, int width) {
-      Arrangement found = followed_to_the_end(from, width);
-      come_to_rest(found);
-      drop_loose(found);
-      if (coherence(found) > coherence(best)) best = std::move(found);
-      return whole(best);
+      Arrangement found = arranger_.followed_to_the_end(from, width);
+      arranger_.come_to_rest(found);
+      if (arranger_.is_frame(found.laid.front())) keep_within_frame(found, arranger_);
+      arranger_.drop_loose(found);
+      if (arranger_.coherence(found) > arranger_.coherence(best)) best = std::move(found);
+      return arranger_.whole(best);
     };
     for (const Arrangement& start : starts) {
       if (follow({start}, 1)) return best;
     }
-    const int widest = std::min(64, kMostFollowed / int(pieces_count()));
+    widest = std::min(widest, kMostFollowed / int(arranger_.pieces_count()));
     for (int width = 8; width <= widest; width *= 8) {
       if (follow(starts, width)) return best;
     }
     return best;
   }
 
-  Arrangement followed_to_the_end(std::vector<Arrangement> followed, int width) const {
-    Arrangement best = followed.front();
-    while (!followed.empty()) {
-      std::vector<Arrangement> next;
-      for (const Arrangement& one : followed) {
-        if (ahead(one, best)) best = one;
-        branch(one, width > 1, next);
-      }
-      keep_best(next, width);
-      followed = std::move(next);
-    }
-    return best;
-  }
-
-  std::size_t placed(const Arrangement& in) const {
-    return std::size_t(std::count(in.used.begin(), in.used.begin() + std::ptrdiff_t(pieces_count()), true));
-  }
-
-  /// Part of all boundaries that is beside a narrow gap.
-  double gaps(const Arrangement& in) const {
-    std::size_t all = 0, beside_gap = 0;
-    for (const Laid& laid : in.laid) {
-      if (laid.piece == frame_) continue;
-      const PosedPiece piece = posed(laid.piece, laid.pose);
-      std::vector<Beside> beside(piece.piece->points.size(), Beside::nothing);
-      for (const PosedPiece& neighbour : neighbours(piece, in, laid.piece))
-        see_neighbour(piece, neighbour, scale_, beside);
-      all += beside.size();
-      beside_gap += std::size_t(std::count(beside.begin(), beside.end(), Beside::gap));
-    }
-    return all > 0 ? double(beside_gap) / double(all) : 0;
-  }
-
-  /// Of the boundary, as it counts, the part that touches others, and so much times how well the pictures agree there.
-  float touching(const Laid& laid, const Arrangement& in, float of_pictures = 0) const {
-    const PosedPiece piece = posed(laid.piece, laid.pose);
-    std::vector<Beside> beside(piece.piece->points.size(), Beside::nothing);
-    float pictures = 0;
-    for (const PosedPiece& neighbour : neighbours(piece, in, laid.piece))
-      pictures += see_neighbour(piece, neighbour, scale_, beside);
-    float all = 0, touching = 0;
-    for (std::size_t k = 0; k < beside.size(); ++k) {
-      all += piece.piece->weights[k];
-      if (beside[k] == Beside::contact) touching += piece.piece->weights[k];
-    }
-    return (touching + of_pictures * pictures) / all;
-  }
-
-  /// What hardly touches the others does not belong to them: a straight side agrees with any other.
-  void drop_loose(Arrangement& in) const {
-    for (bool dropped = true; dropped;) {
-      dropped = false;
-      for (std::size_t i = in.laid.size() - 1; i > 0; --i) {
-        if (touching(in.laid[i], in) >= kLeastTouching) continue;
-        in.used[std::size_t(in.laid[i].piece)] = false;
-        in.laid.erase(in.laid.begin() + std::ptrdiff_t(i));
-        dropped = true;
-      }
-    }
-  }
-
-  bool whole(const Arrangement& in) const { return placed(in) == pieces_count() && gaps(in) <= kMostPuzzleGaps; }
-
-  /// How much pieces have in common; what is beside narrow gaps counts against it more than what touches counts for it.
-  double coherence(const Arrangement& in) const {
-    double sum = 0;
-    for (const Laid& laid : in.laid) {
-      if (laid.piece != frame_) sum += touching(laid, in, kOfPictures);
-    }
-    return sum * (1 - kGapsAgainst * gaps(in));
-  }
-
-  /// By each piece that may lie in a corner of the frame, or where it has none by all of its outline; false: nowhere
-  /// do all lie in it.
-  bool fit_into_frame(Arrangement& in) const {
+  /// What was laid alone, by each piece that may lie in a corner of the frame, or by its outer boundary.
+  std::vector<Similarity> poses_of(const Arrangement& alone) const {
+    std::vector<Similarity> poses;
     for (const PieceMatch& match : matches_[std::size_t(frame_)]) {
-      const auto corner =
-          std::find_if(in.laid.begin(), in.laid.end(), [&](const Laid& l) { return l.piece == match.piece; });
-      if (lies_in_frame(in, followed_by(rigid_inverse(corner->pose), match.here_from_there))) return true;
+      const auto corner = std::find_if(alone.laid.begin(), alone.laid.end(),
+                                       [&](const LaidPiece& laid) { return laid.piece == match.piece; });
+      if (corner != alone.laid.end()) poses.push_back(followed_by(rigid_inverse(corner->pose), match.here_from_there));
     }
-    const std::vector<PosedPiece> laid = laid_pieces(in);
-    for (const Similarity& frame_from_puzzle : poses_in_frame(laid, pieces_[std::size_t(frame_)], scale_)) {
-      if (lies_in_frame(in, frame_from_puzzle)) return true;
+    const std::vector<PosedPiece> laid = arranger_.laid_pieces(alone);
+    for (const Similarity& pose : poses_in_frame(laid, pieces_[std::size_t(frame_)], scale_)) poses.push_back(pose);
+    return poses;
+  }
+
+  /// False: nowhere do all lie in it and fit.
+  bool fit_into_frame(Arrangement& in) const {
+    for (const Similarity& frame_from_puzzle : poses_of(in)) {
+      if (pieces_within_frame(in, frame_from_puzzle, arranger_) < arranger_.placed(in)) continue;
+      Arrangement moved = moved_into_frame(in, frame_from_puzzle, arranger_);
+      if (!arranger_.whole(moved)) continue;
+      in = std::move(moved);
+      return true;
     }
     return false;
   }
 
-  /// The frame filled in any way, or else what there is.
-  Arrangement covering_or(Arrangement other) const {
-    const auto poses = frame_covering(pieces_, matches_, scale_, [&] { tell(0); });
-    if (!poses) return other;
-    Arrangement all;
-    all.used.assign(pieces_.size(), true);
-    all.laid.push_back({frame_, {}});
-    for (std::size_t i = 0; i < poses->size(); ++i) all.laid.push_back({int(i), poses->at(i)});
-    come_to_rest(all);
-    return whole(all) ? all : other;
-  }
-
-  std::vector<PosedPiece> laid_pieces(const Arrangement& in) const {
-    std::vector<PosedPiece> all;
-    for (const Laid& laid : in.laid) all.push_back(posed(laid.piece, laid.pose));
-    return all;
-  }
-
-  /// Moves all that lies without a frame into it, if it fits.
-  bool lies_in_frame(Arrangement& in, const Similarity& frame_from_puzzle) const {
-    Arrangement moved;
-    moved.used = in.used;
-    moved.laid.push_back({frame_, {}});
-    for (const Laid& laid : in.laid) moved.laid.push_back({laid.piece, followed_by(laid.pose, frame_from_puzzle)});
-    const bool in_it = std::all_of(moved.laid.begin() + 1, moved.laid.end(), [&](const Laid& laid) {
-      const Vec2 deepest = laid.pose.apply(pieces_[std::size_t(laid.piece)].deepest);
-      return pieces_[std::size_t(frame_)].outline.contains(deepest);
-    });
-    if (!in_it) return false;
-    come_to_rest(moved);
-    const bool inside = std::none_of(moved.laid.begin() + 1, moved.laid.end(), [&](const Laid& laid) {
-      return overlap(posed(laid.piece, laid.pose), posed(frame_, {}), scale_);
-    });
-    if (!inside || !whole(moved)) return false;
-    in = std::move(moved);
+  /// The scale at which what was laid alone reaches the frame's edges, where it is another one. False: nothing changed.
+  bool take_scale(const Arrangement& alone, const std::vector<Vec2>& frame) {
+    const auto pose = scaled_pose_in_frame(arranger_.laid_pieces(alone), pieces_[std::size_t(frame_)], scale_);
+    if (!pose || std::abs(double(pose->scale()) - 1) < kSameScale) return false;
+    times_ = double(pose->scale());
+    pieces_[std::size_t(frame_)] = frame_piece(frame, times_);
+    match_frame_anew(pieces_, scale_, matches_, tell_matching());
     return true;
   }
 
-  std::vector<PosedPiece> neighbours(const PosedPiece& piece, const Arrangement& in, int but = -1) const {
-    std::vector<PosedPiece> all;
-    for (const Laid& laid : in.laid) {
-      const PosedPiece other = posed(laid.piece, laid.pose);
-      if (laid.piece != but && may_touch(piece, other, 4 * scale_.tolerance)) all.push_back(other);
+  /// As many pieces as fit together in the frame.
+  Arrangement solved_in_frame(const Arrangement& alone) const {
+    const Arrangement moved = best_moved(alone);
+    const bool sound = arranger_.placed(moved) == arranger_.placed(alone) &&
+                       2 * arranger_.placed(alone) > arranger_.pieces_count() &&
+                       arranger_.gaps(moved) <= kMostPuzzleGaps;
+    if (sound) return solved({with_places(moved)}, kWidestBesideMoved);
+    Arrangement best = covering_or(from_corners());
+    if (arranger_.whole(best)) return best;
+    Arrangement grown = solved({with_places(moved)}, kWidestBesideMoved);
+    return arranger_.coherence(grown) > arranger_.coherence(best) ? grown : best;
+  }
+
+  Arrangement with_places(Arrangement in) const {
+    arranger_.find_places(in);
+    return in;
+  }
+
+  /// What was laid alone where most of it lies in the frame; what does not is taken out.
+  Arrangement best_moved(const Arrangement& alone) const {
+    std::vector<std::pair<std::size_t, Similarity>> tried;
+    for (const Similarity& pose : poses_of(alone))
+      tried.emplace_back(pieces_within_frame(alone, pose, arranger_), pose);
+    std::stable_sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<Similarity> followed;
+    for (const auto& [within, pose] : tried) {
+      const auto same = [&, &pose = pose](const Similarity& other) { return same_move(alone, pose, other); };
+      if (followed.size() < kMostMoves && std::none_of(followed.begin(), followed.end(), same))
+        followed.push_back(pose);
     }
-    return all;
-  }
-
-  void appraise(Place& place) const {
-    const PuzzlePiece& piece = pieces_[std::size_t(place.piece)];
-    double worth = 0;
-    for (std::size_t k = 0; k < place.beside.size(); ++k) {
-      if (place.beside[k] == Beside::contact) worth += piece.weights[k];
-      if (place.beside[k] == Beside::gap) worth -= kGapCost * piece.weights[k];
+    Arrangement best = empty_frame();
+    for (const Similarity& pose : followed) {
+      Arrangement moved = moved_into_frame(alone, pose, arranger_);
+      if (arranger_.coherence(moved) > arranger_.coherence(best)) best = std::move(moved);
     }
-    worth += kOfPictures * place.pictures;
-    place.worth = float(worth) * piece.point_length / scale_.piece *
-                  kOfSides[std::min<std::size_t>(std::size_t(place.whole_sides), kOfSides.size() - 1)];
+    return best;
   }
 
-  bool is_worth_laying(const Place& place) const {
-    const PuzzlePiece& piece = pieces_[std::size_t(place.piece)];
-    const float all =
-        std::accumulate(piece.weights.begin(), piece.weights.end(), 0.f) * piece.point_length / scale_.piece;
-    return place.worth >= std::min(kLeastWorth, kLeastPart * all);
-  }
-
-  bool same_place(const Place& a, const Place& b) const {
-    if (a.piece != b.piece) return false;
-    const Vec2 centre = pieces_[std::size_t(a.piece)].centre;
-    const Vec2 off = a.pose.apply(centre) - b.pose.apply(centre);
-    const float turned = 1 - (a.pose.a * b.pose.a + a.pose.b * b.pose.b);
-    return norm(off) < 4 * scale_.tolerance && turned < 0.005f;
-  }
-
-  /// Whether only one of them can come true.
-  bool rivals(const Place& a, const Place& b) const {
-    if (a.piece == b.piece) return true;
-    const PuzzlePiece &p = pieces_[std::size_t(a.piece)], &q = pieces_[std::size_t(b.piece)];
-    const Vec2 off = a.pose.apply(p.centre) - b.pose.apply(q.centre);
-    return norm(off) < 0.3f * float(std::sqrt(p.area) + std::sqrt(q.area));
-  }
-
-  void lay(const Place& place, Arrangement& in) const {
-    tell(placed(in));
-    const PosedPiece rough = posed(place.piece, place.pose);
-    const std::vector<PosedPiece> around = neighbours(rough, in);
-    const Similarity pose = around.empty() ? place.pose : settled(rough, around, scale_, kSettlingSteps);
-    const PosedPiece piece = posed(place.piece, pose);
-    in.laid.push_back({place.piece, pose});
-    in.used[std::size_t(place.piece)] = true;
-    in.worth += place.worth;
-    std::erase_if(in.places, [&](const Place& other) {
-      return other.piece == place.piece || overlap(posed(other.piece, other.pose), piece, scale_);
+  bool same_move(const Arrangement& alone, const Similarity& a, const Similarity& b) const {
+    return std::all_of(alone.laid.begin(), alone.laid.end(), [&](const LaidPiece& laid) {
+      const Vec2 centre = laid.pose.apply(pieces_[std::size_t(laid.piece)].centre);
+      return norm(a.apply(centre) - b.apply(centre)) < scale_.piece / 4;
     });
-    for (Place& other : in.places) {
-      const PosedPiece p = posed(other.piece, other.pose);
-      if (!may_touch(p, piece, 4 * scale_.tolerance)) continue;
-      other.pictures += see_neighbour(p, piece, scale_, other.beside);
-      appraise(other);
-    }
-    add_places_beside(in.laid.back(), in);
-    if (in.places.size() <= kMostPlaces) return;
-    std::stable_sort(in.places.begin(), in.places.end(),
-                     [](const Place& a, const Place& b) { return a.worth > b.worth; });
-    in.places.resize(kMostPlaces);
   }
 
-  void add_places_beside(const Laid& laid, Arrangement& in) const {
-    for (const PieceMatch& match : matches_[std::size_t(laid.piece)]) {
-      if (match.piece == frame_ || in.used[std::size_t(match.piece)]) continue;
-      Place place{.piece = match.piece,
-                  .pose = followed_by(match.here_from_there, laid.pose),
-                  .whole_sides = match.whole_side ? 1 : 0};
-      const auto there =
-          std::find_if(in.places.begin(), in.places.end(), [&](const Place& p) { return same_place(p, place); });
-      if (there != in.places.end()) {
-        there->whole_sides += place.whole_sides;
-        appraise(*there);
-        continue;
-      }
-      const PosedPiece piece = posed(place.piece, place.pose);
-      const std::vector<PosedPiece> around = neighbours(piece, in);
-      if (std::any_of(around.begin(), around.end(), [&](const PosedPiece& p) { return overlap(piece, p, scale_); }))
-        continue;
-      place.beside.assign(piece.piece->points.size(), Beside::nothing);
-      for (const PosedPiece& neighbour : around)
-        place.pictures += see_neighbour(piece, neighbour, scale_, place.beside);
-      appraise(place);
-      if (place.worth > 0) in.places.push_back(std::move(place));
-    }
+  Arrangement empty_frame() const {
+    Arrangement empty;
+    empty.used.assign(pieces_.size(), false);
+    empty.laid.push_back({frame_, {}});
+    return empty;
   }
 
-  /// In the frame's corners a piece may lie that no neighbour's side leads to.
-  Arrangement with_open_frame(Arrangement one) const {
-    one.frame_is_open = true;
-    add_places_beside(one.laid.front(), one);
-    return one;
+  /// One piece in a corner of the frame, each that may lie in one: from there on pieces follow pieces.
+  Arrangement from_corners() const {
+    Arrangement empty = arranger_.beginning(frame_);
+    std::stable_sort(empty.places.begin(), empty.places.end(),
+                     [](const PuzzlePlace& a, const PuzzlePlace& b) { return a.worth > b.worth; });
+    if (empty.places.size() > kMostBeginnings) empty.places.resize(kMostBeginnings);
+    const std::vector<PuzzlePlace> places = std::move(empty.places);
+    empty.places.clear();
+    if (places.empty()) return empty;
+    std::vector<Arrangement> starts;
+    for (const PuzzlePlace& place : places) {
+      starts.push_back(empty);
+      arranger_.lay(place, starts.back());
+    }
+    return solved(starts, kWidest);
   }
 
-  /// The place that leads most over its rivals, and with it the best of those.
-  void branch(const Arrangement& one, bool with_rivals, std::vector<Arrangement>& next) const {
-    std::vector<float> rival(one.places.size(), 0);
-    for (std::size_t i = 0; i < one.places.size(); ++i) {
-      for (std::size_t j = i + 1; j < one.places.size(); ++j) {
-        if (!rivals(one.places[i], one.places[j])) continue;
-        rival[i] = std::max(rival[i], one.places[j].worth);
-        rival[j] = std::max(rival[j], one.places[i].worth);
-      }
-    }
-    std::size_t surest = 0;
-    const auto lead = [&](std::size_t i) { return one.places[i].worth - rival[i]; };
-    for (std::size_t i = 1; i < one.places.size(); ++i) {
-      const bool counts = is_worth_laying(one.places[i]), did = is_worth_laying(one.places[surest]);
-      if (counts != did ? counts : lead(i) > lead(surest)) surest = i;
-    }
-    if (one.places.empty() || !is_worth_laying(one.places[surest])) {
-      if (frame_ >= 0 && !one.frame_is_open && one.laid.front().piece == frame_)
-        branch(with_open_frame(one), with_rivals, next);
-      return;
-    }
-    std::vector<std::size_t> options;
-    for (std::size_t i = 0; with_rivals && i < one.places.size(); ++i) {
-      if (i != surest && rivals(one.places[i], one.places[surest]) &&
-          one.places[i].worth > 0.5f * one.places[surest].worth)
-        options.push_back(i);
-    }
-    std::stable_sort(options.begin(), options.end(),
-                     [&](std::size_t a, std::size_t b) { return one.places[a].worth > one.places[b].worth; });
-    if (options.size() > kMostBranches - 1) options.resize(kMostBranches - 1);
-    options.insert(options.begin(), surest);
-    for (const std::size_t option : options) {
-      next.push_back(one);
-      lay(Place(one.places[option]), next.back());
-    }
-  }
-
-  /// The same pieces, laid equally well: as a rule in the same places, whatever their order.
-  bool same(const Arrangement& a, const Arrangement& b) const {
-    return a.used == b.used && std::abs(a.worth - b.worth) < 1e-3;
-  }
-
-  void keep_best(std::vector<Arrangement>& all, int width) const {
-    std::stable_sort(all.begin(), all.end(), [](const Arrangement& a, const Arrangement& b) { return ahead(a, b); });
-    std::vector<Arrangement> kept;
-    for (Arrangement& one : all) {
-      if (int(kept.size()) == width) break;
-      if (std::none_of(kept.begin(), kept.end(), [&](const Arrangement& k) { return same(k, one); }))
-        kept.push_back(std::move(one));
-    }
-    all = std::move(kept);
-  }
-
-  void come_to_rest(Arrangement& in) const {
-    for (int round = 0; round < kLastRounds; ++round) {
-      tell(placed(in));
-      for (std::size_t i = 1; i < in.laid.size(); ++i) {  // the first stays: the frame, or what the others lie round
-        Laid& laid = in.laid[i];
-        const PosedPiece piece = posed(laid.piece, laid.pose);
-        laid.pose = settled(piece, neighbours(piece, in, laid.piece), scale_, 1);
-      }
-    }
+  /// The frame filled in any way, or else what there is.
+  Arrangement covering_or(Arrangement other) const {
+    if (arranger_.whole(other)) return other;
+    const auto poses = frame_covering(pieces_, matches_, scale_, [&] { tell_laying(0); });
+    if (!poses) return other;
+    Arrangement all = empty_frame();
+    all.used.assign(pieces_.size(), true);
+    for (std::size_t i = 0; i < poses->size(); ++i) all.laid.push_back({int(i), poses->at(i)});
+    arranger_.come_to_rest(all);
+    return arranger_.whole(all) ? all : other;
   }
 
   /// Pieces of one outline to where their pictures agree best. Returns how many might as well lie elsewhere.
   int exchange_alike(Arrangement& in) const {
-    const std::size_t first = in.laid.front().piece == frame_ ? 1 : 0;
-    const std::vector<PosedPiece> all = laid_pieces(in);
+    const std::size_t first = arranger_.is_frame(in.laid.front()) ? 1 : 0;
+    const std::vector<PosedPiece> all = arranger_.laid_pieces(in);
     const ExchangedPieces now =
-        exchanged({all.begin() + std::ptrdiff_t(first), all.end()}, scale_, [&] { tell(placed(in)); });
+        exchanged({all.begin() + std::ptrdiff_t(first), all.end()}, scale_, [&] { tell_laying(arranger_.placed(in)); });
     bool moved = false;
     for (std::size_t i = first; i < in.laid.size(); ++i) {
       moved = moved || !(in.laid[i].pose == now.poses[i - first]);
       in.laid[i].pose = now.poses[i - first];
     }
-    if (moved) come_to_rest(in);
+    if (moved) arranger_.come_to_rest(in);
     return now.undecided;
   }
 
   PuzzleSolution solution_of(Arrangement best) const {
     PuzzleSolution solution;
     solution.undecided = exchange_alike(best);
-    solution.poses.resize(pieces_count());
-    for (const Laid& laid : best.laid) {
-      if (laid.piece != frame_) solution.poses[std::size_t(laid.piece)] = laid.pose;
+    if (frame_ >= 0) keep_within_frame(best, arranger_);
+    solution.poses.resize(arranger_.pieces_count());
+    for (const LaidPiece& laid : best.laid) {
+      if (!arranger_.is_frame(laid)) solution.poses[std::size_t(laid.piece)] = laid.pose;
     }
-    solution.placed = int(placed(best));
-    solution.in_frame = best.laid.front().piece == frame_;
-    solution.gaps = gaps(best);
+    solution.placed = int(arranger_.placed(best));
+    solution.scale = times_;
+    solution.gaps = arranger_.gaps(best);
     return solution;
   }
 
+  std::function<void(std::size_t)> tell_matching() const {
+    return [this](std::size_t piece) { watch_({.laying = false, .done = piece, .of = pieces_.size()}); };
+  }
+
   /// Of the arrangement that is being laid.
-  void tell(std::size_t laid) const { watch_({.laying = true, .done = laid, .of = pieces_count()}); }
+  void tell_laying(std::size_t laid) const { watch_({.laying = true, .done = laid, .of = arranger_.pieces_count()}); }
 
   PuzzleScale scale_;
   const std::function<void(const PuzzleProgress&)>& watch_;
   std::vector<PuzzlePiece> pieces_;
-  int frame_ = -1;
+  const int frame_;   // its number; -1: none
+  double times_ = 1;  // PuzzleSolution::scale
   std::vector<std::vector<PieceMatch>> matches_;
+  PuzzleArranger arranger_;
 };
 
 }  // namespace
 
 PuzzleSolution solve_puzzle(const PuzzleInput& input) {
   if (input.pieces.empty()) return {};
-  return Solver(input).solve();
+  PuzzleInput grown = input;
+  const PuzzleScale scale = scale_of(input.pieces);
+  const float erosion =
+      erosion_of(input.pieces, scale, [&] { input.watch({.laying = false, .done = 0, .of = input.pieces.size()}); });
+  for (std::vector<Vec2>& polygon : grown.pieces) polygon = grown_polygon(polygon, erosion);
+  PuzzleSolution solution = Solver(grown).solve(grown);
+  solution.erosion = erosion;
+  return solution;
 }
 
 }  // namespace tessera

@@ -24,6 +24,7 @@ struct PuzzleProgress {
 struct PuzzleInput {
   std::vector<std::vector<Vec2>> pieces;    // polygons in one unit, interior on the left, of some area
   std::vector<Vec2> frame;                  // the same, in that unit; empty: none
+  bool frame_fits = true;                   // false: it may be of another size, as pieces may be missing or foreign
   std::vector<PiecePicture> pictures = {};  // one of each piece, or none
   std::function<void(const PuzzleProgress&)> watch = [](const PuzzleProgress&) {};  // often; what it throws ends it
 };
@@ -34,12 +35,15 @@ inline constexpr double kMostPuzzleGaps = 0.02;
 struct PuzzleSolution {
   std::vector<std::optional<Similarity>> poses;  // puzzle_from_piece, of each piece; nothing: no place was found
   int placed = 0;
-  bool in_frame = false;  // in the frame's coordinates; else in those of the piece that was laid first
-  int undecided = 0;      // pieces of one outline that the pictures do not tell apart (piece_exchange.h)
-  double gaps = 0;        // part of the boundary of all that is beside a narrow gap: 0 where pieces fit
+  double scale = 1;    // of the pieces in the frame: it is frame / scale, in their unit, that they lie in
+  double erosion = 0;  // how much smaller all round pieces are than they were cut (piece_erosion.h)
+  int undecided = 0;   // pieces of one outline that the pictures do not tell apart (piece_exchange.h)
+  double gaps = 0;     // part of the boundary of all that is beside a narrow gap: 0 where pieces fit
 };
 
-/// The best arrangement that was found, which need not hold all pieces. The same input gives the same solution.
+/// The best arrangement that was found, which need not hold all pieces. In a frame no piece reaches farther beyond its
+/// edge than outlines are exact, and poses are in its coordinates; else in those of the piece that was laid first. The
+/// same input gives the same solution.
 PuzzleSolution solve_puzzle(const PuzzleInput& input);
 
 }  // namespace tessera

@@ -11,7 +11,6 @@
 #include "core/base/portable_math.h"
 #include "core/geometry/polygon.h"
 #include "io/artwork/artwork_render.h"
-#include "io/atomic_file.h"
 #include "io/elements/cut_outs.h"
 #include "io/elements/photo_extraction.h"
 #include "io/job/canvas_edge.h"
@@ -24,8 +23,6 @@
 namespace tessera::io {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int kLargestSide_px = 20'000;  // a turned piece is larger, and OpenCV warps up to 32,767
 constexpr int kRim_px = 3;               // transparent, round each piece
 constexpr int kSubpixels = 8;            // each way, of an edge's coverage
@@ -36,9 +33,6 @@ void check(const PuzzleRequest& request) {
     throw InputError("--pieces: found " + std::to_string(request.pieces) + ", allowed: from " +
                      std::to_string(kFewestPuzzlePieces) + " to " + std::to_string(kMostPuzzlePieces));
   }
-  std::error_code error;
-  if (fs::exists(request.folder) && !(fs::is_directory(request.folder) && fs::is_empty(request.folder, error)))
-    throw InputError(request.folder + ": is there already, and holds something; allowed: a new folder (--out DIR)");
 }
 
 /// What is cut, opaque where the outline goes. `outline`: empty for the whole picture.
@@ -48,7 +42,7 @@ struct Source {
 };
 
 bool is_svg(const std::string& path) {
-  const fs::path extension = fs::path(path).extension();
+  const std::filesystem::path extension = std::filesystem::path(path).extension();
   return extension == ".svg" || extension == ".svgz";
 }
 
@@ -170,6 +164,8 @@ cv::Mat cut_out(const cv::Mat& picture, const std::vector<Vec2>& polygon, double
   return cut;
 }
 
+std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+
 }  // namespace
 
 MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers) {
@@ -178,19 +174,13 @@ MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers) {
   check_size(request, source);
   const std::vector<std::vector<Vec2>> polygons =
       cut_puzzle({source.bgra.cols, source.bgra.rows, request.pieces, request.style, request.seed, source.outline});
-  const fs::path folder(request.folder);
-  std::error_code error;
-  for (const char* part : {"pieces", "truth"}) {
-    fs::create_directories(folder / part, error);
-    if (error) throw EnvironmentError((folder / part).string() + ": " + error.message());
-  }
   const std::vector<std::size_t> order = shuffled(polygons.size(), request.seed);
+  MadePuzzle made{int(order.size()), source.bgra.cols, source.bgra.rows, {}, {}};
   std::vector<LaidPuzzlePiece> truth;
   for (std::size_t place = 0; place < order.size(); ++place) {
     const std::vector<Vec2>& polygon = polygons[order[place]];
     const double turn_rad = 2 * CV_PI * unit_draw(request.seed, 2'000'000 + place);
-    write_file_atomically((folder / "pieces" / (name_of(place) + ".png")).string(),
-                          png_of(cut_out(source.bgra, polygon, turn_rad)));
+    made.files.push_back({"pieces/" + name_of(place) + ".png", png_of(cut_out(source.bgra, polygon, turn_rad))});
     const AreaMoment moment = area_moment(polygon);
     const double scale = std::sqrt(moment.area);
     truth.push_back({name_of(place),
@@ -198,11 +188,10 @@ MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers) {
                       float(moment.x / moment.area), float(moment.y / moment.area)},
                      polygon});
   }
-  write_file_atomically((folder / "truth" / "pieces.geojson").string(), puzzle_geojson(truth));
-  MadePuzzle made{int(order.size()), source.bgra.cols, source.bgra.rows, {}};
+  made.files.push_back({"truth/pieces.geojson", bytes_of(puzzle_geojson(truth))});
   if (source.outline.empty()) return made;
-  made.frame = (folder / "frame.svg").string();
-  write_file_atomically(made.frame, frame_svg(source));
+  made.frame = "frame.svg";
+  made.files.push_back({made.frame, bytes_of(frame_svg(source))});
   return made;
 }
 

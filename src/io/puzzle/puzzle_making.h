@@ -3,15 +3,16 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/puzzle/puzzle_cut.h"
 #include "io/drawing/drawers.h"
+#include "io/new_folder.h"
 
 namespace tessera::io {
 
 struct PuzzleRequest {
   std::string picture;  // JPEG, PNG, TIFF, WebP or BMP; or SVG: its silhouette is cut
-  std::string folder;   // that is made; it may be there, empty
   int pieces = 36;
   CutStyle style = CutStyle::tabs;
   std::uint64_t seed = 1;
@@ -21,7 +22,8 @@ struct MadePuzzle {
   int pieces = 0;
   int width_px = 0;
   int height_px = 0;
-  std::string frame;  // the file that shows the outline of what was cut; empty: it was the whole picture
+  std::string frame;           // name of the file that shows the outline of what was cut; empty: the whole picture
+  std::vector<NewFile> files;  // all
 };
 
 /// Fewest and most pieces of a puzzle, and the smallest in px of the picture.
@@ -29,10 +31,10 @@ inline constexpr int kFewestPuzzlePieces = 2;
 inline constexpr int kMostPuzzlePieces = 2'000;
 inline constexpr int kSmallestPuzzlePiece_px = 40;
 
-/// FOLDER/pieces/piece_001.png and so on, numbered in a random order, each turned by a random angle; and
-/// FOLDER/truth/pieces.geojson, which says where each lay, px of the picture; of a shape FOLDER/frame.svg, too, its
-/// outline on a page of that size. Throws InputError where the picture is
-/// of no use or too small for the pieces or has several parts or holes, and where the folder holds something; EnvironmentError.
+/// pieces/piece_001.png and so on, numbered in a random order, each turned by a random angle; and truth/pieces.geojson,
+/// which says where each lay, px of the picture; of a shape frame.svg, too, its outline on a page of that size. Nothing
+/// is written. Throws InputError where the picture is of no use or too small for the pieces or has several parts or
+/// holes; EnvironmentError.
 MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers);
 
 }  // namespace tessera::io

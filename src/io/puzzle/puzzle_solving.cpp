@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
+#include "core/puzzle/piece_erosion.h"
 #include "core/puzzle/puzzle_contact.h"
 #include "core/puzzle/puzzle_solver.h"
 #include "io/atomic_file.h"
@@ -78,10 +79,12 @@ std::vector<std::vector<Vec2>> polygons_of(const std::string& library, const std
 }
 
 /// What is on them, as their thumbnails show it.
-std::vector<PiecePicture> pictures_of(const std::vector<Shape>& shapes) {
+std::vector<PiecePicture> pictures_of(const std::vector<Shape>& shapes,
+                                      const std::function<void(const PuzzleProgress&)>& watch) {
   Drawers drawers({.processes = 1});
   std::vector<PiecePicture> pictures;
   for (const Shape& shape : shapes) {
+    watch({.laying = false, .done = 0, .of = shapes.size()});
     const Artwork& artwork = shape.artwork;
     const cv::Mat page = drawers.decode_png(artwork.thumbnail_png, artwork.path, kLargestThumbnail_px);
     const std::size_t bytes = page.total() * page.elemSize();
@@ -200,14 +203,12 @@ PuzzleAgreement agreement_with(const std::string& truth, const std::vector<Shape
   return agreement(found_of, right_of);
 }
 
-/// Of a frame's file only what lies in it.
 std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) {
   const fs::path folder = fs::absolute(request.job).lexically_normal().parent_path();
   const auto beside = [&](const std::string& path) {
     return toml_text(fs::absolute(path).lexically_normal().lexically_relative(folder).string());
   };
-  const std::string canvas_file =
-      !solved.in_frame || request.frame_file.empty() ? "" : "file = " + beside(request.frame_file) + "\n";
+  const std::string canvas_file = request.frame_file.empty() ? "" : "file = " + beside(request.frame_file) + "\n";
   return std::string(kJobMark) + ": " + std::to_string(solved.placed) + " of " + std::to_string(solved.pieces) +
          " pieces.\n"
          "# Every key of a job: docs/job-format.md\n"
@@ -298,6 +299,13 @@ void check_frame(const Frame& frame, double scale, const std::vector<std::vector
   throw InputError("--frame: found an edge of more than 100 times the length of all pieces' edges");
 }
 
+[[noreturn]] void throw_nothing_fits(const SolvingRequest& request, const Frame& frame) {
+  std::string text = request.library + ": found no two pieces that fit beside each other";
+  if (!frame.outline.empty()) text += " in the frame";
+  if (!frame.outline.empty() && !request.scale) text += "; --scale says how large they are";
+  throw InputError(text);
+}
+
 /// How large one px of the pieces is: as is given, or so that all of them fill the frame.
 double scale_in(const Frame& frame, const SolvingRequest& request, double pieces_area) {
   if (request.scale) return *request.scale;
@@ -318,7 +326,7 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
   const std::vector<std::vector<Vec2>> polygons = polygons_of(request.library, shapes);
   SolvedPuzzle solved;
   solved.pieces = shapes.size();
-  PuzzleInput input{.pieces = polygons, .frame = {}};
+  PuzzleInput input{.pieces = polygons, .frame = {}, .frame_fits = request.scale.has_value()};
   const double pieces_area = area_of(polygons), wished_scale = request.scale.value_or(1);
   const Frame frame = frame_of(request, pieces_area * wished_scale * wished_scale);
   solved.width_px = frame.width_px;
@@ -326,22 +334,27 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
   solved.scale = scale_in(frame, request, pieces_area);
   if (!frame.outline.empty()) check_frame(frame, solved.scale, polygons);
   for (const Vec2 p : frame.outline) input.frame.push_back(p * float(1 / solved.scale));
-  if (!request.outlines_only) input.pictures = pictures_of(shapes);
+  if (!request.outlines_only) input.pictures = pictures_of(shapes, request.watch);
   input.watch = request.watch;
   PuzzleSolution solution = solve_puzzle(input);
-  if (solution.placed < 2) throw InputError(request.library + ": found no two pieces that fit beside each other");
-  if (!solution.in_frame) stand_upright(solution, polygons, solved);
+  if (solution.placed < 2) throw_nothing_fits(request, frame);
+  solved.scale *= solution.scale;
+  if (frame.outline.empty()) stand_upright(solution, polygons, solved);
   check_canvas(request, solved);
   const std::vector<LaidPuzzlePiece> laid = laid_pieces(shapes, polygons, solution, solved.scale);
   solved.placed = laid.size();
-  solved.in_frame = solution.in_frame;
   solved.undecided = solution.undecided;
   solved.gaps = solution.gaps;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (!solution.poses[i]) solved.left_over.push_back(shapes[i].name);
   }
-  for (const LaidPuzzlePiece& piece : laid) solved.covered += signed_area(piece.outline_px);
-  solved.covered /= solved.in_frame ? signed_area(frame.outline) : double(solved.width_px) * solved.height_px;
+  solved.erosion_px = solution.erosion * solved.scale;
+  const double whole_px2 =
+      frame.outline.empty() ? double(solved.width_px) * solved.height_px : signed_area(frame.outline);
+  for (const LaidPuzzlePiece& piece : laid) {
+    solved.covered += signed_area(piece.outline_px) / whole_px2;
+    solved.filled += signed_area(grown_polygon(piece.outline_px, float(solved.erosion_px))) / whole_px2;
+  }
   if (!request.truth.empty()) solved.agreement = agreement_with(request.truth, shapes, laid);
   write(request, {{solution_path(request.job), puzzle_geojson(laid)}, {request.job, job_text(request, solved)}});
   return solved;

@@ -16,7 +16,7 @@ struct SolvingRequest {
   std::string library;
   std::optional<std::vector<int>> frame_px;  // width and height; none: as large as the pieces that were laid
   std::string frame_file;  // SVG or image whose silhouette is the frame, in the box of frame_px; empty: a rectangle
-  std::optional<double> scale;  // px of the canvas for one px of the pieces; none: they fill the frame, or 1
+  std::optional<double> scale;  // px of the canvas for one px of the pieces; none: they reach the frame's edges, or 1
   std::string truth;            // folder with a pieces.geojson; empty: none
   std::string job;              // the file to write
   bool replace = false;         // another puzzle's files of these names
@@ -30,11 +30,12 @@ struct SolvedPuzzle {
   double scale = 1;
   std::size_t pieces = 0;
   std::size_t placed = 0;
-  std::vector<std::string> left_over;  // names
-  bool in_frame = false;
+  std::vector<std::string> left_over;        // names
   int undecided = 0;                         // PuzzleSolution::undecided
   double gaps = 0;                           // PuzzleSolution::gaps
   double covered = 0;                        // area of the placed pieces, parts of the frame or the canvas
+  double filled = 0;                         // the same of the pieces as they were cut
+  double erosion_px = 0;                     // PuzzleSolution::erosion, px of the canvas
   std::optional<PuzzleAgreement> agreement;  // with the truth, if there is one
 };
 
@@ -43,7 +44,8 @@ inline constexpr std::size_t kMostSolvedPieces = 2'000;
 /// The file beside the job that says where the pieces lie.
 std::string solution_path(const std::string& job);
 
-/// Solves the puzzle and writes the job and the solution, each whole or not at all. Throws InputError where the
+/// Solves the puzzle and writes the job and the solution, each whole or not at all. Nothing is laid beyond the frame,
+/// where there is one; what finds no place in it is left over. Throws InputError where the
 /// library is of no use (too many pieces, holes, no known sizes), where none of its pieces fit each other, or where
 /// files of another kind are there; EnvironmentError.
 SolvedPuzzle write_solved_puzzle(const SolvingRequest& request);
