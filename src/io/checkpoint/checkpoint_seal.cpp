@@ -16,7 +16,7 @@ namespace tessera::io {
 namespace {
 
 /// Counted up with every change of the format, and of the algorithm, that would make an old state go on differently.
-constexpr int kVersion = 16;
+constexpr int kVersion = 17;
 constexpr std::string_view kMagic = "tessera-checkpoint\n";
 constexpr std::size_t kBlockBytes = std::size_t(1) << 20;
 
