@@ -47,7 +47,8 @@ void add_collage_options(CLI::App& command, CollageArguments& arguments, const s
 
 int collage_exit_code(const CollageArguments& arguments, comm::Communicator& ranks) {
   switch (run_collage(arguments, ranks)) {
-    case CollageEnd::finished: return 0;
+    case CollageEnd::finished: return kDoneExitCode;
+    case CollageEnd::incomplete: return kIncompleteExitCode;
     case CollageEnd::unfinished:
       std::fprintf(stderr, "tessera: %s\n", (how_to_go_on(arguments) + draws_so_far(arguments)).c_str());
       break;

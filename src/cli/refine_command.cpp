@@ -116,6 +116,7 @@ int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
   const CollageArguments all = collage_of(arguments);
   const std::uint64_t first_seed = io::load_job(all.job, all.overrides).settings.seed;
   RankingArguments ranking{.folders = {}, .out = all.out, .weights = {}};
+  bool all_complete = true;
   for (int k = 0; k < arguments.variants; ++k) {
     const std::string seed = std::to_string(first_seed + std::uint64_t(k));
     CollageArguments one = all;
@@ -124,12 +125,15 @@ int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
     one.overrides.push_back("seed=" + seed);
     if (one.resume.empty() && !one.restart) one.resume = "auto";
     ranking.folders.push_back(one.out);
-    if (run_collage(one, ranks) == CollageEnd::finished) continue;
+    const CollageEnd end = run_collage(one, ranks);
+    all_complete = all_complete && end != CollageEnd::incomplete;
+    if (is_finished(end)) continue;
     std::fprintf(stderr, "tessera: unfinished: the same command%s goes on where this one was\n",
                  one.restart ? " without --restart" : "");
     return kUnfinishedExitCode;
   }
-  return run_ranking(ranking);
+  const int exit_code = run_ranking(ranking);
+  return exit_code == kDoneExitCode && !all_complete ? kIncompleteExitCode : exit_code;
 }
 
 /// Rank 0 alone reads the result; the workers get its job from there as of any collage.
