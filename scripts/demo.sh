@@ -2,6 +2,8 @@
 # From a bare Debian 12 machine to a collage: packages, build, a library of clip art, one master and two workers.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=scripts/collage.sh
+source scripts/collage.sh
 
 readonly tessera=build/release/src/cli/tessera
 readonly library=out/animals.h5
@@ -27,7 +29,7 @@ fi
 
 echo "Computing the collage: one master and two workers"
 # --oversubscribe: three ranks on two cores; --bind-to none: a rank's OpenCL device uses all of them.
-mpirun --oversubscribe --bind-to none -n 3 "$tessera" collage jobs/animals.toml --out "$result" --restart
+make_collage mpirun --oversubscribe --bind-to none -n 3 "$tessera" collage jobs/animals.toml --out "$result" --restart
 
 echo
 echo "The picture: $PWD/$result/collage.png (collage.svg, pieces.geojson, card.json and job.toml beside it)"

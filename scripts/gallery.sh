@@ -5,6 +5,8 @@
 #   scripts/gallery.sh [JOB...]    only these, by name: scripts/gallery.sh hero once
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=scripts/collage.sh
+source scripts/collage.sh
 
 readonly tessera=build/release/src/cli/tessera
 readonly library=out/animals.h5
@@ -52,14 +54,14 @@ two_pictures() {
 
 # What is deformed is seen beside what was laid.
 undeformed_and_deformed() {
-  "$tessera" collage "$2" --set deform.kind=none --out "$1.before" --quiet
+  make_collage "$tessera" collage "$2" --set deform.kind=none --out "$1.before" --quiet
   cp "$1.before/collage.png" "$1/before.png"
   two_pictures "$1" before.png collage.png
 }
 
 # What was filled is seen beside what stood first.
 before_and_after() {
-  "$tessera" collage "$2" --set stop.pieces=1 --out "$1.before" --quiet
+  make_collage "$tessera" collage "$2" --set stop.pieces=1 --out "$1.before" --quiet
   cp "$1.before/collage.png" "$1/before.png"
   two_pictures "$1" before.png collage.png
 }
@@ -72,7 +74,7 @@ pieces_and_puzzle() { # FOLDER LIBRARY
 
 # One style is seen beside all of them.
 all_styles_and_one() {
-  "$tessera" collage "$2" --set style.weight=0 --out "$1.all" --quiet
+  make_collage "$tessera" collage "$2" --set style.weight=0 --out "$1.all" --quiet
   cp "$1.all/collage.png" "$1/all.png"
   page "$1" 2 1 all.png collage.png
 }
@@ -96,7 +98,7 @@ for name in "${names[@]}"; do
   read -ra make < <(sed -n "s,^#  *tessera \(library .*\),$tessera \1,p; s,^#  *\(scripts/.*\),\1,p" \
     "jobs/$name.toml") || true
   if [[ ${#make[@]} -gt 0 && ! ${make[-1]} -nt $tessera ]]; then "${make[@]}"; fi
-  "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
+  make_collage "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
   shifted=false  # tones and hues, which a PDF does not show
   if grep -qE '^(shift = [1-9]|harmony = )' "jobs/$name.toml"; then shifted=true; fi
   $shifted || "$tessera" draw "out/gallery/$name" --pdf --quiet

@@ -49,7 +49,9 @@ refuse_other_starts() {  # options of tessera collage...
   done
 }
 
-readonly checkpointed=75  # exit code of `tessera collage` that wrote a checkpoint and wants to go on
+# Exit codes of `tessera collage`:
+readonly incomplete=3     # done, but pieces are missing that the job counts
+readonly checkpointed=75  # it wrote a checkpoint and wants to go on
 
 # Runs a command and hands it the signals that Slurm sends to the batch shell. Its exit code goes to `status`.
 # USR2 comes before the time limit (--signal), TERM when the job is cancelled, preempted or requeued. mpirun takes TERM
@@ -84,7 +86,11 @@ run_collage() {  # RANKS JOB OUT_DIR [options of tessera collage...]
   # all the cores that the job was given.
   run_forwarding mpirun -n "$ranks" --map-by node --bind-to none -x TESSERA_MASTER_NODE \
     "$slurm_folder/gpu_share.sh" "$tessera" collage "$job" --out "$out" --resume=auto "$@"
-  [[ $status -eq 0 ]] || come_back_or_fail
+  if [[ $status -eq $incomplete ]]; then
+    echo "$out: done, but pieces are missing: the warnings above and card.txt name them (exit code $incomplete)"
+  elif [[ $status -ne 0 ]]; then
+    come_back_or_fail
+  fi
 }
 
 # The same job is queued again, with a bound, after a checkpoint and where a node is gone. Whatever else ended the

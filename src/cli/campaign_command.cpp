@@ -13,7 +13,9 @@ constexpr const char* kExamples =
     "  tessera campaign jobs/animals.toml --set 'pieces.scale_px=[20, 160],[14, 90]' --set quality=draft\n"
     "  tessera campaign jobs/animals.toml --seeds 1-8 --list\n"
     "Every seed with every value. Collages that are finished are not made again, and those of another job in DIR are\n"
-    "not overwritten; at the end all are ranked (see tessera rank). --list prints, for scripts, a line a collage:\n"
+    "not overwritten; at the end all are ranked (see tessera rank). A collage that lacks pieces ends no other one, "
+    "and\n"
+    "the exit code is 3 then. --list prints, for scripts, a line a collage:\n"
     "finished or open, its folder, its values, with tabs between them. One process; slurm/campaign.sh makes an array\n"
     "of jobs of any number of ranks.";
 

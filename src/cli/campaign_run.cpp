@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "cli/collage_run.h"
 #include "cli/ranking_run.h"
@@ -22,7 +23,7 @@ namespace {
 struct Task {
   io::Variation variation;
   std::string folder;
-  bool finished = false;
+  std::optional<CollageEnd> end;  // that it had before this campaign; nothing: it is open
 };
 
 std::string campaign_folder(const CampaignArguments& arguments) {
@@ -30,11 +31,12 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
-/// Computed and drawn. Throws InputError where the folder holds the finished result of another job, which would be
-/// lost.
-bool is_finished(const std::string& folder, const io::Job& job) {
+/// Of a collage that is computed and drawn; else nothing. Throws InputError where the folder holds the finished result
+/// of another job, which would be lost.
+std::optional<CollageEnd> earlier_end(const std::string& folder, const io::Job& job) {
   const io::EarlierResult earlier = io::find_earlier_result(folder);
-  return io::is_finished_result_of(earlier, job) && earlier.whole->drawn;
+  if (!io::is_finished_result_of(earlier, job) || !earlier.whole->drawn) return {};
+  return end_of_finished(earlier.whole->manifest);
 }
 
 /// All jobs are read before the first is begun, so that a mistake in the last shows at once.
@@ -43,7 +45,7 @@ std::vector<Task> tasks_of(const CampaignArguments& arguments) {
   for (io::Variation& variation : io::make_variations(arguments.seeds, arguments.sets)) {
     const io::Job job = io::load_job(arguments.job, variation.overrides);
     const std::string folder = (std::filesystem::path(campaign_folder(arguments)) / variation.name).string();
-    tasks.push_back({std::move(variation), folder, is_finished(folder, job)});
+    tasks.push_back({std::move(variation), folder, earlier_end(folder, job)});
   }
   return tasks;
 }
@@ -52,14 +54,14 @@ std::vector<Task> tasks_of(const CampaignArguments& arguments) {
 void check_can_be_made(const std::vector<Task>& tasks) {
   std::error_code error;
   for (const Task& task : tasks) {
-    if (!task.finished && std::filesystem::exists(task.folder, error)) io::prepare_output_directory(task.folder);
+    if (!task.end && std::filesystem::exists(task.folder, error)) io::prepare_output_directory(task.folder);
   }
 }
 
 /// For scripts: a line a collage with tabs between state, folder and the values for --set.
 void print_list(const std::vector<Task>& tasks) {
   for (const Task& task : tasks) {
-    std::vector<std::string> cells = {task.finished ? "finished" : "open", task.folder};
+    std::vector<std::string> cells = {task.end ? "finished" : "open", task.folder};
     cells.insert(cells.end(), task.variation.overrides.begin(), task.variation.overrides.end());
     print_cells(cells);
   }
@@ -75,9 +77,9 @@ std::string measures_in(const std::string& folder) {
   }
 }
 
-void print_result(const Task& task, std::size_t number, std::size_t of) {
-  print_line("%zu/%zu  %s: %s%s", number, of, task.variation.name.c_str(), measures_in(task.folder).c_str(),
-             task.finished ? ", finished before" : "");
+void print_result(const Task& task, CollageEnd end, std::size_t number, std::size_t of) {
+  print_line("%zu/%zu  %s: %s%s%s", number, of, task.variation.name.c_str(), measures_in(task.folder).c_str(),
+             end == CollageEnd::incomplete ? ", pieces are missing" : "", task.end ? ", finished before" : "");
   print_now();
 }
 
@@ -92,17 +94,18 @@ CollageArguments collage_of(const CampaignArguments& arguments, const Task& task
   return collage;
 }
 
-/// False: a signal ended a collage, and with it the campaign.
-bool make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
+/// The exit code of all collages together: an incomplete one ends none of the others, an interrupted one ends the
+/// campaign.
+int make_all(const CampaignArguments& arguments, const std::vector<Task>& tasks, comm::Communicator& ranks) {
+  int exit_code = kDoneExitCode;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    if (tasks[i].finished) {
-      io::remove_stale_lock(io::folder_lock_path(tasks[i].folder));  // of a campaign that was killed
-    } else {
-      if (run_collage(collage_of(arguments, tasks[i]), ranks) != CollageEnd::finished) return false;
-    }
-    print_result(tasks[i], i + 1, tasks.size());
+    if (tasks[i].end) io::remove_stale_lock(io::folder_lock_path(tasks[i].folder));  // of a campaign that was killed
+    const CollageEnd end = tasks[i].end ? *tasks[i].end : run_collage(collage_of(arguments, tasks[i]), ranks);
+    if (!is_finished(end)) return kUnfinishedExitCode;
+    if (end == CollageEnd::incomplete) exit_code = kIncompleteExitCode;
+    print_result(tasks[i], end, i + 1, tasks.size());
   }
-  return !comm::stop_signalled();
+  return comm::stop_signalled() ? kUnfinishedExitCode : exit_code;
 }
 
 }  // namespace
@@ -120,13 +123,15 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   io::prepare_output_directory(campaign_folder(arguments));
   const io::OutputLock lock(io::folder_lock_path(campaign_folder(arguments)), campaign_folder(arguments));
   check_can_be_made(tasks);
-  if (!make_all(arguments, tasks, ranks)) {
+  const int made = make_all(arguments, tasks, ranks);
+  if (made == kUnfinishedExitCode) {
     print_message("unfinished: the same command goes on where this one was");
     return kUnfinishedExitCode;
   }
   RankingArguments ranking{.folders = {}, .out = campaign_folder(arguments), .weights = arguments.weights};
   for (const Task& task : tasks) ranking.folders.push_back(task.folder);
-  return run_ranking(ranking);
+  const int ranked = run_ranking(ranking);
+  return ranked == kDoneExitCode ? made : ranked;
 }
 
 }  // namespace tessera::cli

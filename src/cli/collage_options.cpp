@@ -46,7 +46,8 @@ void add_collage_options(CLI::App& command, CollageArguments& arguments, const s
 
 int collage_exit_code(const CollageArguments& arguments, comm::Communicator& ranks) {
   switch (run_collage(arguments, ranks)) {
-    case CollageEnd::finished: return 0;
+    case CollageEnd::finished: return kDoneExitCode;
+    case CollageEnd::incomplete: return kIncompleteExitCode;
     case CollageEnd::unfinished: print_message(how_to_go_on(arguments) + draws_so_far(arguments)); break;
     case CollageEnd::nothing_placed: print_message(how_to_go_on(arguments) + older_stays(arguments)); break;
     case CollageEnd::not_begun:

@@ -39,7 +39,7 @@ std::string progress_note(const master::Progress& progress) {
     return progress.most_trials > 0 ? text + (" of " + std::to_string(progress.most_trials)) : text;
   }
   if (progress.attempt > 1) {
-    std::snprintf(text, sizeof text, "%s, %.1f %% covered, attempt %d with smaller pieces, as some found no place",
+    std::snprintf(text, sizeof text, "%s, %.1f %% covered, attempt %d at other sizes, as some found no place",
                   pieces.c_str(), 100 * progress.coverage, progress.attempt);
     return text;
   }

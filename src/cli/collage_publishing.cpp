@@ -12,12 +12,14 @@ bool leaves_older_result(const CollageInput& input, const master::CollageResult&
   return result.unfinished && result.placements.empty() && input.earlier.finished();
 }
 
-std::string publish(const CollageInput& input, const master::CollageResult& result, const RankStatistics& ranks,
+std::string publish(const CollageInput& input, const master::CollageResult& result,
+                    const std::vector<io::MissingShape>& missing, const RankStatistics& ranks,
                     const io::RunRecord& record, const CollageCheckpoints& checkpoints) {
   io::CollageReport report;
   report.job = &input.job;
   report.canvas = &input.canvas;
   report.placements = io::as_written(result.placements);  // as tessera draw knows them when it gives other colours
+  report.missing = missing;
   report.statistics = result.statistics;
   report.ranks = ranks;
   report.record = record;

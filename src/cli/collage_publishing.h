@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/collage_checkpoints.h"
 #include "cli/collage_input.h"
 #include "core/ranks/rank_statistics.h"
+#include "io/result/missing_shape.h"
 #include "io/result/run_record.h"
 #include "master/collage_loop.h"
 
@@ -18,7 +20,8 @@ bool leaves_older_result(const CollageInput& input, const master::CollageResult&
 /// Writes all but the pictures, then removes the checkpoints of a finished run: at every moment the folder holds what
 /// the run came to. Returns the text of the card. Throws EnvironmentError, also where an unfinished run has no
 /// checkpoint.
-std::string publish(const CollageInput& input, const master::CollageResult& result, const RankStatistics& ranks,
+std::string publish(const CollageInput& input, const master::CollageResult& result,
+                    const std::vector<io::MissingShape>& missing, const RankStatistics& ranks,
                     const io::RunRecord& record, const CollageCheckpoints& checkpoints);
 
 }  // namespace tessera::cli

@@ -19,6 +19,7 @@
 #include "cli/result_drawing_run.h"
 #include "cli/terminal.h"
 #include "cli/time_limit.h"
+#include "cli/unplaced_pieces.h"
 #include "comm/loop_clock.h"
 #include "comm/rank_sites.h"
 #include "comm/replacer_team.h"
@@ -159,7 +160,8 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   const master::CollageResult result =
       run_loop(arguments, input, limit, *matching.matcher, *replacer, shapes, checkpoints);
   const RankStatistics times = times_of(clock, result);
-  journal->warn(empty_result_warning(input.folder, input.job, result));
+  const std::vector<io::MissingShape> missing = missing_shapes(input, result);
+  journal->warn(unplaced_warning(input, result, missing));
   journal->warn(used_up_warning(input.job, input.canvas, result));
   if (relaxes(arguments)) journal->warn(nothing_gained_warning(input.job, result));
   journal->warn(empty_room_warning(input.job, result));
@@ -169,9 +171,10 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
     checkpoints.require_one();
     return CollageEnd::nothing_placed;
   }
-  const std::string card = publish(input, result, times, record, checkpoints) + io::ranks_text(times);
+  const std::string card = publish(input, result, missing, times, record, checkpoints) + io::ranks_text(times);
   say(arguments, card + "\nwritten to " + input.folder);
-  return result.unfinished ? CollageEnd::unfinished : CollageEnd::finished;
+  if (result.unfinished) return CollageEnd::unfinished;
+  return missing.empty() && !result.placements.empty() ? CollageEnd::finished : CollageEnd::incomplete;
 }
 
 /// The pictures of a finished collage. False: interrupted.
@@ -196,19 +199,26 @@ CollageEnd lead(const CollageArguments& arguments, comm::Communicator& ranks) {
   const TimeLimit limit(time_limit_s(arguments.time_limit, std::getenv("SLURM_JOB_END_TIME"),
                                      double(std::time(nullptr)), leaving_s(ranks)));
   const CollageInput input(arguments);
+  CollageEnd end = CollageEnd::finished;
   if (input.finished) {
     say(arguments, input.folder + ": finished before, nothing is left to compute");
-    if (input.earlier.whole->drawn) return CollageEnd::finished;
+    end = end_of_finished(input.earlier.whole->manifest);
+    print_warning(incomplete_warning(input.folder, input.earlier.whole->manifest));
+    if (input.earlier.whole->drawn) return end;
   } else {
     const auto journal =
         std::make_shared<CollageJournal>(input.folder, record_of(input));  // the ranks' watch shares it
-    const CollageEnd end = journal->watch([&] { return compute(arguments, input, limit, ranks, journal); });
-    if (end != CollageEnd::finished) return end;
+    end = journal->watch([&] { return compute(arguments, input, limit, ranks, journal); });
+    if (!is_finished(end)) return end;
   }
-  return draw_pictures(arguments, input, limit, ranks) ? CollageEnd::finished : CollageEnd::not_drawn;
+  return draw_pictures(arguments, input, limit, ranks) ? end : CollageEnd::not_drawn;
 }
 
 }  // namespace
+
+CollageEnd end_of_finished(const io::ResultManifest& manifest) {
+  return manifest.complete() ? CollageEnd::finished : CollageEnd::incomplete;
+}
 
 CollageEnd run_collage(const CollageArguments& arguments, comm::Communicator& ranks) {
   if (ranks.rank() != 0) run_collage_worker(ranks);

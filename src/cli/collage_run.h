@@ -10,6 +10,7 @@
 #include "cli/exit_codes.h"
 #include "cli/refined_result.h"
 #include "comm/communicator.h"
+#include "io/result/result_manifest.h"
 
 namespace tessera::cli {
 
@@ -30,14 +31,21 @@ std::string output_folder(const CollageArguments& arguments);
 
 enum class CollageEnd {
   finished,
+  incomplete,      // finished and drawn, but without a piece, or without some that must stand: a warning named them
   unfinished,      // a checkpoint, and the result without pictures of what is placed so far
   nothing_placed,  // a checkpoint, and the finished result of an earlier run as it was
   not_drawn,       // the collage is finished, and a signal or the time limit ended drawing
   not_begun,       // ended before the first round; what was in the folder is there still
 };
 
-/// To be called on every rank. For every end but `finished` the exit code is to be kUnfinishedExitCode, and the caller
-/// says how to go on. Throws InputError and EnvironmentError (rank_program.h turns those of the workers into the
+/// Nothing is left to compute or to draw.
+inline bool is_finished(CollageEnd end) { return end == CollageEnd::finished || end == CollageEnd::incomplete; }
+
+/// That of a result that was finished before.
+CollageEnd end_of_finished(const io::ResultManifest& manifest);
+
+/// To be called on every rank. Where the end is_finished() the exit code is kDoneExitCode or kIncompleteExitCode; for
+/// every other end it is to be kUnfinishedExitCode, and the caller says how to go on. Throws InputError and EnvironmentError (rank_program.h turns those of the workers into the
 /// master's). A worker leaves by JobEnded.
 CollageEnd run_collage(const CollageArguments& arguments, comm::Communicator& ranks);
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "cli/key_text.h"
 #include "cli/terminal.h"
 #include "core/collage/standing_check.h"
 #include "io/job/job_keys.h"
@@ -15,28 +16,6 @@
 
 namespace tessera::cli {
 namespace {
-
-/// "pieces.scale_px (now [20, 160])"
-std::string with_value(const io::Job& job, const char* section, const char* name) {
-  const io::JobKey& key = *io::find_job_key(section, name);
-  return key.full_name() + " (now " + io::job_value_to_toml(key, job) + ")";
-}
-
-bool is_default(const io::Job& job, const char* section, const char* name) {
-  const io::JobKey& key = *io::find_job_key(section, name);
-  return key.get(job) == key.get(io::Job());
-}
-
-/// Of the keys that keep pieces out, those that do. Uses cannot: the first piece is free of them.
-std::string what_to_try(const io::Job& job) {
-  std::string text = "smaller pieces, " + with_value(job, "pieces", "scale_px");
-  if (!is_default(job, "pieces", "padding_px")) text += "; less " + with_value(job, "pieces", "padding_px");
-  if (!is_default(job, "pieces", "rotation_deg")) text += "; a wider " + with_value(job, "pieces", "rotation_deg");
-  if (job.settings.match.tangent_dockings == 0) {
-    text += "; more " + with_value(job, "match", "tangent_dockings") + ": without, nothing docks along straight sides";
-  }
-  return text + "; a larger " + with_value(job, "canvas", "size_px");
-}
 
 double covered_fraction(const Canvas& canvas, const master::CollageResult& result) {
   double covered_px2 = 0;
@@ -96,13 +75,32 @@ std::string replaced_result_warning(const io::EarlierResult& earlier, const io::
          differences + "; another --out keeps it";
 }
 
-std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result) {
-  if (result.unfinished || !result.placements.empty()) return "";
-  if (result.statistics.stopped_by == "seconds") {
-    return folder + ": the collage is empty: " + with_value(job, "stop", "seconds") +
-           " ended it before the first piece";
+const char* limit_that_ended(const RunStatistics& run) {
+  for (const char* key : {"seconds", "pieces", "coverage"}) {
+    if (run.stopped_by == key) return key;
   }
-  return folder + ": the collage is empty: nothing fits; try " + what_to_try(job);
+  return nullptr;
+}
+
+std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result,
+                                 const std::vector<std::string>& what_to_try) {
+  if (result.unfinished || !result.placements.empty()) return "";
+  const std::string text = folder + ": the collage is empty: ";
+  if (const char* limit = limit_that_ended(result.statistics)) {
+    return text + with_value(job, "stop", limit) + " ended it before the first piece";
+  }
+  if (what_to_try.empty()) {
+    return text +
+           "no shape may stand: weights, regions and names of [[shapes]], style.like and start.not_anew leave none";
+  }
+  return text + "nothing fits; try " + joined_warnings(what_to_try);
+}
+
+std::string incomplete_warning(const std::string& folder, const io::ResultManifest& manifest) {
+  if (manifest.complete()) return "";
+  if (manifest.shapes.empty()) return folder + ": the collage is empty; run.log says why";
+  return folder + ": " + std::to_string(manifest.missing) + (manifest.missing == 1 ? " piece is" : " pieces are") +
+         " missing; card.txt names them";
 }
 
 std::string used_up_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result) {
@@ -158,6 +156,9 @@ std::string idle_keys_warning(const io::Job& job) {
   if (job.settings.pieces.padding_px > 0 && !is_default(job, "pieces", "overlap_px")) {
     warnings.push_back(with_value(job, "pieces", "overlap_px") + " does not count beside " +
                        with_value(job, "pieces", "padding_px") + ", which keeps all pieces apart");
+  }
+  if (!job.settings.pieces.fit_all && !is_default(job, "pieces", "least_scale_px")) {
+    warnings.push_back(with_value(job, "pieces", "least_scale_px") + " means nothing without pieces.fit = \"all\"");
   }
   if (is_default(job, "library", "colours") && !is_default(job, "library", "colours_within")) {
     warnings.push_back(with_value(job, "library", "colours_within") + " means nothing without library.colours");

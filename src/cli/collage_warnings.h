@@ -17,8 +17,16 @@ namespace tessera::cli {
 /// Empty where the folder holds no result, an unfinished one, or the finished one of the same job.
 std::string replaced_result_warning(const io::EarlierResult& earlier, const io::Job& job);
 
-/// Empty where there are pieces, or where the run may still go on to some.
-std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result);
+/// The key of [stop] that ended the run; null where none did.
+const char* limit_that_ended(const RunStatistics& run);
+
+/// Empty where there are pieces, or where the run may still go on to some. `what_to_try` lets pieces in
+/// (place_advice.h); empty where no shape may stand at all.
+std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result,
+                                 const std::vector<std::string>& what_to_try);
+
+/// What a finished result lacks. Empty where it lacks nothing.
+std::string incomplete_warning(const std::string& folder, const io::ResultManifest& manifest);
 
 /// Which of the pieces that stand from the start lie in zones that are kept out of; and of those of start.pieces, which
 /// lie outside the canvas or on others. Empty where all lie well. `shape(id)` gives library shapes with their outlines.
@@ -30,7 +38,7 @@ std::string standing_warning(const io::Job& job, const Canvas& canvas,
 std::string used_up_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result);
 
 /// Of keys that were given and mean nothing beside others, or without them: output.dpi, pieces.overlap_px,
-/// library.colours_within, colour.weight, colour.shift.
+/// pieces.least_scale_px, library.colours_within, colour.weight, colour.shift.
 std::string idle_keys_warning(const io::Job& job);
 
 /// Where an output.dpi is given, and the pictures have no size in mm. Empty where they have.

@@ -10,6 +10,7 @@
 #include "cli/terminal.h"
 #include "core/base/error.h"
 #include "core/field/free_field.h"
+#include "core/matching/sized_settings.h"
 #include "io/job/job_file.h"
 #include "io/job/palette.h"
 #include "io/job/picture_size.h"
@@ -42,10 +43,11 @@ PlanInput plan_input(const PlanArguments& arguments) {
   const double room_part = limit_to_room(library, job, canvas);
   io::load_palette(job);  // what is wrong with it shows before the queue, too
   const io::OutputSpec output = io::on_paper(job.output, job.canvas, canvas);
-  const Window nodes = free_field_grid(canvas, job.settings.pieces).nodes();
+  const CollageSettings settings = with_sizes_times(job.size_factor, job.settings);
+  const Window nodes = free_field_grid(canvas, settings.pieces).nodes();
   const cv::Size picture_px = io::picture_size_px(output, canvas);
-  const MatchingContext context = make_matching_context(job.settings, std::uint32_t(library.size()));
-  return {.settings = job.settings,
+  const MatchingContext context = make_matching_context(settings, std::uint32_t(library.size()));
+  return {.settings = settings,
           .canvas_px2 = room_part * canvas.area_px2,
           .canvas_nodes = double(nodes.width()) * nodes.height(),
           .picture_px2 = double(picture_px.width) * picture_px.height,

@@ -33,6 +33,8 @@ constexpr double kDocking_s = 95e-6;
 constexpr double kDockingOfRoot_s = 0.5e-6;
 // objective_s + merge_s: 1.9 to 4.2 ms a piece.
 constexpr double kMasterOfAPiece_s = 2.5e-3;
+// Attempts at sizes with fit = "all": 1 to 5 of the twelve that there may be (seven jobs).
+constexpr double kAttempts = 3;
 // improve_s by trials: 19 ms (185 shapes) and 30 ms (1,138).
 constexpr double kSamplesOfATrial = 60;
 constexpr double kMasterOfATrial_s = 7e-3;
@@ -137,16 +139,18 @@ void add_times(const PlanInput& input, PlanEstimate& plan) {
   const double shapes = double(input.shapes);
   const double pads = shapes * double(plan.pads_per_shape);
   const double sample_s = kPairsOfCubeRoot_s * std::cbrt(pads) + kDocking_s + kDockingOfRoot_s * std::sqrt(shapes);
-  const double filling_s = plan.pieces * kSamplesOfAPiece * sample_s;
+  const double attempts = s.pieces.fit_all ? kAttempts : 1;
+  const double filling_s = attempts * plan.pieces * kSamplesOfAPiece * sample_s;
+  const double placing_s = attempts * plan.pieces * kMasterOfAPiece_s;
   const double trial_s = kSamplesOfATrial * sample_s;
   const double trials = expected_trials(input, 1 / (trial_s / plan.workers + kMasterOfATrial_s));
   const double replaced = master::pays_to_replace(s) ? master::kPartReplaced * trials : 0;
   const double others = trials - replaced;
   plan.matching_s = filling_s + others * trial_s;
-  plan.master_s = plan.pieces * kMasterOfAPiece_s + others * kMasterOfATrial_s;
+  plan.master_s = placing_s + others * kMasterOfATrial_s;
   const double improving_s = limited(
       others * (trial_s / plan.workers + kMasterOfATrial_s) + replacing_s(input, plan, replaced), s.improve.seconds);
-  const double loop_s = filling_s / plan.workers + plan.pieces * kMasterOfAPiece_s;
+  const double loop_s = filling_s / plan.workers + placing_s;
   plan.total_s = kOverhead_s + double(plan.shapes_per_worker) * kLoadingAShape_s + plan.pieces * kWritingAPiece_s +
                  limited(loop_s + improving_s, s.stop.seconds);
 }

@@ -64,6 +64,7 @@ std::string plan_text(const PlanInput& input, const PlanEstimate& plan) {
          line("pieces", "about " + io::fixed(plan.pieces, 0)) + memory_text(input, plan) +
          line("time", "about " + time_text(plan.total_s) + ": matching " + time_text(plan.matching_s) + " / " +
                           std::to_string(plan.workers) + ", master " + time_text(plan.master_s)) +
+         (input.settings.pieces.fit_all ? line("", "for a few attempts at sizes (pieces.fit), of 12 at most") : "") +
          line("checkpoint", "about " + megabytes(plan.checkpoint_bytes)) +
          "\nFrom formulas with figures of one machine, 120 to 10,000 shapes and 30 to 500 pieces; a worker has two CPU "
          "cores of\n2 GHz. Half or twice the time is likely; the network is not in it, nor what a GPU changes. In 12 "

@@ -122,6 +122,7 @@ int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
   const io::OutputFolder folder(all.out);
   const io::OutputLock lock(io::folder_lock_path(all.out), all.out);
   RankingArguments ranking{.folders = {}, .out = all.out, .weights = {}};
+  bool all_complete = true;
   for (int k = 0; k < arguments.variants; ++k) {
     const std::string seed = std::to_string(first_seed + std::uint64_t(k));
     CollageArguments one = all;
@@ -130,12 +131,15 @@ int make_variants(const RefineArguments& arguments, comm::Communicator& ranks) {
     one.overrides.push_back("seed=" + seed);
     if (one.resume.empty() && !one.restart) one.resume = "auto";
     ranking.folders.push_back(one.out);
-    if (run_collage(one, ranks) == CollageEnd::finished) continue;
+    const CollageEnd end = run_collage(one, ranks);
+    all_complete = all_complete && end != CollageEnd::incomplete;
+    if (is_finished(end)) continue;
     print_message(std::string("unfinished: the same command") + (one.restart ? " without --restart" : "") +
                   " goes on where this one was");
     return kUnfinishedExitCode;
   }
-  return run_ranking(ranking);
+  const int exit_code = run_ranking(ranking);
+  return exit_code == kDoneExitCode && !all_complete ? kIncompleteExitCode : exit_code;
 }
 
 /// Rank 0 alone reads the result; the workers get its job from there as of any collage.

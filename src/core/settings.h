@@ -18,12 +18,13 @@ struct PieceSettings {
   float max_scale_px = 160;
   float min_rotation_rad = -3.14159265f;
   float max_rotation_rad = 3.14159265f;
-  PoseWish several = {};  // where there are several intervals; empty: those from min to max
-  int uses = 0;           // how often one shape may be placed; 0 = unlimited
-  int least_uses = 0;     // so many of each shape come before more of any, while there is room
-  bool fit_all = false;   // sizes are relative: multiplied so that every shape finds its place
-  float padding_px = 0;   // distance kept between pieces, and between pieces and the canvas' edge
-  float apart_px = 0;     // distance kept between the outlines of pieces of one silhouette
+  PoseWish several = {};     // where there are several intervals; empty: those from min to max
+  int uses = 0;              // how often one shape may be placed; 0 = unlimited
+  int least_uses = 0;        // so many of each shape come before more of any, while there is room
+  bool fit_all = false;      // sizes are relative: multiplied so that every shape finds its place
+  float least_scale_px = 2;  // with fit_all: no piece becomes smaller
+  float padding_px = 0;      // distance kept between pieces, and between pieces and the canvas' edge
+  float apart_px = 0;        // distance kept between the outlines of pieces of one silhouette
   std::shared_ptr<const SizeMap> size_map = {};  // what is left of a shape's sizes from place to place; none: all
   float overlap_px = 1.4f;  // without padding: how deep a vertex of a piece may lie in another, and beyond the edge
 

@@ -174,9 +174,8 @@ inline constexpr double kFilledByTheRest = 0.85;  // of the free area, by the sh
 inline constexpr float kSizeStep = 0.9f;          // of the ladder of largest sizes: each step drops what is too large
 inline constexpr double kNearlyOneSize = 1.001;   // ratio of two sizes
 inline constexpr double kFirstFilling = 0.8;      // of the canvas, by the sizes of the first attempt
-inline constexpr double kNearTheTop = 1.3;    // pieces that may choose become so much larger than by the mean square
-inline constexpr float kNextAttempt = 0.95f;  // times the sizes of the one before, when not all found room
-inline constexpr int kMostAttempts = 9;
+inline constexpr double kNearTheTop = 1.3;  // pieces that may choose become so much larger than by the mean square
+inline constexpr std::uint32_t kMostAttempts = 12;  // at other sizes each (core/matching/size_search)
 
 // Settling of a chosen piece.
 inline constexpr Descent kSettle{2, 0.3f, 0.3f, 30, false};  // out of what was placed since it was refined

@@ -89,11 +89,11 @@ std::vector<ShapeId> drawings_of(const ShapeSource& shapes, std::uint32_t count)
 }  // namespace
 
 Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context,
-                 ShapeSource& shapes)
+                 ShapeSource& shapes, float size_factor)
     : settings_(settings),
       context_(context),
       all_stances_(context.stances),
-      region_stances_(context.stances),
+      limits_{.size_factor = size_factor},
       shapes_(shapes),
       free_(canvas, settings.pieces),
       opened_(free_, settings.pieces),
@@ -105,14 +105,15 @@ Collage::Collage(const Canvas& canvas, const CollageSettings& settings, const Ma
       apart_(settings, shapes, canvas.period),
       settling_(shapes, free_, outlines_, context_),
       changed_nodes_(free_.field().value.bounds()) {
+  limit(limits_);
+  region_stances_ = context_.stances;
   retrace(changed_nodes_);
   update_limits();
 }
 
-void Collage::begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region, float size_factor) {
-  const StandingLimits limits{.region = region, .size_factor = size_factor};
-  region_stances_ = all_stances_.limited(limits);
-  limit(limits);
+void Collage::begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region) {
+  limit({.region = region, .size_factor = limits_.size_factor});
+  region_stances_ = context_.stances;
   given_ = given;
   replace_placements(std::move(standing));
   mark_stale(free_.field().value.bounds());
@@ -123,19 +124,37 @@ std::vector<ShapeId> Collage::missing() const {
   std::vector<ShapeId> missing;
   for (std::uint32_t i = 0; i < region_stances_.open_shapes(); ++i) {
     const ShapeId shape = region_stances_.open_shape(i);
-    if (scoring_.is_missing(shape)) missing.push_back(shape);
+    if (scoring_.missing_uses(shape) > 0) missing.push_back(shape);
   }
   return missing;
 }
 
-float Collage::most_scale_for(const std::vector<ShapeId>& missing) const {
-  std::vector<Interval> sizes;
-  for (const ShapeId shape : missing) {
-    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the place of both
+Shortage Collage::shortage() const {
+  if (!scoring_.limits_uses()) return {};
+  Shortage shortage;
+  double wanted_px2 = 0;
+  double missing_px2 = 0;
+  for (std::uint32_t i = 0; i < region_stances_.open_shapes(); ++i) {
+    const ShapeId shape = region_stances_.open_shape(i);
+    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the places of both
     const StanceList& stances = region_stances_.list(shape);
-    sizes.push_back({stances.min_scale_px, stances.max_scale_px});
+    const double px2 = double(stances.min_scale_px) * double(stances.max_scale_px);
+    wanted_px2 += scoring_.least_uses(shape) * px2;
+    missing_px2 += scoring_.missing_uses(shape) * px2;
+    shortage.pieces += std::uint64_t(scoring_.missing_uses(shape));
   }
-  return most_scale_px(double(free_.free_256ths_px2()) / 256, sizes);
+  if (shortage.pieces > 0) shortage.placed = 1 - missing_px2 / wanted_px2;
+  return shortage;
+}
+
+float Collage::most_scale_for(const std::vector<ShapeId>& missing) const {
+  std::vector<WantedPieces> left;
+  for (const ShapeId shape : missing) {
+    if (shapes_.drawing(shape) != shape) continue;  // one of the two takes the places of both
+    const StanceList& stances = region_stances_.list(shape);
+    left.push_back({{stances.min_scale_px, stances.max_scale_px}, double(scoring_.missing_uses(shape))});
+  }
+  return most_scale_px(double(free_.free_256ths_px2()) / 256, left);
 }
 
 bool Collage::may_go_on() const {
@@ -154,7 +173,9 @@ std::vector<ShapeId> Collage::shut_out_shapes() const {
 void Collage::update_limits() {
   if (!scoring_.limits_uses() && !apart_.matters()) return;
   const std::vector<ShapeId> shut_out = shut_out_shapes();
-  const std::vector<ShapeId> missing = without(this->missing(), shut_out);  // nobody waits for what cannot come
+  std::vector<ShapeId> missing = this->missing();
+  // Other shapes do not wait for one that has no place now. With fit = "all" they do: it needs smaller sizes.
+  if (!settings_.pieces.fit_all) missing = without(missing, shut_out);
   StandingLimits now{.region = limits_.region, .size_factor = limits_.size_factor};
   now.used_up = joined(scoring_.closed_shapes(missing), shut_out);
   if (settings_.pieces.fit_all && !missing.empty()) now.most_scale_px = most_scale_for(missing);
@@ -166,7 +187,7 @@ void Collage::update_limits() {
 void Collage::limit(const StandingLimits& limits) {
   limits_ = limits;
   limits_changed_ = true;
-  context_.stances = all_stances_.limited(limits);
+  tessera::limit(context_, all_stances_, limits);
 }
 
 Window Collage::take_changed_nodes() {

@@ -25,20 +25,22 @@
 #include "master/outward_growth.h"
 #include "master/scoring.h"
 #include "master/settling.h"
+#include "master/shortage.h"
 
 namespace tessera::master {
 
 class Collage {
  public:
-  Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context, ShapeSource& shapes);
+  /// `context`: at size factor 1. `settings` have their sizes times `size_factor`.
+  Collage(const Canvas& canvas, const CollageSettings& settings, const MatchingContext& context, ShapeSource& shapes,
+          float size_factor = 1);
   Collage(const Collage&) = delete;  // its parts refer to each other
   Collage& operator=(const Collage&) = delete;
 
   /// From begin() on pieces dock where this says.
   void grow_by(OutwardGrowth growth) { growth_ = std::move(growth); }
-  /// Begins with these pieces, of which the first `given` stand to the end, in this region of the canvas, with all
-  /// sizes times `size_factor`.
-  void begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region, float size_factor);
+  /// Begins with these pieces, of which the first `given` stand to the end, in this region of the canvas.
+  void begin(std::vector<Placement> standing, std::size_t given, std::uint32_t region);
   /// So many of the placements, the first ones, were given.
   std::size_t given() const { return given_; }
 
@@ -48,6 +50,7 @@ class Collage {
   bool take_limits_change() { return std::exchange(limits_changed_, false); }
   /// The shapes of which fewer stand than are wanted at least, ascending.
   std::vector<ShapeId> missing() const;
+  Shortage shortage() const;
   /// Whether the library is not used up: by its uses some shape may still stand.
   bool may_go_on() const;
 
@@ -145,13 +148,15 @@ class Collage {
   void check_pieces(const CheckpointState& state) const;
   using CheckPiece = std::function<void(ShapeId, const Similarity&, bool any_size)>;
   void check_moving(const CheckpointState& state, const CheckPiece& check) const;
+  void check_best(const CheckpointState& state) const;
+  void check_cover(const CheckpointState& state, const std::vector<Placement>& pieces, const char* what) const;
   void check_samples(const CheckpointState& state) const;
   std::uint64_t rebuilt_digest() const;
 
   CollageSettings settings_;
-  MatchingContext context_;     // with the stances within the limits
-  StanceTable all_stances_;     // of the settings
-  StanceTable region_stances_;  // of the region, at the sizes of this attempt
+  MatchingContext context_;     // within the limits
+  StanceTable all_stances_;     // at size factor 1
+  StanceTable region_stances_;  // of the region
   StandingLimits limits_;
   bool limits_changed_ = true;
   std::size_t given_ = 0;

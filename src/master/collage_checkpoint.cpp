@@ -84,6 +84,7 @@ void Collage::check_pieces(const CheckpointState& state) const {
     check(state.placements[i].shape, state.placements[i].canvas_from_shape, i < any_size);
   }
   check_moving(state, check);
+  check_best(state);
   for (const PooledSample& sample : state.pool) {
     for (const Candidate& c : sample.candidates) {
       check(c.shape, c.canvas_from_shape, false);
@@ -105,14 +106,32 @@ void Collage::check_moving(const CheckpointState& state, const CheckPiece& check
       !std::equal(moving.begin(), moving.begin() + given, state.placements.begin())) {
     fail(state, "pieces move that may not");
   }
-  double area_px2 = 0;
   for (std::size_t i = 0; i < moving.size(); ++i) {
     check(moving[i].shape, moving[i].canvas_from_shape, i < given_ || any_size);
-    const double scale_px = moving[i].canvas_from_shape.scale();
-    if (i >= given_) area_px2 += scale_px * scale_px;
+  }
+  check_cover(state, moving, "more pieces move than have room");
+}
+
+/// Of an attempt at other sizes: the pieces that are given are the first there, too.
+void Collage::check_best(const CheckpointState& state) const {
+  const std::vector<Placement>& best = state.best.placements;
+  for (const Placement& p : best) {
+    if (index_of(p.shape) >= context_.library_shapes || !sane(p.canvas_from_shape)) {
+      fail(state, "a piece of an attempt out of all proportion");
+    }
+  }
+  if (!best.empty()) check_cover(state, best, "more pieces of an attempt than have room");
+}
+
+/// Without those that are given.
+void Collage::check_cover(const CheckpointState& state, const std::vector<Placement>& pieces, const char* what) const {
+  double area_px2 = 0;
+  for (std::size_t i = given_; i < pieces.size(); ++i) {
+    const double scale_px = pieces[i].canvas_from_shape.scale();
+    area_px2 += scale_px * scale_px;
   }
   const Window& nodes = free_.grid().one_period();
-  if (area_px2 > kMostCovered * nodes.width() * nodes.height()) fail(state, "more pieces move than have room");
+  if (area_px2 > kMostCovered * nodes.width() * nodes.height()) fail(state, what);
 }
 
 void Collage::check_samples(const CheckpointState& state) const {

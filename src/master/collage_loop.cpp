@@ -4,6 +4,7 @@
 #include <bit>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,7 +13,7 @@
 #include "core/base/interrupted.h"
 #include "core/base/processor_time.h"
 #include "core/base/stopwatch.h"
-#include "core/matching/size_schedule.h"
+#include "core/matching/sized_settings.h"
 #include "core/replacing/own_replacer.h"
 #include "core/tuning.h"
 #include "master/collage.h"
@@ -20,6 +21,7 @@
 #include "master/improving.h"
 #include "master/improving_budget.h"
 #include "master/replacing.h"
+#include "master/size_attempts.h"
 #include "master/standing_pieces.h"
 
 namespace tessera::master {
@@ -40,13 +42,15 @@ Canvas region_of(const Canvas& canvas, std::uint32_t region) {
 /// The observer asked to stop while no question was under way.
 struct StoppedBetween : Interrupted {};
 
-/// A region of the canvas, while it is filled.
+/// A region of the canvas, while it is filled, at the sizes of one attempt.
 struct Part {
-  Part(const Canvas& region, const CollageSettings& settings, const MatchingContext& context, Matcher& matcher,
-       ShapeSource& shapes, RunStatistics& statistics, std::function<void()> look)
-      : collage(region, settings, context, shapes),
-        filling(collage, context, settings, matcher, statistics, std::move(look)) {}
+  Part(const Canvas& region, const CollageSettings& settings, const MatchingContext& context, float size_factor,
+       Matcher& matcher, ShapeSource& shapes, RunStatistics& statistics, std::function<void()> look)
+      : sized(with_sizes_times(double(size_factor), settings)),
+        collage(region, sized, context, shapes, size_factor),
+        filling(collage, context, sized, matcher, statistics, std::move(look)) {}
 
+  CollageSettings sized;
   Collage collage;
   Filling filling;
 };
@@ -71,6 +75,7 @@ class Run {
         observer_(observer),
         keeper_(checkpoints.keeper),
         context_(make_matching_context(settings, matcher.shapes().end)),
+        sizes_(settings.pieces),
         given_(canvas, settings.wishes, shapes),
         budget_(canvas, settings),
         own_replacer_(shapes, 1, [this] { look(); }),
@@ -103,6 +108,8 @@ class Run {
  private:
   Collage& collage() const { return part_->collage; }
   Filling& filling() const { return part_->filling; }
+  /// With the sizes of this attempt.
+  const CollageSettings& sized() const { return part_->sized; }
 
   void look() const {
     if (const char* reason = observer_.stop_requested()) throw StoppedBetween{{reason}};
@@ -110,10 +117,10 @@ class Run {
 
   void begin(std::uint32_t region, StandingPieces standing) {
     const Canvas part = region_of(canvas_, region);
-    part_ = std::make_unique<Part>(part, settings_, context_, matcher_, shapes_, statistics_, [this] { look(); });
-    if (settings_.start.grow_outward)
-      collage().grow_by(OutwardGrowth(part, settings_.pieces, standing.pieces, shapes_));
-    collage().begin(std::move(standing.pieces), standing.given, region, size_of_attempt(attempt_));
+    part_ = std::make_unique<Part>(part, settings_, context_, sizes_.factor(), matcher_, shapes_, statistics_,
+                                   [this] { look(); });
+    if (settings_.start.grow_outward) collage().grow_by(OutwardGrowth(part, sized().pieces, standing.pieces, shapes_));
+    collage().begin(std::move(standing.pieces), standing.given, region);
     improving_ = false;
     moving_.clear();
     replaced_ = 0;
@@ -124,7 +131,6 @@ class Run {
   bool begin_next_region() {
     const std::uint32_t next = collage().limits().region + 1;
     if (unfinished_ || over_ || next >= canvas_.regions.size()) return false;
-    attempt_ = 0;
     begin(next, given_.when_begun(next, collage().placements()));
     return true;
   }
@@ -136,26 +142,60 @@ class Run {
     begin(region, region == 0 ? given_.at_first() : given_.when_begun_with(region, std::move(placements)));
   }
 
-  /// Every shape is to have a place: where some have none, all over again with smaller sizes.
-  bool begin_next_attempt() {
-    if (!settings_.pieces.fit_all || attempt_ + 1 == kMostAttempts || collage().missing().empty()) return false;
-    ++attempt_;
-    begin_again(collage().limits().region, collage().placements(), collage().given());
+  bool all_wanted_stand() const { return collage().shortage().pieces == 0; }
+
+  /// Ends this attempt at sizes, and begins the next one. False where the collage is filled up as it is.
+  bool begin_other_sizes() {
+    if (sizes_.over()) return false;
+    return unless_interrupted([&] {
+      sizes_.end_attempt(collage().shortage(), collage().placements());
+      if (sizes_.over()) return go_back_to_best();
+      begin_again(collage().limits().region, collage().placements(), collage().given());
+      return true;
+    });
+  }
+
+  /// Where the matcher interrupts `change` the attempts are as they were before: the collage is, too.
+  bool unless_interrupted(const std::function<bool()>& change) {
+    const SizeAttempts before = sizes_;
+    try {
+      return change();
+    } catch (const Interrupted&) {
+      sizes_ = before;
+      throw;
+    }
+  }
+
+  /// False where the best attempt is the last one.
+  bool go_back_to_best() {
+    const std::optional<std::vector<Placement>> best = sizes_.take_best();
+    if (!best) return false;
+    begin_again(collage().limits().region, *best, collage().given());
+    collage().replace_placements(*best);
+    collage().mark_stale(collage().free().field().value.bounds());
     return true;
+  }
+
+  /// A limit of the job ends all attempts.
+  void keep_best_attempt() {
+    if (sizes_.over()) return;
+    unless_interrupted([&] {
+      sizes_.give_up(collage().shortage(), collage().placements());
+      return go_back_to_best();
+    });
   }
 
   void restore(const CheckpointState& from) {
     if (from.region >= std::max<std::size_t>(1, canvas_.regions.size()) || from.given > from.placements.size() ||
-        from.attempt >= std::uint32_t(kMostAttempts)) {
+        !sizes_.restore(from)) {
       throw InputError(from.name + ": not a checkpoint of this job: region " + std::to_string(from.region) +
-                       ", attempt " + std::to_string(from.attempt) + "; --restart removes it and starts again");
+                       ", attempt " + std::to_string(from.sizes.attempt) + "; --restart removes it and starts again");
     }
     for (std::size_t i = 0; i < from.given; ++i) {
       if (index_of(from.placements[i].shape) < context_.library_shapes) continue;
       throw InputError(from.name + ": not a checkpoint of this library; --restart removes it and starts again");
     }
     check_given(from);
-    attempt_ = int(from.attempt);
     begin_again(from.region, from.placements, from.given);
     collage().restore(from);
     statistics_ = from.statistics;
@@ -198,7 +238,7 @@ class Run {
     state.statistics = statistics_;
     state.statistics.total_s = seconds();
     state.statistics.stopped_by.clear();
-    state.attempt = std::uint32_t(attempt_);
+    sizes_.save(state);
     state.begun_with = begun_with();
     state.moving = moving_;
     state.replaced = replaced_;
@@ -213,15 +253,18 @@ class Run {
       over_ = !improving_;
       return;
     }
-    while (!should_stop()) {
-      if (!filling().place_one()) {
-        if (begin_next_attempt()) continue;
+    for (;;) {
+      if (!sizes_.over() && (all_wanted_stand() || is_covered()) && begin_other_sizes()) continue;
+      if (should_stop()) break;
+      if (filling().place_one()) {
+        after_step();
+      } else if (!begin_other_sizes()) {
         statistics_.stopped_by = why_filled();
         improving_ = improves();
         return;
       }
-      after_step();
     }
+    if (over_) keep_best_attempt();
   }
 
   void improve() {
@@ -229,7 +272,7 @@ class Run {
     filling().count_into(trial_work_);
     improve_clock_ = {statistics_.improve_s, {}};
     const auto first_trial = std::uint32_t(budget_.first_trial(region()));
-    Improving improving(collage(), filling(), settings_, budget_.area_px2(region()), shapes_);
+    Improving improving(collage(), filling(), sized(), budget_.area_px2(region()), shapes_);
     // Pieces that were replaced come to rest, whatever limit was reached, and also if that was interrupted.
     while ((!moving_.empty() || (may_improve() && !reached_limit())) && !interrupted()) {
       if (moving_.empty() && statistics_.trials == first_trial + kTrialsBeforeReplacing) begin_replacing();
@@ -256,7 +299,7 @@ class Run {
   /// Each piece is to be replaced once at least.
   void begin_replacing() {
     replaced_ = 0;
-    if (pays_to_replace(settings_) && replacements() >= free_pieces()) moving_ = collage().placements();
+    if (pays_to_replace(sized()) && replacements() >= free_pieces()) moving_ = collage().placements();
   }
 
   /// As many as the phase has in all; no more than there were where time is over.
@@ -267,7 +310,7 @@ class Run {
 
   void replace(std::uint64_t all) {
     const auto poses_of = [this](const Placement& p) { return collage().poses_of(p); };
-    Replacing replacing(collage().free(), collage().stances(), settings_, budget_.area_px2(region()), shapes_, poses_of,
+    Replacing replacing(collage().free(), collage().stances(), sized(), budget_.area_px2(region()), shapes_, poses_of,
                         replacer_);
     ReplacementProgress progress{replaced_, all};
     const Stopwatch asked;
@@ -302,7 +345,7 @@ class Run {
   void after_step() {
     observer_.progressed({collage().placements().size(), collage().covered_px2() / canvas_.area_px2, seconds(),
                           !moving_.empty(), collage().open_samples(), statistics_.trials,
-                          std::uint64_t(settings_.improve.trials), attempt_ + 1});
+                          std::uint64_t(settings_.improve.trials), sizes_.number()});
     if (keeper_ && keeper_->due()) keeper_->keep(state());
   }
 
@@ -329,11 +372,12 @@ class Run {
     return collage().may_go_on() ? "full" : "used_up";
   }
 
+  bool is_covered() const { return collage().covered_px2() >= double(settings_.stop.coverage) * canvas_.area_px2; }
+
   /// That ends filling and improving alike.
   bool reached_limit() {
-    const StopSettings& stop = settings_.stop;
-    const bool covered = collage().covered_px2() >= double(stop.coverage) * canvas_.area_px2;
-    const bool late = stop.seconds > 0 && seconds() >= stop.seconds;
+    const bool covered = is_covered();
+    const bool late = settings_.stop.seconds > 0 && seconds() >= settings_.stop.seconds;
     if (covered || late) statistics_.stopped_by = late ? "seconds" : "coverage";
     over_ = over_ || covered || late;
     return covered || late;
@@ -376,12 +420,12 @@ class Run {
   Observer& observer_;
   CheckpointKeeper* keeper_;
   MatchingContext context_;
+  SizeAttempts sizes_;
   GivenPieces given_;
   ImprovingBudget budget_;
   RunStatistics statistics_;  // of the greedy part, with the number of trials
   RunStatistics trial_work_;
   std::unique_ptr<Part> part_;
-  int attempt_ = 0;    // at the sizes, where every shape is to have a place
   bool over_ = false;  // a limit of the job was reached
   double setup_processor_s_ = 0;
   Stopwatch watch_;

@@ -176,7 +176,7 @@ Trial Improving::settle(std::vector<Placement> placements, std::uint32_t trial, 
 Trial Improving::try_with(const std::function<void(const Look&)>& change, const std::function<bool()>& stopped) {
   const std::vector<Placement> before = collage_.placements();
   const std::int64_t loss_before = loss_256ths_px2();
-  const std::size_t missing_before = collage_.missing().size();
+  const std::uint64_t missing_before = collage_.shortage().pieces;
   const auto look = [&] {
     if (stopped()) throw Stopped{};
   };
@@ -190,7 +190,8 @@ Trial Improving::try_with(const std::function<void(const Look&)>& change, const 
     collage_.replace_placements(before);
     throw;
   }
-  if (collage_.missing().size() <= missing_before && loss_256ths_px2() < loss_before) return Trial::kept;
+  const std::uint64_t missing = collage_.shortage().pieces;
+  if (missing < missing_before || (missing == missing_before && loss_256ths_px2() < loss_before)) return Trial::kept;
   collage_.replace_placements(before);
   return Trial::put_back;
 }

@@ -14,7 +14,7 @@ struct Progress {
   std::size_t open_samples = 0;   // target samples left on the free region's boundary
   std::uint64_t trials = 0;       // of improving
   std::uint64_t most_trials = 0;  // 0: no limit
-  int attempt = 1;                // above 1: some shapes found no place, and it began again with smaller sizes
+  int attempt = 1;                // above 1: pieces found no place, and it began again at other sizes
 };
 
 class Observer {

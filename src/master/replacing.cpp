@@ -6,12 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "core/matching/use_limits.h"
 #include "core/relax/schedules.h"
 #include "core/replacing/draws.h"
 #include "core/replacing/window_cuts.h"
 #include "master/kept_apart.h"
 #include "master/relaxing.h"
-#include "master/scoring.h"
 
 namespace tessera::master {
 namespace {
@@ -78,7 +78,7 @@ bool fill_near_edge(const CanvasEdge& canvas, const Window& nodes, float far_px,
 }  // namespace
 
 bool pays_to_replace(const CollageSettings& s) {
-  return pays_to_relax(s) && !any_uses_limited(s.pieces, s.wishes) && !any_kept_apart(s) && s.colour.neighbours == 0 &&
+  return pays_to_relax(s) && !UseLimits(s.pieces, s.wishes).any() && !any_kept_apart(s) && s.colour.neighbours == 0 &&
          s.stop.pieces == 0 && !s.start.grow_outward;
 }
 

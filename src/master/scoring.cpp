@@ -20,17 +20,10 @@ std::vector<ShapeId> filled_up(std::vector<ShapeId> listed, std::uint32_t shapes
 
 }  // namespace
 
-bool any_uses_limited(const PieceSettings& pieces, const Wishes& wishes) {
-  return pieces.fit_all || pieces.uses > 0 || pieces.least_uses > 0 ||
-         std::any_of(wishes.classes.begin(), wishes.classes.end(), [](const ShapeWish& wish) {
-           return wish.uses.value_or(0) > 0 || wish.least_uses.value_or(0) > 0;
-         });
-}
-
 Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, std::vector<ShapeId> silhouettes,
                  const Period& period, std::vector<ShapeId> drawings)
     : pieces_(settings.pieces),
-      wishes_(settings.wishes),
+      uses_(settings.pieces, settings.wishes),
       objective_(balanced(settings.objective)),
       colour_(settings.colour),
       neighbours_(settings.colour, period),
@@ -39,7 +32,6 @@ Scoring::Scoring(const CollageSettings& settings, const StanceTable& stances, st
       drawings_(filled_up(std::move(drawings), stances.library_shapes())),
       placed_(stances.library_shapes()) {
   for (const Stance& stance : stances.stances()) weight_.push_back(stance.weight);
-  limits_uses_ = any_uses_limited(pieces_, wishes_);
 }
 
 void Scoring::count(const Placement& placement) {
@@ -59,24 +51,7 @@ int Scoring::uses_of(ShapeId shape) const {
       std::count_if(placed.begin(), placed.end(), [&](const Placed& p) { return same_drawing(p.shape, shape); }));
 }
 
-/// Null where nothing is wished.
-const ShapeWish* Scoring::wish_of(ShapeId shape) const {
-  if (wishes_.classes.empty()) return nullptr;
-  return &wishes_.classes[wishes_.class_of_shape.empty() ? 0 : wishes_.class_of_shape[index_of(shape)]];
-}
-
-int Scoring::most_uses(ShapeId shape) const {
-  const ShapeWish* wish = wish_of(shape);
-  return wish ? wish->uses.value_or(pieces_.uses) : pieces_.uses;
-}
-
-int Scoring::least_uses(ShapeId shape) const {
-  const ShapeWish* wish = wish_of(shape);
-  const int least = wish ? wish->least_uses.value_or(pieces_.least_uses) : pieces_.least_uses;
-  return pieces_.fit_all ? std::max(1, least) : least;
-}
-
-bool Scoring::is_missing(ShapeId shape) const { return uses_of(shape) < least_uses(shape) && may_use(shape); }
+int Scoring::missing_uses(ShapeId shape) const { return std::max(0, uses_.least(shape) - uses_of(shape)); }
 
 std::vector<ShapeId> Scoring::closed_shapes(const std::vector<ShapeId>& missing) const {
   std::vector<ShapeId> closed;
@@ -89,7 +64,7 @@ std::vector<ShapeId> Scoring::closed_shapes(const std::vector<ShapeId>& missing)
 }
 
 bool Scoring::may_use(ShapeId shape) const {
-  const int most = most_uses(shape);
+  const int most = uses_.most(shape);
   return most == 0 || uses_of(shape) < most;
 }
 

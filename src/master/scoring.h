@@ -9,13 +9,11 @@
 #include "core/collage/pool.h"
 #include "core/geometry/period.h"
 #include "core/matching/stances.h"
+#include "core/matching/use_limits.h"
 #include "core/settings.h"
 #include "master/neighbour_colours.h"
 
 namespace tessera::master {
-
-/// Whether it matters at all how often a shape stands.
-bool any_uses_limited(const PieceSettings& pieces, const Wishes& wishes);
 
 class Scoring {
  public:
@@ -31,15 +29,17 @@ class Scoring {
   void forget_placements();
 
   /// Whether it matters at all how often a shape stands.
-  bool limits_uses() const { return limits_uses_; }
+  bool limits_uses() const { return uses_.any(); }
   /// Whether at one pose they cover the same: a silhouette in other colours does, its mirror image does not.
   bool look_alike(ShapeId a, ShapeId b) const {
     return silhouette(a) == silhouette(b) && is_mirror_image(a) == is_mirror_image(b);
   }
   /// Whether another one of the shape may stand.
   bool may_use(ShapeId shape) const;
-  /// Whether there are fewer of the shape than are wanted at least.
-  bool is_missing(ShapeId shape) const;
+  /// How many of the shape are wanted at least.
+  int least_uses(ShapeId shape) const { return uses_.least(shape); }
+  /// How many fewer of the shape stand than are wanted at least.
+  int missing_uses(ShapeId shape) const;
   /// Those that may not stand for the moment, ascending: where some are `missing`, ascending, all
   /// others.
   std::vector<ShapeId> closed_shapes(const std::vector<ShapeId>& missing) const;
@@ -65,19 +65,14 @@ class Scoring {
   bool is_mirror_image(ShapeId shape) const { return drawing(shape) != shape; }
   bool same_drawing(ShapeId a, ShapeId b) const { return drawing(a) == drawing(b); }
   int uses_of(ShapeId shape) const;
-  /// 0 = no limit.
-  int most_uses(ShapeId shape) const;
-  int least_uses(ShapeId shape) const;
-  const ShapeWish* wish_of(ShapeId shape) const;
 
   PieceSettings pieces_;
-  Wishes wishes_;
+  UseLimits uses_;
   std::vector<float> weight_;  // by stance
   ObjectiveSettings objective_;
   ColourWish colour_;
   NeighbourColours neighbours_;
   Period period_;
-  bool limits_uses_ = false;
   std::vector<ShapeId> silhouettes_;
   std::vector<ShapeId> drawings_;
   std::vector<std::vector<Placed>> placed_;  // per silhouette

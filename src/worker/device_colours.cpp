@@ -35,11 +35,12 @@ DeviceColours::DeviceColours(const DeviceSession& session, const MatchingContext
       near_shapes_(session),
       near_bits_(session) {
   texels_.write(wish_ ? floats_of(wish_.target->texels()) : std::vector<float>());
-  start(context.stances);
+  start(context);
 }
 
-void DeviceColours::start(const StanceTable& stances) {
-  near_colours_.start(stances);
+void DeviceColours::start(const MatchingContext& context) {
+  near_colours_.set_depth(context.colour_depth_px);
+  near_colours_.start(context.stances);
   record_.write({record_of(wish_, near_colours_)});
   write_lists();
 }

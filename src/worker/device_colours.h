@@ -14,8 +14,8 @@ class DeviceColours {
  public:
   DeviceColours(const DeviceSession& session, const MatchingContext& context);
 
-  /// From here on shapes may stand by this table.
-  void start(const StanceTable& stances);
+  /// From here on shapes may stand as in this context.
+  void start(const MatchingContext& context);
   /// Tells each record the list that its sample goes by; new lists are put on the device.
   void assign_lists(const std::vector<TargetSample>& samples, std::vector<SampleRecord>& records);
 

@@ -35,7 +35,7 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
       field_(session_),
       size_map_(session_, context.size_map ? context.size_map->part.data() : std::vector<float>()),
       all_stances_(context.stances),
-      standing_(context.stances),
+      context_(context),
       stances_(session_),
       colours_(session_, context) {
   stances_.write(all_stances_, shapes);
@@ -77,9 +77,13 @@ void DeviceLibrary::add(Loaded loaded, std::uint32_t first) {
 }
 
 void DeviceLibrary::limit(const StandingLimits& limits) {
-  standing_ = all_stances_.limited(limits);
-  stances_.write(standing_, {match_.first_shape, match_.first_shape + match_.shapes});
-  colours_.start(standing_);
+  tessera::limit(context_, all_stances_, limits);
+  stances_.write(context_.stances, {match_.first_shape, match_.first_shape + match_.shapes});
+  colours_.start(context_);
+  if (limits.size_factor == size_factor_) return;
+  size_factor_ = limits.size_factor;
+  set_sizes(match_, context_);
+  match_buffer_.write({match_});
 }
 
 void DeviceLibrary::start_field(int width, int height, Vec2 origin) {

@@ -40,7 +40,7 @@ class DeviceLibrary {
   const DeviceBuffer<float>& field() const { return field_; }
   const DeviceBuffer<float>& size_map() const { return size_map_; }
   /// What may stand for the moment.
-  const StanceTable& standing() const { return standing_; }
+  const StanceTable& standing() const { return context_.stances; }
   const DeviceStances& stances() const { return stances_; }
   const DeviceColours& colours() const { return colours_; }
   DeviceColours& colours() { return colours_; }
@@ -69,7 +69,8 @@ class DeviceLibrary {
   DeviceBuffer<float> field_;
   DeviceBuffer<float> size_map_;
   StanceTable all_stances_;
-  StanceTable standing_;
+  MatchingContext context_;  // within the limits
+  float size_factor_ = 1;    // of the limits
   DeviceStances stances_;
   DeviceColours colours_;
 };

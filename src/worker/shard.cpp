@@ -106,8 +106,6 @@ MatchRecord make_match_record(const MatchingContext& c, const ShapeRange& shapes
   m.beta_steps = c.beta_steps;
   m.delta_px = c.delta_px;
   m.hard_depth_px = c.hard_depth_px;
-  m.max_scale_px = c.max_scale_px;
-  m.gap_px = c.gap_px;
   m.first_shape = shapes.begin;
   m.shapes = shapes.end - shapes.begin;
   if (c.size_map) {
@@ -118,10 +116,21 @@ MatchRecord make_match_record(const MatchingContext& c, const ShapeRange& shapes
   m.level_count = u32(c.levels.size());
   for (std::size_t k = 0; k < c.levels.size(); ++k) {
     const u32 count = u32(kSmoothingLevels[c.levels[k]].samples);
-    m.level[k] = {m.sources, count, c.level_range[k].low, c.level_range[k].high};
+    m.level[k].first = m.sources;
+    m.level[k].count = count;
     m.sources += count;
   }
+  set_sizes(m, c);
   return m;
+}
+
+void set_sizes(MatchRecord& match, const MatchingContext& context) {
+  match.max_scale_px = context.max_scale_px;
+  match.gap_px = context.gap_px;
+  for (std::size_t k = 0; k < context.level_range.size(); ++k) {
+    match.level[k].scale_low_px = context.level_range[k].low;
+    match.level[k].scale_high_px = context.level_range[k].high;
+  }
 }
 
 Shard make_shard(const MatchRecord& match, const IndexKind& kind, const std::vector<ShapeModel>& models,

@@ -33,6 +33,8 @@ void append_keypoints(std::vector<std::int16_t>& keypoints, const ShapeModel& mo
 
 /// The record with everything but the field's place.
 MatchRecord make_match_record(const MatchingContext& context, const ShapeRange& shapes);
+/// Those of its numbers that go by sizes, as they are in the context now.
+void set_sizes(MatchRecord& match, const MatchingContext& context);
 
 /// Makes the shard of models that have the levels of `match`, each with as many samples as kSmoothingLevels says (else
 /// std::logic_error). `pads`: of these models; where there are any, models need no levels.

@@ -17,7 +17,7 @@ TEST(CollageProgress, note_has_pieces_coverage_and_rate) {
   EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.4567, .seconds = 10, .open_samples = 0}),
             "120 pieces, 45.7 % covered, 12.0 pieces/s");
   EXPECT_EQ(progress_note({.pieces = 120, .coverage = 0.4567, .seconds = 10, .attempt = 2}),
-            "120 pieces, 45.7 % covered, attempt 2 with smaller pieces, as some found no place");
+            "120 pieces, 45.7 % covered, attempt 2 at other sizes, as some found no place");
   EXPECT_EQ(progress_note({}), "0 pieces, 0.0 % covered, 0.0 pieces/s");
   EXPECT_EQ(progress_note({.pieces = 1, .coverage = 0.01}), "1 piece, 1.0 % covered, 0.0 pieces/s");
 }

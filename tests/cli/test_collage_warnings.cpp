@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/collage_warnings.h"
+#include "cli/key_text.h"
 #include "core/colour/colour_target.h"
 #include "core/field/keep_out.h"
 #include "support/synthetic_shapes.h"
@@ -13,17 +14,12 @@ namespace tessera::cli {
 namespace {
 
 TEST(EmptyResultWarning, says_what_keeps_pieces_out) {
-  io::Job job;
-  EXPECT_EQ(empty_result_warning("out/a", job, {}),
-            "out/a: the collage is empty: nothing fits; try smaller pieces, pieces.scale_px (now [20, 160]); a larger "
-            "canvas.size_px (now [1000, 1000])");
-  job.settings.pieces.padding_px = 80;
-  job.settings.pieces.max_rotation_rad = 0;
-  job.settings.match.tangent_dockings = 0;
-  EXPECT_EQ(empty_result_warning("out/a", job, {}),
-            "out/a: the collage is empty: nothing fits; try smaller pieces, pieces.scale_px (now [20, 160]); less "
-            "pieces.padding_px (now 80); a wider pieces.rotation_deg (now [-180, 0]); more match.tangent_dockings (now "
-            "0): without, nothing docks along straight sides; a larger canvas.size_px (now [1000, 1000])");
+  const io::Job job;
+  EXPECT_EQ(
+      empty_result_warning("out/a", job, {}, {"smaller pieces", "a larger canvas.size_px (now [1000, 1000])"}),
+      "out/a: the collage is empty: nothing fits; try smaller pieces; a larger canvas.size_px (now [1000, 1000])");
+  EXPECT_EQ(empty_result_warning("out/a", job, {}, {}).substr(0, 54),
+            "out/a: the collage is empty: no shape may stand: weigh");
 }
 
 TEST(EmptyResultWarning, names_a_time_that_was_too_short) {
@@ -31,17 +27,42 @@ TEST(EmptyResultWarning, names_a_time_that_was_too_short) {
   job.settings.stop.seconds = 0.001;
   master::CollageResult result;
   result.statistics.stopped_by = "seconds";
-  EXPECT_EQ(empty_result_warning("out/a", job, result),
+  EXPECT_EQ(empty_result_warning("out/a", job, result, {}),
             "out/a: the collage is empty: stop.seconds (now 0.001) ended it before the first piece");
 }
 
 TEST(EmptyResultWarning, is_none_where_there_are_pieces_or_may_be_later) {
   master::CollageResult result;
   result.unfinished = true;
-  EXPECT_EQ(empty_result_warning("out/a", io::Job(), result), "");
+  EXPECT_EQ(empty_result_warning("out/a", io::Job(), result, {}), "");
   result.unfinished = false;
   result.placements.resize(1);
-  EXPECT_EQ(empty_result_warning("out/a", io::Job(), result), "");
+  EXPECT_EQ(empty_result_warning("out/a", io::Job(), result, {}), "");
+}
+
+TEST(IncompleteWarning, SaysWhatAFinishedResultLacks) {
+  io::ResultManifest manifest;
+  manifest.finished = true;
+  EXPECT_EQ(incomplete_warning("out/a", manifest), "out/a: the collage is empty; run.log says why");
+  manifest.shapes.resize(3);
+  EXPECT_EQ(incomplete_warning("out/a", manifest), "");
+  manifest.missing = 1;
+  EXPECT_EQ(incomplete_warning("out/a", manifest), "out/a: 1 piece is missing; card.txt names them");
+  manifest.missing = 20;
+  EXPECT_EQ(incomplete_warning("out/a", manifest), "out/a: 20 pieces are missing; card.txt names them");
+}
+
+TEST(KeyText, LengthsAreInMmWhereTheCanvasHasASizeOnPaper) {
+  io::Job job;
+  EXPECT_EQ(with_value(job, "pieces", "scale_px"), "pieces.scale_px (now [20, 160])");
+  EXPECT_EQ(with_value(job, "pieces", "padding_px"), "pieces.padding_px (now 0)");
+  EXPECT_EQ(length_text(job, 41.25), "41.2 px");
+  job.canvas.width_mm = 200;
+  job.canvas.height_mm = 200;
+  EXPECT_EQ(with_value(job, "pieces", "scale_px"), "pieces.scale_mm (now [4, 32])");
+  EXPECT_EQ(with_value(job, "pieces", "padding_px"), "pieces.padding_mm (now 0)");
+  EXPECT_EQ(with_value(job, "pieces", "uses"), "pieces.uses (now 0)");
+  EXPECT_EQ(length_text(job, 41.25), "8.25 mm");
 }
 
 TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
@@ -64,6 +85,10 @@ TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
   EXPECT_EQ(idle_keys_warning(job), "");
   job.output.width_mm = 0;
   job.canvas.width_mm = 100;
+  EXPECT_EQ(idle_keys_warning(job), "");
+  job.settings.pieces.least_scale_px = 30;
+  EXPECT_NE(idle_keys_warning(job).find("means nothing without pieces.fit = \"all\""), std::string::npos);
+  job.settings.pieces.fit_all = true;
   EXPECT_EQ(idle_keys_warning(job), "");
 }
 

@@ -32,6 +32,18 @@ TEST(Plan, is_near_what_was_measured) {
   EXPECT_LT(plan.total_s, 4.9 * 3);  // with start and files
 }
 
+TEST(Plan, a_search_for_sizes_takes_a_few_attempts) {
+  PlanInput input = animals();
+  input.settings.pieces.uses = 1;
+  const PlanEstimate once = estimate(input);
+  EXPECT_EQ(plan_text(input, once).find("attempts"), std::string::npos);
+  input.settings.pieces.fit_all = true;
+  const PlanEstimate searched = estimate(input);
+  EXPECT_GT(searched.matching_s, 2 * once.matching_s);
+  EXPECT_GT(searched.pads_per_shape, once.pads_per_shape) << "of the levels for smaller sizes, too";
+  EXPECT_NE(plan_text(input, searched).find("a few attempts at sizes (pieces.fit), of 12 at most"), std::string::npos);
+}
+
 TEST(Plan, shapes_are_divided_among_the_workers) {
   PlanInput input = animals();
   input.ranks = 9;

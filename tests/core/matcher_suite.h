@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <set>
 #include <string>
@@ -213,6 +214,45 @@ TEST_P(MatcherSuite, GivesTheReferencesRoundWithinLimits) {
   for (const Docking& docking : round.docked.dockings) {
     EXPECT_GT(stances.list(docking.shape).count, 0u) << index_of(docking.shape);
     EXPECT_LE(docking.canvas_from_shape.scale(), 45.01f);
+  }
+}
+
+/// Of a job that searches for sizes, down to where targets are smoothed as little as they can be and other levels serve.
+inline MatchingScene scene_that_fits_all() {
+  CollageSettings settings = scene_settings();
+  settings.pieces.min_scale_px = 4 * settings.pieces.min_scale_px;
+  settings.pieces.max_scale_px = 4 * settings.pieces.max_scale_px;
+  settings.pieces.fit_all = true;
+  MatchingScene scene = make_scene(settings);
+  const MatchingScene smaller = make_scene();  // its field and samples
+  scene.field = smaller.field;
+  scene.samples = smaller.samples;
+  return scene;
+}
+
+TEST_P(MatcherSuite, GivesTheReferencesRoundAtASmallerFactor) {
+  const MatchingScene scene = scene_that_fits_all();
+  for (const float factor : {0.25f, 0.06f}) {
+    StandingLimits limits;
+    limits.size_factor = factor;
+    expect_the_references_round(scene, limits);
+  }
+}
+
+/// But for PADs' numbers: other levels lie before them.
+TEST_P(MatcherSuite, AFactorIsAsIfTheJobHadTheseSizes) {
+  const MatchingScene scene = scene_that_fits_all();
+  const auto sized = matcher_of(scene);
+  sized->limit({0, 0.25f, std::numeric_limits<float>::infinity(), {}});
+  const auto plain = matcher_of(MatcherSuite::scene());
+  Round found = run_round(*sized, MatcherSuite::scene());
+  const Round expected = run_round(*plain, MatcherSuite::scene());
+  ASSERT_EQ(found.docked.dockings.size(), expected.docked.dockings.size());
+  for (std::size_t i = 0; i < expected.docked.dockings.size(); ++i) {
+    Docking& docking = found.docked.dockings[i];
+    if (docking.source < kTangentSource) docking.source = expected.docked.dockings[i].source;
+    EXPECT_EQ(docking.canvas_from_shape, expected.docked.dockings[i].canvas_from_shape) << i;
+    EXPECT_EQ(docking.key, expected.docked.dockings[i].key) << i;
   }
 }
 

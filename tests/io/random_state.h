@@ -32,7 +32,12 @@ class RandomState {
     state.rebuilt_digest = std::uint64_t(random_()) << 32 | random_();
     state.region = below(3);
     state.given = below(3);
-    state.attempt = below(3);
+    state.sizes = {below(3), 0.25f * float(1 + below(4)), 0.25f * float(below(4)), 0.25f * float(below(4)),
+                   below(2) == 1};
+    state.best = {0.25f * float(below(4)), below(9), {}};
+    for (std::uint32_t i = below(20); i > 0; --i) {
+      state.best.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});
+    }
     return state;
   }
 

@@ -50,8 +50,8 @@ bool same(const RunStatistics& a, const RunStatistics& b) {
 }
 
 bool same(const CheckpointState& a, const CheckpointState& b) {
-  return a.improving == b.improving && a.region == b.region && a.given == b.given && a.attempt == b.attempt &&
-         a.empty_passes == b.empty_passes && a.placements == b.placements && a.moving == b.moving &&
+  return a.improving == b.improving && a.region == b.region && a.given == b.given && a.sizes == b.sizes &&
+         a.best == b.best && a.empty_passes == b.empty_passes && a.placements == b.placements && a.moving == b.moving &&
          a.replaced == b.replaced && a.stale == b.stale && a.passes == b.passes && a.matched == b.matched &&
          a.rebuilt_digest == b.rebuilt_digest && same(a.statistics, b.statistics) &&
          std::equal(a.pool.begin(), a.pool.end(), b.pool.begin(), b.pool.end(),
@@ -223,7 +223,7 @@ TEST_F(DamagedCheckpoint, OtherFiles) {
 
 TEST_F(DamagedCheckpoint, AnotherVersionNamesBothAndTheCure) {
   std::fstream(path_, std::ios::binary | std::ios::in | std::ios::out).seekp(27).put('2');
-  expect_complaint("format version 26, this program reads version 16; continue with the program that wrote it");
+  expect_complaint("format version 27, this program reads version 17; continue with the program that wrote it");
 }
 
 TEST_F(DamagedCheckpoint, AHugeHoleIsNotRead) {

@@ -100,9 +100,10 @@ TEST_F(JobFile, names_line_key_found_and_allowed) {
 }
 
 TEST_F(JobFile, names_the_nearest_key) {
-  EXPECT_EQ(mistake("[pieces]\n\nscale = [20, 160]"),
-            "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); allowed in [pieces]: scale_px, "
-            "sizes, size_map, rotation_deg, mirrored, uses, fit, balance, padding_px, apart_px, overlap_px");
+  EXPECT_EQ(
+      mistake("[pieces]\n\nscale = [20, 160]"),
+      "job.toml:3: unknown key pieces.scale (did you mean pieces.scale_px?); allowed in [pieces]: scale_px, "
+      "sizes, size_map, rotation_deg, mirrored, uses, fit, least_scale_px, balance, padding_px, apart_px, overlap_px");
   EXPECT_EQ(mistake("[checkpoint]\nuses = 3"),
             "job.toml:2: unknown key checkpoint.uses (did you mean pieces.uses?); "
             "allowed in [checkpoint]: every_s");
@@ -124,7 +125,7 @@ TEST_F(JobFile, reports_the_first_line_first) {
 TEST_F(JobFile, tells_sections_from_keys) {
   EXPECT_EQ(mistake("pieces = 3"),
             "job.toml:1: pieces is a section with the keys scale_px, sizes, size_map, rotation_deg, mirrored, uses, "
-            "fit, balance, padding_px, apart_px, overlap_px, found 3");
+            "fit, least_scale_px, balance, padding_px, apart_px, overlap_px, found 3");
   EXPECT_NE(mistake("[[pieces]]\nuses = 1").find("pieces is a section"), std::string::npos);
   EXPECT_NE(mistake("[seed]\nuses = 1").find("seed: found"), std::string::npos);
   EXPECT_NE(mistake("[nonsense]").find("unknown section [nonsense]"), std::string::npos);

@@ -81,6 +81,7 @@ TEST(KeepOut, EveryShapeFindsItsPlaceInWhatIsLeft) {
 
 TEST(WarmStart, ShapesThatStandNeedNoOtherPlace) {
   CollageSettings s = settings();
+  s.pieces.fit_all = true;
   const auto shapes = std::uint32_t(library().size());
   const double canvas_px2 = 240 * 160;
   const double all = first_size_factor(s, shapes, canvas_px2);
@@ -286,7 +287,7 @@ struct Beginning {
       : context(make_matching_context(s, std::uint32_t(library().size()))),
         collage(canvas, s, context, shapes) {
     collage.grow_by(OutwardGrowth(canvas, s.pieces, standing, shapes));
-    collage.begin(standing, standing.size(), 0, 1);
+    collage.begin(standing, standing.size(), 0);
   }
 
   test::VectorShapes shapes{library()};

@@ -89,6 +89,18 @@ END
   ok "collage on four nodes: the bytes of one process"
 }
 
+# Two of a shape are to be farther apart than the canvas is wide. Exit code 3 is done: the job completes and says so.
+check_incomplete_collage() {
+  local job
+  job=$(submit collage.sbatch --ntasks=2 small.toml own.h5 incomplete --set 'pieces.uses=[2, 2]' \
+        --set pieces.apart_px=900)
+  expect_completed 60 "$job"
+  grep -q '^incomplete: done, but pieces are missing: .* (exit code 3)$' "tessera-$job.log" ||
+    fail "incomplete collage: the log does not say so"
+  grep -q '5 pieces are missing: ' "tessera-$job.log" || fail "incomplete collage: the log does not name them"
+  ok "an incomplete collage is done, and says so"
+}
+
 # From a folder that has nothing to do with the templates, with the program in PATH alone; and without the program.
 check_another_folder() {
   local job
@@ -248,6 +260,7 @@ check_prepare
 start_endless_job
 start_job_beyond_its_limit
 check_collage
+check_incomplete_collage
 check_another_folder
 check_gpu_shares
 check_campaign

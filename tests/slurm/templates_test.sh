@@ -34,6 +34,15 @@ collage -100 || fail "a limit that is over"
 [[ ! -s errors ]] || fail "a warning of a limit that is another job's"
 echo "ok limits"
 
+# Exit code 3: done, but pieces are missing.
+cp bin/mpirun mpirun.before
+printf '#!/bin/sh\nexit 3\n' >bin/mpirun
+collage 1800 || fail "exit code 3 of tessera collage is not taken as done"
+grep -q '^out: done, but pieces are missing: .* (exit code 3)$' output || fail "does not say that pieces are missing"
+grep -q 'queued again' output && fail "queued again for exit code 3"
+cp mpirun.before bin/mpirun
+echo "ok incomplete collages"
+
 for option in --restart --restart=true --resume --resume=previous; do
   collage 1800 "$option"
   [[ $? == 2 && ! -s output ]] || fail "$option: not refused"

@@ -10,6 +10,7 @@
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
 #include "core/field/target_sample.h"
+#include "core/matching/size_search.h"
 
 namespace tessera {
 
@@ -29,12 +30,22 @@ struct SamplePasses {
   friend bool operator==(const SamplePasses&, const SamplePasses&) = default;
 };
 
+/// An attempt at a size factor that left fewer pieces without a place than others.
+struct KeptAttempt {
+  float factor = 0;  // 0: none is kept
+  std::uint64_t missing = 0;
+  std::vector<Placement> placements = {};
+
+  friend bool operator==(const KeptAttempt&, const KeptAttempt&) = default;
+};
+
 struct CheckpointState {
   std::string name;                   // for messages: the file that it came from
   bool improving = false;             // else still filling
   std::uint32_t region = 0;           // of the canvas, that is being filled
   std::uint32_t given = 0;            // so many of the placements, the first ones, stood when the region was begun
-  std::uint32_t attempt = 0;          // to find room for every shape, with smaller sizes each time
+  SizeSearchState sizes;              // at which every shape is to find a place
+  KeptAttempt best;                   // of the attempts before; while the search goes on
   std::uint64_t begun_with = 0;       // digest of the pieces that the job gives
   int empty_passes = 0;               // how often all samples were matched again since the last piece, while filling
   std::vector<Placement> placements;  // in the order in which they were placed

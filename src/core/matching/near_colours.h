@@ -25,6 +25,7 @@ class NearColours {
   NearColours() = default;
   /// `depth_px`: how far inside the region, seen from a sample, the colour is looked up.
   NearColours(ColourWish wish, float depth_px) : wish_(std::move(wish)), depth_px_(depth_px) {}
+  void set_depth(float depth_px) { depth_px_ = depth_px; }
 
   /// The lists are of shapes that may stand by this table. Those there were are gone; which shapes are nearest to a
   /// colour is not looked for again, so that it may be called each round.
@@ -35,7 +36,9 @@ class NearColours {
   /// So many shapes are in each list.
   std::uint32_t length() const { return length_; }
   /// Nearest first.
-  std::span<const std::uint32_t> shapes(List list) const { return {shapes_.data() + std::size_t(list) * length_, length_}; }
+  std::span<const std::uint32_t> shapes(List list) const {
+    return {shapes_.data() + std::size_t(list) * length_, length_};
+  }
   bool holds(List list, ShapeId shape) const;
 
   // The same of all lists one after the other: length() shapes each; a bit for each shape of the library, words()

@@ -35,7 +35,7 @@ class ReferenceMatcher : public Matcher {
   const ShapeModel& model_of(ShapeId shape) const;
   DockingTerms terms_of(const Docking& docking) const;
 
-  MatchingContext context_;  // with the stances within the limits
+  MatchingContext context_;  // within the limits
   StanceTable all_stances_;
   std::uint32_t first_shape_;
   Deck deck_;                 // of the question

@@ -63,8 +63,14 @@ Candidate candidate_at(const CheckpointColumns& from, std::size_t row) {
 
 void append_loop(CheckpointColumns& to, const CheckpointState& state) {
   to.improving.push_back(state.improving);
-  to.stage = {state.region, state.given, state.attempt, std::uint32_t(state.begun_with),
+  to.stage = {state.region,
+              state.given,
+              state.sizes.attempt,
+              std::uint32_t(state.sizes.over),
+              std::uint32_t(state.begun_with),
               std::uint32_t(state.begun_with >> 32)};
+  to.size_factors = {state.sizes.factor, state.sizes.too_large, state.sizes.fits, state.best.factor};
+  to.best_missing = {state.best.missing};
   to.empty_passes.push_back(std::uint8_t(state.empty_passes));
   for (const auto count : kCounts) to.counts.push_back(state.statistics.*count);
   for (const auto measure : kMeasures) to.measures.push_back(state.statistics.*measure);
@@ -83,6 +89,12 @@ void append_pieces(CheckpointColumns& to, const CheckpointState& state) {
     append(to.moving_pose, p.canvas_from_shape);
     to.moving_score.push_back(p.score);
     to.moving_matched.push_back(p.matched_px);
+  }
+  for (const Placement& p : state.best.placements) {
+    to.best_shape.push_back(index_of(p.shape));
+    append(to.best_pose, p.canvas_from_shape);
+    to.best_score.push_back(p.score);
+    to.best_matched.push_back(p.matched_px);
   }
 }
 
@@ -135,6 +147,9 @@ void check_values(const CheckpointColumns& c) {
   for (const auto* column : {&c.placed_pose, &c.placed_score, &c.placed_matched})
     require_finite(*column, "/placements");
   for (const auto* column : {&c.moving_pose, &c.moving_score, &c.moving_matched}) require_finite(*column, "/moving");
+  for (const auto* column : {&c.size_factors, &c.best_pose, &c.best_score, &c.best_matched})
+    require_finite(*column, "/sizes");
+  require(c.stage[3] <= 1, "/stage: a value is out of range");
   for (const auto* column : {&c.pose, &c.terms, &c.score, &c.shape_size}) require_finite(*column, "/candidates");
   require_finite(c.matched_pad, "/samples/matched_pad");
   require_flags(c.improving, "/improving");
@@ -147,9 +162,9 @@ void check_values(const CheckpointColumns& c) {
 
 /// Columns of one table have as many rows.
 void check_rows(const CheckpointColumns& c) {
-  require(c.digests.size() == 4 && c.improving.size() == 1 && c.stage.size() == 5 && c.empty_passes.size() == 1 &&
-              c.replaced.size() == 1 && c.counts.size() == std::size(kCounts) &&
-              c.measures.size() == std::size(kMeasures),
+  require(c.digests.size() == 4 && c.improving.size() == 1 && c.stage.size() == 6 && c.empty_passes.size() == 1 &&
+              c.replaced.size() == 1 && c.size_factors.size() == 4 && c.best_missing.size() == 1 &&
+              c.counts.size() == std::size(kCounts) && c.measures.size() == std::size(kMeasures),
           "a list of fixed length has another one");
   const std::size_t placed = c.placed_shape.size();
   require(c.placed_pose.size() == 4 * placed && c.placed_score.size() == placed && c.placed_matched.size() == placed,
@@ -157,6 +172,9 @@ void check_rows(const CheckpointColumns& c) {
   const std::size_t moving = c.moving_shape.size();
   require(c.moving_pose.size() == 4 * moving && c.moving_score.size() == moving && c.moving_matched.size() == moving,
           "/moving: columns of different length");
+  const std::size_t best = c.best_shape.size();
+  require(c.best_pose.size() == 4 * best && c.best_score.size() == best && c.best_matched.size() == best,
+          "/sizes: columns of different length");
   require(c.pool_truncated.size() == c.pool_edge.size() && c.pool_candidates.size() == c.pool_edge.size(),
           "/pool: columns of different length");
   const std::size_t rows = c.shape.size();
@@ -177,8 +195,10 @@ void read_loop(const CheckpointColumns& from, CheckpointState& state) {
   state.improving = from.improving[0] != 0;
   state.region = from.stage[0];
   state.given = from.stage[1];
-  state.attempt = from.stage[2];
-  state.begun_with = from.stage[3] | std::uint64_t(from.stage[4]) << 32;
+  state.sizes = {from.stage[2], from.size_factors[0], from.size_factors[1], from.size_factors[2], from.stage[3] != 0};
+  state.best.factor = from.size_factors[3];
+  state.best.missing = from.best_missing[0];
+  state.begun_with = from.stage[4] | std::uint64_t(from.stage[5]) << 32;
   state.empty_passes = from.empty_passes[0];
   for (std::size_t i = 0; i < std::size(kCounts); ++i) state.statistics.*kCounts[i] = from.counts[i];
   for (std::size_t i = 0; i < std::size(kMeasures); ++i) state.statistics.*kMeasures[i] = from.measures[i];
@@ -193,6 +213,10 @@ void read_pieces(const CheckpointColumns& from, CheckpointState& state) {
   for (std::size_t i = 0; i < from.moving_shape.size(); ++i) {
     state.moving.push_back(
         {ShapeId{from.moving_shape[i]}, pose_at(from.moving_pose, i), from.moving_score[i], from.moving_matched[i]});
+  }
+  for (std::size_t i = 0; i < from.best_shape.size(); ++i) {
+    state.best.placements.push_back(
+        {ShapeId{from.best_shape[i]}, pose_at(from.best_pose, i), from.best_score[i], from.best_matched[i]});
   }
 }
 

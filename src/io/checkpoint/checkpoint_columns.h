@@ -21,6 +21,10 @@ struct CheckpointColumns {
   std::vector<std::uint32_t> moving_shape;
   std::vector<float> moving_pose, moving_score, moving_matched;
   std::vector<std::uint64_t> replaced;
+  std::vector<float> size_factors;
+  std::vector<std::uint64_t> best_missing;
+  std::vector<std::uint32_t> best_shape;
+  std::vector<float> best_pose, best_score, best_matched;
   std::vector<std::uint32_t> pool_edge;
   std::vector<std::uint8_t> pool_truncated;
   std::vector<std::uint32_t> pool_candidates;
@@ -43,8 +47,8 @@ void each_column(Columns& c, Visit visit) {
   visit("/improving", c.improving, 1, "", "1: improving has begun");
   visit(
       "/stage", c.stage, 1, "",
-      "region that is being filled, pieces that were given to it, attempt at its sizes, digest of the pieces that the "
-      "job gives (lower half, upper half)");
+      "region that is being filled, pieces that were given to it, attempt at its sizes, 1: the last one, digest of the "
+      "pieces that the job gives (lower half, upper half)");
   visit("/empty_passes", c.empty_passes, 1, "", "how often all samples were matched again since the last piece");
   visit("/statistics/counts", c.counts, 1, "",
         "shapes, rounds, docking choices, dockings evaluated, refined, target samples, trials, trials kept");
@@ -59,6 +63,13 @@ void each_column(Columns& c, Visit visit) {
   visit("/moving/score", c.moving_score, 1, "", "as in /placements");
   visit("/moving/matched", c.moving_matched, 1, "px", "as in /placements");
   visit("/replaced", c.replaced, 1, "", "replacement trials so far");
+  visit("/sizes/factors", c.size_factors, 1, "",
+        "of this attempt, the least that was too large, the largest at which all pieces found a place, of the best");
+  visit("/sizes/best_missing", c.best_missing, 1, "", "pieces that found no place in the best attempt so far");
+  visit("/sizes/best_shape", c.best_shape, 1, "", "its pieces, as in /placements");
+  visit("/sizes/best_canvas_from_shape", c.best_pose, 4, "px", "as in /placements");
+  visit("/sizes/best_score", c.best_score, 1, "", "as in /placements");
+  visit("/sizes/best_matched", c.best_matched, 1, "px", "as in /placements");
   visit("/pool/edge", c.pool_edge, 1, "", "target samples that have candidates, ascending");
   visit("/pool/truncated", c.pool_truncated, 1, "", "1: there were more candidates");
   visit("/pool/candidates", c.pool_candidates, 1, "", "how many of the rows of /candidates are this sample's");

@@ -10,7 +10,7 @@
 namespace tessera::io {
 
 /// Counted up with every change of the format, and of the algorithm, that would make an old state go on differently.
-inline constexpr int kCheckpointVersion = 16;
+inline constexpr int kCheckpointVersion = 17;
 /// HDF5 leaves so much room before its own part (its "user block").
 inline constexpr std::size_t kSealBytes = 512;
 /// The largest canvas, 100 million px, full of pieces of 20 px has about 40 MB. Reading takes three times the file in

@@ -135,6 +135,9 @@ void add_piece_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_word({"pieces", "fit", word, "", 0, 0, {"free", "all"},
                             "`all`: every shape at least once; the program multiplies all sizes by one factor to that end"},
                            FIELD(settings.pieces.fit_all)));
+  keys.push_back(with_number({"pieces", "least_scale_px", number, "px", 2, 5000, {},
+                              "with `fit = \"all\"`: no piece becomes smaller, even if some find no place then"},
+                             FIELD(settings.pieces.least_scale_px)));
   keys.push_back(with_number({"pieces", "balance", number, "", 0, 1, {},
                               "of sizes: 0 = contrast, a few large pieces and dwarfs between them, to 1 = even, as much "
                               "area of each size"},

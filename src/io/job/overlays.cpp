@@ -28,7 +28,8 @@ float in_steps(float value, float steps) { return std::nearbyint(value * steps) 
 
 /// Of a grid over the canvas, so many for the side of the smallest piece.
 float px_per_cell(const Job& job, float cells_per_piece) {
-  return std::max(1.f, job.settings.pieces.min_scale_px / cells_per_piece);
+  const float smallest_px = job.settings.pieces.min_scale_px * float(job.size_factor);
+  return std::max(1.f, smallest_px / cells_per_piece);
 }
 
 cv::Size cells_of(const Canvas& canvas, float px_per_cell) {

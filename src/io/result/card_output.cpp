@@ -1,11 +1,13 @@
 #include "io/result/card_output.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/number_text.h"
 #include "io/result/card_lines.h"
 #include "io/result/deformation_table.h"
 #include "io/result/rank_table.h"
+#include "io/utf8_text.h"
 
 namespace tessera::io {
 namespace {
@@ -213,12 +215,37 @@ std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
          card_line("stopped by", end_text(run, improve));
 }
 
+Json missing_json(const std::vector<MissingShape>& missing) {
+  Json shapes = Json::array();
+  for (const MissingShape& m : missing) {
+    shapes.push_back({{"shape", m.name}, {"wanted", m.wanted}, {"standing", m.standing}});
+  }
+  return {{"pieces", pieces_of(missing)}, {"shapes", shapes}};
+}
+
+/// The first shapes; card.json has all.
+std::string missing_lines(const std::vector<MissingShape>& missing) {
+  constexpr std::size_t kShapes = 20;
+  constexpr std::size_t kNameBytes = 32;
+  if (missing.empty()) return "";
+  std::string text = "Missing\n" + card_line("pieces", grouped(pieces_of(missing)) + " of " + grouped(missing.size()) +
+                                                           (missing.size() == 1 ? " shape" : " shapes"));
+  for (std::size_t i = 0; i < std::min(missing.size(), kShapes); ++i) {
+    MissingShape shown = missing[i];
+    shown.name = cut_utf8(shown.name, kNameBytes);
+    text += card_line("", missing_text({shown}, 1));
+  }
+  const std::size_t more = missing.size() - std::min(missing.size(), kShapes);
+  return more == 0 ? text : text + card_line("", "and " + grouped(more) + " more (card.json)");
+}
+
 }  // namespace
 
 std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
                       const RankStatistics& ranks, const RunRecord& record,
-                      const std::optional<DeformationFigures>& deformation) {
+                      const std::optional<DeformationFigures>& deformation, const std::vector<MissingShape>& missing) {
   Json card{{"quality", quality_json(quality)}, {"run", run_json(run, settings.improve)}};
+  if (!missing.empty()) card["missing"] = missing_json(missing);
   if (deformation) card["deformation"] = deformation_json(*deformation);
   if (!ranks.workers.empty()) card["ranks"] = ranks_json(ranks);
   card["provenance"] = provenance_json(record);
@@ -235,9 +262,9 @@ std::string score_json(const Quality& quality) {
 std::string score_text(const Quality& quality) { return quality_text(quality, {}); }
 
 std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
-                      const std::optional<DeformationFigures>& deformation) {
-  return quality_text(quality, settings.pieces) + (deformation ? deformation_text(*deformation) : "") +
-         run_text(run, settings.improve);
+                      const std::optional<DeformationFigures>& deformation, const std::vector<MissingShape>& missing) {
+  return quality_text(quality, settings.pieces) + missing_lines(missing) +
+         (deformation ? deformation_text(*deformation) : "") + run_text(run, settings.improve);
 }
 
 }  // namespace tessera::io

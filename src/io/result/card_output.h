@@ -3,26 +3,30 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/run_statistics.h"
 #include "core/collage/quality.h"
 #include "core/ranks/rank_statistics.h"
 #include "core/settings.h"
 #include "io/result/deformed_collage.h"
+#include "io/result/missing_shape.h"
 #include "io/result/run_record.h"
 
 namespace tessera::io {
 
 /// card.json (docs/result-format.md). Units stand in the keys; shares and percentages say so. Stage shares are of the
 /// four stages' sum. Section "ranks" (rank_table.h) is there where there were workers, "deformation"
-/// (deformation_table.h) where pieces were deformed.
+/// (deformation_table.h) where pieces were deformed, "missing" where pieces are.
 std::string card_json(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
                       const RankStatistics& ranks = {}, const RunRecord& record = {},
-                      const std::optional<DeformationFigures>& deformation = {});
+                      const std::optional<DeformationFigures>& deformation = {},
+                      const std::vector<MissingShape>& missing = {});
 
 /// The same for people: a table of two columns, lines of less than 80 characters.
 std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
-                      const std::optional<DeformationFigures>& deformation = {});
+                      const std::optional<DeformationFigures>& deformation = {},
+                      const std::vector<MissingShape>& missing = {});
 
 /// Of what nobody says how it was made: section quality alone. distinct_shapes is null where shapes have no names.
 std::string score_json(const Quality& quality);

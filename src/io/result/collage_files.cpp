@@ -62,6 +62,7 @@ ResultManifest manifest_of(const CollageReport& report, const CheckpointOrigin& 
   } else {
     for (const Placement& placement : report.placements) manifest.shapes.push_back(placement.shape);
   }
+  manifest.missing = pieces_of(report.missing);
   manifest.colours = report.colours;
   manifest.covered = report.covered;
   return manifest;
@@ -73,9 +74,9 @@ std::string write_cards(const std::string& dir, const CollageReport& report) {
   const CollageSettings& settings = report.job->settings;
   std::optional<DeformationFigures> deformation;
   if (report.deformed) deformation = report.deformed->figures;
-  const std::string card = card_text(quality, report.statistics, settings, deformation);
-  write_file_atomically(in_directory(dir, "card.json"),
-                        card_json(quality, report.statistics, settings, report.ranks, report.record, deformation));
+  const std::string card = card_text(quality, report.statistics, settings, deformation, report.missing);
+  write_file_atomically(in_directory(dir, "card.json"), card_json(quality, report.statistics, settings, report.ranks,
+                                                                  report.record, deformation, report.missing));
   write_file_atomically(in_directory(dir, "card.txt"), card);
   return card;
 }

@@ -16,6 +16,7 @@
 #include "io/result/deformed_collage.h"
 #include "io/result/ground_tile.h"
 #include "io/result/keep_out_drawing.h"
+#include "io/result/missing_shape.h"
 #include "io/result/placed_shapes.h"
 #include "io/result/run_record.h"
 
@@ -47,6 +48,7 @@ struct CollageReport {
   std::vector<ToneShift> tones;       // of the placements; empty: the drawings' own
   std::vector<StyleFeatures> styles;  // of the placements' drawings; empty: unknown
   std::optional<Harmony> harmony;     // that the hues of `tones` make
+  std::vector<MissingShape> missing;  // of a finished collage
   RunStatistics statistics;
   RankStatistics ranks;
   RunRecord record;

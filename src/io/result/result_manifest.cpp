@@ -99,6 +99,7 @@ ResultManifest from_json(const ReadJson& json) {
   manifest.finished = json.at("state") == "finished";
   manifest.pieces_digest = json.at("pieces").at("digest");
   manifest.shapes = json.at("pieces").at("shapes").get<std::vector<ShapeId>>();
+  manifest.missing = json.at("pieces").value("missing", std::uint64_t(0));
   manifest.deformed = json.at("pieces").value("deformed", false);
   manifest.job_digest = json.at("job").at("digest");
   manifest.library = json.at("library").at("file");
@@ -163,6 +164,7 @@ void write_manifest(const std::string& dir, const ResultManifest& manifest) {
             {"library", {{"file", manifest.library}, {"digest", hex(manifest.library_digest)}}},
             {"canvas", {{"digest", hex(manifest.canvas_digest)}}},
             {"pictures", pictures}};
+  if (manifest.missing > 0) json["pieces"]["missing"] = manifest.missing;
   if (manifest.deformed) json["pieces"]["deformed"] = true;
   if (manifest.overlay_digest != 0) json["overlays"] = {{"digest", hex(manifest.overlay_digest)}};
   if (!manifest.start.empty()) json["start"] = {{"pieces", manifest.start}, {"digest", hex(manifest.start_digest)}};

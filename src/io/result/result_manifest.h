@@ -39,10 +39,14 @@ struct ResultManifest {
   std::string start;                 // the file that it began from (start.pieces); empty: none
   std::uint64_t start_digest = 0;    // of that file's bytes, as pieces_digest
   std::vector<ShapeId> shapes;       // of the pieces, in order of placement
+  std::uint64_t missing = 0;         // pieces that are wanted at least and found no place
   bool deformed = false;             // pieces.geojson has their polygons deformed (piece_deformation.h)
   std::vector<std::string> colours;  // of the pieces, "#rrggbb"; empty: they are drawn as their artwork
   std::vector<std::string> covered;  // what each piece covers of colour.image, "#rrggbb" or ""; empty: there is none
   std::vector<DrawnPicture> pictures;
+
+  /// Finished, and nothing that was counted is missing; a collage without any piece lacks what makes it one.
+  bool complete() const { return finished && missing == 0 && !shapes.empty(); }
 
   friend bool operator==(const ResultManifest&, const ResultManifest&) = default;
 };

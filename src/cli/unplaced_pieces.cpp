@@ -1,0 +1,119 @@
+#include "cli/unplaced_pieces.h"
+
+#include <algorithm>
+
+#include "cli/collage_warnings.h"
+#include "cli/key_text.h"
+#include "cli/place_advice.h"
+#include "core/collage/missing_pieces.h"
+#include "core/matching/sized_settings.h"
+#include "core/matching/stances.h"
+#include "io/job/job_tables.h"
+
+namespace tessera::cli {
+namespace {
+
+constexpr std::size_t kNamesTold = 6;
+constexpr std::size_t kNamesAtATime = 4096;
+constexpr io::LibraryParts kNamesOnly{.outline = false, .field = false, .levels = 0, .artwork = false};
+
+/// With fit = "all" at the smallest that were allowed.
+CollageSettings smallest_sizes(const io::Job& job) {
+  const CollageSettings first = with_sizes_times(job.size_factor, job.settings);
+  return with_sizes_times(double(least_size_factor(first.pieces)), first);
+}
+
+std::vector<ShapeId> all_that_may_stand(const CollageInput& input) {
+  std::vector<ShapeId> shapes;
+  const StanceTable whole(input.job.settings, std::uint32_t(input.library.size()));
+  for (std::uint32_t region = 0; region < std::max<std::size_t>(1, input.canvas.regions.size()); ++region) {
+    const StanceTable table = whole.limited({.region = region});
+    for (std::uint32_t i = 0; i < table.open_shapes(); ++i) shapes.push_back(table.open_shape(i));
+  }
+  std::sort(shapes.begin(), shapes.end());
+  shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
+  return shapes;
+}
+
+std::vector<std::string> with_canvas(std::vector<std::string> keys, const io::Job& job) {
+  if (job.settings.match.tangent_dockings == 0) {
+    keys.push_back("more " + with_value(job, "match", "tangent_dockings") +
+                   ": without, nothing docks along straight sides");
+  }
+  keys.push_back("a larger " + with_value(job, "canvas", job.canvas.width_mm > 0 ? "size_mm" : "size_px"));
+  return keys;
+}
+
+/// Where single pieces lack room that there would be for each of them alone.
+std::vector<std::string> keys_that_make_room(const io::Job& job) {
+  std::vector<std::string> keys;
+  if (job.settings.pieces.fit_all) {
+    if (!is_default(job, "pieces", "least_scale_px"))
+      keys.push_back("smaller pieces, " + with_value(job, "pieces", "least_scale_px"));
+  } else {
+    keys.push_back("smaller pieces, " + where_sizes_stand(job));
+    if (io::rows_of(job, "regions").empty()) keys.push_back("pieces.fit = \"all\", which finds their sizes");
+  }
+  for (const char* key : {"padding_px", "apart_px"}) {
+    if (!is_default(job, "pieces", key)) keys.push_back("less " + with_value(job, "pieces", key));
+  }
+  if (job.settings.pieces.least_uses > 1) keys.push_back("fewer " + with_value(job, "pieces", "uses"));
+  return keys;
+}
+
+std::string empty_warning(const CollageInput& input, const master::CollageResult& result) {
+  const std::vector<ShapeId> shapes = all_that_may_stand(input);
+  if (shapes.empty() || limit_that_ended(result.statistics))
+    return empty_result_warning(input.folder, input.job, result, {});
+  return empty_result_warning(
+      input.folder, input.job, result,
+      with_canvas(keys_that_keep_out(input.job, smallest_sizes(input.job), input.library, input.canvas, shapes),
+                  input.job));
+}
+
+std::string missing_warning(const CollageInput& input, const master::CollageResult& result,
+                            const std::vector<io::MissingShape>& missing) {
+  const io::Job& job = input.job;
+  const std::uint64_t pieces = io::pieces_of(missing);
+  const std::string what = (pieces == 1 ? "1 piece is missing: " : std::to_string(pieces) + " pieces are missing: ") +
+                           io::missing_text(missing, kNamesTold) + "; ";
+  if (const char* limit = limit_that_ended(result.statistics)) {
+    return what + with_value(job, "stop", limit) + " ended the collage before they found a place";
+  }
+  std::vector<ShapeId> shapes;
+  for (const io::MissingShape& shape : missing) shapes.push_back(shape.id);
+  std::vector<std::string> keys = keys_that_keep_out(job, smallest_sizes(job), input.library, input.canvas, shapes);
+  if (keys.empty()) keys = keys_that_make_room(job);
+  const std::string tried =
+      job.settings.pieces.fit_all
+          ? "no sizes down to " + length_text(job, double(job.settings.pieces.least_scale_px)) + " gave all a place"
+          : "they found no place";
+  return what + tried + "; try " + joined_warnings(with_canvas(std::move(keys), job));
+}
+
+}  // namespace
+
+std::vector<io::MissingShape> missing_shapes(const CollageInput& input, const master::CollageResult& result) {
+  if (result.unfinished) return {};
+  std::vector<io::MissingShape> named;
+  std::vector<Shape> block;
+  std::size_t begin = 0;
+  for (const MissingPieces& missing : missing_pieces(input.job.settings, input.library.drawings(), result.placements)) {
+    const std::size_t i = index_of(missing.shape);
+    if (i >= begin + block.size()) {
+      begin = i / kNamesAtATime * kNamesAtATime;
+      block = input.library.read(begin, std::min(begin + kNamesAtATime, input.library.size()), kNamesOnly);
+    }
+    named.push_back({missing.shape, block[i - begin].name, missing.wanted, missing.standing});
+  }
+  return named;
+}
+
+std::string unplaced_warning(const CollageInput& input, const master::CollageResult& result,
+                             const std::vector<io::MissingShape>& missing) {
+  if (result.unfinished) return "";
+  if (result.placements.empty()) return empty_warning(input, result);
+  return missing.empty() ? "" : missing_warning(input, result, missing);
+}
+
+}  // namespace tessera::cli

@@ -1,0 +1,21 @@
+// The pieces that a finished collage lacks: counted, named, and why as far as that can be known.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/collage_input.h"
+#include "io/result/missing_shape.h"
+#include "master/collage_loop.h"
+
+namespace tessera::cli {
+
+/// Of a finished collage; empty of an unfinished one, which may still get them.
+std::vector<io::MissingShape> missing_shapes(const CollageInput& input, const master::CollageResult& result);
+
+/// Why the collage is empty, or which of `missing` found no place, and what helps. Empty where nothing is missing, and
+/// where the run may still go on.
+std::string unplaced_warning(const CollageInput& input, const master::CollageResult& result,
+                             const std::vector<io::MissingShape>& missing);
+
+}  // namespace tessera::cli
