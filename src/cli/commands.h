@@ -16,7 +16,8 @@ namespace tessera::cli {
 struct Command {
   std::function<int()> run = {};  // on rank 0 alone
   std::function<int(comm::Communicator&)> run_on_all_ranks = {};
-  std::optional<std::string> time_limit = {};  // what --time-limit was given; for those who wait before the command runs
+  /// What --time-limit was given, for those who wait before the command runs.
+  std::optional<std::string> time_limit = {};
 };
 
 void add_library_command(CLI::App& app, Command& selected);

@@ -1,5 +1,5 @@
-// Options whose argument is a list with commas: --size 1200,900. CLI11's own lists go on with the arguments that follow,
-// the next option or the input file among them; these take one argument.
+// Options whose argument is a list with commas: --size 1200,900. CLI11's own lists go on with the arguments that
+// follow, the next option or the input file among them; these take one argument.
 #pragma once
 
 #include <CLI/CLI.hpp>

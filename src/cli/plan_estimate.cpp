@@ -46,8 +46,8 @@ constexpr double kOverhead_s = 2;
 constexpr double kLoadingAShape_s = 0.45e-3;
 constexpr double kWritingAPiece_s = 5e-3;
 
-// Peak resident memory of the ranks of 3-rank runs and of single processes, /proc's maximum, from before freed memory was
-// kept; so that is added.
+// Peak resident memory of the ranks of 3-rank runs and of single processes, /proc's maximum, from before freed memory
+// was kept; so that is added.
 constexpr double kMasterProcess_bytes = 95e6 + kKeptFreed_bytes;
 constexpr double kWorkerProcess_bytes = 155e6 + kKeptFreed_bytes;
 constexpr double kBothProcess_bytes = 175e6 + kKeptFreed_bytes;

@@ -28,8 +28,8 @@ std::string formatted(const char* format, va_list arguments) {
   return text.data();
 }
 
-/// The path of a folder may be any bytes, and a script is to find it: of a cell that is no UTF-8 only the bytes that are
-/// control characters in one of ISO's alphabets are replaced.
+/// The path of a folder may be any bytes, and a script is to find it: of a cell that is no UTF-8 only the bytes that
+/// are control characters in one of ISO's alphabets are replaced.
 std::string escaped_cell(std::string cell) {
   if (io::is_utf8(cell)) return io::printable_utf8(cell);
   const auto is_control = [](unsigned char c) { return c < 0x20 || (c >= 0x7f && c < 0xa0); };

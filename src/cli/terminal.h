@@ -11,8 +11,8 @@ namespace tessera::cli {
 /// (printable_utf8 in io/utf8_text.h) is printed as '_', tabs and line ends within a name among it.
 [[gnu::format(printf, 1, 2)]] void print_line(const char* format, ...);
 
-/// Prints one line on stdout for scripts: the cells with tabs between them, escaped as by print_line; but bytes that are no
-/// UTF-8 and no control characters stay, as in paths they may be anything.
+/// Prints one line on stdout for scripts: the cells with tabs between them, escaped as by print_line; but bytes that
+/// are no UTF-8 and no control characters stay, as in paths they may be anything.
 void print_cells(const std::vector<std::string>& cells);
 
 /// Prints lines on stdout, each with its line end. The names in `lines` have none of their own: whoever makes a text of
@@ -33,8 +33,9 @@ void print_message(const std::string& text);
 /// called before anything is opened.
 void occupy_standard_descriptors();
 
-/// Prints what is still held back of stdout. Throws EnvironmentError where any of what was printed was lost: the disk is
-/// full, or stdout was closed. A reader that left early (tessera ... | head -1) has what it wanted: that is no error.
+/// Prints what is still held back of stdout. Throws EnvironmentError where any of what was printed was lost: the disk
+/// is full, or stdout was closed. A reader that left early (tessera ... | head -1) has what it wanted: that is no
+/// error.
 void check_printed();
 
 }  // namespace tessera::cli

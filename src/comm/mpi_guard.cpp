@@ -48,8 +48,8 @@ std::string launched_rank() {
   return "0";
 }
 
-/// Ends this process with `exit_code` and a message unless the calls of MPI that `doing` names are over in time. `rest`:
-/// what the message says of the run.
+/// Ends this process with `exit_code` and a message unless the calls of MPI that `doing` names are over in time.
+/// `rest`: what the message says of the run.
 void watch(std::optional<Watchdog>& watchdog, const RankProgram& program, double patience_s, int exit_code,
            const std::string& doing, const std::string& rest) {
   const std::string rank = launched_rank();

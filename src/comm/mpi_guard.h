@@ -25,8 +25,8 @@ struct MpiPatience {
 };
 
 /// What main returns: runs `program` as this process' rank of the job and leaves together with the others, with the
-/// signals as stop_signals.h says. mpirun's exit code is that of rank 0. Where some ranks do not start or end MPI in time,
-/// as one was stopped, hangs or was never started, the others end with a message.
+/// signals as stop_signals.h says. mpirun's exit code is that of rank 0. Where some ranks do not start or end MPI in
+/// time, as one was stopped, hangs or was never started, the others end with a message.
 int run_mpi_job(int& argc, char**& argv, const RankProgram& program, const MpiPatience& patience = {});
 
 }  // namespace tessera::comm

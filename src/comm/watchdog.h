@@ -1,5 +1,5 @@
-// Ends a process that a call of MPI holds up without end: these wait for other ranks, whether those were stopped, hang or
-// were never started.
+// Ends a process that a call of MPI holds up without end: these wait for other ranks, whether those were stopped, hang
+// or were never started.
 #pragma once
 
 #include <condition_variable>

@@ -8,8 +8,8 @@
 namespace tessera::io {
 
 /// `text` with '_' instead of every byte that is no valid UTF-8, of every control character and of every character that
-/// reorders the text round it (Unicode's bidirectional controls). The ASCII control characters in `kept` stay: "\n" keeps
-/// the line ends of a text of several lines.
+/// reorders the text round it (Unicode's bidirectional controls). The ASCII control characters in `kept` stay: "\n"
+/// keeps the line ends of a text of several lines.
 std::string printable_utf8(const std::string& text, std::string_view kept = {});
 
 /// Whether all of it is valid UTF-8, whatever the characters are.

@@ -25,10 +25,10 @@ struct DevicePart {
 };
 
 /// The devices that the job names, each with its part of `shapes`, in order: equal devices get equal parts, give or
-/// take one shape, different ones as many as they search in the same time (device_speed.h), but none more than its memory
-/// holds (device_room.h). With fewer shapes than devices the first devices are used. `devices_use`: job key devices.use.
-/// Throws InputError or EnvironmentError where the devices are not there (opencl_devices.h), fail, or have not the memory
-/// for all shapes. `between_launches` may throw to give up.
+/// take one shape, different ones as many as they search in the same time (device_speed.h), but none more than its
+/// memory holds (device_room.h). With fewer shapes than devices the first devices are used. `devices_use`: job key
+/// devices.use. Throws InputError or EnvironmentError where the devices are not there (opencl_devices.h), fail, or have
+/// not the memory for all shapes. `between_launches` may throw to give up.
 std::vector<DevicePart> device_parts(const std::string& devices_use, const MatchingContext& context,
                                      const ShapeRange& shapes, const DeviceNeeds& needs, const DeviceShare& share = {},
                                      const BetweenLaunches& between_launches = {});

@@ -40,8 +40,8 @@ void check_arithmetic(const std::string& device, cl_device_fp_config single_prec
 
 /// `use`: "all", "cpu", "gpu" or indices into opencl_devices() like "0,2"; of these devices the worker's share. Throws
 /// EnvironmentError where the machine has no device of that kind or one of the chosen ones computes differently
-/// (missing_arithmetic), InputError for anything else that does not fit; all say which devices there are. `option`: what
-/// `use` was given to, for the messages; empty: the job key devices.use.
+/// (missing_arithmetic), InputError for anything else that does not fit; all say which devices there are. `option`:
+/// what `use` was given to, for the messages; empty: the job key devices.use.
 std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share = {},
                                        const std::string& option = {});
 

@@ -109,7 +109,7 @@ mv red.txt gone.txt
 run 0 draw reds --svg --set output.outline_colour=#123456 --set output.outline_px=1 --quiet
 grep -q 'fill="#ff0000"' reds/collage.svg || fail "a line's colour takes those of the pieces"
 run 2 draw drawn --palette none.gpl
-grep -q -- '--palette none.gpl: .*none.gpl.*allowed: dusk' errors || fail "another message for a palette that is not there"
+grep -q -- '--palette none.gpl: .*none.gpl.*allowed: dusk' errors || fail "another message for no palette"
 run 2 draw drawn --palette '#12'
 grep -q -- '--palette: found #12, allowed: dusk, ' errors || fail "another message for no colour"
 run 2 draw drawn --to dusk

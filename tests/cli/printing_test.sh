@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# printing_test.sh TESSERA NEW_FOLDER: what is printed arrives or the command fails; readers that leave early; names that
-# are commands to a terminal, or formulas to a spreadsheet.
+# printing_test.sh TESSERA NEW_FOLDER: what is printed arrives or the command fails; readers that leave early; names
+# that are commands to a terminal, or formulas to a spreadsheet; options that take the next one for their value.
 set -uo pipefail
 tessera=$1
 folder=$2
@@ -41,12 +41,12 @@ for command in "${printing[@]}"; do
   [[ $code == 1 ]] || fail "exit code $code of $command onto a full disk"
   grep -qx 'tessera: standard output cannot be written: No space left on device; .*' errors || fail "$command: not told"
 done
-for command in "library info own.h5 --names" "card result --json" "draw result --svg --quiet --set output.width_px=90"; do
+for command in "library info own.h5 --names" "card result --json" "draw result --svg --quiet"; do
   # shellcheck disable=SC2086
   timeout "$most_s" "$tessera" $command --help >&- 2>errors
   code=$?
   [[ $code == 1 ]] || fail "exit code $code of $command without stdout"
-  grep -qx 'tessera: standard output cannot be written: it is closed; .*' errors || fail "$command: not told it is closed"
+  grep -qx 'tessera: standard output cannot be written: it is closed; .*' errors || fail "$command: not told"
   # true reads nothing, and has left before anything is printed.
   # shellcheck disable=SC2086
   timeout "$most_s" "$tessera" $command 2>errors | true
@@ -68,7 +68,8 @@ run 0 library info closed.h5 --names
 echo "ok nothing to lose"
 
 # The reader of stderr leaves: the collage is made all the same.
-{ timeout "$most_s" "$tessera" collage job.toml --out unread --set 'pieces.scale_px=[8, 20]' 2>&1; echo "$?" >code; } | true
+unread() { timeout "$most_s" "$tessera" collage job.toml --out unread --set 'pieces.scale_px=[8, 20]' 2>&1; }
+{ unread; echo "$?" >code; } | true
 [[ $(cat code) == 0 && -s unread/manifest.json ]] || fail "a collage ended as its log was not read"
 echo "ok log that nobody reads"
 
@@ -78,9 +79,10 @@ cp -r result "$evil"
 run 0 rank . --out ranking
 LC_ALL=C grep -q $'\e' output && fail "rank printed ESC"
 [[ $(wc -l <output) == 7 ]] || fail "rank: a name broke the table"
-LC_ALL=C grep -q $'\xc2\x9b\|\xe2\x80\xae' output && fail "rank printed a control sequence of C1 or a change of direction"
+LC_ALL=C grep -q $'\xc2\x9b\|\xe2\x80\xae' output && fail "rank printed a C1 or bidirectional control"
 run 0 rank "$evil" result --out ranking
-grep -q "^[0-9],'=x_\[2J_rank 1__2J___,[0-9-]" ranking/ranking.csv || fail "ranking.csv: a formula: $(cat ranking/ranking.csv)"
+grep -q "^[0-9],'=x_\[2J_rank 1__2J___,[0-9-]" ranking/ranking.csv ||
+  fail "ranking.csv: $(cat ranking/ranking.csv)"
 for command in "card" "draw" "library info" "rank" "collage" "plan" "nest" "extract" "refine" "puzzle solve"; do
   # shellcheck disable=SC2086
   timeout "$most_s" "$tessera" $command "$evil/none" "--$evil" >output 2>errors
@@ -110,7 +112,8 @@ refused 'none.h5' bench library --sizes 10 --library none.h5 --out x.json
 refused '--palette nonsense: ' draw result --palette nonsense
 refused '--palette: found #zz,#112233, allowed: ' draw result --palette '#zz,#112233'
 refused 'not expected: leaf' library subset own.h5 --include star leaf -o some.h5
-refused '--out: found the option --quiet, allowed: a value; one that begins so: --out=--quiet' collage job.toml --out --quiet
+refused '--out: found the option --quiet, allowed: a value; one that begins so: --out=--quiet' \
+  collage job.toml --out --quiet
 refused '--devices x: "x" is no index' bench pairs --devices x --out x.json
 [[ ! -e --quiet && ! -e x.json ]] || fail "an option became a file"
 echo "ok options"

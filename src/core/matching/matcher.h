@@ -10,8 +10,8 @@
 //   measure the terms of given poses, after the field has changed
 //
 // A question is posted, then taken: whoever joins several matchers posts to all before it takes from any. One of them
-// may count some samples after others: whoever joins several has each of them take its next step as soon as it is ready,
-// so that they work at the same time, however many steps each has.
+// may count some samples after others: whoever joins several has each of them take its next step as soon as it is
+// ready, so that they work at the same time, however many steps each has.
 #pragma once
 
 #include <array>

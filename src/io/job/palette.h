@@ -15,8 +15,8 @@ const std::vector<std::string>& built_in_palettes();
 bool is_colour_list(const std::vector<std::string>& palette);
 
 /// The colours of `colour.palette` as "#rrggbb", each once, one at least. Throws InputError that names the job, the
-/// key, the file and its line, what was found and what is allowed; with `option`, what the palette was given to, it names
-/// that instead of job and key.
+/// key, the file and its line, what was found and what is allowed; with `option`, what the palette was given to, it
+/// names that instead of job and key.
 std::vector<std::string> load_palette(const Job& job, const std::string& option = {});
 
 /// The same of `library.colours`; none where it is "all".

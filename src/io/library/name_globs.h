@@ -11,8 +11,8 @@
 namespace tessera::io {
 
 /// Patterns as the shell knows them: * any characters, ? one, [abc] one of these, \ the next as it is. They tell case
-/// and are compared with the whole name. A name that is the pattern letter by letter wins over the names that the pattern
-/// is of (NameIndex::matching).
+/// and are compared with the whole name. A name that is the pattern letter by letter wins over the names that the
+/// pattern is of (NameIndex::matching).
 struct NameGlobs {
   std::vector<std::string> include;  // empty: all names
   std::vector<std::string> exclude;  // of the included ones

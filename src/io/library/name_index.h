@@ -19,8 +19,8 @@ class NameIndex {
   /// The first place of exactly this name.
   std::optional<std::uint32_t> find(const std::string& name) const;
 
-  /// The places, ascending, of the names that the pattern (name_globs.h) is of. Where there is a name that is the pattern
-  /// letter by letter, it is that name that was meant: "logo [final]" selects itself, and no "logo f".
+  /// The places, ascending, of the names that the pattern (name_globs.h) is of. Where there is a name that is the
+  /// pattern letter by letter, it is that name that was meant: "logo [final]" selects itself, and no "logo f".
   std::vector<std::uint32_t> matching(const std::string& glob) const;
 
   /// The places, by name, of all that the pattern may be of: those of this very name; where there are none, those that
