@@ -69,6 +69,11 @@ std::string build_summary(const io::LibraryBuildReport& report) {
             std::to_string(report.trimmed.size()) + ": " + first_names(report.trimmed) +
             "\n  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n";
   }
+  if (!report.hollow.empty()) {
+    text += std::to_string(report.hollow.size()) +
+            " enclose twice what they cover or more, which leaves gaps; --fill-holes counts it as theirs: " +
+            first_names(report.hollow) + "\n";
+  }
   if (!report.merged.empty()) text += merged_lines(report.merged);
   if (!report.skipped.empty()) text += skipped_lines(report.skipped);
   return text;

@@ -28,6 +28,7 @@ constexpr char kExamples[] =
     "Examples:\n"
     "  tessera library build /usr/share/openclipart/svg/animals -o animals.h5\n"
     "  tessera library build logos/ letters/a.png --glob '*.svg' --embed -o mine.h5\n"
+    "  tessera library build line_art/ --fill-holes -o lines.h5\n"
     "Reads SVG and SVGZ; PNG, WebP and TIFF with transparency; masks and pictures on a plain background (PNG, WebP,\n"
     "TIFF, BMP, JPEG).\n"
     "Not GIF, PDF, EPS and others: convert them to SVG or PNG. Files that cannot be used are skipped: the first are\n"
@@ -90,7 +91,7 @@ void check_is_number(const char* option, float value) {
 }
 
 int run(const BuildArguments& arguments) {
-  check_is_number("--edge-opacity", arguments.settings.tracing.edge_opacity);
+  check_is_number("--edge-opacity", arguments.settings.tracing.rules.edge_opacity);
   check_is_number("--delta-tau", arguments.settings.tracing.pad.delta_tau);
   const auto start = std::chrono::steady_clock::now();
   const io::ArtworkFiles files = io::find_artwork(arguments.sources, arguments.glob);
@@ -132,17 +133,20 @@ void add_library_build_command(CLI::App& library, Command& selected) {
                     "Only files of the folders whose name matches this pattern, e.g. '*.svg'");
   build->add_flag("--embed", settings.embed, "Keep the artwork files themselves in the library");
   build->add_flag("--strict", settings.strict, "Write nothing where a file cannot be used; exit code 2");
-  build->add_flag("--keep-rectangles", settings.tracing.keep_rectangles,
+  build->add_flag("--keep-rectangles", settings.tracing.rules.keep_rectangles,
                   "Plain rectangles are shapes, too, not a drawing's background");
+  build->add_flag("--fill-holes", settings.tracing.rules.fill_holes,
+                  "What a drawing encloses counts as the shape: for line art, rings, chairs, which others cannot fill");
   build->add_flag(
-      "--puzzle", [&settings](std::int64_t) { settings.tracing.keep_rectangles = settings.keep_twins = true; },
+      "--puzzle", [&settings](std::int64_t) { settings.tracing.rules.keep_rectangles = settings.keep_twins = true; },
       "Each file is a piece: plain rectangles and files that look alike are shapes, too");
   build->add_option("--processes", settings.files_at_a_time, "How many files are traced at a time; default: all cores")
       ->check(CLI::Range(1, 1024));
   build
-      ->add_option("--edge-opacity", settings.tracing.edge_opacity,
-                   "Where the outline runs: at this opacity of the drawing; 0.05 takes in halos and soft shadows. At 0.5 these "
-                   "are left out, and translucent parts with an edge are in")
+      ->add_option(
+          "--edge-opacity", settings.tracing.rules.edge_opacity,
+          "Where the outline runs: at this opacity of the drawing; 0.05 takes in halos and soft shadows. At 0.5 these "
+          "are left out, and translucent parts with an edge are in")
       ->check(CLI::Range(0.02, 0.9))
       ->capture_default_str();
   build

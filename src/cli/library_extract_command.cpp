@@ -45,6 +45,7 @@ struct ExtractArguments {
   std::string overview;
   std::string ground;  // file
   int ground_px = 512;
+  bool fill_holes = false;
   io::ExtractionSettings settings;
 };
 
@@ -110,7 +111,7 @@ io::LibraryBuildReport build(const ExtractArguments& arguments, const std::vecto
   };
   io::LibraryBuildSettings settings;
   settings.files_at_a_time = io::available_cores();
-  settings.tracing.keep_rectangles = true;  // tiles
+  settings.tracing.rules = {.keep_rectangles = true, .fill_holes = arguments.fill_holes};  // tiles; rings
   io::ArtworkFiles files;
   for (const io::CutOut& cut_out : cut_outs) files.paths.push_back(cut_out.path);
   return io::build_library(files, arguments.output, settings, io::cut_out_loader(drawers, cut_outs, settings.tracing),
@@ -221,6 +222,7 @@ void add_library_extract_command(CLI::App& library, Command& selected) {
                    "Search and cut up the photo so many times larger; the other options stay in its own px. A library "
                    "needs elements of 24 px (square root of the area), and twice that for good outlines")
       ->check(CLI::Range(1, io::kMostEnlarged));
+  extract->add_flag("--fill-holes", arguments->fill_holes, "What an element encloses counts as the shape: of rings");
   extract
       ->add_option("--labels", arguments->settings.labels,
                    "Which pixels belong together, from another program: grey, 8 or 16 bits, 0 = gap; instead of "

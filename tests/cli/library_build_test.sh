@@ -57,3 +57,19 @@ echo "ok nothing usable"
 cp drawings/bean.svg drawings/bean.ai
 build 0 drawings/bean.ai
 echo "ok a file that is named"
+
+mkdir line_art
+lens='<circle cx="50" cy="50" r="40" fill="none" stroke="black" stroke-width="8"/>'
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='100'>$lens<g transform='translate(100)'>$lens</g><path d='M90 46h20v8H90z'/></svg>" >line_art/spectacles.svg
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><circle cx='50' cy='50' r='40' fill='none' stroke='black' stroke-width='.5'/></svg>" >line_art/ring.svg
+cp drawings/bean.svg line_art
+build 0 line_art
+grep -qF '2 enclose twice what they cover or more, which leaves gaps; --fill-holes counts it as theirs: ring.svg, spectacles.svg' output ||
+  fail "does not say which drawings --fill-holes would help"
+grep -q 'little but what it encloses; --fill-holes takes that for the shape, or fill it: ring.svg' output ||
+  fail "another reason for thin lines"
+build 0 line_art --fill-holes
+grep -q 'fill-holes' output && fail "--fill-holes is advised where it was given"
+grep -q '3 files: 3 shapes$' output || fail "--fill-holes leaves something out"
+"$tessera" library --help >/dev/null && "$tessera" library build --help | grep -q -e '--fill-holes' || fail "no help"
+echo "ok what is enclosed"

@@ -44,6 +44,7 @@ TEST(BuildSummary, IsEmptyWhereAllIsUsed) {
 TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
   io::LibraryBuildReport report;
   report.trimmed = {"/a/deer.svg"};
+  report.hollow = {"/a/bicycle.svg", "/a/chair.svg"};
   report.merged = {{"/a/red.svg", "blue"}};
   report.skipped = {{"/a/x.svg", "not a readable SVG file: line 3: no"},
                     {"/a/b\n.svg", "hairlines"},
@@ -51,15 +52,16 @@ TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
                     {"/b/c.svg", "hairlines"},  // a copy
                     {"/a/d.svg", "hairlines"},
                     {"/a/e.svg", "hairlines"}};
-  EXPECT_EQ(
-      build_summary(report),
-      "parts that do not touch the largest one are not in the silhouettes of 1: deer.svg\n"
-      "  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n"
-      "merged 1 with the same silhouette and colour:\n"
-      "  red.svg = blue\n"
-      "skipped 6:\n"
-      "      5  hairlines: b_.svg, c.svg, d.svg, ...\n"
-      "      1  not a readable SVG file: x.svg\n");
+  EXPECT_EQ(build_summary(report),
+            "parts that do not touch the largest one are not in the silhouettes of 1: deer.svg\n"
+            "  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n"
+            "2 enclose twice what they cover or more, which leaves gaps; --fill-holes counts it as theirs: "
+            "bicycle.svg, chair.svg\n"
+            "merged 1 with the same silhouette and colour:\n"
+            "  red.svg = blue\n"
+            "skipped 6:\n"
+            "      5  hairlines: b_.svg, c.svg, d.svg, ...\n"
+            "      1  not a readable SVG file: x.svg\n");
 }
 
 TEST(BuildCounts, AddUpToTheFiles) {

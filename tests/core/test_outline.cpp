@@ -115,8 +115,39 @@ TEST(Outline, SkipsWhatIsOfNoUse) {
 
 TEST(Outline, ARectangleIsKeptWhereItIsAsked) {
   const auto tile = silhouette([](Vec2 p) { return to_box(p, {150, 150}, {100, 60}); });
-  EXPECT_TRUE(std::holds_alternative<TracedOutline>(trace_outline(tile, {}, 0, kEdgeOpacity, true)));
-  EXPECT_TRUE(std::holds_alternative<SkipReason>(trace_outline(tile, {}, 0, kEdgeOpacity)));
+  EXPECT_TRUE(std::holds_alternative<TracedOutline>(trace_outline(tile, {}, 0, {.keep_rectangles = true})));
+  EXPECT_TRUE(std::holds_alternative<SkipReason>(trace_outline(tile, {}, 0)));
+}
+
+float to_ring(Vec2 p, Vec2 centre, float radius, float line) { return std::abs(to_disc(p, centre, radius)) - line / 2; }
+
+/// Two rings and a bridge between them.
+float to_spectacles(Vec2 p) {
+  return std::min({to_ring(p, {80, 150}, 50, 10), to_ring(p, {220, 150}, 50, 10), to_box(p, {150, 150}, {25, 5})});
+}
+
+TEST(Outline, HollownessIsWhatIsEnclosedInPartsOfWhatIsCovered) {
+  EXPECT_EQ(traced([](Vec2 p) { return to_disc(p, {150, 150}, 100); }).hollowness, 1);
+  EXPECT_NEAR(traced([](Vec2 p) { return to_ring(p, {150, 150}, 90, 20); }).hollowness, 1e4 / (1e4 - 6400), 0.01);
+  EXPECT_GT(traced(to_spectacles).hollowness, 2.2f);
+}
+
+TEST(Outline, WhatIsEnclosedCountsWhereItIsAsked) {
+  const auto filled = [](const std::function<float(Vec2)>& distance_px) {
+    return std::get<TracedOutline>(trace_outline(silhouette(distance_px), {}, 0, {.fill_holes = true}));
+  };
+  const TracedOutline spectacles = filled(to_spectacles);
+  EXPECT_EQ(traced(to_spectacles).curves.size(), 3u);
+  ASSERT_EQ(spectacles.curves.size(), 1u);
+  EXPECT_NEAR(area_moment(spectacles.curves[0].even_points(2048)).area, 2 * kPi * 55 * 55 + 30 * 10, 60);
+  EXPECT_GT(spectacles.hollowness, 2.2f);
+  // A hub within a wheel, which alone would be two large parts, and a thin line round all.
+  const TracedOutline wheel = filled([](Vec2 p) {
+    return std::min({to_ring(p, {150, 150}, 100, 10), to_disc(p, {150, 150}, 40), to_disc(p, {280, 280}, 5)});
+  });
+  EXPECT_EQ(wheel.curves.size(), 1u);
+  EXPECT_EQ(wheel.other_components, 1) << "what lies outside";
+  EXPECT_EQ(filled([](Vec2 p) { return to_ring(p, {150, 150}, 120, 2); }).curves.size(), 1u);
 }
 
 TEST(Outline, UsesWhatIsNearTheLimits) {

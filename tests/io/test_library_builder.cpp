@@ -40,12 +40,14 @@ std::string bytes_of(const std::string& path) {
 std::variant<ArtworkShape, SkipReason> fake_load(const std::string& path) {
   const std::string content = bytes_of(path);
   if (content == "hairlines") return SkipReason::hairlines;
+  if (content == "hollow") return SkipReason::hollow;
   if (content == "unreadable") throw InputError(path + ": not a drawing");
   ArtworkShape result{.shape = RandomShape(std::stoul(content), 5).make()};
   result.shape.name = std::filesystem::path(path).stem();
   result.shape.artwork.path = path;
   result.shape.artwork.original.clear();
   result.other_components = content == "7" ? 2 : 0;
+  result.hollowness = content == "8" ? 2.5f : 1;
   std::this_thread::sleep_for(std::chrono::milliseconds(std::stoul(content) * 7 % 5));
   return result;
 }
@@ -164,6 +166,15 @@ TEST_F(LibraryBuilder, SkipsWithReasons) {
   EXPECT_EQ(report.skipped[0].reason, skip_reason_text(SkipReason::hairlines));
   EXPECT_EQ(report.skipped[1].reason, "not a drawing");
   EXPECT_EQ(report.trimmed, std::vector<std::string>{folder_.path("in/e.svg")});
+}
+
+TEST_F(LibraryBuilder, NamesWhatEnclosesMuchUnlessItIsFilled) {
+  write("a.svg", "1");
+  write("b.svg", "hollow");
+  write("c.svg", "8");
+  EXPECT_EQ(build().hollow, (std::vector<std::string>{folder_.path("in/b.svg"), folder_.path("in/c.svg")}));
+  const LibraryBuildSettings filled{.tracing = {.pad = {}, .rules = {.fill_holes = true}}};
+  EXPECT_EQ(build(filled).hollow, std::vector<std::string>{folder_.path("in/b.svg")}) << "the fake loader's word";
 }
 
 TEST_F(LibraryBuilder, StrictWritesNothingWhereAFileIsSkipped) {

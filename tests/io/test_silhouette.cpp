@@ -237,6 +237,23 @@ TEST(ArtworkShape, TheOutlineRunsAtTheOpacityAskedFor) {
             std::get<ArtworkShape>(shape_from_artwork(halo, "halo.svg", {{}, 0.5f})).shape.drawn_scale_px);
 }
 
+/// What a drawing encloses helps it where lines alone are too thin, and only then is that told.
+TEST(ArtworkShape, SaysWhereWhatItEnclosesWouldHelp) {
+  const auto ring = [](double line) {
+    return svg(R"(<circle cx="50" cy="25" r="20" fill="none" stroke="black" stroke-width=")" + std::to_string(line) +
+               "\"/>");
+  };
+  const TracingSettings filled{.pad = {}, .rules = {.fill_holes = true}};
+  EXPECT_NEAR(std::get<ArtworkShape>(shape_from_artwork(ring(4), "ring.svg", {})).hollowness,
+              22. * 22 / (22 * 22 - 18 * 18), 0.03);
+  EXPECT_EQ(std::get<SkipReason>(shape_from_artwork(ring(0.3), "ring.svg", {})), SkipReason::hollow);
+  const auto disc = std::get<ArtworkShape>(shape_from_artwork(ring(0.3), "ring.svg", filled));
+  EXPECT_NEAR(disc.shape.drawn_scale_px, 20.15 * std::sqrt(kPi), 0.1);
+  const auto line = svg(R"(<path d="M5 5L95 45" stroke="black" stroke-width="0.3"/>)");
+  EXPECT_EQ(std::get<SkipReason>(shape_from_artwork(line, "line.svg", {})), SkipReason::hairlines);
+  EXPECT_EQ(std::get<SkipReason>(shape_from_artwork(line, "line.svg", filled)), SkipReason::hairlines);
+}
+
 TEST(ArtworkShape, SameSilhouetteGivesTheSameOutline) {
   const Shape red = shape_of(svg(kDisc));
   const Shape blue = shape_of(svg(R"(<circle cx="30" cy="25" r="20" fill="#0000ff"/>)"));

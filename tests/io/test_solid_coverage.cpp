@@ -44,7 +44,7 @@ std::string fading_disc(double from, double opacity, double y = 50) {
 }
 
 std::variant<ArtworkShape, SkipReason> traced(const Bytes& file, float edge_opacity = kEdgeOpacity) {
-  return shape_from_artwork(file, "drawing.svg", {.pad = {}, .edge_opacity = edge_opacity});
+  return shape_from_artwork(file, "drawing.svg", {.pad = {}, .rules = {.edge_opacity = edge_opacity}});
 }
 
 /// Of the shape, in units of the page; 0: it is none.

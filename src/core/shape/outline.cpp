@@ -18,6 +18,7 @@ constexpr float kOpeningCells = 4.2f;  // radius of the disc that seeks hairline
 struct Component {
   Outline outline;
   double outer_area = 0;
+  double covered_area = 0;  // the same without holes
   int others = 0;
   double others_area = 0;
 };
@@ -34,21 +35,23 @@ std::size_t owner_of(std::size_t hole, const std::vector<std::vector<Vec2>>& cur
 }
 
 /// The component whose outer curve encloses most, with the holes that count.
-Component largest_component(std::vector<std::vector<Vec2>> curves) {
+Component largest_component(std::vector<std::vector<Vec2>> curves, bool fill_holes) {
   std::vector<double> area(curves.size());
   std::transform(curves.begin(), curves.end(), area.begin(), signed_area);
   const std::size_t largest = std::size_t(std::max_element(area.begin(), area.end()) - area.begin());
 
   Component component;
-  component.outer_area = area[largest];
+  component.outer_area = component.covered_area = area[largest];
   component.outline.curves.push_back(curves[largest]);
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    if (area[i] > 0 && i != largest) {
+    if (area[i] > 0 && i != largest && !(fill_holes && contains(curves[largest], curves[i].front()))) {
       ++component.others;
       component.others_area += area[i];
     }
     if (area[i] >= -kLeastHole * area[largest] || !contains(curves[largest], curves[i].front())) continue;
-    if (owner_of(i, curves, area, largest) == largest) component.outline.curves.push_back(curves[i]);
+    if (owner_of(i, curves, area, largest) != largest) continue;
+    component.covered_area += area[i];
+    if (!fill_holes) component.outline.curves.push_back(curves[i]);
   }
   return component;
 }
@@ -92,29 +95,30 @@ bool is_hairlines(const Outline& outline, double area) {
   return double(count_set(opened(set, kOpeningCells))) < kHairlineRest * double(count_set(set));
 }
 
-std::optional<SkipReason> reason_to_skip(const Component& component, float source_px, bool keep_rectangles) {
+std::optional<SkipReason> reason_to_skip(const Component& component, float source_px, const TracingRules& rules) {
   const double area = enclosed_area(component.outline);
   // In this order: of a drawing in thin lines the pixels catch fragments, which are not too small for their own fault.
   if (component.others_area > kLargestSpecks * component.outer_area) return SkipReason::several_large_components;
   if (is_hairlines(component.outline, area)) return SkipReason::hairlines;
   if (std::sqrt(area) < kLeastSize_px * std::max(1.f, source_px)) return SkipReason::too_small;
-  if (!keep_rectangles && is_plain_rectangle(component.outline)) return SkipReason::plain_rectangle;
+  if (!rules.keep_rectangles && is_plain_rectangle(component.outline)) return SkipReason::plain_rectangle;
   return std::nullopt;
 }
 
 }  // namespace
 
 std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px,
-                                                      float edge_opacity, bool keep_rectangles) {
-  std::vector<std::vector<Vec2>> curves = contours(alpha, edge_opacity);
+                                                      const TracingRules& rules) {
+  std::vector<std::vector<Vec2>> curves = contours(alpha, rules.edge_opacity);
   if (curves.empty()) return SkipReason::empty;
-  Component component = largest_component(std::move(curves));
-  if (const auto reason = reason_to_skip(component, source_px, keep_rectangles)) return *reason;
+  Component component = largest_component(std::move(curves), rules.fill_holes);
+  if (const auto reason = reason_to_skip(component, source_px, rules)) return *reason;
 
   const float sigma_px = std::max(kSmoothing_px, kSmoothing_sourcepx * source_px);
   TracedOutline traced;
   traced.other_components = component.others;
   traced.other_area_fraction = float(component.others_area / component.outer_area);
+  traced.hollowness = float(component.outer_area / component.covered_area);
   for (std::vector<Vec2>& curve : component.outline.curves) {
     for (Vec2& p : curve) p = p + origin_px + Vec2{0.5f, 0.5f};
     traced.curves.push_back(smoothing_spline(curve, sigma_px));

@@ -10,13 +10,15 @@
 
 namespace tessera {
 
-enum class SkipReason { empty, too_small, several_large_components, plain_rectangle, hairlines };
+/// `hollow`: thin lines, or parts side by side, but what they enclose would make a shape (TracingRules::fill_holes).
+enum class SkipReason { empty, too_small, several_large_components, plain_rectangle, hairlines, hollow };
 
 /// Artwork frame (px).
 struct TracedOutline {
   std::vector<ClosedSpline> curves;  // the outer one, then the holes; interior on the left
   int other_components = 0;          // left out: specks beside the largest component
   float other_area_fraction = 0;     // what they enclose, in parts of what the largest one encloses
+  float hollowness = 1;              // what the outer curve encloses, in parts of what is covered of it
 };
 
 /// What a drawing covers by half is in; halos and shadows that fade out are not.
@@ -39,11 +41,18 @@ inline constexpr float kHairlineRest = 0.7f;
 /// Or its box is longer than so many square roots of the area: too thin for the grid of its distance field.
 inline constexpr float kLongest = 8;
 
+/// Such an outline encloses much and covers little: others find no place beside it, and it leaves gaps.
+inline constexpr float kHollow = 2;
+
+struct TracingRules {
+  float edge_opacity = kEdgeOpacity;  // the outline runs where alpha is this
+  bool keep_rectangles = false;       // a plain rectangle is a drawing's background, as a rule, and skipped
+  bool fill_holes = false;            // what the outer curve encloses belongs to the shape, parts that lie in it too
+};
+
 /// `alpha`: coverage 0..1; node (i, j) is the pixel whose centre lies at origin_px + (i + 0.5, j + 0.5). `source_px`:
-/// size of a pixel of the source in pixels of alpha: 0 for vectors, above 1 for an enlarged image. The outline runs
-/// where alpha is `edge_opacity`. A plain rectangle is a drawing's background, as a rule, and skipped; not where
-/// `keep_rectangles`.
+/// size of a pixel of the source in pixels of alpha: 0 for vectors, above 1 for an enlarged image.
 std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, Vec2 origin_px, float source_px,
-                                                      float edge_opacity = kEdgeOpacity, bool keep_rectangles = false);
+                                                      const TracingRules& rules = {});
 
 }  // namespace tessera

@@ -24,10 +24,9 @@ ColourGrid colour_grid_of(const Silhouette& silhouette, const Shape& shape) {
 using OutlineOrReason = std::variant<TracedOutline, SkipReason>;
 
 /// Of the drawing's body; where that is of no use, a translucent plate behind it for example, of what is opaque.
-OutlineOrReason traced_outline(const Silhouette& silhouette, const TracingSettings& settings) {
+OutlineOrReason traced_outline(const Silhouette& silhouette, const TracingRules& rules) {
   const auto trace = [&](const Grid<float>& coverage) {
-    return trace_outline(coverage, silhouette.origin_px, silhouette.source_px, settings.edge_opacity,
-                         settings.keep_rectangles);
+    return trace_outline(coverage, silhouette.origin_px, silhouette.source_px, rules);
   };
   OutlineOrReason by_body = SkipReason::empty;
   if (silhouette.body.width() > 0) by_body = trace(silhouette.body);
@@ -36,13 +35,24 @@ OutlineOrReason traced_outline(const Silhouette& silhouette, const TracingSettin
   return std::holds_alternative<TracedOutline>(by_alpha) || silhouette.body.width() == 0 ? by_alpha : by_body;
 }
 
+/// Whether what the drawing encloses would make a shape where the drawing itself does not.
+bool is_hollow(const Silhouette& silhouette, TracingRules rules) {
+  if (rules.fill_holes) return false;
+  rules.fill_holes = true;
+  const OutlineOrReason filled = traced_outline(silhouette, rules);
+  const auto* outline = std::get_if<TracedOutline>(&filled);
+  return outline && outline->hollowness >= kHollow;
+}
+
 }  // namespace
 
 std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
                                                           const TracingSettings& settings) {
-  Silhouette silhouette = make_silhouette(bytes, path, settings.edge_opacity);
-  const auto traced = traced_outline(silhouette, settings);
-  if (const auto* reason = std::get_if<SkipReason>(&traced)) return *reason;
+  Silhouette silhouette = make_silhouette(bytes, path, settings.rules.edge_opacity);
+  const auto traced = traced_outline(silhouette, settings.rules);
+  if (const auto* reason = std::get_if<SkipReason>(&traced)) {
+    return is_hollow(silhouette, settings.rules) ? SkipReason::hollow : *reason;
+  }
 
   const auto& outline = std::get<TracedOutline>(traced);
   Shape shape = make_shape(outline, settings.pad);
@@ -56,7 +66,8 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
   shape.artwork.width_px = silhouette.width_px;
   shape.artwork.height_px = silhouette.height_px;
   shape.artwork.thumbnail_png = std::move(silhouette.thumbnail_png);
-  return ArtworkShape{std::move(shape), outline.other_components, outline.other_area_fraction, silhouette.style};
+  return ArtworkShape{std::move(shape), outline.other_components, outline.other_area_fraction, outline.hollowness,
+                      silhouette.style};
 }
 
 }  // namespace tessera::io

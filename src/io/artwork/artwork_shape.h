@@ -17,13 +17,13 @@ struct ArtworkShape {
   Shape shape;  // name: the file name without extension; Artwork::original stays empty
   int other_components = 0;
   float other_area_fraction = 0;  // see TracedOutline
+  float hollowness = 1;           // the same
   StyleFeatures style = {};       // what the drawing looks like
 };
 
 struct TracingSettings {
   PadParameters pad;
-  float edge_opacity = kEdgeOpacity;  // see trace_outline
-  bool keep_rectangles = false;       // the same
+  TracingRules rules = {};
 };
 
 /// `bytes` is the content of the file `path` (read_artwork_file). Two files with the same silhouette give equal

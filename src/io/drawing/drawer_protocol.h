@@ -74,6 +74,8 @@ struct RequestHeader {
   float pad_delta_tau;
   float edge_opacity;
   std::uint32_t keep_rectangles;
+  std::uint32_t fill_holes;
+  std::uint32_t unused;
   std::uint64_t path_bytes;
   std::uint64_t scope_id_bytes;
   std::uint64_t warp_bytes;

@@ -40,16 +40,22 @@ struct Variant {
   std::array<float, 3> mean_lab;
 };
 
-/// A shape, or why the file gives none.
-using Loaded = std::variant<ArtworkShape, std::string>;
+struct NoShape {
+  std::string reason;
+  bool is_hollow = false;  // SkipReason::hollow
+};
+
+using Loaded = std::variant<ArtworkShape, NoShape>;
 
 Loaded loaded(const ShapeLoader& loader, const std::string& path) {
   try {
     std::variant<ArtworkShape, SkipReason> shape = loader.load(path);
-    if (const auto* reason = std::get_if<SkipReason>(&shape)) return skip_reason_text(*reason);
+    if (const auto* reason = std::get_if<SkipReason>(&shape)) {
+      return NoShape{skip_reason_text(*reason), *reason == SkipReason::hollow};
+    }
     return std::move(std::get<ArtworkShape>(shape));
   } catch (const InputError& error) {
-    return error.what();
+    return NoShape{error.what()};
   }
 }
 
@@ -76,7 +82,9 @@ class Builder {
     if (auto* artwork = std::get_if<ArtworkShape>(&loaded)) {
       take_shape(path, std::move(*artwork));
     } else {
-      skip(path, std::get<std::string>(loaded));
+      const auto& none = std::get<NoShape>(loaded);
+      if (none.is_hollow) report_.hollow.push_back(path);
+      skip(path, none.reason);
     }
     progress_(index + 1, report_.shapes);
   }
@@ -94,6 +102,7 @@ class Builder {
     try {
       add(path, std::move(artwork.shape), artwork.style);
       if (artwork.other_components > 0) report_.trimmed.push_back(path);
+      if (artwork.hollowness >= kHollow && !settings_.tracing.rules.fill_holes) report_.hollow.push_back(path);
     } catch (const InputError& error) {
       skip(path, error.what());
     }

@@ -36,6 +36,7 @@ struct LibraryBuildReport {
   std::vector<UnusedFile> skipped;
   std::vector<Merged> merged;
   std::vector<std::string> trimmed;  // paths of shapes: small components beside the largest were left out
+  std::vector<std::string> hollow;   // paths of shapes and skipped files that TracingRules::fill_holes would help
 };
 
 struct ShapeLoader {

@@ -14,6 +14,7 @@ std::string skip_reason_text(SkipReason reason) {
     case SkipReason::plain_rectangle:
       return "a plain rectangle; take the background away, if that is what it is, or keep it (--keep-rectangles)";
     case SkipReason::hairlines: return "thin lines alone; fill what they enclose, or make them thicker";
+    case SkipReason::hollow: return "little but what it encloses; --fill-holes takes that for the shape, or fill it";
   }
   return "unknown";
 }
