@@ -86,6 +86,7 @@ struct ScalingOptions {
   int repeats = 3;
   /// What "-n RANKS PROGRAM..." is appended to.
   std::string launcher = "mpirun -x POCL_MAX_PTHREAD_COUNT --oversubscribe --bind-to none";
+  std::string program;  // tessera itself
 };
 /// Strong and weak scaling over the workers, a core each, beside Amdahl's law; also writes CSV and a plot.
 Report bench_scaling(const Setting& setting, const ScalingOptions& options);

@@ -14,7 +14,6 @@
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
-#include "io/own_program.h"
 #include "io/result/collage_files.h"
 #include "io/result/result_file.h"
 #include "io/text_table.h"
@@ -118,7 +117,7 @@ std::string result_folder(const Plan& plan, int workers, std::uint32_t shapes) {
 Json run_once(const Plan& plan, int workers, std::uint32_t shapes, const std::string& library) {
   std::vector<std::string> command = words_of(plan.options.launcher);
   const std::string out = result_folder(plan, workers, shapes);
-  command.insert(command.end(), {"-n", std::to_string(workers + 1), io::own_program(), "collage",
+  command.insert(command.end(), {"-n", std::to_string(workers + 1), plan.options.program, "collage",
                                  write_job(plan, library), "--quiet", "--out", out});
   run_program(command);
   return Json::parse(io::read_result_file(out, "card.json")).at("ranks");

@@ -8,6 +8,7 @@
 #include "cli/terminal.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
+#include "io/own_program.h"
 #include "io/result/collage_files.h"
 #include "worker/opencl_devices.h"
 
@@ -172,7 +173,10 @@ void add_variety(CLI::App& bench, Command& selected) {
 void add_scaling(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<bench::ScalingOptions>();
   CLI::App* sub = add_benchmark(bench, selected, "scaling", "Speed-up with more workers; starts mpirun itself",
-                                [options](const bench::Setting& s) { return bench::bench_scaling(s, *options); });
+                                [options](const bench::Setting& s) {
+                                  options->program = io::own_program();
+                                  return bench::bench_scaling(s, *options);
+                                });
   add_library_option(*sub, options->library);
   sub->add_option("--shapes", options->shapes,
                   "Shapes for the most workers; default: the library's. More than it has: "

@@ -20,6 +20,9 @@ std::string refusal(const std::system_error& error) {
 }
 
 std::string refusal(const std::filesystem::filesystem_error& error) {
+  std::error_code gone;
+  const std::filesystem::path current = std::filesystem::current_path(gone);
+  if (current.empty()) return "the current folder is not there any more: " + gone.message();
   const std::string files = error.path1().string() + (error.path2().empty() ? "" : ", " + error.path2().string());
   return (files.empty() ? "the system refused" : files) + ": " + error.code().message();
 }

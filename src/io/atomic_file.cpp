@@ -37,13 +37,6 @@ std::string name_of(const std::string& path) {
 
 std::string temporary_name_of(const std::string& path) { return temporary_path(name_of(path)); }
 
-FileDescriptor open_folder_of(const std::string& path) {
-  const fs::path parent = fs::path(path).parent_path();
-  FileDescriptor folder(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!folder.is_open()) throw_cannot_write(path, message(errno));
-  return folder;
-}
-
 /// Whether the name in the folder leads to the open file.
 bool leads_to(const FileDescriptor& folder, const std::string& name, const FileDescriptor& file) {
   struct stat opened {};
@@ -53,9 +46,21 @@ bool leads_to(const FileDescriptor& folder, const std::string& name, const FileD
          opened.st_ino == named.st_ino;
 }
 
-bool is_folder(const FileDescriptor& folder, const std::string& name) {
+mode_t mode_of(const FileDescriptor& folder, const std::string& name) {
   struct stat named {};
-  return ::fstatat(folder.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(named.st_mode);
+  return ::fstatat(folder.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 ? named.st_mode : 0;
+}
+
+/// For a file that becomes `path`. Renaming would replace whatever has that name, also a device: who names /dev/null does
+/// not mean that.
+FileDescriptor open_folder_of(const std::string& path) {
+  const fs::path parent = fs::path(path).parent_path();
+  FileDescriptor folder(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder.is_open()) throw_cannot_write(path, message(errno));
+  const mode_t mode = mode_of(folder, name_of(path));
+  if (S_ISDIR(mode)) throw_cannot_write(path, message(EISDIR));
+  if (S_ISCHR(mode) || S_ISBLK(mode)) throw_cannot_write(path, "it is a device");
+  return folder;
 }
 
 /// Not open with errno where that cannot be, as where the name is taken.
@@ -208,8 +213,7 @@ bool link_atomically(const std::string& file, const std::string& path) {
 void check_can_be_written(const std::string& path) {
   const FileDescriptor folder = open_folder_of(path);
   const std::string name = temporary_name_of(path);
-  if (is_folder(folder, name_of(path))) throw_cannot_write(path, message(EISDIR));
-  if (is_folder(folder, name)) throw_in_the_way(path, name, EISDIR);
+  if (S_ISDIR(mode_of(folder, name))) throw_in_the_way(path, name, EISDIR);
   const FileDescriptor probe = create(folder, name);
   if (!probe.is_open() && errno != EEXIST) throw_cannot_write(path, message(errno));
   if (probe.is_open() && leads_to(folder, name, probe)) ::unlinkat(folder.number(), name.c_str(), 0);

@@ -76,7 +76,8 @@ void write_file_atomically(const std::string& path, std::string_view bytes);
 FileDescriptor create_unnamed_file(const std::string& path, const std::string& suffix);
 
 /// Makes `path` a second name (hard link) of `file`, which lies in the same folder; `path` is replaced at once. Returns
-/// false with errno where that cannot be: some file systems have no hard links.
+/// false with errno where that cannot be: some file systems have no hard links. Throws EnvironmentError where a folder
+/// has the name `path`.
 bool link_atomically(const std::string& file, const std::string& path);
 
 /// Throws EnvironmentError, as write_file_atomically would, where `path` cannot be written. Leaves nothing behind, and

@@ -9,6 +9,7 @@
 
 #include "core/replacing/window_queue.h"
 #include "support/replacement_windows.h"
+#include "support/room_for_stacks.h"
 
 namespace tessera {
 namespace {
@@ -51,6 +52,18 @@ TEST(OwnReplacer, WhoHelpsChangesNothing) {
     windows.front().trials *= 4;
     EXPECT_EQ(asked(several, windows), asked(alone, windows)) << count;
   }
+}
+
+TEST(OwnReplacer, WithoutAnyThreadItDoesTheSame) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer maps a shadow of all addresses";
+#endif
+  EndlessShapes shapes;
+  OwnReplacer replacer(shapes, 2, do_not_look);
+  const std::vector<ReplacementWindow> windows = any_windows(2, 5);
+  const std::vector<ReplacementOutcome> expected = asked(replacer, windows);
+  const test::RoomForStacks none(0);
+  EXPECT_EQ(asked(replacer, windows), expected);
 }
 
 TEST(OwnReplacer, WindowsStandForThemselves) {

@@ -1,6 +1,7 @@
 // Files appear whole or not at all.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -153,6 +154,14 @@ TEST(AtomicFile, AnotherFileUnderTheTemporaryNameIsNotTakenForOurs) {
   EXPECT_THROW(file.commit(), EnvironmentError);
   EXPECT_EQ(content_of(path), "old");
   EXPECT_EQ(content_of(temporary_path(path)), "of another run");
+}
+
+TEST(AtomicFile, ADeviceIsNotReplaced) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.path("null");
+  if (::mknod(path.c_str(), S_IFCHR | 0600, makedev(1, 3)) != 0) GTEST_SKIP() << "may not make a device";
+  EXPECT_EQ(failure_of(path, "x"), "cannot write " + path + ": it is a device");
+  EXPECT_TRUE(fs::is_character_file(path));
 }
 
 TEST(AtomicFile, WhatIsNotCommittedIsRemoved) {

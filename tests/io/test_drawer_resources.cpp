@@ -1,7 +1,6 @@
 // Drawing processes where threads are few, and where all of them are suspended for a while.
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <thread>
 
 #include "drawer_samples.h"
+#include "support/room_for_stacks.h"
 
 namespace tessera::io {
 namespace {
@@ -19,38 +19,8 @@ using namespace std::chrono_literals;
 using test::kDisc;
 using test::kTwo;
 using test::mistake;
+using test::RoomForStacks;
 using test::svg;
-
-/// While it lives a thread's stack is so large that the address space has room for so many of them; a stack that cannot
-/// be mapped is no thread. Stacks of threads that have ended are of another size, so they are not taken again.
-class RoomForStacks {
- public:
-  explicit RoomForStacks(int count) {
-    ::pthread_getattr_default_np(&usual_);
-    pthread_attr_t large;
-    ::pthread_getattr_default_np(&large);
-    ::pthread_attr_setstacksize(&large, kStack_bytes);
-    ::pthread_setattr_default_np(&large);
-    ::pthread_attr_destroy(&large);
-    const std::size_t bytes = std::size_t(count) * kStack_bytes + kStack_bytes / 2;
-    std::size_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    ::getrlimit(RLIMIT_AS, &before_);
-    const rlimit little{pages * std::size_t(::sysconf(_SC_PAGESIZE)) + bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_AS, &little);
-  }
-  ~RoomForStacks() {
-    ::setrlimit(RLIMIT_AS, &before_);
-    ::pthread_setattr_default_np(&usual_);
-    ::pthread_attr_destroy(&usual_);
-  }
-
- private:
-  static constexpr std::size_t kStack_bytes = std::size_t(512) << 20;
-
-  pthread_attr_t usual_{};
-  rlimit before_{};
-};
 
 std::size_t threads_of_this_process() {
   const std::filesystem::directory_iterator tasks("/proc/self/task");

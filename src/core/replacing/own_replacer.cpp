@@ -78,8 +78,9 @@ std::vector<ReplacementOutcome> OwnReplacer::take_replaced() {
   {
     std::vector<std::jthread> threads;
     try {
-      start_threads(queue, std::min(kMostThreadsPerWindow * windows.size(), std::size_t(threads_)), threads);
-      if (threads.empty()) queue.work();
+      const std::size_t wanted = std::min(kMostThreadsPerWindow * windows.size(), std::size_t(threads_));
+      start_threads(queue, wanted, threads);
+      if (threads.size() < std::min<std::size_t>(wanted, 1)) queue.work();  // nobody else does
       while (!queue.wait(kBetweenLooks)) look_();
     } catch (...) {
       queue.give_up();
