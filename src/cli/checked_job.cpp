@@ -11,7 +11,7 @@
 #include "io/job/job_library.h"
 #include "io/job/overlays.h"
 #include "io/job/picture_size.h"
-#include "io/result/ground_tile.h"
+#include "io/result/canvas_drawing.h"
 
 namespace tessera::cli {
 
@@ -41,8 +41,10 @@ io::LibraryView checked_library(io::Job& job) {
 
 Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job) {
   Canvas canvas = io::canvas_of(job);
-  io::check_picture_size(io::on_paper(job.output, job.canvas, canvas), canvas);
-  io::check_ground(job, canvas);
+  io::Job drawn = job;
+  drawn.output = io::on_paper(job.output, job.canvas, canvas);
+  io::check_picture_size(drawn.output, canvas);
+  io::check_canvas_drawing(drawn, canvas);
   if (job.settings.pieces.fit_all) {
     job.size_factor =
         first_size_factor(job.settings, std::uint32_t(library.size()), canvas.area_px2, library.drawings());

@@ -6,6 +6,7 @@
 
 #include "artwork_samples.h"
 #include "io/job/canvas_file.h"
+#include "io/result/canvas_drawing.h"
 #include "io/result/ground_strips.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"
@@ -224,7 +225,7 @@ TEST(Ground, ThatCannotBeReadIsAnErrorOfItsKey) {
   WithGround collage;
   const auto message = [&](const std::string& path) {
     collage.job.output.ground = path;
-    return message_of([&] { check_ground(collage.job, collage.canvas); });
+    return message_of([&] { check_canvas_drawing(collage.job, collage.canvas); });
   };
   const std::string missing = collage.folder.path("none.png");
   EXPECT_EQ(message(missing).find("sample.toml: output.ground: " + missing + ": "), 0u) << message(missing);

@@ -95,6 +95,12 @@ std::vector<std::vector<Vec2>> traced_edge(Grid<float> coverage, float canvas_px
   return traced(std::move(coverage), kBlur_px, 0, canvas_px);
 }
 
+void check_canvas_edge(const CanvasSpec& spec, const Canvas& canvas, Drawers& drawers) {
+  const bool drawn_already = 2 * std::max(canvas.width_px, canvas.height_px) >= kEdgeSide_px;
+  if (spec.file.empty() || drawn_already) return;
+  drawers.render(read_canvas_file(spec.file), spec.file, kEdgeSide_px, background_of(spec));
+}
+
 CanvasEdge canvas_edge(const CanvasSpec& spec, Drawers& drawers) {
   if (spec.file.empty()) return {};
   const EdgePage page = edge_page(spec, drawers);

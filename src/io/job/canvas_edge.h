@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/field/canvas.h"
 #include "core/geometry/grid.h"
 #include "core/geometry/vec2.h"
 #include "io/drawing/drawers.h"
@@ -27,6 +28,9 @@ struct CanvasEdge {
 /// at 4096 px or more along the page's longest side; and where regions have backgrounds, the grounds of all regions,
 /// each of which goes on for some px beneath those after it, so that no gap shows between them. Errors as load_canvas.
 CanvasEdge canvas_edge(const CanvasSpec& spec, Drawers& drawers);
+
+/// Draws the file of a canvas from load_canvas as large as canvas_edge will. Errors as canvas_edge.
+void check_canvas_edge(const CanvasSpec& spec, const Canvas& canvas, Drawers& drawers);
 
 /// Closed curves in canvas px round what is covered half or more, of a page whose px are `canvas_px` wide.
 std::vector<std::vector<Vec2>> traced_edge(Grid<float> coverage, float canvas_px);

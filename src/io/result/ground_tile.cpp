@@ -90,14 +90,4 @@ GroundTile draw_ground(const Job& job, const Canvas& canvas, Drawers& drawers) {
   }
 }
 
-void check_ground(const Job& job, const Canvas& canvas) {
-  if (job.output.ground.empty()) return;
-  try {
-    Drawers drawers(canvas_drawer_settings(job.canvas, DrawerSettings{}.seconds_per_drawing, kMaxArtworkSide_px));
-    draw_ground(job, canvas, drawers);
-  } catch (const InputError& error) {
-    throw InputError(job.path + ": " + error.what());
-  }
-}
-
 }  // namespace tessera::io

@@ -27,7 +27,4 @@ cv::Size2d tile_size_px(cv::Size2d drawing, double width_px, const Canvas& canva
 /// drawn, and DrawingStopped.
 GroundTile draw_ground(const Job& job, const Canvas& canvas, Drawers& drawers);
 
-/// Before a long run: throws InputError, which names job and key, where draw_ground would.
-void check_ground(const Job& job, const Canvas& canvas);
-
 }  // namespace tessera::io

@@ -13,12 +13,12 @@
 #include "io/available_cores.h"
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/drawing/drawers.h"
-#include "io/job/canvas_edge.h"
 #include "io/job/canvas_file.h"
 #include "io/job/job_library.h"
 #include "io/job/palette.h"
 #include "io/job/picture_size.h"
 #include "io/number_text.h"
+#include "io/result/canvas_drawing.h"
 #include "io/result/card_drawing.h"
 #include "io/result/card_input.h"
 #include "io/result/finished_result.h"
@@ -96,17 +96,12 @@ OutputSpec output_of(const WholeResult& result, const PictureRequest& request, c
 
 struct DrawnCanvas {
   Canvas canvas;
-  CanvasEdge edge;
-  KeepOutDrawing keep_out;
-  GroundTile ground;
+  CanvasDrawing drawing;
 };
 
 /// Also makes the job's output that of the pictures, which goes by the canvas.
 DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, Job& job, DrawingObserver& observer) {
-  const bool shows_keep_out = job.output.keep_out != kNoKeepOut;
-  const bool shows_file = shows_keep_out || !job.output.ground.empty();
-  Drawers drawers(canvas_drawer_settings(job.canvas, DrawerSettings{}.seconds_per_drawing,
-                                         shows_file ? kMaxArtworkSide_px : kEdgeSide_px));
+  Drawers drawers(canvas_picture_settings(job));
   const StopWatcher stop(observer, drawers);
   Canvas canvas = load_canvas(job.canvas, drawers);
   if (canvas_digest(canvas) != result.manifest.canvas_digest) {
@@ -116,10 +111,8 @@ DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, 
   }
   job.output = output_of(result, request, canvas);
   check_picture_size(job.output, canvas);
-  DrawnCanvas drawn{std::move(canvas), canvas_edge(job.canvas, drawers), {}, {}};
-  if (shows_keep_out) drawn.keep_out = draw_keep_out(job, drawn.canvas, drawers);
-  drawn.ground = draw_ground(job, drawn.canvas, drawers);
-  return drawn;
+  CanvasDrawing drawing = draw_canvas(job, canvas, drawers);
+  return {std::move(canvas), std::move(drawing)};
 }
 
 std::vector<Placement> placements_of(const std::string& dir, const ResultManifest& manifest, std::size_t shapes) {
@@ -283,9 +276,9 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   CollageReport report;
   report.job = &job;
   report.canvas = &canvas.canvas;
-  report.canvas_edge = std::move(canvas.edge);
-  report.keep_out = std::move(canvas.keep_out);
-  report.ground = std::move(canvas.ground);
+  report.canvas_edge = std::move(canvas.drawing.edge);
+  report.keep_out = std::move(canvas.drawing.keep_out);
+  report.ground = std::move(canvas.drawing.ground);
   report.placements = placements_of(dir, manifest, library.size());
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
   report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });
