@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/key_text.h"
+#include "core/base/error.h"
 #include "core/collage/any_place.h"
 #include "core/matching/stances.h"
 #include "io/job/canvas_file.h"
@@ -14,6 +15,7 @@ namespace tessera::cli {
 namespace {
 
 constexpr std::size_t kShapesTried = 24;  // of many, evenly from all
+constexpr std::size_t kMostTrials = 96;
 constexpr float kSmallerStep = 0.8f;
 constexpr float kLeastTried_px = 1;
 constexpr io::LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
@@ -77,6 +79,7 @@ class KeysTried {
       const StanceTable table = whole.limited({.region = region});
       const StanceList& list = table.list(shape);
       for (const Stance& stance : table.of(list)) {
+        if (stance.poses.min_scale_px > list.min_scale_px || trials_.size() == kMostTrials) break;
         trials_.push_back({&outlines_.back(), stance.poses.min_scale_px, stance.poses.rotations, region});
       }
     }
@@ -119,17 +122,24 @@ class KeysTried {
                  : "smaller pieces, " + with_value(job_, "pieces", "least_scale_px");
     }
     if (job_.drawn_sizes) {
-      return "drawings " + std::to_string(int(100 * smaller.factor)) + " % as large, " + where_sizes_stand(job_) +
-             "; pieces.fit = \"all\", which finds such sizes";
+      const std::string text =
+          "drawings " + std::to_string(int(100 * smaller.factor)) + " % as large, " + where_sizes_stand(job_);
+      return may_fit_all(job_) ? text + "; pieces.fit = \"all\", which finds such sizes" : text;
     }
-    return "pieces of " + length_text(job_, double(smaller.scale_px)) + ", " + where_sizes_stand(job_);
+    return "pieces of " + length_text(job_, double(smaller.scale_px)) + " or less, " + where_sizes_stand(job_);
   }
 
+  /// As it is where its file cannot be read any more: the collage is finished, and this is for a message alone.
   Canvas without_zones() const {
     io::Job job = job_;
     job.canvas.keep_out.clear();
     job.canvas.keep_out_rectangles.clear();
-    return io::canvas_of(job);
+    try {
+      return io::canvas_of(job);
+    } catch (const InputError&) {
+    } catch (const EnvironmentError&) {
+    }
+    return canvas_;
   }
 
   const io::Job& job_;
@@ -146,6 +156,8 @@ std::vector<std::string> keys_that_keep_out(const io::Job& job, const CollageSet
                                             const std::vector<ShapeId>& shapes) {
   return KeysTried(job, sized, library, canvas, shapes).keys_that_help();
 }
+
+bool may_fit_all(const io::Job& job) { return io::rows_of(job, "regions").empty(); }
 
 std::string where_sizes_stand(const io::Job& job) {
   return in_tables(job, "scale_px") + with_value(job, "pieces", job.drawn_sizes ? "sizes" : "scale_px");

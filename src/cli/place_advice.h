@@ -18,6 +18,9 @@ std::vector<std::string> keys_that_keep_out(const io::Job& job, const CollageSet
                                             const io::ShapeLibrary& library, const Canvas& canvas,
                                             const std::vector<ShapeId>& shapes);
 
+/// Whether the job may have pieces.fit = "all".
+bool may_fit_all(const io::Job& job);
+
 /// "scale_px of [[shapes]] or pieces.scale_px (now [20, 160])": where a job says what sizes pieces have.
 std::string where_sizes_stand(const io::Job& job);
 

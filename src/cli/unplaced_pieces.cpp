@@ -1,6 +1,7 @@
 #include "cli/unplaced_pieces.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/collage_warnings.h"
 #include "cli/key_text.h"
@@ -8,7 +9,6 @@
 #include "core/collage/missing_pieces.h"
 #include "core/matching/sized_settings.h"
 #include "core/matching/stances.h"
-#include "io/job/job_tables.h"
 
 namespace tessera::cli {
 namespace {
@@ -52,7 +52,7 @@ std::vector<std::string> keys_that_make_room(const io::Job& job) {
       keys.push_back("smaller pieces, " + with_value(job, "pieces", "least_scale_px"));
   } else {
     keys.push_back("smaller pieces, " + where_sizes_stand(job));
-    if (io::rows_of(job, "regions").empty()) keys.push_back("pieces.fit = \"all\", which finds their sizes");
+    if (may_fit_all(job)) keys.push_back("pieces.fit = \"all\", which finds their sizes");
   }
   for (const char* key : {"padding_px", "apart_px"}) {
     if (!is_default(job, "pieces", key)) keys.push_back("less " + with_value(job, "pieces", key));
@@ -61,14 +61,19 @@ std::vector<std::string> keys_that_make_room(const io::Job& job) {
   return keys;
 }
 
+/// For shapes of which none, or too few, found a place.
+std::vector<std::string> what_to_try(const CollageInput& input, const std::vector<ShapeId>& shapes) {
+  const io::Job& job = input.job;
+  std::vector<std::string> keys = keys_that_keep_out(job, smallest_sizes(job), input.library, input.canvas, shapes);
+  if (keys.empty()) keys = keys_that_make_room(job);
+  return with_canvas(std::move(keys), job);
+}
+
 std::string empty_warning(const CollageInput& input, const master::CollageResult& result) {
   const std::vector<ShapeId> shapes = all_that_may_stand(input);
-  if (shapes.empty() || limit_that_ended(result.statistics))
-    return empty_result_warning(input.folder, input.job, result, {});
-  return empty_result_warning(
-      input.folder, input.job, result,
-      with_canvas(keys_that_keep_out(input.job, smallest_sizes(input.job), input.library, input.canvas, shapes),
-                  input.job));
+  const bool is_full = !shapes.empty() && !limit_that_ended(result.statistics);
+  return empty_result_warning(input.folder, input.job, result,
+                              is_full ? what_to_try(input, shapes) : std::vector<std::string>());
 }
 
 std::string missing_warning(const CollageInput& input, const master::CollageResult& result,
@@ -82,13 +87,11 @@ std::string missing_warning(const CollageInput& input, const master::CollageResu
   }
   std::vector<ShapeId> shapes;
   for (const io::MissingShape& shape : missing) shapes.push_back(shape.id);
-  std::vector<std::string> keys = keys_that_keep_out(job, smallest_sizes(job), input.library, input.canvas, shapes);
-  if (keys.empty()) keys = keys_that_make_room(job);
   const std::string tried =
       job.settings.pieces.fit_all
           ? "no sizes down to " + length_text(job, double(job.settings.pieces.least_scale_px)) + " gave all a place"
           : "they found no place";
-  return what + tried + "; try " + joined_warnings(with_canvas(std::move(keys), job));
+  return what + tried + "; try " + joined_warnings(what_to_try(input, shapes));
 }
 
 }  // namespace

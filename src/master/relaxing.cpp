@@ -27,7 +27,8 @@ std::optional<NoRelaxing> why_not_relaxed(const CollageSettings& s) {
   if (!s.improve.relax) return NoRelaxing::not_wanted;
   if (s.pieces.size_map) return NoRelaxing::sizes_by_place;
   if (s.colour) return NoRelaxing::colours_by_place;
-  if (s.pieces.max_scale_px > kMostRelaxedSizeRatio * s.pieces.min_scale_px) return NoRelaxing::sizes_differ;
+  const float most_px = kMostRelaxedSizeRatio * s.pieces.min_scale_px;
+  if (s.pieces.max_scale_px > most_px * (1 + kScaleRounding)) return NoRelaxing::sizes_differ;
   if (!any_may_grow(s)) return NoRelaxing::sizes_fixed;
   return {};
 }

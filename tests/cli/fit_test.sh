@@ -110,16 +110,16 @@ empty() { # WORDS OPTION...
 }
 job empty bars.h5 $'scale_px = [150, 200]'
 empty 'nothing fits; try pieces of '
-expect_word ' px, pieces.scale_px (now [150, 200]); a larger canvas.size_px (now [400, 300])'
+expect_word ' px or less, pieces.scale_px (now [150, 200]); a larger canvas.size_px (now [400, 300])'
 empty 'other rotations, pieces.rotation_deg (now [90, 90])' --set 'pieces.scale_px=90' --set pieces.rotation_deg=90
 empty 'less pieces.padding_px (now 140)' --set 'pieces.scale_px=60' --set pieces.padding_px=140
 empty 'drawings 64 % as large, pieces.sizes (now "drawn"); pieces.fit = "all", which finds such sizes' --set pieces.sizes=drawn
 run 3 collage empty.toml --out empty --quiet --resume=auto --set pieces.sizes=drawn
 expect_word 'empty: the collage is empty; run.log says why'
-empty 'mm, pieces.scale_mm (now [75, 100]); a larger canvas.size_mm (now [200, 150])' --set 'canvas.size_mm=[200, 150]'
+empty 'mm or less, pieces.scale_mm (now [75, 100]); a larger canvas.size_mm (now [200, 150])' --set 'canvas.size_mm=[200, 150]'
 cp empty.toml plain.toml
 printf '[[shapes]]\nnames = "bar*"\nscale_px = 180\n' >>empty.toml
-empty ' px, scale_px of [[shapes]] or pieces.scale_px (now [20, 160])' --set 'pieces.scale_px=[20, 160]'
+empty ' px or less, scale_px of [[shapes]] or pieces.scale_px (now [20, 160])' --set 'pieces.scale_px=[20, 160]'
 cp plain.toml empty.toml
 printf '[[shapes]]\nnames = "*"\nweight = 0\n' >>empty.toml
 empty 'no shape may stand: weights, regions and names of [[shapes]]'

@@ -57,15 +57,20 @@ for value in 'canvas.size_px=[16, 16]' 'canvas.size_px=[2000, 16]' 'pieces.paddi
   objective.length_exponent=0 objective.length_exponent=4 objective.scale_exponent=4 objective.repetition_exponent=4 \
   objective.near_twin_factor=0 stop.coverage=0.01 stop.seconds=1e7 improve.seconds=1e7 checkpoint.every_s=0 \
   checkpoint.every_s=1e6; do
-  try "0 75" "${collage[@]}" --set "$value" --restart
+  try "0 3 75" "${collage[@]}" --set "$value" --restart
   [[ -s result/pieces.geojson ]] || fail "no pieces: $value"
+done
+for value in pieces.least_scale_px=5000 'pieces.uses=[1000000, 1000000]' 'pieces.scale_px=[2, 5000]' pieces.apart_px=20000 \
+  pieces.padding_px=500 pieces.sizes=drawn canvas.seamless=both start.grow=outward stop.coverage=0.01; do
+  try "0 3 75" "${collage[@]}" --set pieces.fit=all --set stop.pieces=0 --set "$value" --restart
+  [[ -s result/pieces.geojson ]] || fail "no pieces: pieces.fit=all, $value"
 done
 echo "ok extremes"
 
 "$write_hostile_jobs" 60
 for job in job_*.toml; do
   try "0 2" plan "$job"
-  [[ -s errors ]] || try "0 75" collage "$job" --out any --quiet --restart --time-limit 5 --set stop.pieces=1 \
+  [[ -s errors ]] || try "0 3 75" collage "$job" --out any --quiet --restart --time-limit 5 --set stop.pieces=1 \
     --set output.width_px=64 --set 'canvas.size_px=[64, 48]' --set devices.use=cpu --set devices.per_worker=0
 done
 echo "ok job files by chance"

@@ -73,6 +73,13 @@ class PlaceSearch {
   float step_px_;
 };
 
+/// No piece reaches farther from its centroid than the diagonal, on a canvas that does not repeat.
+bool reaches_beyond(const std::vector<Vec2>& points, float scale_px, const EmptyRoom& room) {
+  const Grid<float>& nodes = room.distance.value;
+  return !room.period.repeats() &&
+         scale_px * norm(points.front()) > norm(Vec2{float(nodes.width()), float(nodes.height())});
+}
+
 /// On a canvas that repeats a piece must not reach its own image.
 bool reaches_itself(const std::vector<Vec2>& points, float scale_px, const Period& period) {
   const int shorter_px =
@@ -84,7 +91,7 @@ bool reaches_itself(const std::vector<Vec2>& points, float scale_px, const Perio
 
 bool has_any_place(const Outline& outline, float scale_px, const DirectionRange& rotations, const EmptyRoom& room) {
   std::vector<Vec2> points = some_points(outline);
-  if (reaches_itself(points, scale_px, room.period)) return false;
+  if (reaches_beyond(points, scale_px, room) || reaches_itself(points, scale_px, room.period)) return false;
   return PlaceSearch(room, std::move(points), scale_px).finds_any(rotations);
 }
 
