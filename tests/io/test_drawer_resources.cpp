@@ -33,12 +33,13 @@ TEST(Drawers, FewerThreadsDoTheSameWork) {
 #endif
   DrawerSettings many = kTwo;
   many.processes = 64;
+  const std::size_t before = threads_of_this_process();  // OpenCV may have some
   const auto drawers = [&] {
     const RoomForStacks few(3);
     return std::make_unique<Drawers>(many);
   }();
-  EXPECT_LE(threads_of_this_process(), 1u + 3);
-  EXPECT_GT(threads_of_this_process(), 1u);
+  EXPECT_LE(threads_of_this_process(), before + 3);
+  EXPECT_GT(threads_of_this_process(), before);
   std::vector<std::future<cv::Mat>> drawings;
   for (int i = 0; i < 6; ++i) {
     drawings.push_back(std::async(std::launch::async, [&, i] { return drawers->render(svg(kDisc), "a", 100 + i); }));
