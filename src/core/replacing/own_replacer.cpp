@@ -80,7 +80,7 @@ std::vector<ReplacementOutcome> OwnReplacer::take_replaced() {
     try {
       const std::size_t wanted = std::min(kMostThreadsPerWindow * windows.size(), std::size_t(threads_));
       start_threads(queue, wanted, threads);
-      if (threads.size() < std::min<std::size_t>(wanted, 1)) queue.work();  // nobody else does
+      if (threads.empty() && wanted > 0) queue.work();
       while (!queue.wait(kBetweenLooks)) look_();
     } catch (...) {
       queue.give_up();
