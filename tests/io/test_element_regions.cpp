@@ -141,6 +141,20 @@ TEST(MergeTree, CutsWhereBordersAreStrong) {
   EXPECT_NE(labels.at<int>(5, 35), labels.at<int>(5, 45));
 }
 
+RC_GTEST_PROP(LabelRuns, AreTheMapAgain, ()) {
+  const int width = *rc::gen::inRange(1, 14), height = *rc::gen::inRange(1, 14);
+  cv::Mat labels;
+  random_relief(width, height, 4).convertTo(labels, CV_32S);
+  const LabelRuns runs(labels);
+  RC_ASSERT(cv::countNonZero(runs.labels() != labels) == 0);
+  const std::vector<RegionBox> regions = region_boxes(labels);
+  RC_ASSERT(runs.regions().size() == regions.size());
+  for (std::size_t i = 1; i < regions.size(); ++i) {
+    if (regions[i].area_px2 == 0) continue;
+    RC_ASSERT(cv::countNonZero(runs.mask_of(i) != (labels(regions[i].box) == int(i))) == 0);
+  }
+}
+
 cv::Mat with_squares(const std::vector<cv::Rect>& squares) {
   cv::Mat labels = cv::Mat::zeros(120, 120, CV_32S);
   for (std::size_t i = 0; i < squares.size(); ++i) labels(squares[i]).setTo(int(i) + 1);
@@ -149,8 +163,8 @@ cv::Mat with_squares(const std::vector<cv::Rect>& squares) {
 
 TEST(RegionVote, KeepsWhatOthersAgreeWith) {
   const cv::Rect agreed(10, 10, 40, 40), alone(70, 70, 40, 40);
-  std::vector<cv::Mat> maps(7, with_squares({agreed}));
-  maps.push_back(with_squares({agreed, alone}));
+  std::vector<LabelRuns> maps(7, LabelRuns(with_squares({agreed})));
+  maps.emplace_back(with_squares({agreed, alone}));
   const cv::Mat voted = voted_regions(maps, cv::Mat::ones(120, 120, CV_32F), 40);
   EXPECT_EQ(label_count(voted), 1);
   EXPECT_EQ(cv::countNonZero(voted(agreed)), 1600);
@@ -159,8 +173,8 @@ TEST(RegionVote, KeepsWhatOthersAgreeWith) {
 
 TEST(RegionVote, TheMoreVotedForKeepsTheOtherOff) {
   const cv::Rect better(10, 10, 40, 40), worse(20, 10, 40, 40);
-  std::vector<cv::Mat> maps(5, with_squares({better}));
-  for (int i = 0; i < 3; ++i) maps.push_back(with_squares({worse}));
+  std::vector<LabelRuns> maps(5, LabelRuns(with_squares({better})));
+  for (int i = 0; i < 3; ++i) maps.emplace_back(with_squares({worse}));
   const cv::Mat voted = voted_regions(maps, cv::Mat::ones(120, 120, CV_32F), 40);
   EXPECT_EQ(label_count(voted), 1);
   EXPECT_EQ(cv::countNonZero(voted(better)), 1600);
@@ -168,7 +182,7 @@ TEST(RegionVote, TheMoreVotedForKeepsTheOtherOff) {
 
 TEST(RegionVote, GroundCutFromGroundIsNoElement) {
   const cv::Rect square(10, 10, 40, 40);
-  const std::vector<cv::Mat> maps(4, with_squares({square}));
+  const std::vector<LabelRuns> maps(4, LabelRuns(with_squares({square})));
   cv::Mat boundary = cv::Mat::zeros(120, 120, CV_32F);
   cv::rectangle(boundary, square, 1, 1);
   EXPECT_EQ(label_count(voted_regions(maps, boundary, 40)), 1);

@@ -59,11 +59,8 @@ cv::Mat zoomed(const cv::Mat& photo_bgr, double zoom) {
 
 cv::Mat labels_in_copies(const cv::Mat& coarse, const cv::Mat& fine) {
   const cv::Mat lab = smooth_lab(fine);
-  std::vector<cv::Mat> maps = candidate_maps(fine, lab);
-  for (const cv::Mat& map : candidate_maps(coarse, smooth_lab(coarse))) {
-    maps.emplace_back();
-    cv::resize(map, maps.back(), fine.size(), 0, 0, cv::INTER_NEAREST);
-  }
+  std::vector<LabelRuns> maps = candidate_maps(fine, lab, fine.size());
+  for (LabelRuns& map : candidate_maps(coarse, smooth_lab(coarse), fine.size())) maps.push_back(std::move(map));
   const cv::Mat voted = voted_regions(maps, boundary_map(lab, {}), kElement_px * kFiner);
   return without_gap_regions(voted, fine, lab);
 }

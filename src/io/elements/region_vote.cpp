@@ -23,26 +23,27 @@ constexpr double kLeastBorder = 0.4;
 constexpr double kLeastFree = 0.85;
 
 struct Map {
-  cv::Mat labels;
-  std::vector<RegionBox> regions;
+  const LabelRuns* labels;
   std::vector<double> solidity;
   std::vector<double> votes;
   double weight = 1;
+
+  const std::vector<RegionBox>& regions() const { return labels->regions(); }
 };
 
-Map map_of(const cv::Mat& labels, double element_px2) {
-  Map map{labels, region_boxes(labels), {}, {}, 1};
-  map.solidity.resize(map.regions.size());
-  map.votes.resize(map.regions.size());
+Map map_of(const LabelRuns& labels, double element_px2) {
+  Map map{&labels, {}, {}, 1};
+  map.solidity.resize(map.regions().size());
+  map.votes.resize(map.regions().size());
   double good_px2 = 0;
-  for (std::size_t i = 1; i < map.regions.size(); ++i) {
-    const RegionBox& region = map.regions[i];
+  for (std::size_t i = 1; i < map.regions().size(); ++i) {
+    const RegionBox& region = map.regions()[i];
     if (region.area_px2 == 0) continue;
-    map.solidity[i] = solidity_of(labels(region.box) == int(i));
+    map.solidity[i] = solidity_of(labels.mask_of(i));
     const bool is_usual = region.area_px2 > 0.1 * element_px2 && region.area_px2 < 10 * element_px2;
     if (is_usual && map.solidity[i] > 0.87) good_px2 += region.area_px2;
   }
-  map.weight = good_px2 / double(labels.total());
+  map.weight = good_px2 / double(labels.size().area());
   return map;
 }
 
@@ -55,24 +56,23 @@ void balance_weights(std::vector<Map>& maps) {
   for (Map& map : maps) map.weight *= double(maps.size()) / sum;
 }
 
-/// Each region of `map` gets a vote of `other`: by the region there that it agrees with best.
-void add_votes(Map& map, const Map& other) {
-  std::vector<int> common_px2(other.regions.size(), 0);
+/// Each region of `map` gets a vote of `other`, whose labels are `others`: by the region there that it agrees with best.
+void add_votes(Map& map, const Map& other, const cv::Mat& others) {
+  std::vector<int> common_px2(other.regions().size(), 0);
   std::vector<int> met;
-  for (std::size_t i = 1; i < map.regions.size(); ++i) {
-    const RegionBox& region = map.regions[i];
+  for (std::size_t i = 1; i < map.regions().size(); ++i) {
+    const RegionBox& region = map.regions()[i];
     met.clear();
-    for (int y = region.box.y; y < region.box.br().y; ++y) {
-      for (int x = region.box.x; x < region.box.br().x; ++x) {
-        if (map.labels.at<int>(y, x) != int(i)) continue;
-        const int there = other.labels.at<int>(y, x);
-        if (there > 0 && common_px2[std::size_t(there)]++ == 0) met.push_back(there);
+    for (const LabelRun& run : map.labels->runs_of(i)) {
+      const int* row = others.ptr<int>(run.y) + run.x;
+      for (int x = 0; x < run.length; ++x) {
+        if (row[x] > 0 && common_px2[std::size_t(row[x])]++ == 0) met.push_back(row[x]);
       }
     }
     double best = 0;
     for (const int there : met) {
       const double common = common_px2[std::size_t(there)];
-      best = std::max(best, common / (region.area_px2 + other.regions[std::size_t(there)].area_px2 - common));
+      best = std::max(best, common / (region.area_px2 + other.regions()[std::size_t(there)].area_px2 - common));
       common_px2[std::size_t(there)] = 0;
     }
     map.votes[i] += other.weight * std::clamp((best - kAgreeFrom) / (kAgreeFully - kAgreeFrom), 0., 1.);
@@ -102,8 +102,8 @@ struct Candidate {
 
 /// 0 of what cannot be an element.
 double score_of(const Map& map, std::size_t i, const cv::Mat& boundary, double element_px2) {
-  const RegionBox& region = map.regions[i];
-  const double border = border_strength(map.labels(region.box) == int(i), boundary(region.box));
+  const RegionBox& region = map.regions()[i];
+  const double border = border_strength(map.labels->mask_of(i), boundary(region.box));
   if (border < kLeastBorder) return 0;
   const double size = region.area_px2 / element_px2;
   return std::pow(map.solidity[i], 3) * std::pow(map.votes[i], 0.6) * size_preference(size, 1.6, 0.6) *
@@ -112,23 +112,24 @@ double score_of(const Map& map, std::size_t i, const cv::Mat& boundary, double e
 
 }  // namespace
 
-cv::Mat voted_regions(const std::vector<cv::Mat>& label_maps, const cv::Mat& boundary, double element_px) {
+cv::Mat voted_regions(const std::vector<LabelRuns>& label_maps, const cv::Mat& boundary, double element_px) {
   const double element_px2 = element_px * element_px;
   std::vector<Map> maps;
-  for (const cv::Mat& labels : label_maps) maps.push_back(map_of(labels, element_px2));
+  for (const LabelRuns& labels : label_maps) maps.push_back(map_of(labels, element_px2));
   balance_weights(maps);
-  cv::parallel_for_({0, int(maps.size())}, [&](const cv::Range& range) {
-    for (int i = range.start; i < range.end; ++i) {
-      for (const Map& other : maps) {
-        if (&maps[std::size_t(i)] != &other) add_votes(maps[std::size_t(i)], other);
+  for (const Map& other : maps) {  // one after the other: its labels take room
+    const cv::Mat others = other.labels->labels();
+    cv::parallel_for_({0, int(maps.size())}, [&](const cv::Range& range) {
+      for (int i = range.start; i < range.end; ++i) {
+        if (&maps[std::size_t(i)] != &other) add_votes(maps[std::size_t(i)], other, others);
       }
-    }
-  });
+    });
+  }
   cv::Mat near_boundary;
   cv::dilate(boundary, near_boundary, cv::Mat::ones(5, 5, CV_8U));
   std::vector<Candidate> candidates;
   for (const Map& map : maps) {
-    for (std::size_t i = 1; i < map.regions.size(); ++i) {
+    for (std::size_t i = 1; i < map.regions().size(); ++i) {
       if (map.solidity[i] < kLeastSolidity || map.votes[i] < kLeastVotes * double(maps.size())) continue;
       const double score = score_of(map, i, near_boundary, element_px2);
       if (score > 0) candidates.push_back({score, &map, int(i)});
@@ -139,9 +140,9 @@ cv::Mat voted_regions(const std::vector<cv::Mat>& label_maps, const cv::Mat& bou
   cv::Mat chosen = cv::Mat::zeros(boundary.size(), CV_32S);
   int next = 0;
   for (const Candidate& candidate : candidates) {
-    const RegionBox& region = candidate.map->regions[std::size_t(candidate.label)];
+    const RegionBox& region = candidate.map->regions()[std::size_t(candidate.label)];
     cv::Mat there = chosen(region.box);
-    const cv::Mat free = (candidate.map->labels(region.box) == candidate.label) & (there == 0);
+    const cv::Mat free = candidate.map->labels->mask_of(std::size_t(candidate.label)) & (there == 0);
     if (cv::countNonZero(free) < kLeastFree * region.area_px2) continue;
     there.setTo(++next, free);
   }

@@ -4,11 +4,13 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "io/elements/label_runs.h"
+
 namespace tessera::io {
 
-/// `maps`: label maps of one size. A region's votes are the other maps that have about the same region; regions that
+/// `maps`: of one size. A region's votes are the other maps that have about the same region; regions that
 /// are solid, well voted for, of a usual size and with a strong border (`boundary`: boundary_map()) come first, and
 /// each keeps off those before it. `element_px`: side of a usual element.
-cv::Mat voted_regions(const std::vector<cv::Mat>& maps, const cv::Mat& boundary, double element_px);
+cv::Mat voted_regions(const std::vector<LabelRuns>& maps, const cv::Mat& boundary, double element_px);
 
 }  // namespace tessera::io

@@ -77,18 +77,20 @@ void flood(const cv::Mat& relief, cv::Mat& labels) {
   const cv::Rect ground({0, 0}, relief.size());
   std::priority_queue<Shore> shore;
   std::uint32_t order = 0;
+  const auto is_dry = [&](cv::Point q) { return ground.contains(q) && labels.at<int>(q) == kDry; };
   const auto spread_from = [&](cv::Point p) {
     for (const cv::Point side : kSides) {
       const cv::Point q = p + side;
-      if (!ground.contains(q) || labels.at<int>(q) != kDry) continue;
+      if (!is_dry(q)) continue;
       labels.at<int>(q) = labels.at<int>(p);
       shore.push({std::max(relief.at<float>(q), relief.at<float>(p)), order++, q.x, q.y});
     }
   };
-  const cv::Mat minima = labels.clone();
-  for (int y = 0; y < relief.rows; ++y) {
+  for (int y = 0; y < relief.rows; ++y) {  // from the rims of the minima: wide plains would fill the queue
     for (int x = 0; x < relief.cols; ++x) {
-      if (minima.at<int>(y, x) > 0) shore.push({relief.at<float>(y, x), order++, x, y});
+      const auto is_beside = [&](cv::Point side) { return is_dry(cv::Point(x, y) + side); };
+      if (labels.at<int>(y, x) > 0 && std::any_of(kSides.begin(), kSides.end(), is_beside))
+        shore.push({relief.at<float>(y, x), order++, x, y});
     }
   }
   while (!shore.empty()) {

@@ -1,0 +1,42 @@
+// A label map in little room: where each label's pixels run along the rows.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <span>
+#include <vector>
+
+#include "io/elements/region_labels.h"
+
+namespace tessera::io {
+
+struct LabelRun {
+  std::int32_t x = 0, y = 0;
+  std::int32_t length = 0;  // px
+};
+
+/// Some per cent of the map's size where regions are as wide as elements.
+class LabelRuns {
+ public:
+  /// Of a label map (region_labels.h).
+  explicit LabelRuns(const cv::Mat& labels);
+
+  cv::Size size() const { return size_; }
+  /// Where each label lies and how large it is; [0] is unused.
+  const std::vector<RegionBox>& regions() const { return regions_; }
+  /// From top to bottom and from left to right.
+  std::span<const LabelRun> runs_of(std::size_t label) const;
+  /// CV_8U of the label's box, 0 or 255.
+  cv::Mat mask_of(std::size_t label) const;
+  /// The map again, CV_32S.
+  cv::Mat labels() const;
+
+ private:
+  cv::Size size_;
+  std::vector<RegionBox> regions_;
+  std::vector<std::size_t> first_;  // of each label in runs_, and the end
+  std::vector<LabelRun> runs_;
+};
+
+}  // namespace tessera::io
