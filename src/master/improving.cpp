@@ -190,8 +190,7 @@ Trial Improving::try_with(const std::function<void(const Look&)>& change, const 
     collage_.replace_placements(before);
     throw;
   }
-  const std::uint64_t missing = collage_.shortage().pieces;
-  if (missing < missing_before || (missing == missing_before && loss_256ths_px2() < loss_before)) return Trial::kept;
+  if (collage_.shortage().pieces <= missing_before && loss_256ths_px2() < loss_before) return Trial::kept;
   collage_.replace_placements(before);
   return Trial::put_back;
 }

@@ -155,6 +155,24 @@ std::string value_of(const std::string& label, const RunStatistics& run, const C
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
+TEST(Card, NamesWhatIsMissing) {
+  EXPECT_EQ(card_text({}, {}, {}).find("Missing"), std::string::npos);
+  EXPECT_FALSE(nlohmann::json::parse(card_json({}, {}, {})).contains("missing"));
+  std::vector<MissingShape> missing = {{ShapeId{0}, "ant", 5, 3}, {ShapeId{7}, std::string(200, 'b') + "\x1b", 1, 0}};
+  const auto card = nlohmann::json::parse(card_json({}, {}, {}, {}, {}, {}, missing));
+  EXPECT_EQ(card["missing"]["pieces"], 3);
+  EXPECT_EQ(card["missing"]["shapes"][0], (nlohmann::json{{"shape", "ant"}, {"wanted", 5}, {"standing", 3}}));
+  const std::string text = card_text({}, {}, {}, {}, missing);
+  EXPECT_NE(text.find("3 of 2 shapes\n"), std::string::npos);
+  EXPECT_NE(text.find("ant (3 of 5)\n"), std::string::npos);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 80u) << line;
+  missing.assign(100, {ShapeId{0}, "ant", 5, 3});
+  EXPECT_NE(card_text({}, {}, {}, {}, missing).find("and 80 more (card.json)\n"), std::string::npos);
+  EXPECT_EQ(missing_text(missing, 2), "ant (3 of 5), ant (3 of 5) and 98 more shapes");
+  EXPECT_EQ(missing_text({{ShapeId{0}, "a\x1b[31m\n", 1, 0}}, 2), "a_[31m_ (0 of 1)");
+}
+
 TEST(Card, TellsWhatEndedFillingAndHowFarImprovingCame) {
   CollageSettings settings;
   RunStatistics run = sample_run();

@@ -50,8 +50,9 @@ TEST(ResultFormat, has_every_key_of_the_card) {
   ranks.workers.resize(2);
   RunRecord record;
   record.ranks = {{"host", {{"cpu", "device", "platform", "driver", 1}}}};
-  const json card = json::parse(card_json({}, {}, {}, ranks, record, DeformationFigures{}));
-  ASSERT_EQ(card.size(), 5u);
+  const json card =
+      json::parse(card_json({}, {}, {}, ranks, record, DeformationFigures{}, {{ShapeId{0}, "ant", 5, 3}}));
+  ASSERT_EQ(card.size(), 6u);
   for (const auto& [name, section] : card.items()) expect_all_named(section, documented_section("### " + name));
 }
 

@@ -45,6 +45,22 @@ TEST(ResultManifest, keeps_the_colours_of_silhouettes) {
   }
 }
 
+TEST(ResultManifest, counts_what_is_missing) {
+  const test::ScratchFolder scratch;
+  test::SampleCollage sample;
+  const std::string dir = scratch.path("");
+  publish_result(dir, sample.report, sample.origin(), true);
+  EXPECT_TRUE(read_manifest(dir).complete());
+  sample.report.missing = {{ShapeId{0}, "ant", 5, 3}, {ShapeId{1}, "bee", 1, 0}};
+  publish_result(dir, sample.report, sample.origin(), true);
+  EXPECT_EQ(read_manifest(dir).missing, 3u);
+  EXPECT_FALSE(read_manifest(dir).complete());
+  sample.report.missing.clear();
+  sample.report.placements.clear();
+  publish_result(dir, sample.report, sample.origin(), true);
+  EXPECT_FALSE(read_manifest(dir).complete()) << "without a piece";
+}
+
 TEST(ResultManifest, keeps_what_the_collage_began_from) {
   const test::ScratchFolder scratch;
   test::SampleCollage sample;

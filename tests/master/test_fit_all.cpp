@@ -213,6 +213,26 @@ TEST(FitAll, ALimitOfPiecesEndsTheSearch) {
   EXPECT_EQ(attempts.most, 1);
 }
 
+/// Improving may exchange pieces; it never ends with fewer of those that are wanted.
+TEST(FitAll, ImprovingLosesNoPieceThatIsWanted) {
+  const Canvas canvas = make_rectangle_canvas(150, 120);
+  for (const std::uint64_t seed : {1u, 2u}) {
+    CollageSettings s = all_of_one_size(28);
+    s.seed = seed;
+    s.pieces.min_scale_px = s.pieces.least_scale_px = 22;
+    s.pieces.least_uses = s.pieces.uses = 4;
+    const auto missing = [&](int trials) {
+      s.improve.trials = trials;
+      SilentObserver silent;
+      const CollageResult result = stopped_collage::run(s, {}, silent, {}, canvas, blobs());
+      return 4 * blobs().size() - result.placements.size();
+    };
+    const std::size_t before = missing(0);
+    EXPECT_GT(before, 0u);
+    EXPECT_LE(missing(20), before) << "seed " << seed;
+  }
+}
+
 TEST(FitAll, TheFirstSizesGoByUsesAndPadding) {
   CollageSettings s = all_of_one_size(20);
   const double once = first_size_factor(s, 10, 1e6);
