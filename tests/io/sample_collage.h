@@ -14,6 +14,7 @@ struct SampleCollage {
   SampleCollage() {
     job.path = "sample.toml";
     job.library = "/nowhere/sample.h5";
+    job.quality = io::QualityWord::none;  // an effective job has the number in its place
     job.output.width_px = 400;
     job.output.background = "#ffe0c0";
     report.job = &job;

@@ -144,6 +144,7 @@ class Origin : public testing::Test {
  protected:
   void SetUp() override {
     job_.library = scratch_.path("library.h5");
+    job_.quality = QualityWord::none;  // an effective job has the number in its place
     write_library(job_.library, 11);
   }
 
