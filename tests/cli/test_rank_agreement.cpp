@@ -39,6 +39,7 @@ std::string complaint(Join join) {
   std::jthread master([&network] {
     io::Job job;
     job.library = "/a/library.h5";
+    job.quality = io::QualityWord::none;  // an effective job has the number in its place
     job.settings.seed = 5;
     const auto ranks = network.connect(0);
     announce_run(*ranks, "master 1", job, 77);
