@@ -8,7 +8,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 enter_folder
 write_job '120, 90' '14, 60' 120
-sed -i 's/^\[library\]/quality = "draft"\n[library]/' job.toml
 # Filters whose results take little memory at twice the canvas' size, and too much at that of its edge.
 floods=$(for i in {1..16}; do echo "<feFlood result='a$i' flood-color='black' flood-opacity='.2'/>"; done)
 merged=$(for i in {1..16}; do echo "<feMergeNode in='a$i'/>"; done)

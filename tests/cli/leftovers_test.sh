@@ -37,7 +37,6 @@ try() {
 enter_folder
 printf 'no picture' >spoiled.png
 write_job '120, 90' '14, 40' 1200
-sed -i '1i quality = "draft"' job.toml
 try library build drawings spoiled.png --embed -o made/own.h5
 try campaign job.toml --seeds 1 --out made --set checkpoint.every_s=0.001
 run 0 collage job.toml --out result --quiet

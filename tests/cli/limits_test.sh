@@ -26,7 +26,6 @@ refused() {
 enter_folder
 rsvg-convert drawings/leaf.svg -o sun.png
 write_job '64, 48' '14, 40' 400
-sed -i '1i quality = "draft"' job.toml
 run 0 collage job.toml --out result --quiet
 cat >parts.json <<'JSON'
 {"name": "parts", "strip_height": 40, "items": [

@@ -50,8 +50,7 @@ cat >parts.json <<'JSON'
   {"id": 0, "demand": 4, "allowed_orientations": [0, 180], "shape": {"type": "simple_polygon", "data": [[0,0],[20,0],[10,15],[0,0]]}}]}
 JSON
 write_job '120, 90' '14, 40' 120
-sed -i "1i quality = 'draft'
-s/own.h5/made\/own.h5/" job.toml
+sed -i "s/own.h5/made\/own.h5/" job.toml
 printf '[checkpoint]\nevery_s = 0.001\n' >>job.toml
 mkdir made
 write_all

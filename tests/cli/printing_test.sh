@@ -9,7 +9,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
 
 enter_folder
 write_job '80, 60' '10, 20' 80
-sed -i '1i quality = "draft"' job.toml
 run 0 collage job.toml --out result --quiet
 
 # Each prints something, and leaves behind nothing that the next would miss.

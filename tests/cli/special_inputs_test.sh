@@ -61,7 +61,6 @@ rsvg-convert drawings/leaf.svg -o sun.png
 mkdir folder
 mkfifo pipe
 write_job '64, 48' '14, 40' 64
-sed -i '1i quality = "draft"' job.toml
 sed 's/^file = .*/files = ["own.h5"]/' job.toml >files.toml
 run 0 collage job.toml --out result --quiet
 

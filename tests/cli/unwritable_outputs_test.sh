@@ -21,7 +21,6 @@ enter_folder
 rsvg-convert drawings/leaf.svg -o sun.png
 printf 'no picture' >spoiled.png
 write_job '64, 48' '14, 40' 64
-sed -i '1i quality = "draft"' job.toml
 run 0 collage job.toml --out result --quiet
 cp own.h5 another.h5
 
