@@ -37,11 +37,11 @@ before_work "cannot write taken.png$is_folder" library info own.h5 --sheet taken
 before_work "cannot write free.png: free.png.tmp $in_the_way" library styles own.h5 --sheet free.png
 before_work "cannot write taken.png$is_folder" library extract sun.png --element-px 75 -o new.h5 --ground taken.png
 before_work "cannot write found/sun_found.png$is_folder" library extract sun.png --element-px 75 -o new.h5 --overview found
-before_work 'file: cannot make this folder: ' library extract sun.png --element-px 75 -o new.h5 --overview file
+before_work 'cannot write into the folder file: Not a directory' library extract sun.png --element-px 75 -o new.h5 --overview file
 before_work "cannot write free.toml: free.toml.tmp $in_the_way" mosaic sun.png own.h5 --job free.toml
 before_work "cannot write taken.json$is_folder" bench pairs --out taken.json
 before_work "cannot write free.json: free.json.tmp $in_the_way" bench pairs --out free.json
-before_work 'cannot create the output directory file' rank result --out file
+before_work 'cannot write into the folder file: Not a directory' rank result --out file
 before_work 'cannot create the output directory file' draw result --to file
 for command in "collage job.toml --restart" "refine result --relax"; do
   for name in pieces.geojson card.json card.txt job.toml manifest.json collage.png collage.svg checkpoint.h5; do
