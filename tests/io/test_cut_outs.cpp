@@ -25,7 +25,7 @@ struct Pebbles {
   }
 
   std::vector<CutOut> cut(const std::string& path) const {
-    return cut_outs(path, photo, labels, find_elements(labels, {}).elements);
+    return cut_outs(path, photo, LabelRuns(labels), find_elements(LabelRuns(labels), {}).elements);
   }
 
   cv::Mat photo, labels;

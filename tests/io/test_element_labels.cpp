@@ -47,7 +47,7 @@ Score score_of(const cv::Mat& labels, const cv::Mat& truth) {
 }
 
 void expect_all_found(const ElementPhoto& photo, double element_px) {
-  const Score score = score_of(element_labels(photo.bgr, {element_px}), photo.truth);
+  const Score score = score_of(element_labels(photo.bgr, element_px).labels(), photo.truth);
   EXPECT_GT(score.whole, 0);
   EXPECT_EQ(score.found, score.whole) << "element_px " << element_px;
   EXPECT_EQ(score.not_there, 0) << "element_px " << element_px;
@@ -70,7 +70,7 @@ TEST(ElementLabels, TheSizeNeedNotBeExact) {
 
 TEST(ElementLabels, EachIsOneRegionWithoutHoles) {
   const ElementPhoto photo = photographed(test::cobbles(), kStone, kDarkJoint);
-  const cv::Mat labels = element_labels(photo.bgr, {50});
+  const cv::Mat labels = element_labels(photo.bgr, 50).labels();
   ASSERT_EQ(labels.type(), CV_32SC1);
   ASSERT_EQ(labels.size(), photo.bgr.size());
   const std::vector<RegionBox> regions = region_boxes(labels);
@@ -86,23 +86,23 @@ TEST(ElementLabels, DependOnNothingButPhotoAndSize) {
   const ElementPhoto photo = photographed(test::cobbles(), kStone, kDarkJoint);
   const int threads = cv::getNumThreads();
   cv::setNumThreads(1);
-  const cv::Mat on_one = element_labels(photo.bgr, {50});
+  const cv::Mat on_one = element_labels(photo.bgr, 50).labels();
   cv::setNumThreads(3);
   cv::theRNG().state = 12345;
-  const cv::Mat on_three = element_labels(photo.bgr, {50});
+  const cv::Mat on_three = element_labels(photo.bgr, 50).labels();
   cv::setNumThreads(threads);
   EXPECT_EQ(cv::countNonZero(on_one != on_three), 0);
 }
 
 TEST(ElementLabels, NothingInAFlatPhoto) {
   const cv::Mat flat(200, 300, CV_8UC3, cv::Scalar(90, 100, 110));
-  EXPECT_EQ(cv::countNonZero(element_labels(flat, {40})), 0);
+  EXPECT_EQ(cv::countNonZero(element_labels(flat, 40).mask()), 0);
 }
 
 TEST(ElementLabels, NothingInPhotosSmallerThanAnElement) {
-  EXPECT_TRUE(element_labels(cv::Mat(), {40}).empty());
+  EXPECT_TRUE(element_labels(cv::Mat(), 40).labels().empty());
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 500), cv::Size(500, 1), cv::Size(30, 30)}) {
-    const cv::Mat labels = element_labels(cv::Mat(size, CV_8UC3, cv::Scalar(1, 2, 3)), {400});
+    const cv::Mat labels = element_labels(cv::Mat(size, CV_8UC3, cv::Scalar(1, 2, 3)), 400).labels();
     EXPECT_EQ(labels.size(), size);
     EXPECT_EQ(cv::countNonZero(labels), 0);
   }
@@ -112,15 +112,15 @@ TEST(ElementLabels, RefusesBadSizesAndPhotos) {
   const cv::Mat photo(100, 100, CV_8UC3, cv::Scalar(1, 2, 3));
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double size : {-1., 0., infinity, -infinity, std::nan("")}) {
-    EXPECT_THROW(element_labels(photo, {size}), std::invalid_argument) << size;
+    EXPECT_THROW(element_labels(photo, size), std::invalid_argument) << size;
   }
-  EXPECT_THROW(element_labels(cv::Mat(100, 100, CV_8U), {40}), std::invalid_argument);
-  EXPECT_THROW(element_labels(cv::Mat(100, 100, CV_8UC4), {40}), std::invalid_argument);
+  EXPECT_THROW(element_labels(cv::Mat(100, 100, CV_8U), 40), std::invalid_argument);
+  EXPECT_THROW(element_labels(cv::Mat(100, 100, CV_32FC3), 40), std::invalid_argument);
 }
 
 TEST(ElementLabels, RefusesWhatWouldNeedTooLargeACopy) {
   const cv::Mat photo(6000, 8000, CV_8UC3, cv::Scalar(1, 2, 3));
-  EXPECT_THROW(element_labels(photo, {5}), std::invalid_argument);
+  EXPECT_THROW(element_labels(photo, 5), std::invalid_argument);
 }
 
 }  // namespace

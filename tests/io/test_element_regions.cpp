@@ -213,7 +213,7 @@ TEST(ScaledLabels, KeepTheirPlaceAndArea) {
   cv::Mat labels = cv::Mat::zeros(60, 80, CV_32S);
   cv::circle(labels, {40, 30}, 20, 1, cv::FILLED);
   const double area_px2 = region_boxes(labels)[1].area_px2;
-  const RegionBox scaled = region_boxes(scaled_labels(labels, {320, 240}))[1];
+  const RegionBox scaled = scaled_labels(labels, {320, 240}).regions()[1];
   EXPECT_NEAR(scaled.area_px2 / 16, area_px2, 0.03 * area_px2);
   EXPECT_NEAR(scaled.box.x + scaled.box.width / 2., 40.5 * 4, 2);
   EXPECT_NEAR(scaled.box.y + scaled.box.height / 2., 30.5 * 4, 2);
@@ -222,7 +222,7 @@ TEST(ScaledLabels, KeepTheirPlaceAndArea) {
 TEST(ScaledLabels, WhatThePhotosEdgeCutsStaysCut) {
   cv::Mat labels = cv::Mat::zeros(60, 80, CV_32S);
   labels(cv::Rect(0, 10, 30, 40)).setTo(1);
-  EXPECT_EQ(region_boxes(scaled_labels(labels, {200, 150}))[1].box.x, 0);
+  EXPECT_EQ(scaled_labels(labels, {200, 150}).regions()[1].box.x, 0);
 }
 
 /// A stone of this radius with a rim of another lightness around it, all of it one region.

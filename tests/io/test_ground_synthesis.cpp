@@ -14,7 +14,7 @@ const cv::Scalar kStone(160, 150, 140), kMortar(50, 70, 90);
 
 struct Wall {
   explicit Wall(const cv::Mat& truth) : photo(test::photographed(truth, kStone, kMortar)) {}
-  cv::Mat ground() const { return ground_pixels(photo.bgr, photo.truth).certain; }
+  cv::Mat ground() const { return ground_pixels(photo.bgr, LabelRuns(photo.truth)).certain; }
   cv::Mat picture(int side_px) const { return synthesised_ground(photo.bgr, ground(), side_px); }
 
   test::ElementPhoto photo;
@@ -33,7 +33,7 @@ TEST(GroundPixels, AreThePartOfThePhotoThatElementsDoNotCover) {
   for (const cv::Mat& truth : {test::cobbles(), test::discs(), test::bricks()}) {
     const Wall wall(truth);
     const double gaps = double(cv::countNonZero(truth == 0)) / double(truth.total());
-    EXPECT_NEAR(ground_pixels(wall.photo.bgr, truth).part, gaps, 0.08) << "with strong texture and noise";
+    EXPECT_NEAR(ground_pixels(wall.photo.bgr, LabelRuns(truth)).part, gaps, 0.08) << "with strong texture and noise";
   }
 }
 
@@ -49,8 +49,8 @@ TEST(GroundPixels, AreNoneOfElementsThatWereNotFound) {
 
 TEST(GroundPixels, AreNoneWithoutGapsOrWithoutElements) {
   const cv::Mat photo = test::photographed(test::bricks(), kStone, kMortar).bgr;
-  EXPECT_EQ(cv::countNonZero(ground_pixels(photo, cv::Mat::ones(photo.size(), CV_32S)).certain), 0);
-  EXPECT_EQ(cv::countNonZero(ground_pixels(photo, cv::Mat::zeros(photo.size(), CV_32S)).certain), 0);
+  EXPECT_EQ(cv::countNonZero(ground_pixels(photo, LabelRuns(cv::Mat::ones(photo.size(), CV_32S))).certain), 0);
+  EXPECT_EQ(cv::countNonZero(ground_pixels(photo, LabelRuns(cv::Mat::zeros(photo.size(), CV_32S))).certain), 0);
 }
 
 /// Mean of the absolute differences of neighbouring columns.

@@ -32,12 +32,12 @@ cv::Mat photo() {
 
 std::vector<int> found_labels(const ElementSizes& sizes) {
   std::vector<int> result;
-  for (const PhotoElement& element : find_elements(labels(), sizes).elements) result.push_back(element.label);
+  for (const PhotoElement& element : find_elements(LabelRuns(labels()), sizes).elements) result.push_back(element.label);
   return result;
 }
 
 PhotoElement element_of(int label) {
-  for (const PhotoElement& element : find_elements(labels(), {}).elements)
+  for (const PhotoElement& element : find_elements(LabelRuns(labels()), {}).elements)
     if (element.label == label) return element;
   throw std::logic_error("no such element");
 }
@@ -49,13 +49,13 @@ TEST(PhotoElements, ComeInTheOrderOfTheirPlaces) {
 }
 
 TEST(PhotoElements, ThoseThatTheEdgeCutsAreLeftOut) {
-  const FoundElements found = find_elements(labels(), {});
+  const FoundElements found = find_elements(LabelRuns(labels()), {});
   EXPECT_EQ(found.at_edge, 1u);
   EXPECT_EQ(found.too_small + found.too_large, 0u);
   for (const cv::Rect& at_edge : {cv::Rect(0, 40, 9, 9), cv::Rect(50, 0, 9, 9), cv::Rect(50, 91, 9, 9)}) {
     cv::Mat map = cv::Mat::zeros(100, 200, CV_32S);
     map(at_edge) = 1;
-    EXPECT_EQ(find_elements(map, {}).at_edge, 1u);
+    EXPECT_EQ(find_elements(LabelRuns(map), {}).at_edge, 1u);
   }
 }
 
@@ -63,17 +63,17 @@ TEST(PhotoElements, SizesAreSquareRootsOfAreas) {
   EXPECT_EQ(found_labels({.least_px = 30}), (std::vector<int>{kSquare, kDisc}));
   EXPECT_EQ(found_labels({.least_px = 30.1}), std::vector<int>{kDisc});
   EXPECT_EQ(found_labels({.most_px = 30}), (std::vector<int>{kSquare, kSpeck}));
-  EXPECT_EQ(find_elements(labels(), {.least_px = 10, .most_px = 40}).too_small, 1u);
-  EXPECT_EQ(find_elements(labels(), {.least_px = 10, .most_px = 40}).too_large, 1u);
+  EXPECT_EQ(find_elements(LabelRuns(labels()), {.least_px = 10, .most_px = 40}).too_small, 1u);
+  EXPECT_EQ(find_elements(LabelRuns(labels()), {.least_px = 10, .most_px = 40}).too_large, 1u);
 }
 
 TEST(PhotoElements, OfAnEmptyMapThereAreNone) {
-  EXPECT_TRUE(find_elements(cv::Mat(), {}).elements.empty());
-  EXPECT_TRUE(find_elements(cv::Mat::zeros(3, 3, CV_32S), {}).elements.empty());
+  EXPECT_TRUE(find_elements(LabelRuns(cv::Mat()), {}).elements.empty());
+  EXPECT_TRUE(find_elements(LabelRuns(cv::Mat::zeros(3, 3, CV_32S)), {}).elements.empty());
 }
 
 TEST(PhotoElements, AreCutOutWithAnEdgeThatLiesWhereItLay) {
-  const cv::Mat cut = cut_element(photo(), labels(), element_of(kSquare));
+  const cv::Mat cut = cut_element(photo(), LabelRuns(labels()), element_of(kSquare));
   ASSERT_EQ(cut.size(), cv::Size(36, 36));
   double opacity = 0;
   for (int x = 0; x < cut.cols; ++x) opacity += cut.at<cv::Vec4b>(18, x)[3] / 255.0;
@@ -85,7 +85,7 @@ TEST(PhotoElements, AreCutOutWithAnEdgeThatLiesWhereItLay) {
 }
 
 TEST(PhotoElements, NoGapShinesThroughTheEdge) {
-  const cv::Mat cut = cut_element(photo(), labels(), element_of(kDisc));
+  const cv::Mat cut = cut_element(photo(), LabelRuns(labels()), element_of(kDisc));
   for (int y = 0; y < cut.rows; ++y)
     for (int x = 0; x < cut.cols; ++x) {
       const cv::Vec4b pixel = cut.at<cv::Vec4b>(y, x);
@@ -97,7 +97,7 @@ TEST(PhotoElements, NoGapShinesThroughTheEdge) {
 }
 
 TEST(PhotoElements, HolesAreFilled) {
-  const cv::Mat cut = cut_element(photo(), labels(), element_of(kDisc));
+  const cv::Mat cut = cut_element(photo(), LabelRuns(labels()), element_of(kDisc));
   EXPECT_EQ(cut.at<cv::Vec4b>(cut.rows / 2, cut.cols / 2)[3], 255);
 }
 
@@ -105,7 +105,7 @@ TEST(PhotoElements, HolesAreFilled) {
 TEST(PhotoElements, TheRimIsWholeNearTheEdge) {
   cv::Mat map = cv::Mat::zeros(40, 40, CV_32S);
   map(cv::Rect(1, 1, 20, 20)) = 1;
-  const cv::Mat cut = cut_element(cv::Mat(40, 40, CV_8UC4, cv::Scalar(0, 0, 255, 255)), map, {1, {1, 1, 20, 20}, 400});
+  const cv::Mat cut = cut_element(cv::Mat(40, 40, CV_8UC4, cv::Scalar(0, 0, 255, 255)), LabelRuns(map), {1, {1, 1, 20, 20}, 400});
   ASSERT_EQ(cut.size(), cv::Size(26, 26));
   EXPECT_EQ(cut.at<cv::Vec4b>(0, 13)[3], 0);
   EXPECT_EQ(cut.at<cv::Vec4b>(13, 13)[3], 255);
@@ -150,9 +150,9 @@ TEST(ConnectedLabels, SpecksAreGap) {
 }
 
 TEST(ElementsOverview, ShowsOutlinesAndKeepsTheSize) {
-  const FoundElements found = find_elements(labels(), {});
-  const cv::Mat with = elements_overview(photo(), labels(), found.elements);
-  const cv::Mat without = elements_overview(photo(), labels(), {});
+  const FoundElements found = find_elements(LabelRuns(labels()), {});
+  const cv::Mat with = elements_overview(photo(), LabelRuns(labels()), found.elements);
+  const cv::Mat without = elements_overview(photo(), LabelRuns(labels()), {});
   ASSERT_EQ(with.size(), photo().size());
   ASSERT_EQ(with.type(), CV_8UC3);
   EXPECT_NE(with.at<cv::Vec3b>(35, 120), without.at<cv::Vec3b>(35, 120)) << "the square's left side";

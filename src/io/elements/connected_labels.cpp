@@ -1,48 +1,72 @@
 #include "io/elements/connected_labels.h"
 
-#include <array>
-#include <vector>
+#include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace tessera::io {
 namespace {
 
-constexpr int kUnseen = 0, kGap = -1;
+constexpr int kGap = std::numeric_limits<int>::min();
 
-/// The pixels that hang together with `seed` and have its value; they get `label`.
-void fill(const cv::Mat& values, cv::Mat& labels, cv::Point seed, int label, std::vector<cv::Point>& region) {
-  const int value = values.at<int>(seed);
-  const cv::Rect all({}, values.size());
-  labels.at<int>(seed) = label;
-  region.assign(1, seed);
-  for (std::size_t i = 0; i < region.size(); ++i) {
-    for (const cv::Point& step : std::array{cv::Point(1, 0), cv::Point(-1, 0), cv::Point(0, 1), cv::Point(0, -1)}) {
-      const cv::Point next = region[i] + step;
-      if (!all.contains(next) || labels.at<int>(next) != kUnseen || values.at<int>(next) != value) continue;
-      labels.at<int>(next) = label;
-      region.push_back(next);
-    }
+/// Regions as sets of pixels, which are counted row by row, in the map itself: the first pixel of a region holds minus
+/// its area, each other one the number of an earlier pixel of it.
+class RegionSets {
+ public:
+  explicit RegionSets(int* pixels) : pixels_(pixels) {}
+
+  void add(int pixel) { pixels_[pixel] = -1; }
+
+  void join(int pixel, int other) {
+    auto [first, second] = std::minmax({first_of(pixel), first_of(other)});
+    if (first == second) return;
+    pixels_[first] += pixels_[second];
+    pixels_[second] = first;
   }
-}
+
+ private:
+  int first_of(int pixel) {
+    while (pixels_[pixel] >= 0) {
+      const int next = pixels_[pixel];
+      if (pixels_[next] >= 0) pixels_[pixel] = pixels_[next];
+      pixel = next;
+    }
+    return pixel;
+  }
+
+  int* pixels_;
+};
 
 }  // namespace
 
 cv::Mat connected_labels(const cv::Mat& labels) {
   if (labels.empty()) return {};
-  cv::Mat result = cv::Mat::zeros(labels.size(), CV_32S);
-  std::vector<cv::Point> region;
-  int count = 0;
+  cv::Mat result(labels.size(), CV_32S, cv::Scalar(kGap));
+  int* pixels = result.ptr<int>();
+  RegionSets sets(pixels);
   for (int y = 0; y < labels.rows; ++y) {
+    const int* row = labels.ptr<int>(y);
+    const int* above = y > 0 ? labels.ptr<int>(y - 1) : nullptr;
     for (int x = 0; x < labels.cols; ++x) {
-      if (labels.at<int>(y, x) <= 0 || result.at<int>(y, x) != kUnseen) continue;
-      fill(labels, result, {x, y}, count + 1, region);
-      if (region.size() >= std::size_t(kLeastRegion_px2)) {
-        ++count;
-      } else {
-        for (const cv::Point& pixel : region) result.at<int>(pixel) = kGap;
-      }
+      if (row[x] <= 0) continue;
+      const int pixel = y * labels.cols + x;
+      sets.add(pixel);
+      if (x > 0 && row[x - 1] == row[x]) sets.join(pixel, pixel - 1);
+      if (above && above[x] == row[x]) sets.join(pixel, pixel - labels.cols);
     }
   }
-  return cv::max(result, 0);
+  int count = 0;
+  for (int pixel = 0; pixel < int(result.total()); ++pixel) {  // earlier ones have their labels by then
+    int& value = pixels[pixel];
+    if (value == kGap) {
+      value = 0;
+    } else if (value >= 0) {
+      value = pixels[value];
+    } else {
+      value = -value >= kLeastRegion_px2 ? ++count : 0;
+    }
+  }
+  return result;
 }
 
 }  // namespace tessera::io

@@ -25,7 +25,7 @@ std::vector<std::uint8_t> png_of(const cv::Mat& picture) {
   return png;
 }
 
-std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const cv::Mat& labels,
+std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const LabelRuns& labels,
                              const std::vector<PhotoElement>& elements) {
   const std::string first = photo + "/" + std::filesystem::path(photo).stem().string() + "_";
   std::vector<CutOut> result;

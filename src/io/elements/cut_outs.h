@@ -22,7 +22,7 @@ struct CutOut {
 std::vector<std::uint8_t> png_of(const cv::Mat& picture);
 
 /// `picture`, `labels`: see cut_element. Numbers are those of the overview.
-std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const cv::Mat& labels,
+std::vector<CutOut> cut_outs(const std::string& photo, const cv::Mat& picture, const LabelRuns& labels,
                              const std::vector<PhotoElement>& elements);
 
 /// For build_library, of the cut-outs' paths. Their PNGs become Artwork::original, the photo Artwork::path. Drawers and

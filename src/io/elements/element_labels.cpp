@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/elements/boundary_map.h"
@@ -22,16 +23,16 @@ namespace {
 constexpr double kFiner = 1.4;
 /// A copy larger than the photo by more than this shows nothing more.
 constexpr double kMostZoom = 4;
-/// Of the finer copy. Each of the label maps takes 4 bytes a pixel: less than 1 GB in all.
+/// Of the finer copy.
 constexpr double kMostWorking_px2 = 6e6;
 /// By which a size may be wrong, and so by which the copy may be smaller than it should be.
 constexpr double kSizeTolerance = 1.4;
 /// Smaller copies hold no element.
 constexpr int kLeastSide_px = kElement_px / 2;
 
-void check(const cv::Mat& photo_bgr, double element_px) {
-  if (!photo_bgr.empty() && photo_bgr.type() != CV_8UC3)
-    throw std::invalid_argument("a photo to be searched for elements must be CV_8UC3");
+void check(const cv::Mat& photo, double element_px) {
+  if (!photo.empty() && photo.type() != CV_8UC3 && photo.type() != CV_8UC4)
+    throw std::invalid_argument("a photo to be searched for elements must be CV_8UC3 or CV_8UC4");
   if (!std::isfinite(element_px) || element_px <= 0)
     throw std::invalid_argument("the side of an element is " + std::to_string(element_px) +
                                 " px; it must be a number above 0");
@@ -50,30 +51,39 @@ double zoom_for(cv::Size photo, double element_px) {
   return std::min(wanted, possible);
 }
 
-cv::Mat zoomed(const cv::Mat& photo_bgr, double zoom) {
-  const cv::Size size(int(std::lround(photo_bgr.cols * zoom)), int(std::lround(photo_bgr.rows * zoom)));
+cv::Mat zoomed(const cv::Mat& photo, double zoom) {
+  const cv::Size size(int(std::lround(photo.cols * zoom)), int(std::lround(photo.rows * zoom)));
   cv::Mat copy;
-  cv::resize(photo_bgr, copy, size, 0, 0, zoom < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
-  return copy;
-}
-
-cv::Mat labels_in_copies(const cv::Mat& coarse, const cv::Mat& fine) {
-  const cv::Mat lab = smooth_lab(fine);
-  std::vector<LabelRuns> maps = candidate_maps(fine, lab, fine.size());
-  for (LabelRuns& map : candidate_maps(coarse, smooth_lab(coarse), fine.size())) maps.push_back(std::move(map));
-  const cv::Mat voted = voted_regions(maps, boundary_map(lab, {}), kElement_px * kFiner);
-  return without_gap_regions(voted, fine, lab);
+  cv::resize(photo, copy, size, 0, 0, zoom < 1 ? cv::INTER_AREA : cv::INTER_CUBIC);
+  return bgr_of(copy);
 }
 
 }  // namespace
 
-cv::Mat element_labels(const cv::Mat& photo_bgr, double element_px) {
-  check(photo_bgr, element_px);
-  if (photo_bgr.empty()) return {};
-  const double zoom = zoom_for(photo_bgr.size(), element_px);
-  if (std::min(photo_bgr.cols, photo_bgr.rows) * zoom < kLeastSide_px) return cv::Mat::zeros(photo_bgr.size(), CV_32S);
-  const cv::Mat found = labels_in_copies(zoomed(photo_bgr, zoom), zoomed(photo_bgr, zoom * kFiner));
-  return without_margins(photo_bgr, scaled_labels(found, photo_bgr.size()));
+ElementCopies element_copies(const cv::Mat& photo, double element_px) {
+  check(photo, element_px);
+  if (photo.empty()) return {};
+  const double zoom = zoom_for(photo.size(), element_px);
+  if (std::min(photo.cols, photo.rows) * zoom < kLeastSide_px) return {};
+  return {zoomed(photo, zoom), zoomed(photo, zoom * kFiner)};
+}
+
+cv::Mat elements_in_copies(const ElementCopies& copies) {
+  if (copies.fine.empty()) return cv::Mat::zeros(1, 1, CV_32S);
+  const cv::Mat lab = smooth_lab(copies.fine);
+  std::vector<LabelRuns> maps = candidate_maps(copies.fine, lab, lab.size());
+  for (LabelRuns& map : candidate_maps(copies.coarse, smooth_lab(copies.coarse), lab.size()))
+    maps.push_back(std::move(map));
+  const cv::Mat voted = voted_regions(maps, boundary_map(lab, {}), kElement_px * kFiner);
+  return without_gap_regions(voted, copies.fine, lab);
+}
+
+LabelRuns labels_of_photo(const cv::Mat& photo, const cv::Mat& in_copy) {
+  return without_margins(photo, scaled_labels(in_copy, photo.size()));
+}
+
+LabelRuns element_labels(const cv::Mat& photo, double element_px) {
+  return labels_of_photo(photo, elements_in_copies(element_copies(photo, element_px)));
 }
 
 }  // namespace tessera::io

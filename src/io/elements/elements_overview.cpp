@@ -23,9 +23,9 @@ void write_number(cv::Mat& picture, const PhotoElement& element, std::size_t num
   cv::putText(picture, text, origin, kFont, size, kWhite, stroke, cv::LINE_AA);
 }
 
-void draw_outline(cv::Mat& picture, const cv::Mat& labels, const PhotoElement& element) {
+void draw_outline(cv::Mat& picture, const LabelRuns& labels, const PhotoElement& element) {
   std::vector<std::vector<cv::Point>> curves;
-  cv::findContours(labels(element.box) == element.label, curves, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE,
+  cv::findContours(labels.mask_of(std::size_t(element.label)), curves, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE,
                    element.box.tl());
   const int width_px = std::clamp(int(std::sqrt(element.area_px2) / 40), 1, 5);
   cv::drawContours(picture, curves, -1, kLine, width_px, cv::LINE_AA);
@@ -33,10 +33,10 @@ void draw_outline(cv::Mat& picture, const cv::Mat& labels, const PhotoElement& e
 
 }  // namespace
 
-cv::Mat elements_overview(const cv::Mat& photo, const cv::Mat& labels, const std::vector<PhotoElement>& elements) {
+cv::Mat elements_overview(const cv::Mat& photo, const LabelRuns& labels, const std::vector<PhotoElement>& elements) {
   cv::Mat picture;
   cv::cvtColor(photo, picture, cv::COLOR_BGRA2BGR);
-  cv::addWeighted(picture, 0.7, cv::Mat(picture.size(), CV_8UC3, kWhite), 0.3, 0, picture);
+  picture.convertTo(picture, -1, 0.7, 0.3 * 255);  // white
   for (const PhotoElement& element : elements) draw_outline(picture, labels, element);
   for (std::size_t i = 0; i < elements.size(); ++i) write_number(picture, elements[i], i + 1);
   return picture;

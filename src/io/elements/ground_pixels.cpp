@@ -19,16 +19,21 @@ constexpr int kSoftEdge_px = 2;
 /// Less than this of either kind teaches nothing.
 constexpr int kLeastSample_px2 = 100;
 
-/// Of the photo, so that an element of the median size is kElement_px large, as the features of appearance want it.
-double working_zoom(const cv::Mat& labels) {
+/// The largest working copy: its features take some 70 bytes a pixel.
+constexpr double kMostWorking_px2 = 2e6;
+
+/// Of the photo, so that an element of the median size is kElement_px large, as the features of appearance want it, or
+/// smaller where there are very many.
+double working_zoom(const LabelRuns& labels) {
+  const double possible = std::min(1., std::sqrt(kMostWorking_px2 / std::max(1., double(labels.size().area()))));
   std::vector<double> areas;
-  for (const RegionBox& region : region_boxes(labels)) {
+  for (const RegionBox& region : labels.regions()) {
     if (region.area_px2 > 0) areas.push_back(region.area_px2);
   }
-  if (areas.empty()) return 1;
+  if (areas.empty()) return possible;
   const auto middle = areas.begin() + std::ptrdiff_t(areas.size() / 2);
   std::nth_element(areas.begin(), middle, areas.end());
-  return std::min(1., kElement_px / std::sqrt(*middle));
+  return std::min(possible, kElement_px / std::sqrt(*middle));
 }
 
 cv::Mat resized(const cv::Mat& picture, cv::Size size, int filter) {
@@ -75,15 +80,15 @@ double part_of_photo(const cv::Mat& like_gap, const cv::Mat& is_gap) {
 
 }  // namespace
 
-GroundPixels ground_pixels(const cv::Mat& photo_bgr, const cv::Mat& labels) {
+GroundPixels ground_pixels(const cv::Mat& photo, const LabelRuns& labels) {
   const double zoom = working_zoom(labels);
-  const cv::Size size(std::max(1, int(photo_bgr.cols * zoom)), std::max(1, int(photo_bgr.rows * zoom)));
-  const cv::Mat is_gap = labels == 0;
+  const cv::Size size(std::max(1, int(photo.cols * zoom)), std::max(1, int(photo.rows * zoom)));
+  const cv::Mat is_gap = ~labels.mask();
   const cv::Mat gap = resized(is_gap, size, cv::INTER_AREA) > 250, element = resized(is_gap, size, cv::INTER_AREA) < 5;
   if (std::min(cv::countNonZero(gap), cv::countNonZero(element)) < kLeastSample_px2) {
     return {cv::Mat::zeros(labels.size(), CV_8U), 0};
   }
-  const cv::Mat like_there = like_gap(resized(photo_bgr, size, cv::INTER_AREA), gap, element);
+  const cv::Mat like_there = like_gap(bgr_of(resized(photo, size, cv::INTER_AREA)), gap, element);
   const cv::Mat like = resized(like_there, labels.size(), cv::INTER_NEAREST);
   cv::Mat inside;
   cv::erode(is_gap, inside, round_window(2 * kSoftEdge_px + 1));

@@ -3,6 +3,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "io/elements/label_runs.h"
+
 namespace tessera::io {
 
 struct GroundPixels {
@@ -11,8 +13,8 @@ struct GroundPixels {
 };
 
 /// What is like the gaps between elements in colour and texture, so that elements which were not found do not count.
-/// `photo_bgr`: CV_8UC3; `labels`: CV_32SC1 of its size, 0 = gap, with those of elements that the photo's edge cuts.
+/// `photo`: CV_8UC3 or CV_8UC4, BGR first; `labels`: of its size, with those of elements that the photo's edge cuts.
 /// Nothing where there are no gaps, or no elements to tell them from.
-GroundPixels ground_pixels(const cv::Mat& photo_bgr, const cv::Mat& labels);
+GroundPixels ground_pixels(const cv::Mat& photo, const LabelRuns& labels);
 
 }  // namespace tessera::io

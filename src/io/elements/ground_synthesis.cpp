@@ -24,6 +24,8 @@ constexpr double kTolerance = 1.1;
 constexpr int kNoise = 1;
 /// Light changes over so many sides of a patch and more.
 constexpr double kLight_patches = 1.5;
+/// In steps of this part of it.
+constexpr double kCellsOfWindow = 8;
 
 /// Where a patch of this side lies wholly in the ground: CV_8U, at its upper left corner.
 cv::Mat patch_places(const cv::Mat& ground, int side_px) {
@@ -46,20 +48,62 @@ int places_apart(cv::Mat places, int side_px) {
   return count;
 }
 
-/// The photo with the same light everywhere: the ground's mean in place of what it is over a large window.
-cv::Mat evened_out(const cv::Mat& photo_bgr, const cv::Mat& ground, double window_px) {
-  cv::Mat weight, sum, weights;
-  cv::Mat(ground != 0).convertTo(weight, CV_32F, 1. / 255);
-  cv::cvtColor(weight, weights, cv::COLOR_GRAY2BGR);
-  photo_bgr.convertTo(sum, CV_32FC3);
-  const cv::Mat bgr = sum.clone();
-  cv::multiply(sum, weights, sum);
-  cv::GaussianBlur(sum, sum, {}, window_px);
-  cv::GaussianBlur(weights, weights, {}, window_px);
-  cv::Mat light;
-  cv::divide(sum, cv::max(weights, 1e-6), light);
-  cv::Mat even = bgr - light + cv::mean(photo_bgr, ground);
-  even.convertTo(even, CV_8UC3);
+/// The mean colour of the ground round each cell of `cell_px` pixels each way, over a window: CV_32FC3.
+cv::Mat light_of(const cv::Mat& photo, const cv::Mat& ground, int cell_px, double window_px) {
+  const cv::Size cells((photo.cols + cell_px - 1) / cell_px, (photo.rows + cell_px - 1) / cell_px);
+  cv::Mat sum = cv::Mat::zeros(cells, CV_32FC3), weight = cv::Mat::zeros(cells, CV_32F);
+  const int channels = photo.channels();
+  for (int y = 0; y < photo.rows; ++y) {
+    const std::uint8_t *pixel = photo.ptr<std::uint8_t>(y), *is_ground = ground.ptr<std::uint8_t>(y);
+    for (int x = 0; x < photo.cols; ++x, pixel += channels) {
+      if (!is_ground[x]) continue;
+      const cv::Point cell(x / cell_px, y / cell_px);
+      sum.at<cv::Vec3f>(cell) += cv::Vec3f(pixel[0], pixel[1], pixel[2]);
+      weight.at<float>(cell) += 1;
+    }
+  }
+  cv::GaussianBlur(sum, sum, {}, window_px / cell_px);
+  cv::GaussianBlur(weight, weight, {}, window_px / cell_px);
+  cv::Mat weights, light;
+  cv::cvtColor(cv::max(weight, 1e-6), weights, cv::COLOR_GRAY2BGR);
+  cv::divide(sum, weights, light);
+  return light;
+}
+
+/// The cells beside a pixel, and how near the second one is.
+struct BetweenCells {
+  int first = 0, second = 0;
+  float share = 0;
+};
+
+BetweenCells cells_beside(int pixel, int cell_px, int cells) {
+  const float at = std::clamp((float(pixel) + 0.5F) / float(cell_px) - 0.5F, 0.F, float(cells - 1));
+  const int first = int(at);
+  return {first, std::min(first + 1, cells - 1), at - float(first)};
+}
+
+/// The photo with the same light everywhere, CV_8UC3: the ground's mean in place of what it is over a large window. The
+/// light, which changes slowly, is known for cells of many pixels, so that a large photo takes no more room than it must.
+cv::Mat evened_out(const cv::Mat& photo, const cv::Mat& ground, double window_px) {
+  const int cell_px = std::max(1, int(window_px / kCellsOfWindow));
+  const cv::Mat light = light_of(photo, ground, cell_px, window_px);
+  const cv::Scalar mean = cv::mean(photo, ground);
+  const cv::Vec3f mean_bgr{float(mean[0]), float(mean[1]), float(mean[2])};
+  std::vector<BetweenCells> columns;
+  for (int x = 0; x < photo.cols; ++x) columns.push_back(cells_beside(x, cell_px, light.cols));
+  cv::Mat even(photo.size(), CV_8UC3);
+  for (int y = 0; y < photo.rows; ++y) {
+    const BetweenCells row = cells_beside(y, cell_px, light.rows);
+    const cv::Vec3f *above = light.ptr<cv::Vec3f>(row.first), *below = light.ptr<cv::Vec3f>(row.second);
+    const std::uint8_t* pixel = photo.ptr<std::uint8_t>(y);
+    for (int x = 0; x < photo.cols; ++x, pixel += photo.channels()) {
+      const BetweenCells& at = columns[std::size_t(x)];
+      const cv::Vec3f upper = above[at.first] + (above[at.second] - above[at.first]) * at.share;
+      const cv::Vec3f lower = below[at.first] + (below[at.second] - below[at.first]) * at.share;
+      const cv::Vec3f here = upper + (lower - upper) * row.share;
+      even.at<cv::Vec3b>(y, x) = cv::Vec3b(cv::Vec3f(pixel[0], pixel[1], pixel[2]) - here + mean_bgr);
+    }
+  }
   return even;
 }
 
@@ -257,10 +301,10 @@ int patch_side_px(const cv::Mat& ground) {
   return enough_for_some;
 }
 
-cv::Mat synthesised_ground(const cv::Mat& photo_bgr, const cv::Mat& ground, int side_px) {
+cv::Mat synthesised_ground(const cv::Mat& photo, const cv::Mat& ground, int side_px) {
   const int patch_px = patch_side_px(ground);
   if (patch_px == 0) return {};
-  const cv::Mat source = evened_out(photo_bgr, ground, kLight_patches * patch_px);
+  const cv::Mat source = evened_out(photo, ground, kLight_patches * patch_px);
   return Quilt(source, patch_places(ground, patch_px), patch_px, side_px).filled();
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
 #include "io/elements/region_labels.h"
@@ -14,12 +16,41 @@ namespace {
 constexpr double kSmooth_px = 0.8;
 constexpr int kMargin_px = 3;
 
+/// A region at its new size.
+struct Scaled {
+  std::vector<LabelRun> runs;
+  int area_px2 = 0;
+};
+
+/// What lies in a hole of a larger one becomes part of it.
+LabelRuns without_hidden(const std::vector<Scaled>& regions, cv::Mat taken) {
+  std::vector<std::size_t> order(regions.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return regions[a].area_px2 < regions[b].area_px2; });
+  taken.setTo(0);
+  std::vector<std::vector<LabelRun>> seen(regions.size());
+  for (auto i = order.rbegin(); i != order.rend(); ++i) {
+    for (const LabelRun& run : regions[*i].runs) {
+      cv::Mat there = taken(cv::Rect(run.x, run.y, run.length, 1));
+      append_runs(there == 0, {run.x, run.y}, seen[*i]);
+      there.setTo(255);
+    }
+  }
+  std::vector<std::vector<LabelRun>> numbered(1);
+  for (std::vector<LabelRun>& runs : seen) {
+    if (!runs.empty()) numbered.push_back(std::move(runs));
+  }
+  return {taken.size(), numbered};
+}
+
 }  // namespace
 
-cv::Mat scaled_labels(const cv::Mat& labels, cv::Size size) {
+LabelRuns scaled_labels(const cv::Mat& labels, cv::Size size) {
   const double scale_x = double(size.width) / labels.cols;
   const double scale_y = double(size.height) / labels.rows;
-  cv::Mat scaled = cv::Mat::zeros(size, CV_32S);
+  cv::Mat taken = cv::Mat::zeros(size, CV_8U);
+  std::vector<Scaled> scaled;
   const std::vector<RegionBox> regions = region_boxes(labels);
   for (std::size_t i = 1; i < regions.size(); ++i) {
     // The frame repeats the copy's edge, so that a region cut by it stays cut there.
@@ -37,10 +68,14 @@ cv::Mat scaled_labels(const cv::Mat& labels, cv::Size size) {
                               (target.y + 0.5) / scale_y - 0.5 - part.y);
     cv::Mat fine;
     cv::warpAffine(soft, fine, to_copy, target.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
-    cv::Mat there = scaled(target);
-    there.setTo(int(i), (fine >= 0.5F) & (there == 0));
+    cv::Mat there = taken(target);
+    const cv::Mat free = (fine >= 0.5F) & (there == 0);
+    there.setTo(255, free);
+    const cv::Mat solid = solid_part(free);
+    scaled.push_back({{}, cv::countNonZero(solid)});
+    append_runs(solid, target.tl(), scaled.back().runs);
   }
-  return solid_regions(scaled, 1, 0);
+  return without_hidden(scaled, taken);
 }
 
 }  // namespace tessera::io

@@ -3,10 +3,12 @@
 
 #include <opencv2/core.hpp>
 
+#include "io/elements/label_runs.h"
+
 namespace tessera::io {
 
 /// Each region is scaled by itself with a smooth outline; where two would overlap, the one that is there stays. Every
-/// region is solid (region_labels.h).
-cv::Mat scaled_labels(const cv::Mat& labels, cv::Size size);
+/// region is solid (region_labels.h). Takes about a byte for a pixel of `size`.
+LabelRuns scaled_labels(const cv::Mat& labels, cv::Size size);
 
 }  // namespace tessera::io

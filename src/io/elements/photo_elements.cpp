@@ -36,9 +36,9 @@ cv::Mat colours_beyond(const cv::Mat& bgr, const cv::Mat& mask) {
 
 }  // namespace
 
-FoundElements find_elements(const cv::Mat& labels, const ElementSizes& sizes) {
+FoundElements find_elements(const LabelRuns& labels, const ElementSizes& sizes) {
   FoundElements found;
-  const std::vector<RegionBox> regions = region_boxes(labels);
+  const std::vector<RegionBox>& regions = labels.regions();
   for (std::size_t label = 1; label < regions.size(); ++label) {
     const auto& [box, area_px2] = regions[label];
     const double size_px = std::sqrt(area_px2);
@@ -59,11 +59,11 @@ FoundElements find_elements(const cv::Mat& labels, const ElementSizes& sizes) {
   return found;
 }
 
-cv::Mat cut_element(const cv::Mat& photo, const cv::Mat& labels, const PhotoElement& element) {
+cv::Mat cut_element(const cv::Mat& photo, const LabelRuns& labels, const PhotoElement& element) {
   // What lies beyond the photo is only rim: no element reaches its edge.
   const cv::Rect around(element.box.tl() - cv::Point(kRim_px, kRim_px), element.box.br() + cv::Point(kRim_px, kRim_px));
   const cv::Rect window = around & cv::Rect({}, photo.size());
-  const cv::Mat mask = solid_part(labels(window) == element.label);
+  const cv::Mat mask = solid_part(labels.mask_of(std::size_t(element.label), window));
   cv::Mat bgr, alpha, bgra;
   cv::cvtColor(photo(window), bgr, cv::COLOR_BGRA2BGR);
   cv::GaussianBlur(mask, alpha, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_CONSTANT);

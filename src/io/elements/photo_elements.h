@@ -6,6 +6,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "io/elements/label_runs.h"
+
 namespace tessera::io {
 
 /// Of an element's size: the square root of its area, px of the photo.
@@ -27,12 +29,11 @@ struct FoundElements {
   std::size_t too_large = 0;
 };
 
-/// `labels`: CV_32SC1, 0 = gap, 1..n = elements.
-FoundElements find_elements(const cv::Mat& labels, const ElementSizes& sizes);
+FoundElements find_elements(const LabelRuns& labels, const ElementSizes& sizes);
 
 /// The element cut out, with a transparent rim: straight BGRA, CV_8UC4. Half of the opacity lies on the edge of its
 /// pixels, holes are filled, and beyond the edge the element's own colours go on, so that no gap shines through.
 /// `photo`: CV_8UC4 of the size of the labels.
-cv::Mat cut_element(const cv::Mat& photo, const cv::Mat& labels, const PhotoElement& element);
+cv::Mat cut_element(const cv::Mat& photo, const LabelRuns& labels, const PhotoElement& element);
 
 }  // namespace tessera::io

@@ -1,5 +1,7 @@
 #include "io/elements/photo_extraction.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -18,13 +20,10 @@
 namespace tessera::io {
 namespace {
 
-std::string size_text(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+/// Of a map of labels: 100 MB. Elements that are wide enough have half of them at most.
+constexpr std::size_t kMostRuns = 8'000'000;
 
-cv::Mat without_alpha(const cv::Mat& picture) {
-  cv::Mat bgr;
-  cv::cvtColor(picture, bgr, cv::COLOR_BGRA2BGR);
-  return bgr;
-}
+std::string size_text(const cv::Size& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
 cv::Mat enlarged_photo(const std::string& photo, const cv::Mat& picture, int times) {
   if (times == 1) return picture;
@@ -38,28 +37,52 @@ cv::Mat enlarged_photo(const std::string& photo, const cv::Mat& picture, int tim
   return enlarged;
 }
 
-cv::Mat searched_labels(const std::string& photo, const cv::Mat& picture, double element_px) {
+/// A photo's file, read once, so that it is the same each time it is decoded.
+struct PhotoFile {
+  std::string path;
+  std::vector<std::uint8_t> bytes;
+};
+
+cv::Mat decoded(const PhotoFile& photo, int times, Drawers& drawers) {
+  return enlarged_photo(photo.path, drawers.photo(photo.bytes, photo.path), times);
+}
+
+/// A label map of a working copy. The photo is not held meanwhile, as the search takes as much room.
+cv::Mat searched(const PhotoFile& photo, const ExtractionSettings& settings, Drawers& drawers) {
   try {
-    return element_labels(without_alpha(picture), element_px);
+    const ElementCopies copies =
+        element_copies(decoded(photo, settings.enlarged, drawers), settings.element_px * settings.enlarged);
+    const cv::Mat labels = elements_in_copies(copies);
+    malloc_trim(0);  // freed memory is kept (main.cpp), and as much again is wanted now
+    return labels;
   } catch (const std::invalid_argument& error) {
-    throw InputError(photo + ": --element-px: " + error.what());
+    throw InputError(photo.path + ": --element-px: " + error.what());
   }
 }
 
-cv::Mat given_labels(const std::string& path, const std::string& photo, const cv::Size& size, Drawers& drawers) {
-  const cv::Mat labels = drawers.labels(read_regular_file(path, kMaxPhotoBytes), path);
-  if (labels.size() != size) {
-    throw InputError(path + ": found a map of " + size_text(labels.size()) + " px, allowed: the size of " + photo +
-                     ", " + size_text(size) + " px");
-  }
-  return connected_labels(labels);
+/// Before the photo is there.
+cv::Mat given_labels(const std::string& path, Drawers& drawers) {
+  const cv::Mat labels = connected_labels(drawers.labels(read_regular_file(path, kMaxPhotoBytes), path));
+  if (run_count(labels) > kMostRuns)
+    throw InputError(path + ": found labels as thin as a pixel all over the map, allowed: those of elements, " +
+                     std::to_string(kLeastSize_px) + " px wide and more");
+  return labels;
 }
 
-void add_ground(const std::string& photo, const cv::Mat& picture, const cv::Mat& labels,
+LabelRuns labels_for(const std::string& labels_path, const cv::Mat& labels, const std::string& photo,
+                     const cv::Mat& picture, int times) {
+  const cv::Size as_it_is(picture.cols / times, picture.rows / times);
+  if (labels.size() != as_it_is) {
+    throw InputError(labels_path + ": found a map of " + size_text(labels.size()) + " px, allowed: the size of " +
+                     photo + ", " + size_text(as_it_is) + " px");
+  }
+  return times > 1 ? scaled_labels(labels, picture.size()) : LabelRuns(labels);
+}
+
+void add_ground(const std::string& photo, const cv::Mat& picture, const LabelRuns& labels,
                 const ExtractionSettings& settings, Extraction& extraction) {
-  const cv::Mat bgr = without_alpha(picture);
-  const GroundPixels pixels = ground_pixels(bgr, labels);
-  const cv::Mat ground = synthesised_ground(bgr, pixels.certain, settings.ground_px);
+  const GroundPixels pixels = ground_pixels(picture, labels);
+  const cv::Mat ground = synthesised_ground(picture, pixels.certain, settings.ground_px);
   if (ground.empty()) {
     throw InputError(photo + ": --ground: found hardly any gaps between the elements, needed: some " +
                      std::to_string(kLeastPlaces) + " places of " + std::to_string(kLeastPatch_px) + " x " +
@@ -73,15 +96,13 @@ void add_ground(const std::string& photo, const cv::Mat& picture, const cv::Mat&
 
 Extraction extract_elements(const std::string& photo, const ExtractionSettings& settings, Drawers& drawers) {
   const int times = settings.enlarged;
-  const cv::Mat as_it_is = drawers.photo(read_regular_file(photo, kMaxPhotoBytes), photo);
-  const cv::Mat picture = enlarged_photo(photo, as_it_is, times);
-  cv::Mat labels;
-  if (settings.labels.empty()) {
-    labels = searched_labels(photo, picture, settings.element_px * times);
-  } else {
-    labels = given_labels(settings.labels, photo, as_it_is.size(), drawers);
-    if (times > 1) labels = scaled_labels(labels, picture.size());
-  }
+  const bool searches = settings.labels.empty();
+  PhotoFile file{photo, read_regular_file(photo, kMaxPhotoBytes)};
+  const cv::Mat map = searches ? searched(file, settings, drawers) : given_labels(settings.labels, drawers);
+  const cv::Mat picture = decoded(file, times, drawers);
+  file.bytes = {};
+  const LabelRuns labels =
+      searches ? labels_of_photo(picture, map) : labels_for(settings.labels, map, photo, picture, times);
   Extraction extraction;
   extraction.least_px = std::max(settings.sizes.least_px, double(kLeastSize_px) / times);
   extraction.found = find_elements(labels, {extraction.least_px * times, settings.sizes.most_px * times});

@@ -34,14 +34,16 @@ cv::Mat distances_from(const cv::Mat& bgr, const cv::Scalar& colour) {
 
 }  // namespace
 
-cv::Mat without_margins(const cv::Mat& photo_bgr, const cv::Mat& labels) {
-  cv::Mat result = labels.clone();
-  const std::vector<RegionBox> regions = region_boxes(labels);
-  for (std::size_t label = 1; label < regions.size(); ++label) {
-    const auto& [box, area_px2] = regions[label];
+LabelRuns without_margins(const cv::Mat& photo, const LabelRuns& labels) {
+  const cv::Mat elements = labels.mask();
+  std::vector<std::vector<LabelRun>> result(labels.regions().size());
+  for (std::size_t label = 1; label < result.size(); ++label) {
+    const auto& [box, area_px2] = labels.regions()[label];
+    const auto all = labels.runs_of(label);
+    result[label].assign(all.begin(), all.end());
     if (area_px2 == 0 || !reaches_edge(box, labels.size())) continue;
     const cv::Rect window = grown_within(box, std::max(box.width, box.height) / 4 + 2, labels.size());
-    const cv::Mat element = labels(window) == int(label), gap = labels(window) == 0, bgr = photo_bgr(window);
+    const cv::Mat element = labels.mask_of(label, window), gap = elements(window) == 0, bgr = bgr_of(photo(window));
     const double size_px = std::sqrt(area_px2);
     cv::Mat depth_px;
     cv::distanceTransform(element, depth_px, cv::DIST_L2, 3);
@@ -50,10 +52,10 @@ cv::Mat without_margins(const cv::Mat& photo_bgr, const cv::Mat& labels) {
     const cv::Mat is_gap_like = distances_from(bgr, cv::mean(bgr, gap)) < distances_from(bgr, cv::mean(bgr, inside));
     const int margin_px = std::max(1, int(kMostMargin * size_px));
     const cv::Mat margin = near_edges(window, box, labels.size(), margin_px) & element & is_gap_like;
-    result(window).setTo(0, element);
-    result(window).setTo(int(label), solid_part(element & ~margin));
+    result[label].clear();
+    append_runs(solid_part(element & ~margin), window.tl(), result[label]);
   }
-  return result;
+  return {labels.size(), result};
 }
 
 }  // namespace tessera::io

@@ -3,11 +3,13 @@
 
 #include <opencv2/core.hpp>
 
+#include "io/elements/label_runs.h"
+
 namespace tessera::io {
 
 /// Takes from elements that reach the photo's edge what lies near it and is more like the gaps around them than like
-/// their inside: those that the edge does not cut reach it no more. `photo_bgr`: CV_8UC3; `labels`: CV_32SC1 of its size,
-/// as of element_labels, which stay connected.
-cv::Mat without_margins(const cv::Mat& photo_bgr, const cv::Mat& labels);
+/// their inside: those that the edge does not cut reach it no more. `photo`: CV_8UC3 or CV_8UC4, BGR first; `labels`: of
+/// its size, as of element_labels, which stay connected.
+LabelRuns without_margins(const cv::Mat& photo, const LabelRuns& labels);
 
 }  // namespace tessera::io

@@ -48,6 +48,13 @@ double size_preference(double relative_area, double larger, double smaller) {
   return std::exp(-0.5 * (too_large * too_large + too_small * too_small));
 }
 
+cv::Mat bgr_of(const cv::Mat& picture) {
+  if (picture.channels() == 3) return picture;
+  cv::Mat bgr;
+  cv::cvtColor(picture, bgr, cv::COLOR_BGRA2BGR);
+  return bgr;
+}
+
 cv::Mat round_window(int side_px) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side_px, side_px}); }
 
 cv::Mat solid_part(const cv::Mat& mask) {

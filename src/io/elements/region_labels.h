@@ -27,6 +27,9 @@ cv::Rect grown_within(const cv::Rect& box, int margin_px, const cv::Size& pictur
 /// exp(`larger`) as large or exp(-`smaller`). `relative_area`: by the usual one.
 double size_preference(double relative_area, double larger, double smaller);
 
+/// CV_8UC3 of a picture with or without a fourth channel.
+cv::Mat bgr_of(const cv::Mat& picture);
+
 /// A structuring element for cv::morphologyEx.
 cv::Mat round_window(int side_px);
 
