@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <utility>
 
 namespace tessera {
@@ -17,11 +16,10 @@ constexpr std::size_t kMostPoses = 8;
 constexpr int kSteps = 30;
 /// Of the outer boundary, so many points in all.
 constexpr std::size_t kMostPoints = 512;
-/// Part of the frame's edge that pieces reach where they have its scale.
+/// Part of the frame's edge that pieces reach where they have its scale, and part of their outer boundary that may lie
+/// beyond it.
 constexpr float kLeastReached = 0.6f;
-/// Scales that are tried from a corner, and how many times the next one is larger: half of the pieces may be missing, or
-/// foreign.
-constexpr float kLeastScale = 0.7f, kMostScale = 1.42f, kScaleStep = 1.003f;
+constexpr float kMostBeyond = 0.02f;
 
 /// The points of all pieces' boundaries beside which no other piece lies, as if they were one piece.
 PuzzlePiece outer_boundary(const std::vector<PosedPiece>& laid, const PuzzlePiece& frame, const PuzzleScale& scale) {
@@ -137,44 +135,21 @@ Similarity along_frame(const PuzzlePiece& outer, Similarity pose, const PuzzlePi
   return pose;
 }
 
-/// Part of the frame's edge along which outer boundary lies.
+/// Part of the frame's edge along which outer boundary lies; 0: some of it lies beyond the edge.
 float reached_part(const PuzzlePiece& outer, const Similarity& pose, const PuzzlePiece& frame,
                    const PuzzleScale& scale) {
-  const auto there = std::count_if(outer.points.begin(), outer.points.end(), [&](Vec2 point) {
-    return frame.outline.nearer_than(2 * scale.tolerance, pose.apply(point));
-  });
+  std::size_t there = 0, beyond = 0;
+  for (const Vec2 point : outer.points) {
+    const Vec2 p = pose.apply(point);
+    if (frame.outline.nearer_than(2 * scale.tolerance, p)) {
+      ++there;
+    } else if (!frame.outline.contains(p)) {
+      ++beyond;
+    }
+  }
+  if (float(beyond) > kMostBeyond * float(outer.points.size())) return 0;
   const float frame_length = frame.point_length * float(frame.points.size());
   return float(there) * outer.point_length * pose.scale() / frame_length;
-}
-
-Similarity scaled_about(const Similarity& pose, Vec2 centre, float times) {
-  return {pose.a * times, pose.b * times, centre.x + (pose.tx - centre.x) * times,
-          centre.y + (pose.ty - centre.y) * times};
-}
-
-/// Of the corners that most of the edge is reached from, each at the scale at which it is most.
-std::vector<Similarity> scaled_from_corners(const PuzzlePiece& outer, const PuzzlePiece& frame,
-                                            const std::vector<CornerPose>& corners, const PuzzleScale& scale) {
-  const auto most_first = [](const auto& a, const auto& b) { return a.first > b.first; };
-  std::vector<std::pair<float, CornerPose>> tried;
-  for (const CornerPose& corner : corners)
-    tried.emplace_back(reached_part(outer, corner.frame_from_puzzle, frame, scale), corner);
-  std::stable_sort(tried.begin(), tried.end(), most_first);
-  if (tried.size() > kMostPoses) tried.resize(kMostPoses);
-  std::vector<Similarity> poses;
-  for (const auto& [_, corner] : tried) {
-    float most = -1;
-    Similarity best;
-    for (float times = kLeastScale; times < kMostScale; times *= kScaleStep) {
-      const Similarity pose = scaled_about(corner.frame_from_puzzle, corner.corner, times);
-      const float reached = reached_part(outer, pose, frame, scale);
-      if (reached <= most) continue;
-      most = reached;
-      best = pose;
-    }
-    poses.push_back(best);
-  }
-  return poses;
 }
 
 }  // namespace
@@ -199,24 +174,21 @@ std::vector<Similarity> poses_in_frame(const std::vector<PosedPiece>& laid, cons
 }
 
 std::optional<Similarity> scaled_pose_in_frame(const std::vector<PosedPiece>& laid, const PuzzlePiece& frame,
-                                               const std::vector<CornerPose>& corners, const PuzzleScale& scale) {
+                                               const PuzzleScale& scale) {
   const PuzzlePiece outer = outer_boundary(laid, frame, scale);
   if (outer.points.empty()) return {};
   const Hull hull = hull_of(outer.points), frame_hull = hull_of(frame.points);
   if (!(hull.width > 0)) return {};
   std::optional<Similarity> best;
   float most = kLeastReached;
-  const auto try_near = [&](Similarity pose, std::initializer_list<float> reaches) {
-    for (const float reach : reaches) pose = along_frame(outer, pose, frame, reach, scale.piece / 2);
+  for (auto& [distance, pose] : turned_in_frame(outer, hull, frame, frame_hull, frame_hull.width / hull.width, scale)) {
+    for (const float reach : {scale.piece / 2, scale.piece / 8, 2 * scale.tolerance})
+      pose = along_frame(outer, pose, frame, reach, scale.piece / 2);
     const float reached = reached_part(outer, pose, frame, scale);
-    if (!(reached > most)) return;
+    if (!(reached > most)) continue;
     most = reached;
     best = pose;
-  };
-  for (const Similarity& pose : scaled_from_corners(outer, frame, corners, scale))
-    try_near(pose, {4 * scale.tolerance, 2 * scale.tolerance});
-  for (const auto& [_, pose] : turned_in_frame(outer, hull, frame, frame_hull, frame_hull.width / hull.width, scale))
-    try_near(pose, {scale.piece / 2, scale.piece / 8, 2 * scale.tolerance});
+  }
   return best;
 }
 

@@ -13,15 +13,9 @@ namespace tessera {
 std::vector<Similarity> poses_in_frame(const std::vector<PosedPiece>& laid, const PuzzlePiece& frame,
                                        const PuzzleScale& scale);
 
-/// What was laid, where a piece of it fills a corner of the frame.
-struct CornerPose {
-  Similarity frame_from_puzzle;
-  Vec2 corner;  // of the frame, where it stays at any scale
-};
-
-/// frame_from_puzzle with the scale at which the pieces reach the edges of the frame all round, also where some along the
-/// edges are missing, or foreign ones lie beyond them. Nothing: too much of the frame's edge would stay open.
+/// frame_from_puzzle with the scale at which the pieces reach the edges of the frame all round, also where some inside
+/// or along the edges are missing. Nothing: most of the frame's edge would stay open, or pieces would leave it.
 std::optional<Similarity> scaled_pose_in_frame(const std::vector<PosedPiece>& laid, const PuzzlePiece& frame,
-                                               const std::vector<CornerPose>& corners, const PuzzleScale& scale);
+                                               const PuzzleScale& scale);
 
 }  // namespace tessera

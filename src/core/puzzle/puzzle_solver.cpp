@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "core/geometry/polygon.h"
@@ -29,8 +28,8 @@ constexpr int kMostFollowed = 2'000;
 constexpr int kWidest = 64, kWidestBesideMoved = 8;
 /// Places in the frame of what was laid without it that are looked at in full.
 constexpr std::size_t kMostMoves = 4;
-/// Scales less apart are one: of 40 pieces side by side the last is off by a twenty-fifth of a piece.
-constexpr double kSameScale = 0.001;
+/// Scales less apart are one, as what fills the frame says it better.
+constexpr double kSameScale = 0.01;
 
 /// Mean distance of the pictures' colours between places of different pieces, along their boundaries; 0 without
 /// pictures, and of plain ones.
@@ -145,19 +144,13 @@ class Solver {
     return best;
   }
 
-  /// Where what was laid alone lies in the frame by a match of one of its pieces; nothing: that piece does not lie in it.
-  static std::optional<Similarity> pose_by(const PieceMatch& match, const Arrangement& alone) {
-    const auto piece = std::find_if(alone.laid.begin(), alone.laid.end(),
-                                    [&](const LaidPiece& laid) { return laid.piece == match.piece; });
-    if (piece == alone.laid.end()) return {};
-    return followed_by(rigid_inverse(piece->pose), match.here_from_there);
-  }
-
-  /// By each piece that may lie in a corner of the frame, and by the outer boundary.
+  /// What was laid alone, by each piece that may lie in a corner of the frame, or by its outer boundary.
   std::vector<Similarity> poses_of(const Arrangement& alone) const {
     std::vector<Similarity> poses;
     for (const PieceMatch& match : matches_[std::size_t(frame_)]) {
-      if (const auto pose = pose_by(match, alone)) poses.push_back(*pose);
+      const auto corner = std::find_if(alone.laid.begin(), alone.laid.end(),
+                                       [&](const LaidPiece& laid) { return laid.piece == match.piece; });
+      if (corner != alone.laid.end()) poses.push_back(followed_by(rigid_inverse(corner->pose), match.here_from_there));
     }
     const std::vector<PosedPiece> laid = arranger_.laid_pieces(alone);
     for (const Similarity& pose : poses_in_frame(laid, pieces_[std::size_t(frame_)], scale_)) poses.push_back(pose);
@@ -176,21 +169,9 @@ class Solver {
     return false;
   }
 
-  std::vector<CornerPose> corner_poses_of(const Arrangement& alone) const {
-    const PuzzlePiece& frame = pieces_[std::size_t(frame_)];
-    std::vector<CornerPose> poses;
-    for (const PieceMatch& match : matches_[std::size_t(frame_)]) {
-      const auto pose = pose_by(match, alone);
-      if (pose && match.corner_ahead >= 0)
-        poses.push_back({*pose, frame.corners[std::size_t(match.corner_ahead)].ahead.front()});
-    }
-    return poses;
-  }
-
   /// The scale at which what was laid alone reaches the frame's edges, where it is another one. False: nothing changed.
   bool take_scale(const Arrangement& alone, const std::vector<Vec2>& frame) {
-    const auto pose = scaled_pose_in_frame(arranger_.laid_pieces(alone), pieces_[std::size_t(frame_)],
-                                           corner_poses_of(alone), scale_);
+    const auto pose = scaled_pose_in_frame(arranger_.laid_pieces(alone), pieces_[std::size_t(frame_)], scale_);
     if (!pose || std::abs(double(pose->scale()) - 1) < kSameScale) return false;
     times_ = double(pose->scale());
     pieces_[std::size_t(frame_)] = frame_piece(frame, times_);
