@@ -6,7 +6,6 @@ tessera=$1
 folder=$2
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
-most_s=60
 
 # Everything in the folder "made". Commands whose outputs are there already may be run again.
 write_all() {

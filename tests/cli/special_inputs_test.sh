@@ -6,7 +6,6 @@ tessera=$1
 folder=$2
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
-most_s=20
 
 # refused NAME COMMAND...: with a message that has the name.
 refused() {

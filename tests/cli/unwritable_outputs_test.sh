@@ -6,7 +6,6 @@ tessera=$1
 folder=$2
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
-most_s=20
 
 # before_work MESSAGE COMMAND...
 before_work() {
@@ -43,6 +42,12 @@ before_work "cannot write taken.json$is_folder" bench pairs --out taken.json
 before_work "cannot write free.json: free.json.tmp $in_the_way" bench pairs --out free.json
 before_work 'cannot write into the folder file: Not a directory' rank result --out file
 before_work 'cannot create the output directory file' draw result --to file
+for name in collage.svg collage.png collage.pdf collage.tiff; do
+  mkdir -p "elsewhere/$name"
+  before_work "cannot write elsewhere/$name$is_folder" draw result --to elsewhere --png --svg --pdf --tiff --quiet
+  [[ -z $(find elsewhere -name 'collage*' -type f) ]] || fail "a picture before the one that cannot be written"
+  rm -r elsewhere
+done
 for command in "collage job.toml --restart" "refine result --relax"; do
   for name in pieces.geojson card.json card.txt job.toml manifest.json collage.png collage.svg checkpoint.h5; do
     mkdir -p "out/$name.tmp/inside"

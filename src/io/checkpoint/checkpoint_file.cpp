@@ -1,13 +1,14 @@
 #include "io/checkpoint/checkpoint_file.h"
 
+#include <array>
 #include <filesystem>
-#include <fstream>
 
 #include "core/base/error.h"
 #include "io/checkpoint/checkpoint_arrays.h"
 #include "io/checkpoint/checkpoint_columns.h"
 #include "io/checkpoint/checkpoint_seal.h"
 #include "io/library/hdf5_trial.h"
+#include "io/regular_file.h"
 
 namespace tessera::io {
 namespace {
@@ -45,10 +46,10 @@ void write_columns(hid_t file, const CheckpointColumns& columns) {
 
 /// HDF5 1.10 parses older formats without checksums, and not safely where they are forged.
 void check_superblock(const std::string& path) {
-  constexpr int kVersion = 2;
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(std::streamoff(kSealBytes) + 8);
-  if (file.get() != kVersion) throw Hdf5Error("no HDF5 of our format in it");
+  constexpr std::uint8_t kVersion = 2;
+  std::array<std::uint8_t, 1> found{};
+  read_at(path, open_regular_file(path), kSealBytes + 8, found);
+  if (found[0] != kVersion) throw Hdf5Error("no HDF5 of our format in it");
 }
 
 Hdf5Handle open_for_reading(const std::string& path) {

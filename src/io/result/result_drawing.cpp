@@ -143,6 +143,18 @@ InputError no_pdf(const std::string& dir, const std::string& key, const std::str
                     without + ", or the PNG, TIFF and SVG");
 }
 
+/// Before anything is drawn.
+void check_can_be_drawn(const std::string& folder, const PictureRequest& request, const OutputSpec& output) {
+  const auto check = [&](bool wanted, const char* name) {
+    if (wanted) check_can_be_written(path_in_result(folder, name));
+  };
+  check(request.svg, "collage.svg");
+  check(request.png, "collage.png");
+  check(request.tiff, "collage.tiff");
+  check(request.pdf, "collage.pdf");
+  check(request.png && output.labels, "labels.png");
+}
+
 /// For a document of all drawings together, in which each of them has been drawn before.
 const DrawerSettings kWholeCollage{
     .processes = 1, .seconds_per_drawing = 600, .bytes_per_process = std::size_t(4) << 30};
@@ -265,6 +277,8 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   const WholeResult result = read_result(dir);
   const ResultManifest& manifest = result.manifest;
   auto [job, other_colours] = job_of(result, request);
+  const std::string folder = request.to.empty() ? dir : request.to;
+  check_can_be_drawn(folder, request, job.output);
   const std::vector<std::string> palette =
       other_colours ? load_palette(job) : std::vector<std::string>();  // that of the job may be gone
   Drawers drawers({.processes = available_cores()});
@@ -298,7 +312,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   }
   if (manifest.deformed) take_up_deformed_pieces(dir, report, [&] { stop.check(); });
   const bool is_result = request.to.empty();
-  ResultPictures pictures({is_result ? dir : request.to, is_result}, report, manifest, drawers, stop, observer);
+  ResultPictures pictures({folder, is_result}, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
   if (request.png || request.tiff) pictures.pixels(request.png, request.tiff);
   if (request.pdf) pictures.pdf();
