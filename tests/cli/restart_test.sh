@@ -179,16 +179,29 @@ grep -q 'is good' errors && fail "offers a damaged checkpoint"
 expect_error 'damaged/checkpoint.previous.h5: damaged' damaged --resume=previous
 echo "ok damaged checkpoints"
 
-# Where no checkpoint can be written the run goes on, and says so once.
-mkdir -p blocked/checkpoint.h5.tmp/in_the_way
-start 1 blocked
+# Where no checkpoint can be written any more the run goes on, and says so once.
+block_checkpoints() { # from the first one on
+  start 1 blocked "$@" --set checkpoint.every_s=0.01
+  wait_for_checkpoint blocked
+  until mkdir -p blocked/checkpoint.h5.tmp/in_the_way 2>/dev/null; do :; done
+}
+block_checkpoints
 expect_end 0 "without checkpoints"
 cmp expected.geojson blocked/pieces.geojson || fail "without checkpoints: other pieces"
-[[ $(grep -c 'warning: no checkpoint: cannot write blocked/checkpoint.h5: Is a directory' errors) == 1 ]] ||
-  fail "warning"
-start 1 blocked --time-limit 4 --set improve.trials=0 --set improve.seconds=1000
+warning='warning: no checkpoint: cannot write blocked/checkpoint.h5: checkpoint.h5.tmp is in the way'
+[[ $(grep -c "$warning" errors) == 1 ]] || fail "warning"
+rm -r blocked
+start 1 blocked --time-limit 4 --set improve.trials=0 --set improve.seconds=1000 --set checkpoint.every_s=1000
+until grep -qs 'rank 0 of 1' blocked/run.log || ! kill -0 "$started" 2>/dev/null; do sleep 0.01; done
+mkdir -p blocked/checkpoint.h5.tmp/in_the_way
 expect_end 1 "unfinished without a checkpoint"
 grep -q 'unfinished, and without a checkpoint' errors || fail "does not say that there is no checkpoint"
+# What stands in the way from the first is found before anything is computed.
+rm -r blocked
+mkdir -p blocked/checkpoint.h5.tmp/in_the_way
+start 1 blocked
+expect_end 1 "blocked from the first"
+grep -q 'cannot write blocked/checkpoint.h5: checkpoint.h5.tmp is in the way' errors || fail "blocked from the first"
 echo "ok no checkpoint can be written"
 
 # break_disk HOW REASON: the disk breaks after the first checkpoint; what is there is enough to go on with. It cannot be
