@@ -96,7 +96,7 @@ void serialize(Archive& archive, tessera::CountRequest& request, unsigned) {
 
 template <class Archive>
 void serialize(Archive& archive, tessera::DockRequest& request, unsigned) {
-  archive& request.samples& request.bin_limit& request.tangent_dockings;
+  archive& request.samples& request.bin_limit& request.tangent_dockings& request.first_drawn;
 }
 
 template <class Archive>

@@ -9,6 +9,7 @@
 #include "core/field/piece_distance.h"
 #include "core/geometry/extent.h"
 #include "core/matching/size_schedule.h"
+#include "core/shape/shape_field.h"
 #include "core/tuning.h"
 
 namespace tessera::master {
@@ -257,7 +258,7 @@ void Collage::add_candidates(const std::vector<TargetSample>& samples, const Mat
 Window Collage::place(const Candidate& candidate) {
   const Shape& shape = shapes_.shape(candidate.shape);
   placements_.push_back({candidate.shape, candidate.canvas_from_shape, candidate.score, candidate.terms.matched_px});
-  outlines_.add(placements_.back(), shape.outline);
+  outlines_.add(placements_.back(), shape.outline, line_radius(shape.field, shape.perimeter));
   scoring_.count(placements_.back());
   apart_.add(placements_.back());
   covered_px2_ += area_px2(placements_.back());

@@ -13,6 +13,7 @@
 #include "core/collage/placed_outlines.h"
 #include "core/collage/placement.h"
 #include "core/collage/pool.h"
+#include "core/collage/wide_gap.h"
 #include "core/field/canvas.h"
 #include "core/field/free_field.h"
 #include "core/field/target_curve.h"
@@ -72,6 +73,12 @@ class Collage {
   /// finds, only how long that takes.
   void check_ahead();
 
+  /// Whether a gap round these nodes is as wide as some shape that encloses much, and may stand, with all that it encloses.
+  bool leaves_wide_gap(const Window& window);
+  /// Finds a piece for such a gap by going through its nodes and rotations, where dockings find none; its size is the
+  /// smallest, and what it grows. False where it finds none.
+  bool choose_in_gap(Candidate& best, const Window& window, const std::function<void()>& look);
+
   /// Finds the candidate of the pool that is worth most after the finalists were checked exactly, made clear of their
   /// neighbours and grown. False where the pool is dry. `look` is called again and again and may throw: what has
   /// changed then would have changed anyway, and the next call finds what this one would have found.
@@ -126,6 +133,9 @@ class Collage {
   std::vector<Finalist> checked_finalists(const std::function<void()>& look);
   bool settle_best(std::vector<Finalist>& finalists, Candidate& best, const std::function<void()>& look);
   void keep_checks(std::vector<Finalist>& finalists);
+  const HullRoom& room_of(ShapeId shape);
+  std::vector<ShapeId> shapes_for_gap(float gap_px);
+  std::vector<ShapeId> shapes_for_gap_in(const Window& window);
   bool needs_first_piece() const;
   bool choose_first(Candidate& first, const std::function<void()>& look);
   bool may_dock(SampleId id) const;
@@ -170,7 +180,8 @@ class Collage {
   std::map<SampleId, std::uint32_t> passes_;  // how often a sample was matched
   std::uint32_t first_pass_ = 0;
   std::vector<Placement> placements_;
-  PlacedOutlines outlines_;  // of the placements
+  PlacedOutlines outlines_;            // of the placements
+  std::map<ShapeId, HullRoom> rooms_;  // of shapes that were looked at
   Scoring scoring_;
   KeptApart apart_;
   Settling settling_;

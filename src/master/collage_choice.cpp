@@ -1,5 +1,6 @@
 // Collage: which candidate becomes the next piece.
 #include <algorithm>
+#include <set>
 
 #include "core/base/portable_math.h"
 #include "core/tuning.h"
@@ -8,6 +9,9 @@
 namespace tessera::master {
 namespace {
 
+constexpr std::uint32_t kShapesLookedAt = 64;
+constexpr std::size_t kGapShapes = 8;                // looked at when a wide gap is searched
+constexpr int kGapAttempts = 64;                     // poses that are settled then
 constexpr std::uint64_t kFirstPiece = 0x6669727374;  // keeps these random numbers apart from those of the dockings
 
 }  // namespace
@@ -56,6 +60,68 @@ bool Collage::settle(Candidate& candidate) {
   candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context_);
   const ExactAreas areas = check_exactly(candidate);
   return scoring_.acceptable(candidate) && scoring_.overlaps_little(candidate, areas) && keeps_apart(candidate);
+}
+
+const HullRoom& Collage::room_of(ShapeId shape) {
+  const auto found = rooms_.find(shape);
+  return found != rooms_.end() ? found->second : rooms_.emplace(shape, hull_room(shapes_.shape(shape))).first->second;
+}
+
+/// Those that enclose much, of the shapes that stand and may do so again and of some others that may stand, which are
+/// other ones each time; and for which such a gap is wide enough.
+std::vector<ShapeId> Collage::shapes_for_gap(float gap_px) {
+  const StanceTable& stances = context_.stances;
+  std::set<ShapeId> shapes;
+  for (const Placement& p : placements_) {
+    if (stances.list(p.shape).count > 0) shapes.insert(p.shape);
+  }
+  const std::uint32_t open = stances.open_shapes();
+  const auto begin = std::uint32_t(placements_.size() * kShapesLookedAt);
+  for (std::uint32_t i = 0; i < std::min(open, kShapesLookedAt); ++i)
+    shapes.insert(stances.open_shape((begin + i) % open));
+  std::erase_if(shapes, [&](ShapeId shape) {
+    const HullRoom& room = room_of(shape);
+    return !room.encloses_much() || gap_px < room.radius * stances.list(shape).min_scale_px;
+  });
+  return {shapes.begin(), shapes.end()};
+}
+
+std::vector<ShapeId> Collage::shapes_for_gap_in(const Window& window) {
+  const float gap_px = widest_gap_px(free_, window);
+  if (gap_px < kLeastWideGap * context_.stances.least_scale_px()) return {};  // without a look at any shape
+  return shapes_for_gap(gap_px);
+}
+
+bool Collage::leaves_wide_gap(const Window& window) { return !shapes_for_gap_in(window).empty(); }
+
+/// Of a few shapes, other ones each time, the first that is found to fit.
+bool Collage::choose_in_gap(Candidate& best, const Window& window, const std::function<void()>& look) {
+  if (growth_) return false;
+  const std::vector<ShapeId> shapes = shapes_for_gap_in(window);
+  int attempts = kGapAttempts;
+  for (std::size_t k = 0; k < std::min(shapes.size(), kGapShapes); ++k) {
+    const ShapeId id = shapes[(placements_.size() + k) % shapes.size()];
+    const HullRoom& room = room_of(id);
+    const ShapeModel& model = shapes_.model(id);
+    const StanceList& list = context_.stances.list(id);
+    for (std::uint32_t s = 0; s < list.count && attempts > 0; ++s) {
+      look();
+      const auto settles = [&](const Similarity& pose) {
+        look();
+        Candidate candidate;
+        candidate.shape = id;
+        candidate.stance = list.first + s;
+        candidate.canvas_from_shape = pose;
+        candidate.perimeter = model.perimeter;
+        candidate.radius = model.radius;
+        best = candidate;
+        return settle(best) || --attempts == 0;
+      };
+      const PoseRange& poses = context_.stances[list.first + s].poses;
+      if (any_pose_in_gap(model, room, poses, free_, window, settles) && attempts > 0) return true;
+    }
+  }
+  return false;
 }
 
 /// Where the canvas repeats both ways there is no boundary until something stands, and what grows outward docks to

@@ -9,13 +9,22 @@
 #include "core/tuning.h"
 
 namespace tessera::master {
+namespace {
+
+/// After kEmptyPasses, where a wide gap is left. Each sample keeps the dockings that were drawn first: early reject takes
+/// points on lines for contact, so that by its key those dockings of line art come first that cross lines, and none of
+/// these can be refined into a piece.
+constexpr int kFirstDrawnPasses = 1;
+
+}  // namespace
+
 Filling::Filling(Collage& collage, const MatchingContext& context, const CollageSettings& settings, Matcher& matcher,
                  RunStatistics& statistics, std::function<void()> look)
     : collage_(collage),
       matcher_(matcher),
       statistics_(&statistics),
       look_(std::move(look)),
-      most_empty_passes_(settings.match.tangent_dockings > 0 ? kEmptyPasses : 0) {
+      most_empty_passes_(settings.match.tangent_dockings > 0 ? kEmptyPasses + kFirstDrawnPasses : 0) {
   statistics_->shapes = context.library_shapes;
   statistics_->pads_per_shape = double(pads_per_shape(context));
   library_pads_ = pads_per_shape(context) * context.library_shapes;
@@ -41,17 +50,28 @@ bool Filling::place_one() {
     match_stale();
     Candidate best;
     if (choose(best)) {
+      empty_passes_ = 0;
       place(best);
       return true;
     }
-    if (empty_passes_ == most_empty_passes_) return false;
+    if (!may_match_again()) {
+      if (!choose_in_gap(best)) return false;
+      place(best);  // what comes next need not be matched all over again
+      return true;
+    }
     ++empty_passes_;
     collage_.mark_stale(region_);
   }
 }
 
+bool Filling::may_match_again() const {
+  if (empty_passes_ == most_empty_passes_) return false;
+  return empty_passes_ < kEmptyPasses || collage_.leaves_wide_gap(region_);
+}
+
 MatchPlan Filling::plan() const {
-  return empty_passes_ > 0 ? MatchPlan{0, std::uint32_t(kRematchTangentDockings)} : usual_plan_;
+  if (empty_passes_ == 0) return usual_plan_;
+  return {.tangent_dockings = std::uint32_t(kRematchTangentDockings), .first_drawn = empty_passes_ > kEmptyPasses};
 }
 
 void Filling::match_stale() {
@@ -60,8 +80,7 @@ void Filling::match_stale() {
   const std::vector<TargetSample> samples = collage_.take_stale_samples();
   statistics_->merge_s += watch.lap();
   try {
-    const MatchRound found =
-        match(matcher_, samples, plan(), library_pads_, *statistics_, [this] { check_ahead(); });
+    const MatchRound found = match(matcher_, samples, plan(), library_pads_, *statistics_, [this] { check_ahead(); });
     watch.lap();
     collage_.add_candidates(samples, found);
   } catch (const Interrupted&) {
@@ -75,6 +94,13 @@ void Filling::check_ahead() {
   const double before_s = thread_processor_time_s();
   collage_.check_ahead();
   statistics_->ahead_s += thread_processor_time_s() - before_s;
+}
+
+bool Filling::choose_in_gap(Candidate& best) {
+  Stopwatch watch;
+  const bool found = most_empty_passes_ > 0 && collage_.choose_in_gap(best, region_, look_);
+  statistics_->objective_s += watch.lap();
+  return found;
 }
 
 bool Filling::choose(Candidate& best) {
@@ -103,7 +129,6 @@ void Filling::place(const Candidate& best) {
   collage_.rescore(changed, terms);
   statistics_->merge_s += watch.lap();
   ++statistics_->rounds;
-  empty_passes_ = 0;
   if (interrupted) throw *interrupted;
 }
 

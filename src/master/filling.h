@@ -19,8 +19,9 @@ class Filling {
   /// Pieces are wanted at these nodes from now on; at first that is the whole canvas.
   void start(const Window& region);
 
-  /// Places the best piece. Where the pool is dry, the region's samples are matched again with other random dockings;
-  /// false when that finds nothing either. Throws Interrupted where the matcher does: the question is undone or its
+  /// Places the best piece. Where the pool is dry, the region's samples are matched again with other random dockings,
+  /// where a gap is left that is wide enough for a piece with whichever come first, and such gaps are searched for a pose
+  /// that holds a piece of the smallest size; false when that finds nothing either. Throws Interrupted where the matcher does: the question is undone or its
   /// piece is placed to the end, so that the collage can be saved. So it can where `look` throws.
   bool place_one();
 
@@ -35,9 +36,11 @@ class Filling {
 
  private:
   MatchPlan plan() const;
+  bool may_match_again() const;
   void match_stale();
   void check_ahead();
   bool choose(Candidate& best);
+  bool choose_in_gap(Candidate& best);
   void place(const Candidate& best);
   void send_changes();
 

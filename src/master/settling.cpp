@@ -1,6 +1,8 @@
 #include "master/settling.h"
 
+#include "core/field/line_art.h"
 #include "core/matching/refinement.h"
+#include "core/shape/shape_field.h"
 #include "core/tuning.h"
 
 namespace tessera::master {
@@ -14,19 +16,24 @@ void shrink(Similarity& pose) {
 }  // namespace
 
 bool Settling::settle(ShapeId shape, const PoseRange& poses, Similarity& canvas_from_shape) {
+  const float most_px = hard_depth_of(shapes_.shape(shape), canvas_from_shape.scale());
   const ShapeModel& model = shapes_.model(shape);
-  if (!push_clear(model, poses, canvas_from_shape)) return false;
-  grow(canvas_from_shape, model, free_.view(), poses, context_.hard_depth_px);
+  if (!push_clear(model, poses, most_px, canvas_from_shape)) return false;
+  grow(canvas_from_shape, model, free_.view(), poses, most_px);
   return fit_exactly(shapes_.shape(shape), poses, canvas_from_shape);
 }
 
+float Settling::hard_depth_of(const Shape& shape, float scale_px) const {
+  return most_depth_px(context_.hard_depth_px, line_radius(shape.field, shape.perimeter) * scale_px);
+}
+
 /// By the free field, as in the refinement.
-bool Settling::push_clear(const ShapeModel& model, const PoseRange& poses, Similarity& pose) const {
+bool Settling::push_clear(const ShapeModel& model, const PoseRange& poses, float most_px, Similarity& pose) const {
   const FieldView field = free_.view();
-  for (int step = 0; depth_px(pose, model, field) > context_.hard_depth_px; ++step) {
+  for (int step = 0; depth_px(pose, model, field) > most_px; ++step) {
     if (step == kSettleSteps) return false;
     descend(pose, model, field, kSettle, poses);
-    if (depth_px(pose, model, field) <= context_.hard_depth_px) break;
+    if (depth_px(pose, model, field) <= most_px) break;
     shrink(pose);
     if (pose.scale() < poses.min_scale_px) return false;
   }

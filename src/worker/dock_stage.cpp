@@ -36,6 +36,7 @@ DockStage::DockStage(DeviceLibrary& library, PairStage& pairs, std::size_t stage
 void DockStage::post(const DockRequest& request, std::vector<SampleRecord> samples) {
   sample_count_ = std::uint32_t(samples.size());
   draws_ = request.tangent_dockings;
+  first_drawn_ = request.first_drawn;
   samples_.write(samples);
   if (draws_ > 0) deck_.deal(request.samples);
   make_room();
@@ -95,6 +96,7 @@ DockReply DockStage::take() {
     of_sample[record.sample].push_back(std::bit_cast<Docking>(record));
   }
   for (std::vector<Docking>& dockings : of_sample) {
+    if (first_drawn_) rank_by_draw(dockings);
     keep_docked_shortlist(dockings);
     reply.dockings.insert(reply.dockings.end(), dockings.begin(), dockings.end());
   }

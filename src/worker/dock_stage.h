@@ -36,6 +36,7 @@ class DockStage {
   std::uint32_t sample_count_ = 0;
   std::uint32_t pair_count_ = 0;
   std::uint32_t draws_ = 0;
+  bool first_drawn_ = false;
 };
 
 }  // namespace tessera::worker

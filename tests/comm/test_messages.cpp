@@ -86,11 +86,12 @@ TEST(Messages, TargetSamplesAndHistograms) {
 
 TEST(Messages, DockRequestsAndReplies) {
   EXPECT_TRUE(rc::check([] {
-    const DockRequest request{any_vector(any_sample), any_vector(any_index), any_index()};
+    const DockRequest request{any_vector(any_sample), any_vector(any_index), any_index(), *rc::gen::arbitrary<bool>()};
     const DockRequest same_request = there_and_back(request);
     RC_ASSERT(same_bits(same_request.samples, request.samples));
     RC_ASSERT(same_request.bin_limit == request.bin_limit);
     RC_ASSERT(same_request.tangent_dockings == request.tangent_dockings);
+    RC_ASSERT(same_request.first_drawn == request.first_drawn);
     const DockReply reply{any_vector(any_docking), *rc::gen::arbitrary<std::uint64_t>()};
     const DockReply same_reply = there_and_back(reply);
     RC_ASSERT(same_bits(same_reply.dockings, reply.dockings));

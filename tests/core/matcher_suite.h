@@ -324,6 +324,36 @@ TEST_P(MatcherSuite, BinLimitsAndDrawsChooseTheKindOfDocking) {
   for (const Docking& docking : pads.dockings) EXPECT_LT(docking.source, kTangentSource);
 }
 
+/// Instead of the best, whatever the order is in which a device finds them.
+TEST_P(MatcherSuite, KeepsTheFirstDrawnWhereTheseAreWanted) {
+  const auto matcher = matcher_of(scene());
+  ReferenceMatcher reference = reference_of(scene());
+  DockRequest request{scene().samples, std::vector<std::uint32_t>(scene().samples.size(), 0), 400};
+  matcher->post_dock(request);
+  const std::vector<Docking> best = matcher->take_dock().dockings;
+  request.first_drawn = true;
+  matcher->post_dock(request);
+  const std::vector<Docking> first = matcher->take_dock().dockings;
+  reference.post_dock(request);
+  test::expect_same_dockings(first, reference.take_dock().dockings);
+  ASSERT_EQ(first.size(), best.size());
+  bool other = false;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    other |= first[i].source != best[i].source;
+    if (i == 0 || first[i].sample != first[i - 1].sample) continue;
+    EXPECT_LT(first[i - 1].source, first[i].source);
+  }
+  EXPECT_TRUE(other);
+  for (const Docking& docking : best) {  // none of them was passed over that was drawn before the last that was kept
+    const auto of_sample = [&](const Docking& d) { return d.sample == docking.sample; };
+    const auto last = std::find_if(first.rbegin(), first.rend(), of_sample);
+    ASSERT_NE(last, first.rend());
+    const bool kept = std::any_of(first.begin(), first.end(),
+                                  [&](const Docking& d) { return of_sample(d) && d.source == docking.source; });
+    EXPECT_TRUE(kept || docking.source > last->source);
+  }
+}
+
 TEST_P(MatcherSuite, ADrawPutsItsBoundaryPointOnTheSample) {
   const auto matcher = matcher_of(scene());
   matcher->post_dock({scene().samples, std::vector<std::uint32_t>(scene().samples.size(), 0), 60});

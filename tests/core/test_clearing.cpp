@@ -27,7 +27,7 @@ std::size_t conflicts_among(const std::vector<RelaxedPiece>& pieces, const std::
     PlacedOutlines others(free, settings);
     for (std::size_t j = 0; j < pieces.size(); ++j) {
       if (j == i || is_dropped(j)) continue;
-      others.add({ShapeId{}, pieces[j].canvas_from_shape}, shape_of(j).outline);
+      others.add({ShapeId{}, pieces[j].canvas_from_shape}, shape_of(j).outline, INFINITY);
       free.stamp(shape_of(j), pieces[j].canvas_from_shape);
     }
     conflicts += others.conflicts(shape_of(i), pieces[i].canvas_from_shape).size();

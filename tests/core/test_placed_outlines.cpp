@@ -23,7 +23,7 @@ const std::vector<Shape>& shapes() {
   static const std::vector<Shape> all = [] {
     std::vector<Shape> made{test::make_test_shape("star", test::star_outline(5)),
                             test::make_test_shape("bean", test::bean_outline()),
-                            test::make_test_shape("ring", test::ring_outline(0.7f))};
+                            test::make_test_shape("ring", test::ring_outline(0.6f))};
     for (std::uint32_t seed = 1; seed < 4; ++seed)
       made.push_back(test::make_test_shape("blob", test::blob_outline(seed)));
     made.push_back(test::make_test_shape("spikes", test::star_outline(7, 0.25f)));
@@ -65,7 +65,7 @@ struct Scene {
   explicit Scene(float padding_px, float canvas_px = 400) : Scene(padded_by(padding_px), canvas_px) {}
 
   void add(std::uint32_t shape, const Similarity& pose) {
-    outlines.add({ShapeId{shape}, pose, 1, 1}, shapes()[shape].outline);
+    outlines.add({ShapeId{shape}, pose, 1, 1}, shapes()[shape].outline, INFINITY);
     free.stamp(shapes()[shape], pose);
     placed.push_back(placed_outline(shapes()[shape].outline, pose));
   }
@@ -135,7 +135,7 @@ TEST(PlacedOutlines, NeighboursAcrossASeamAreConflicts) {
     PlacedOutlines outlines(free, padded_by(kPadding_px));
     const auto shape = any_shape();
     const Similarity there = canvas.period.wrapped(any_pose(200, 30));
-    outlines.add({ShapeId{shape}, there, 1, 1}, shapes()[shape].outline);
+    outlines.add({ShapeId{shape}, there, 1, 1}, shapes()[shape].outline, INFINITY);
     const auto other = any_shape();
     const Similarity where = canvas.period.wrapped(any_pose(200, 30));
     const Outline piece = placed_outline(shapes()[other].outline, where);
@@ -266,7 +266,7 @@ TEST(PlacedOutlines, WithoutPaddingEachVertexThatLiesTooDeepIsAConflict) {
 /// Positions are written with three decimals.
 TEST(PlacedOutlines, PaddingIsKeptBetweenRoundedPositionsToo) {
   Scene scene(kPadding_px);
-  scene.outlines.add({ShapeId{0}, pose(40, 0, {200, 200}), 1, 1}, square().outline);
+  scene.outlines.add({ShapeId{0}, pose(40, 0, {200, 200}), 1, 1}, square().outline, INFINITY);
   const auto conflicts = [&](float distance_px) {
     return scene.outlines.conflicts(square(), pose(40, 0, {240 + distance_px, 210}));
   };
@@ -370,7 +370,8 @@ TEST(PlacedOutlines, ConflictsOfAPlacedPieceAreThoseOfOneThatComes) {
       all.add(shape, where);
       others.add(shape, where);
     }
-    for (int k = 0; k < 2; ++k) all.outlines.add({ShapeId{}, pose(20, 0, {200, 200}), 1, 1}, shapes()[0].outline);
+    for (int k = 0; k < 2; ++k)
+      all.outlines.add({ShapeId{}, pose(20, 0, {200, 200}), 1, 1}, shapes()[0].outline, INFINITY);
     const Shape& shape = shapes()[any_shape()];
     const Similarity where = any_pose(200, 40);
     all.outlines.move(3, where, shape.outline);

@@ -16,7 +16,7 @@ class RandomState {
   CheckpointState make() {
     CheckpointState state;
     state.improving = below(2) == 1;
-    state.empty_passes = int(below(3));
+    state.empty_passes = int(below(4));
     for (std::uint32_t i = below(20); i > 0; --i) {
       state.placements.push_back({ShapeId{below(100)}, pose(), number(), number()});
     }

@@ -84,9 +84,9 @@ TEST_F(ForeignState, AbsurdShapeSizes) {
 }
 
 TEST_F(ForeignState, MorePassesThanThereCanBe) {
-  state_.empty_passes = 3;
+  state_.empty_passes = 4;
   EXPECT_EQ(complaint(),
-            "checkpoint.h5: not a checkpoint of this job: 3 passes without a piece; --restart removes it and "
+            "checkpoint.h5: not a checkpoint of this job: 4 passes without a piece; --restart removes it and "
             "starts again");
 }
 

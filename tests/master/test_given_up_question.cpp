@@ -22,7 +22,10 @@ class InterruptedMatcher : public Matcher {
   void limit(const StandingLimits& limits) override { call().limit(limits); }
   void post_count(const CountRequest& request) override { call().post_count(request); }
   std::vector<DistanceHistogram> take_count() override { return call().take_count(); }
-  void post_dock(const DockRequest& request) override { call().post_dock(request); }
+  void post_dock(const DockRequest& request) override {
+    if (request.first_drawn) in_wide_gap_pass_.push_back(left_);
+    call().post_dock(request);
+  }
   DockReply take_dock() override { return call().take_dock(); }
   void post_refine(const std::vector<Docking>& dockings) override { call().post_refine(dockings); }
   std::vector<RefinedDocking> take_refine() override { return call().take_refine(); }
@@ -30,6 +33,8 @@ class InterruptedMatcher : public Matcher {
   std::vector<DockingTerms> take_measure() override { return call().take_measure(); }
 
   std::size_t calls_left() const { return left_; }
+  /// calls_left() when dockings were asked for that were drawn first.
+  const std::vector<std::size_t>& in_wide_gap_pass() const { return in_wide_gap_pass_; }
 
  private:
   Matcher& call() {
@@ -40,6 +45,7 @@ class InterruptedMatcher : public Matcher {
 
   Matcher& matcher_;
   std::size_t left_;
+  std::vector<std::size_t> in_wide_gap_pass_;
 };
 
 constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
@@ -103,6 +109,30 @@ TEST(GivenUpQuestion, MayBeAnyOfTheLastPasses) {
     EXPECT_EQ(run(settings(), {}, silent, {&keeper.latest, nullptr}).placements, whole.placements) << back;
   }
   EXPECT_TRUE(in_empty_pass);
+}
+
+/// A library of lines alone is never filled without passes that look for wide gaps.
+TEST(GivenUpQuestion, MayBeOneOfAWideGap) {
+  const std::vector<Shape> lines = {test::make_library_shape("spectacles", test::spectacles_outline(0.2f))};
+  CollageSettings s = settings();
+  s.match.tangent_dockings = 150;
+  const MatchingContext context = make_matching_context(s, 1);
+  const auto interrupted_run = [&](std::size_t calls, const Checkpoints& checkpoints) {
+    CompositeMatcher matcher = test::divided_matcher(lines, context, {});
+    InterruptedMatcher interrupted(matcher, calls);
+    test::VectorShapes shapes(lines);
+    SilentObserver silent;
+    return std::pair(make_collage(canvas(), s, interrupted, shapes, silent, checkpoints),
+                     interrupted.in_wide_gap_pass());
+  };
+  const auto [whole, asked] = interrupted_run(kNever, {});
+  ASSERT_FALSE(asked.empty());
+  for (const std::size_t posted_or_taken : {1, 2}) {
+    KeepLatest keeper;
+    EXPECT_TRUE(interrupted_run(kNever - asked.front() + posted_or_taken, {nullptr, &keeper}).first.unfinished);
+    EXPECT_GT(keeper.latest.empty_passes, kEmptyPasses);
+    EXPECT_EQ(interrupted_run(kNever, {&keeper.latest, nullptr}).first.placements, whole.placements);
+  }
 }
 
 }  // namespace

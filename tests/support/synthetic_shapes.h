@@ -42,6 +42,26 @@ inline Outline ring_outline(float hole_radius = 0.5f) {
   return {{polar_curve([](float) { return 1.f; }), reversed(polar_curve([=](float) { return hole_radius; }))}};
 }
 
+/// Two rings and a bridge, in lines of this width; the rings have a radius of about 1.
+inline Outline spectacles_outline(float line) {
+  constexpr float kCentre = 1.35f;
+  const float outer = 1 + line / 2;
+  const float bridge = std::asin(line / 2 / outer);  // half of the angle at which it is seen
+  const auto lens = [&](float centre, float from, float to, float radius) {
+    std::vector<Vec2> curve = polar_curve([](float) { return 1.f; });
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      const float angle = from + (to - from) * float(i) / float(curve.size());
+      curve[i] = {centre + radius * std::cos(angle), radius * std::sin(angle)};
+    }
+    return curve;
+  };
+  std::vector<Vec2> outside = lens(-kCentre, bridge, kTwoPi - bridge, outer);
+  const std::vector<Vec2> right = lens(kCentre, kTwoPi / 2 + bridge, kTwoPi * 1.5f - bridge, outer);
+  outside.insert(outside.end(), right.begin(), right.end());
+  const float inner = 1 - line / 2;
+  return {{outside, reversed(lens(-kCentre, 0, kTwoPi, inner)), reversed(lens(kCentre, 0, kTwoPi, inner))}};
+}
+
 /// Straight sides and sharp spikes.
 inline Outline star_outline(int spikes, float inner_radius = 0.5f) {
   std::vector<Vec2> curve;

@@ -5,6 +5,7 @@
 #include "core/relax/contacts.h"
 #include "core/relax/piece_neighbours.h"
 #include "core/relax/schedules.h"
+#include "core/shape/shape_field.h"
 #include "core/tuning.h"
 
 namespace tessera {
@@ -58,7 +59,8 @@ class Clearing {
     for (const std::size_t i : active) may_move_[i] = !pieces[i].fixed;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       laid_[i].lay(*pieces[i].shape, pieces[i].canvas_from_shape);
-      outlines_.add({ShapeId{}, pieces[i].canvas_from_shape}, pieces[i].shape->outline);
+      const ContactShape& shape = *pieces[i].shape;
+      outlines_.add({ShapeId{}, pieces[i].canvas_from_shape}, shape.outline, line_radius(shape.field, shape.perimeter));
       if (may_move_[i]) unsure_.push_back(i);
       relaxed_scale_px_.push_back(laid_[i].scale_px);
     }

@@ -6,8 +6,10 @@
 #include <optional>
 #include <tuple>
 
+#include "core/field/line_art.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/rasterise.h"
+#include "core/shape/shape_field.h"
 #include "core/tuning.h"
 
 namespace tessera {
@@ -114,9 +116,13 @@ PlacedOutlines::PlacedOutlines(const FreeField& free, const PieceSettings& piece
     : free_(free),
       needed_px_(needed_px(pieces)) {}
 
-void PlacedOutlines::add(const Placement& placement, const Outline& outline) {
+void PlacedOutlines::add(const Placement& placement, const Outline& outline, float line_radius) {
   const auto placed = std::make_shared<PolygonIndex>(placed_outline(outline, placement.canvas_from_shape));
-  placed_.push_back({placement, placed, placed->box()});
+  placed_.push_back({placement, placed, placed->box(), line_radius});
+}
+
+float PlacedOutlines::needed_of(float needed_px, float line_radius_px) {
+  return needed_px > 0 ? needed_px : -most_depth_px(-needed_px, line_radius_px);
 }
 
 void PlacedOutlines::move(std::size_t index, const Similarity& canvas_from_shape, const Outline& outline) {
@@ -132,17 +138,19 @@ void PlacedOutlines::take_out(std::size_t index) {
 }
 
 void PlacedOutlines::replace(const std::vector<Placement>& placements, ShapeSource& shapes) {
-  std::map<decltype(key_of({})), std::shared_ptr<const PolygonIndex>> known;
+  std::map<decltype(key_of({})), Placed> known;
   for (const Placed& placed : placed_) {
-    if (placed.outline) known.emplace(key_of(placed.placement), placed.outline);
+    if (placed.outline) known.emplace(key_of(placed.placement), placed);
   }
   placed_.clear();
   for (const Placement& p : placements) {
     const auto found = known.find(key_of(p));
     if (found == known.end()) {
-      add(p, shapes.shape(p.shape).outline);
+      const Shape& shape = shapes.shape(p.shape);
+      add(p, shape.outline, line_radius(shape.field, shape.perimeter));
     } else {
-      placed_.push_back({p, found->second, found->second->box()});
+      placed_.push_back(found->second);
+      placed_.back().placement = p;
     }
   }
 }
@@ -160,8 +168,8 @@ bool PlacedOutlines::too_near(const PolygonIndex& piece, const PolygonIndex& oth
   return crossed;
 }
 
-bool PlacedOutlines::too_near_the_edge(const PolygonIndex& piece, Vec2& way) const {
-  float worst = needed_px_;
+bool PlacedOutlines::too_near_the_edge(const PolygonIndex& piece, float needed_px, Vec2& way) const {
+  float worst = needed_px;
   const Box& box = piece.box();
   const float half_diagonal_px = norm(box.high - middle(box));
   if (free_.canvas_sample(middle(box)).value - PieceDistance::most_change_px(half_diagonal_px) > worst) return false;
@@ -173,20 +181,20 @@ bool PlacedOutlines::too_near_the_edge(const PolygonIndex& piece, Vec2& way) con
       const FieldSample at = free_.canvas_sample(p);
       if (at.value >= worst) continue;
       worst = at.value;
-      way = along(at.gradient, needed_px_ - worst);
+      way = along(at.gradient, needed_px - worst);
     }
   });
-  if (worst < needed_px_) return true;
+  if (worst < needed_px) return true;
   way = {};
-  return free_.has_zones() && holds_a_zone(piece);
+  return free_.has_zones() && holds_a_zone(piece, needed_px);
 }
 
 /// A zone within the piece, that its boundary did not meet.
-bool PlacedOutlines::holds_a_zone(const PolygonIndex& piece) const {
+bool PlacedOutlines::holds_a_zone(const PolygonIndex& piece, float needed_px) const {
   const Window around = bounding_window(piece.outline(), {});
   for (const Span& span : fill_spans(piece.outline(), {}, around)) {
     for (int x = span.x0; x < span.x1; ++x) {
-      if (free_.canvas_sample({float(x) + 0.5f, float(span.y) + 0.5f}).value < needed_px_) return true;
+      if (free_.canvas_sample({float(x) + 0.5f, float(span.y) + 0.5f}).value < needed_px) return true;
     }
   }
   return false;
@@ -204,16 +212,17 @@ bool PlacedOutlines::reaches_itself(const Box& piece) const {
          (period.y_px > 0 && piece.height() + needed_px_ > float(period.y_px));
 }
 
+/// `needed_px`: of the piece alone.
 void PlacedOutlines::add_neighbours(const Shape& shape, const Similarity& canvas_from_shape, const PolygonIndex& piece,
-                                    std::vector<Vec2>& ways) const {
+                                    float needed_px, std::vector<Vec2>& ways) const {
   const PieceDistance distance(shape, canvas_from_shape, 0);
   const FieldView free = free_.view();
   for (const Placed& placed : placed_) {
-    if (!within_reach(piece.box(), placed.box, std::max(needed_px_, 0.f))) continue;
+    if (!within_reach(piece.box(), placed.box, std::max(needed_px, 0.f))) continue;
     const PolygonIndex& other = *placed.outline;
     const auto in_others = [&](Vec2 p) { return field_value(free, p) < kSuspect_px; };
     const auto in_piece = [&](Vec2 p) { return distance.at(p) < kSuspect_px; };
-    add_ways(piece, in_piece, other, in_others, needed_px_, ways);
+    add_ways(piece, in_piece, other, in_others, needed_of(needed_px, placed.line_radius_px()), ways);
   }
 }
 
@@ -232,17 +241,18 @@ void PlacedOutlines::add_ways(const PolygonIndex& piece, InPiece in_piece, const
 
 std::vector<Vec2> PlacedOutlines::conflicts(const Shape& shape, const Similarity& canvas_from_shape) const {
   const PolygonIndex piece(placed_outline(shape.outline, canvas_from_shape));
-  const float reach_px = std::max(needed_px_, 0.f);
+  const float needed_px = needed_of(needed_px_, line_radius(shape.field, shape.perimeter) * canvas_from_shape.scale());
+  const float reach_px = std::max(needed_px, 0.f);
   std::vector<Vec2> ways;
-  add_neighbours(shape, canvas_from_shape, piece, ways);
+  add_neighbours(shape, canvas_from_shape, piece, needed_px, ways);
   for (const Vec2 offset : free_.grid().period().offsets()) {
     if (offset == Vec2{} || !any_near({piece.box().low + offset, piece.box().high + offset}, reach_px)) continue;
     const Similarity image = moved(canvas_from_shape, offset);
-    add_neighbours(shape, image, PolygonIndex(placed_outline(shape.outline, image)), ways);
+    add_neighbours(shape, image, PolygonIndex(placed_outline(shape.outline, image)), needed_px, ways);
   }
   if (reaches_itself(piece.box())) ways.push_back({});
   Vec2 way;
-  if (too_near_the_edge(piece, way)) ways.push_back(way);
+  if (too_near_the_edge(piece, needed_px, way)) ways.push_back(way);
   return ways;
 }
 
@@ -251,14 +261,14 @@ std::vector<Vec2> PlacedOutlines::conflicts_of(std::size_t index, const FieldDis
   const PolygonIndex& piece = *placed_[index].outline;
   if (reaches_itself(piece.box())) ways.push_back({});
   Vec2 way;
-  if (too_near_the_edge(piece, way)) ways.push_back(way);
+  if (too_near_the_edge(piece, needed_of(needed_px_, placed_[index].line_radius_px()), way)) ways.push_back(way);
   return ways;
 }
 
 std::vector<Vec2> PlacedOutlines::conflicts_with_others(std::size_t index, const FieldDistance& distance_px) const {
   const PolygonIndex& piece = *placed_[index].outline;
-  const float needed_px = seen_from_both_sides(needed_px_);
-  const float reach_px = std::max(needed_px, 0.f);
+  const float own_needed_px = needed_of(needed_px_, placed_[index].line_radius_px());
+  const float reach_px = std::max(seen_from_both_sides(own_needed_px), 0.f);
   std::vector<Vec2> ways;
   for (const Vec2 offset : free_.grid().period().offsets()) {
     const bool own_place = offset == Vec2{};
@@ -270,6 +280,7 @@ std::vector<Vec2> PlacedOutlines::conflicts_with_others(std::size_t index, const
       if ((own_place && i == index) || !within_reach(box, placed_[i].box, reach_px)) continue;
       const auto in_piece = [&](Vec2 p) { return distance_px(index, p - offset) < kSuspectPlaced_px; };
       const auto in_other = [&](Vec2 p) { return distance_px(i, p) < kSuspectPlaced_px; };
+      const float needed_px = seen_from_both_sides(needed_of(own_needed_px, placed_[i].line_radius_px()));
       add_ways(own_place ? piece : *image, in_piece, *placed_[i].outline, in_other, needed_px, ways);
     }
   }

@@ -22,14 +22,16 @@ class PlacedOutlines {
   /// `free` outlives the outlines: it knows the canvas' edge.
   PlacedOutlines(const FreeField& free, const PieceSettings& pieces);
 
-  void add(const Placement& placement, const Outline& outline);
+  /// `line_radius`: as of shape_field.h.
+  void add(const Placement& placement, const Outline& outline, float line_radius);
   /// Makes the outlines those of `placements`, in this order.
   void replace(const std::vector<Placement>& placements, ShapeSource& shapes);
 
   /// For each neighbour that the piece comes too near to, and for the canvas' edge, the way (px) by which it would have
   /// to move away; no way, (0, 0), where it is larger than the period of a seamless canvas. With padding_px, or where
   /// overlap_px is 0, two polygons are at least so far apart, exactly; else no vertex of one lies deeper than
-  /// overlap_px in the other. Where the list is empty, the piece may stand.
+  /// overlap_px in the other, and where one consists of lines (line_art.h) not so deep that it crosses them. Where the
+  /// list is empty, the piece may stand.
   std::vector<Vec2> conflicts(const Shape& shape, const Similarity& canvas_from_shape) const;
 
   // For those that are placed and still move: by their index, in the order in which they were added.
@@ -50,9 +52,14 @@ class PlacedOutlines {
     Placement placement;
     std::shared_ptr<const PolygonIndex> outline;  // none: it was taken out
     Box box;
+    float line_radius;  // shape units
+
+    float line_radius_px() const { return line_radius * placement.canvas_from_shape.scale(); }
   };
+  /// `needed_px`, but where a piece consists of lines as much less deep as these allow.
+  static float needed_of(float needed_px, float line_radius_px);
   void add_neighbours(const Shape& shape, const Similarity& canvas_from_shape, const PolygonIndex& piece,
-                      std::vector<Vec2>& ways) const;
+                      float needed_px, std::vector<Vec2>& ways) const;
   /// `in_piece` and `in_other`: see deepest_vertex().
   template <class InPiece, class InOther>
   void add_ways(const PolygonIndex& piece, InPiece in_piece, const PolygonIndex& other, InOther in_other,
@@ -60,8 +67,8 @@ class PlacedOutlines {
   bool any_near(const Box& piece, float reach_px) const;
   bool reaches_itself(const Box& piece) const;
   static bool too_near(const PolygonIndex& piece, const PolygonIndex& other, float needed_px, Vec2& way);
-  bool too_near_the_edge(const PolygonIndex& piece, Vec2& way) const;
-  bool holds_a_zone(const PolygonIndex& piece) const;
+  bool too_near_the_edge(const PolygonIndex& piece, float needed_px, Vec2& way) const;
+  bool holds_a_zone(const PolygonIndex& piece, float needed_px) const;
 
   const FreeField& free_;
   float needed_px_;  // between the boundaries; negative: how deep one may reach into the other

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/field/line_art.h"
 #include "core/field/piece_distance.h"
 #include "core/geometry/bit_grid.h"
 #include "core/geometry/extent.h"
+#include "core/shape/shape_field.h"
 #include "core/tuning.h"
 
 namespace tessera {
@@ -54,6 +56,7 @@ FreeField::FreeField(const Canvas& canvas, const PieceSettings& pieces)
     : grid_(free_field_grid(canvas, pieces)),
       empty_(grid_.nodes().width(), grid_.nodes().height()),
       padding_px_(kept_distance_px(pieces)),
+      hard_depth_px_(hard_depth_px(pieces)),
       band_px_(stamp_band_px(pieces)),
       has_zones_(canvas.has_zones()) {
   const Grid<float>& distance = canvas.distance.value;
@@ -111,13 +114,15 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape)
 /// A node is changed in the one period, by the distance at that of its images which lies in the window.
 Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape, const Window& window) {
   const PieceDistance piece(shape, canvas_from_shape, padding_px_);
+  const float line_radius_px = line_radius(shape.field, shape.perimeter) * canvas_from_shape.scale() + padding_px_;
+  const HeldDepth held(hard_depth_px_, line_radius_px);
   Window changed;
   const Window& one_period = grid_.one_period();
   for (int y = window.y0; y < window.y1;) {
     const int rows = std::min(window.y1 - y, one_period.y1 - grid_.row(y));
     for (int x = window.x0; x < window.x1;) {
       const int columns = std::min(window.x1 - x, one_period.x1 - grid_.column(x));
-      changed = changed.united(stamp_part(piece, {x, y, x + columns, y + rows}));
+      changed = changed.united(stamp_part(piece, held, {x, y, x + columns, y + rows}));
       x += columns;
     }
     y += rows;
@@ -127,7 +132,7 @@ Window FreeField::stamp(const Shape& shape, const Similarity& canvas_from_shape,
 }
 
 /// The image of the part in the one period is a window, too.
-Window FreeField::stamp_part(const PieceDistance& piece, const Window& part) {
+Window FreeField::stamp_part(const PieceDistance& piece, const HeldDepth& held, const Window& part) {
   const int to_image = grid_.column(part.x0) - part.x0;
   Window changed;
   for (int y = part.y0; y < part.y1; ++y) {
@@ -136,15 +141,15 @@ Window FreeField::stamp_part(const PieceDistance& piece, const Window& part) {
     int end = part.x0;
     for (int x = part.x0; x < part.x1;) {
       const float d = piece.at({field_.origin.x + float(x), field_.origin.y + float(y)});
-      if (d < row[x]) {
-        free_256ths_px2_ += node_256ths_px2(d) - node_256ths_px2(row[x]);
-        row[x] = d;
+      if (const float now = held(d); now < row[x]) {
+        free_256ths_px2_ += node_256ths_px2(now) - node_256ths_px2(row[x]);
+        row[x] = now;
         first = std::min(first, x);
         end = x + 1;
       }
       // On to the next node that the piece may be nearer to than what is there.
       const int here = x++;
-      while (x < part.x1 && d - PieceDistance::most_change_px(float(x - here)) >= row[x]) ++x;
+      while (x < part.x1 && held(d - PieceDistance::most_change_px(float(x - here))) >= row[x]) ++x;
     }
     if (first < end) changed = changed.united({first, y, end, y + 1});
   }

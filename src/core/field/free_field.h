@@ -13,6 +13,7 @@
 
 namespace tessera {
 
+class HeldDepth;
 class PieceDistance;
 
 /// Canvas nodes (see CanvasField) whose pixels the piece and a rim of `margin_px` around it can touch; not clipped.
@@ -22,7 +23,7 @@ Window piece_window(const Outline& outline, const Similarity& canvas_from_shape,
 PeriodicGrid free_field_grid(const Canvas& canvas, const PieceSettings& pieces);
 
 /// Signed distance to the free region's boundary, px, positive inside. Exact up to stamp_band_px from a piece and
-/// everywhere near the canvas' edge; beyond, a bound that says "far". On a seamless canvas it repeats itself to the
+/// everywhere near the canvas' edge; beyond, a bound that says "far". Within pieces of lines it falls faster (HeldDepth). On a seamless canvas it repeats itself to the
 /// bit, and windows stand for all of their images.
 class FreeField {
  public:
@@ -54,12 +55,13 @@ class FreeField {
 
  private:
   std::int64_t node_256ths_px2(float distance_px) const;
-  Window stamp_part(const PieceDistance& piece, const Window& part);
+  Window stamp_part(const PieceDistance& piece, const HeldDepth& held, const Window& part);
 
   PeriodicGrid grid_;
   Grid<float> empty_;  // of the canvas without pieces
   CanvasField field_;
   float padding_px_;
+  float hard_depth_px_;
   float band_px_;
   bool has_zones_;
   std::int64_t free_256ths_px2_ = 0;

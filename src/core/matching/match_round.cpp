@@ -56,7 +56,8 @@ MatchRound match(Matcher& matcher, const std::vector<TargetSample>& samples, con
   MatchRound round;
   round.truncated.assign(samples.size(), plan.tangent_dockings > 0);
   if (samples.empty()) return round;
-  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample), plan.tangent_dockings};
+  DockRequest request{samples, bin_limits(matcher, samples, plan.pairs_per_sample), plan.tangent_dockings,
+                      plan.first_drawn};
   statistics.prune_s += watch.lap();
   for (std::size_t t = 0; t < samples.size(); ++t) {
     if (request.bin_limit[t] > 0 && request.bin_limit[t] < kDistanceBins) round.truncated[t] = true;

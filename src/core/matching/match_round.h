@@ -13,6 +13,7 @@ namespace tessera {
 struct MatchPlan {
   std::uint64_t pairs_per_sample = 0;  // top K % of the library's PADs, capped by match.most_pairs; 0 = no PAD dockings
   std::uint32_t tangent_dockings = 0;
+  bool first_drawn = false;  // as DockRequest's
 };
 
 MatchPlan match_plan(const MatchSettings& settings, std::uint64_t library_pads);

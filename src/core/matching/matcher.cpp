@@ -25,6 +25,10 @@ RefinedDocking feasible_docking(const Docking& docking, const DockingTerms& term
   return {docking, terms, true, extent_of(shape.boundary, docking.canvas_from_shape), shape.perimeter, shape.radius};
 }
 
+void rank_by_draw(std::vector<Docking>& dockings) {
+  for (Docking& docking : dockings) docking.key = -float(docking.source - kTangentSource);
+}
+
 void keep_shortlist(std::vector<Docking>& dockings) {
   std::sort(dockings.begin(), dockings.end(), docks_better);
   if (dockings.size() > kShortlist) dockings.resize(kShortlist);

@@ -50,6 +50,9 @@ struct DockRequest {
   /// Per sample: pairs whose distance bin is below this are docked; 0 = none.
   std::vector<std::uint32_t> bin_limit;
   std::uint32_t tangent_dockings = 0;
+  /// Each sample keeps the dockings that were drawn first of those that the early reject leaves, instead of the best
+  /// ones: by its key dockings that cross thin lines come first. Without pairs.
+  bool first_drawn = false;
 };
 
 struct DockReply {
@@ -119,6 +122,9 @@ std::uint32_t bin_limit_for(const DistanceHistogram& histogram, std::uint64_t mo
 void expect_bins_of(std::size_t counted, const std::vector<std::uint32_t>& bins);
 
 RefinedDocking feasible_docking(const Docking& docking, const DockingTerms& terms, const ShapeModel& shape);
+
+/// Replaces the keys of random dockings, so that those that were drawn earlier are better.
+void rank_by_draw(std::vector<Docking>& dockings);
 
 /// Sorts (docks_better) and keeps the best kShortlist.
 void keep_shortlist(std::vector<Docking>& dockings);

@@ -136,6 +136,7 @@ void ReferenceMatcher::post_dock(const DockRequest& request) {
     std::vector<Docking> all = pad_dockings(request, t, docked_);
     const std::vector<Docking> tangent = tangent_dockings(request, t, docked_);
     all.insert(all.end(), tangent.begin(), tangent.end());
+    if (request.first_drawn) rank_by_draw(all);
     keep_shortlist(all);
     docked_.dockings.insert(docked_.dockings.end(), all.begin(), all.end());
   }

@@ -140,6 +140,14 @@ bool StanceTable::limits_rotations() const {
   return std::any_of(stances_.begin(), stances_.end(), [](const Stance& s) { return !s.docked_rotations.all(); });
 }
 
+float StanceTable::least_scale_px() const {
+  float least_px = std::numeric_limits<float>::infinity();
+  for (const StanceList& list : lists_) {
+    if (list.count > 0) least_px = std::min(least_px, list.min_scale_px);
+  }
+  return least_px;
+}
+
 void StanceTable::list_open_shapes() {
   open_.clear();
   for (std::uint32_t shape = 0; shape < library_shapes_; ++shape) {

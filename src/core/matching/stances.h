@@ -70,6 +70,8 @@ class StanceTable {
   bool all_open() const { return all_open_; }
   /// Some rotations are not allowed.
   bool limits_rotations() const;
+  /// The smallest scale in which some shape may stand; infinite where none may.
+  float least_scale_px() const;
 
  private:
   StanceList add_list(std::vector<Interval> scales_px, const std::vector<Interval>& rotations_rad, float weight);

@@ -11,6 +11,9 @@ namespace {
 constexpr int kBlock = 8;
 static_assert(kShapeFieldNodes % kBlock == 0);
 
+/// Radius of the largest disc inside a shape of lines, shape units.
+constexpr float kMostOfLines = 0.13f;
+
 struct Segment {
   Vec2 from;
   Vec2 to;
@@ -104,6 +107,12 @@ ShapeField make_shape_field(const Outline& outline) {
   }
   for (int y = 0; y < kShapeFieldNodes; ++y) negate_inside(segments, node, node[y], field.distance.row(y));
   return field;
+}
+
+float line_radius(const ShapeField& field, float perimeter) {
+  const auto& distances = field.distance.data();
+  const float inner_radius = -*std::min_element(distances.begin(), distances.end());
+  return inner_radius < kMostOfLines ? 1 / perimeter : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace tessera
