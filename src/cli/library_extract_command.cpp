@@ -62,6 +62,7 @@ std::string counts_text(const io::Extraction& extraction, const io::ExtractionSe
   std::snprintf(least, sizeof least, "smaller than %.3g px", extraction.least_px);
   add(found.too_small, by_min ? "smaller than --min" : least);
   add(found.too_large, "larger than --max");
+  add(found.too_many_pixels, "of more than 16 megapixels: a smaller copy of the photo will do");
   if (found.too_small > 0 && !by_min && settings.enlarged < io::kMostEnlarged)
     text += "; --enlarge " + std::to_string(settings.enlarged + 1) + " or more has smaller ones";
   return text;

@@ -94,6 +94,25 @@ TEST(SolidPart, FillsHolesAndKeepsTheLargest) {
   EXPECT_EQ(solid.at<std::uint8_t>(20, 20), 0);
 }
 
+/// Of random masks, against OpenCV's connected components.
+RC_GTEST_PROP(SolidPart, IsTheLargestComponentAndAllThatItEncloses, ()) {
+  const cv::Mat mask = random_relief(*rc::gen::inRange(1, 20), *rc::gen::inRange(1, 20), 3) > 0;
+  cv::Mat parts, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(mask, parts, stats, centroids, 4);
+  const cv::Mat solid = solid_part(mask);
+  int most_px2 = 0;
+  for (int i = 1; i < count; ++i) most_px2 = std::max(most_px2, stats.at<int>(i, cv::CC_STAT_AREA));
+  cv::Mat framed, grounds;
+  cv::copyMakeBorder(solid == 0, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 255);
+  RC_ASSERT(cv::connectedComponents(framed, grounds, 8) == 2);  // nothing is enclosed
+  RC_ASSERT(cv::countNonZero(solid & mask) >= most_px2);
+  if (most_px2 > 0) {
+    RC_ASSERT(cv::connectedComponents(solid, parts, 4) == 2);  // one part
+  } else {
+    RC_ASSERT(cv::countNonZero(solid) == 0);
+  }
+}
+
 TEST(Solidity, IsTheAreaByItsHull) {
   EXPECT_DOUBLE_EQ(solidity_of(cv::Mat::ones(7, 9, CV_8U)), 1);
   EXPECT_DOUBLE_EQ(solidity_of(cv::Mat::zeros(7, 9, CV_8U)), 0);

@@ -32,7 +32,8 @@ cv::Mat photo() {
 
 std::vector<int> found_labels(const ElementSizes& sizes) {
   std::vector<int> result;
-  for (const PhotoElement& element : find_elements(LabelRuns(labels()), sizes).elements) result.push_back(element.label);
+  for (const PhotoElement& element : find_elements(LabelRuns(labels()), sizes).elements)
+    result.push_back(element.label);
   return result;
 }
 
@@ -105,10 +106,37 @@ TEST(PhotoElements, HolesAreFilled) {
 TEST(PhotoElements, TheRimIsWholeNearTheEdge) {
   cv::Mat map = cv::Mat::zeros(40, 40, CV_32S);
   map(cv::Rect(1, 1, 20, 20)) = 1;
-  const cv::Mat cut = cut_element(cv::Mat(40, 40, CV_8UC4, cv::Scalar(0, 0, 255, 255)), LabelRuns(map), {1, {1, 1, 20, 20}, 400});
+  const cv::Mat cut =
+      cut_element(cv::Mat(40, 40, CV_8UC4, cv::Scalar(0, 0, 255, 255)), LabelRuns(map), {1, {1, 1, 20, 20}, 400});
   ASSERT_EQ(cut.size(), cv::Size(26, 26));
   EXPECT_EQ(cut.at<cv::Vec4b>(0, 13)[3], 0);
   EXPECT_EQ(cut.at<cv::Vec4b>(13, 13)[3], 255);
+}
+
+TEST(PhotoElements, ThoseOfMoreThan16MegapixelsAreLeftOut) {
+  const auto found = [](int width, int height) {
+    std::vector<LabelRun> runs;
+    for (int y = 0; y < height; ++y) runs.push_back({1, y + 1, width});
+    return find_elements(LabelRuns({width + 2, height + 2}, {{}, runs}), {});
+  };
+  EXPECT_EQ(found(4000, 4000).elements.size(), 1u);
+  EXPECT_EQ(found(4000, 4000).too_many_pixels, 0u);
+  EXPECT_TRUE(found(4000, 4001).elements.empty());
+  EXPECT_EQ(found(4000, 4001).too_many_pixels, 1u);
+}
+
+/// Its colours are made in strips. Turned, these lie elsewhere.
+TEST(PhotoElements, ALargeOneHasNoSeams) {
+  cv::Mat picture(1300, 1100, CV_8UC4), map = cv::Mat::zeros(1300, 1100, CV_32S);
+  cv::randu(picture, 0, 256);
+  for (int y = 20; y < 1280; y += 8) map(cv::Rect(20 + y / 8 % 5, y, 1000, 5)) = 1;  // teeth
+  map(cv::Rect(20, 20, 200, 1260)) = 1;
+  const auto cut_out = [](const cv::Mat& photo, const cv::Mat& labels) {
+    const LabelRuns runs(labels);
+    return cut_element(photo, runs, find_elements(runs, {}).elements.at(0));
+  };
+  const cv::Mat upright = cut_out(picture, map);
+  EXPECT_LE(cv::norm(upright, cut_out(picture.t(), map.t()).t(), cv::NORM_INF), 1);
 }
 
 cv::Mat two_stripes() {

@@ -38,6 +38,18 @@ TEST(PhotoMargin, IsTakenFromATileThatTheEdgeDoesNotCut) {
   }
 }
 
+/// The window round a large one is looked at in a copy.
+TEST(PhotoMargin, OfALargeTileIsFoundInACopy) {
+  cv::Mat photo(2000, 2400, CV_8UC3, kMortar), labels = cv::Mat::zeros(2000, 2400, CV_32S);
+  const cv::Rect tile(24, 24, 1800, 1800);
+  photo(tile) = kTile;
+  labels(cv::Rect({}, tile.br())) = 1;
+  const cv::Rect box = without_margins(photo, LabelRuns(labels)).regions()[1].box;
+  EXPECT_NEAR(box.x, tile.x, 2);
+  EXPECT_NEAR(box.y, tile.y, 2);
+  EXPECT_EQ(box.br(), tile.br());
+}
+
 TEST(PhotoMargin, WhatTheEdgeCutsReachesItStill) {
   const Tiles tiles(3);
   EXPECT_EQ(tiles.box(3), cv::Rect(240, 60, 60, 80));
@@ -48,9 +60,11 @@ TEST(PhotoMargin, WhatTheEdgeCutsReachesItStill) {
 TEST(PhotoMargin, IsNarrow) { EXPECT_EQ(Tiles(20).box(1).tl(), cv::Point(8, 8)); }
 
 TEST(PhotoMargin, OfNothingIsNothing) {
-  EXPECT_EQ(without_margins(cv::Mat(9, 9, CV_8UC3, kTile), LabelRuns(cv::Mat::zeros(9, 9, CV_32S))).regions().size(), 1u);
+  EXPECT_EQ(without_margins(cv::Mat(9, 9, CV_8UC3, kTile), LabelRuns(cv::Mat::zeros(9, 9, CV_32S))).regions().size(),
+            1u);
   // One element that fills the photo: there is no gap to compare with.
-  EXPECT_EQ(without_margins(cv::Mat(9, 9, CV_8UC3, kTile), LabelRuns(cv::Mat::ones(9, 9, CV_32S))).regions()[1].area_px2, 81);
+  EXPECT_EQ(
+      without_margins(cv::Mat(9, 9, CV_8UC3, kTile), LabelRuns(cv::Mat::ones(9, 9, CV_32S))).regions()[1].area_px2, 81);
 }
 
 }  // namespace

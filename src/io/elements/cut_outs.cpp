@@ -22,6 +22,7 @@ std::string number_text(std::size_t number, std::size_t count) {
 std::vector<std::uint8_t> png_of(const cv::Mat& picture) {
   std::vector<std::uint8_t> png;
   if (!cv::imencode(".png", picture, png)) throw EnvironmentError("OpenCV cannot write a PNG");
+  png.shrink_to_fit();  // a photo has thousands of cut-outs
   return png;
 }
 

@@ -10,6 +10,7 @@
 
 #include "io/elements/boundary_map.h"
 #include "io/elements/candidate_maps.h"
+#include "io/elements/freed_memory.h"
 #include "io/elements/gap_filter.h"
 #include "io/elements/label_scaling.h"
 #include "io/elements/photo_margin.h"
@@ -58,6 +59,14 @@ cv::Mat zoomed(const cv::Mat& photo, double zoom) {
   return bgr_of(copy);
 }
 
+/// `lab`: smooth_lab() of the finer copy.
+cv::Mat voted_elements(const ElementCopies& copies, const cv::Mat& lab) {
+  std::vector<LabelRuns> maps = candidate_maps(copies.fine, lab, lab.size());
+  for (LabelRuns& map : candidate_maps(copies.coarse, smooth_lab(copies.coarse), lab.size()))
+    maps.push_back(std::move(map));
+  return voted_regions(maps, boundary_map(lab, {}), kElement_px * kFiner);
+}
+
 }  // namespace
 
 ElementCopies element_copies(const cv::Mat& photo, double element_px) {
@@ -71,10 +80,8 @@ ElementCopies element_copies(const cv::Mat& photo, double element_px) {
 cv::Mat elements_in_copies(const ElementCopies& copies) {
   if (copies.fine.empty()) return cv::Mat::zeros(1, 1, CV_32S);
   const cv::Mat lab = smooth_lab(copies.fine);
-  std::vector<LabelRuns> maps = candidate_maps(copies.fine, lab, lab.size());
-  for (LabelRuns& map : candidate_maps(copies.coarse, smooth_lab(copies.coarse), lab.size()))
-    maps.push_back(std::move(map));
-  const cv::Mat voted = voted_regions(maps, boundary_map(lab, {}), kElement_px * kFiner);
+  const cv::Mat voted = voted_elements(copies, lab);
+  give_back_freed_memory();
   return without_gap_regions(voted, copies.fine, lab);
 }
 

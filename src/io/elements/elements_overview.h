@@ -9,7 +9,7 @@
 namespace tessera::io {
 
 /// The photo, paler, with the outline of each element and its number, from 1 in their order: CV_8UC3, as large as the
-/// photo.
+/// photo, but 16 megapixels at most.
 cv::Mat elements_overview(const cv::Mat& photo, const LabelRuns& labels, const std::vector<PhotoElement>& elements);
 
 }  // namespace tessera::io

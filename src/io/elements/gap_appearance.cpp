@@ -103,19 +103,24 @@ std::vector<Likeness> likeness_of(const cv::Mat& labels, const cv::Mat& features
 
 cv::Mat appearance_features(const cv::Mat& bgr) {
   constexpr double kSurroundings_px = kElement_px * 0.625;
-  cv::Mat lab, deviation, texture;
-  blurred(bgr, 1).convertTo(lab, CV_32F, 1 / 255.);
-  cv::cvtColor(lab, lab, cv::COLOR_BGR2Lab);
-  std::array<cv::Mat, 3> channel;
-  cv::split(lab, channel.data());
-  const cv::Mat& lightness = channel[0];
-  const cv::Mat relative = lightness - blurred(lightness, kSurroundings_px);
-  cv::sqrt(blurred(relative.mul(relative), kSurroundings_px), deviation);
+  cv::Mat features(bgr.size(), CV_32FC(kFeatures)), lightness;
+  {
+    cv::Mat lab;
+    blurred(bgr, 1).convertTo(lab, CV_32F, 1 / 255.);
+    cv::cvtColor(lab, lab, cv::COLOR_BGR2Lab);
+    cv::mixChannels({lab}, {features}, {0, 1, 1, 2, 2, 3});
+    cv::extractChannel(lab, lightness, 0);
+  }
+  {
+    cv::Mat relative = lightness - blurred(lightness, kSurroundings_px), deviation;
+    cv::sqrt(blurred(relative.mul(relative), kSurroundings_px), deviation);
+    relative /= deviation + 1;
+    cv::insertChannel(relative, features, 0);
+  }
   const cv::Mat mean = blurred(lightness, 3);
+  cv::Mat texture;
   cv::sqrt(cv::max(blurred(lightness.mul(lightness), 3) - mean.mul(mean), 0), texture);
-  cv::Mat features;
-  const std::array<cv::Mat, kFeatures> parts = {relative / (deviation + 1), lightness, channel[1], channel[2], texture};
-  cv::merge(parts.data(), parts.size(), features);
+  cv::insertChannel(texture, features, 4);
   return features;
 }
 

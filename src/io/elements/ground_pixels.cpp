@@ -75,7 +75,9 @@ double part_of_photo(const cv::Mat& like_gap, const cv::Mat& is_gap) {
   cv::Mat whole;
   cv::morphologyEx(like_gap, whole, cv::MORPH_CLOSE, round_window(2 * kCell_px + 1));
   cv::dilate(whole, whole, round_window(3));
-  return double(cv::countNonZero(is_gap & resized(whole, is_gap.size(), cv::INTER_NEAREST))) / double(is_gap.total());
+  whole = resized(whole, is_gap.size(), cv::INTER_NEAREST);
+  cv::bitwise_and(whole, is_gap, whole);
+  return double(cv::countNonZero(whole)) / double(is_gap.total());
 }
 
 }  // namespace
@@ -83,16 +85,17 @@ double part_of_photo(const cv::Mat& like_gap, const cv::Mat& is_gap) {
 GroundPixels ground_pixels(const cv::Mat& photo, const LabelRuns& labels) {
   const double zoom = working_zoom(labels);
   const cv::Size size(std::max(1, int(photo.cols * zoom)), std::max(1, int(photo.rows * zoom)));
-  const cv::Mat is_gap = ~labels.mask();
+  cv::Mat is_gap = labels.mask();
+  cv::bitwise_not(is_gap, is_gap);
   const cv::Mat gap = resized(is_gap, size, cv::INTER_AREA) > 250, element = resized(is_gap, size, cv::INTER_AREA) < 5;
   if (std::min(cv::countNonZero(gap), cv::countNonZero(element)) < kLeastSample_px2) {
     return {cv::Mat::zeros(labels.size(), CV_8U), 0};
   }
   const cv::Mat like_there = like_gap(bgr_of(resized(photo, size, cv::INTER_AREA)), gap, element);
-  const cv::Mat like = resized(like_there, labels.size(), cv::INTER_NEAREST);
-  cv::Mat inside;
-  cv::erode(is_gap, inside, round_window(2 * kSoftEdge_px + 1));
-  return {inside & like, part_of_photo(like_there, is_gap)};
+  const double part = part_of_photo(like_there, is_gap);
+  cv::erode(is_gap, is_gap, round_window(2 * kSoftEdge_px + 1));
+  cv::bitwise_and(is_gap, resized(like_there, labels.size(), cv::INTER_NEAREST), is_gap);
+  return {is_gap, part};
 }
 
 }  // namespace tessera::io

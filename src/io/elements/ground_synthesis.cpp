@@ -30,7 +30,7 @@ constexpr double kCellsOfWindow = 8;
 /// Where a patch of this side lies wholly in the ground: CV_8U, at its upper left corner.
 cv::Mat patch_places(const cv::Mat& ground, int side_px) {
   cv::Mat places;
-  cv::erode(ground != 0, places, cv::Mat::ones(side_px, side_px, CV_8U), {0, 0}, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::erode(ground, places, cv::Mat::ones(side_px, side_px, CV_8U), {0, 0}, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
   return places;
 }
 
@@ -117,10 +117,13 @@ class Quilt {
         quilt_(side_px, side_px, CV_8UC3),
         filled_(side_px, side_px, CV_8U, cv::Scalar(0)),
         uses_(source.rows / patch_px + 1, source.cols / patch_px + 1, CV_32S, cv::Scalar(0)) {
-    std::vector<cv::Point> all;
-    cv::findNonZero(places, all);
-    const std::size_t step = (all.size() + kMostCandidates - 1) / kMostCandidates;
-    for (std::size_t i = 0; i < all.size(); i += step) candidates_.push_back(all[i]);
+    const std::size_t step = (std::size_t(cv::countNonZero(places)) + kMostCandidates - 1) / kMostCandidates;
+    std::size_t place = 0;
+    for (int y = 0; y < places.rows; ++y) {
+      for (int x = 0; x < places.cols; ++x) {
+        if (places.at<std::uint8_t>(y, x) && place++ % step == 0) candidates_.emplace_back(x, y);
+      }
+    }
     const int advance_px = std::max(1, int(patch_px * (1 - kOverlap)));
     const int count = (side_px + advance_px - 1) / advance_px;
     for (int i = 0; i <= count; ++i) starts_.push_back(int((long long)(side_px)*i / count));

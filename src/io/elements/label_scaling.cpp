@@ -15,6 +15,8 @@ namespace {
 /// Smooths the steps of the copy's pixels, in its pixels.
 constexpr double kSmooth_px = 0.8;
 constexpr int kMargin_px = 3;
+/// Pixels that are scaled at a time: a region may be as large as the photo.
+constexpr int kMostAtATime_px2 = 4'000'000;
 
 /// A region at its new size.
 struct Scaled {
@@ -63,13 +65,18 @@ LabelRuns scaled_labels(const cv::Mat& labels, cv::Size size) {
         cv::Rect(cv::Point(int(std::floor(part.x * scale_x)), int(std::floor(part.y * scale_y))),
                  cv::Point(int(std::ceil(part.br().x * scale_x)), int(std::ceil(part.br().y * scale_y)))) &
         cv::Rect({0, 0}, size);
-    // Pixel centres: photo (x + 0.5) / scale - 0.5 in the copy.
-    const cv::Matx23d to_copy(1 / scale_x, 0, (target.x + 0.5) / scale_x - 0.5 - part.x, 0, 1 / scale_y,
-                              (target.y + 0.5) / scale_y - 0.5 - part.y);
-    cv::Mat fine;
-    cv::warpAffine(soft, fine, to_copy, target.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
-    cv::Mat there = taken(target);
-    const cv::Mat free = (fine >= 0.5F) & (there == 0);
+    cv::Mat there = taken(target), free(target.size(), CV_8U);
+    const int rows_at_a_time = std::max(1, kMostAtATime_px2 / std::max(1, target.width));
+    for (int y = 0; y < target.height; y += rows_at_a_time) {
+      const cv::Range rows(y, std::min(y + rows_at_a_time, target.height));
+      // Pixel centres: photo (x + 0.5) / scale - 0.5 in the copy.
+      const cv::Matx23d to_copy(1 / scale_x, 0, (target.x + 0.5) / scale_x - 0.5 - part.x, 0, 1 / scale_y,
+                                (target.y + y + 0.5) / scale_y - 0.5 - part.y);
+      cv::Mat fine;
+      cv::warpAffine(soft, fine, to_copy, {target.width, rows.size()}, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+                     cv::BORDER_REPLICATE);
+      free.rowRange(rows) = (fine >= 0.5F) & (there.rowRange(rows) == 0);
+    }
     there.setTo(255, free);
     const cv::Mat solid = solid_part(free);
     scaled.push_back({{}, cv::countNonZero(solid)});

@@ -16,6 +16,10 @@ constexpr double kEdgeBlur_px = 0.8;
 constexpr int kRim_px = 3;
 /// How far colours go on beyond the edge.
 constexpr double kColourReach_px = 1.5;
+/// From where a pixel has an influence on them.
+constexpr int kReach_px = 8;
+/// Pixels whose colours are made at a time.
+constexpr int kMostAtATime_px2 = 1'000'000;
 
 /// Where the mask is empty, what is near in it.
 cv::Mat colours_beyond(const cv::Mat& bgr, const cv::Mat& mask) {
@@ -49,6 +53,8 @@ FoundElements find_elements(const LabelRuns& labels, const ElementSizes& sizes) 
       ++found.too_small;
     } else if (size_px > sizes.most_px) {
       ++found.too_large;
+    } else if (box.area() > kMostElement_px2) {
+      ++found.too_many_pixels;
     } else {
       found.elements.push_back({int(label), box, area_px2});
     }
@@ -64,14 +70,19 @@ cv::Mat cut_element(const cv::Mat& photo, const LabelRuns& labels, const PhotoEl
   const cv::Rect around(element.box.tl() - cv::Point(kRim_px, kRim_px), element.box.br() + cv::Point(kRim_px, kRim_px));
   const cv::Rect window = around & cv::Rect({}, photo.size());
   const cv::Mat mask = solid_part(labels.mask_of(std::size_t(element.label), window));
-  cv::Mat bgr, alpha, bgra;
-  cv::cvtColor(photo(window), bgr, cv::COLOR_BGRA2BGR);
+  cv::Mat alpha;
   cv::GaussianBlur(mask, alpha, {}, kEdgeBlur_px, kEdgeBlur_px, cv::BORDER_CONSTANT);
-  cv::cvtColor(colours_beyond(bgr, mask), bgra, cv::COLOR_BGR2BGRA);
-  cv::insertChannel(alpha, bgra, 3);
-  cv::Mat cut;
-  cv::copyMakeBorder(bgra, cut, window.y - around.y, around.br().y - window.br().y, window.x - around.x,
-                     around.br().x - window.br().x, cv::BORDER_CONSTANT, cv::Scalar(0, 0, 0, 0));
+  cv::Mat cut = cv::Mat::zeros(around.size(), CV_8UC4);
+  cv::Mat inner = cut(window - around.tl());
+  const int rows_at_a_time = std::max(1, kMostAtATime_px2 / window.width);
+  for (int y = 0; y < window.height; y += rows_at_a_time) {
+    const cv::Range rows(y, std::min(y + rows_at_a_time, window.height));
+    const cv::Range with_reach(std::max(0, rows.start - kReach_px), std::min(rows.end + kReach_px, window.height));
+    const cv::Mat beyond = colours_beyond(bgr_of(photo(window).rowRange(with_reach)), mask.rowRange(with_reach));
+    cv::cvtColor(beyond.rowRange(rows.start - with_reach.start, rows.end - with_reach.start), inner.rowRange(rows),
+                 cv::COLOR_BGR2BGRA);
+  }
+  cv::insertChannel(alpha, inner, 3);
   return cut;
 }
 

@@ -27,7 +27,11 @@ struct FoundElements {
   std::size_t at_edge = 0;             // left out: they reach the photo's edge, which cuts them
   std::size_t too_small = 0;
   std::size_t too_large = 0;
+  std::size_t too_many_pixels = 0;  // their box has more than kMostElement_px2
 };
+
+/// Of an element's box: larger ones are not cut out.
+inline constexpr int kMostElement_px2 = 16'000'000;
 
 FoundElements find_elements(const LabelRuns& labels, const ElementSizes& sizes);
 

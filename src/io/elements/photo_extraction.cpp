@@ -1,7 +1,5 @@
 #include "io/elements/photo_extraction.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -12,6 +10,7 @@
 #include "io/artwork/image_decoding.h"
 #include "io/elements/connected_labels.h"
 #include "io/elements/elements_overview.h"
+#include "io/elements/freed_memory.h"
 #include "io/elements/ground_pixels.h"
 #include "io/elements/ground_synthesis.h"
 #include "io/elements/label_scaling.h"
@@ -53,7 +52,7 @@ cv::Mat searched(const PhotoFile& photo, const ExtractionSettings& settings, Dra
     const ElementCopies copies =
         element_copies(decoded(photo, settings.enlarged, drawers), settings.element_px * settings.enlarged);
     const cv::Mat labels = elements_in_copies(copies);
-    malloc_trim(0);  // freed memory is kept (main.cpp), and as much again is wanted now
+    give_back_freed_memory();
     return labels;
   } catch (const std::invalid_argument& error) {
     throw InputError(photo.path + ": --element-px: " + error.what());
@@ -82,6 +81,7 @@ LabelRuns labels_for(const std::string& labels_path, const cv::Mat& labels, cons
 void add_ground(const std::string& photo, const cv::Mat& picture, const LabelRuns& labels,
                 const ExtractionSettings& settings, Extraction& extraction) {
   const GroundPixels pixels = ground_pixels(picture, labels);
+  give_back_freed_memory();
   const cv::Mat ground = synthesised_ground(picture, pixels.certain, settings.ground_px);
   if (ground.empty()) {
     throw InputError(photo + ": --ground: found hardly any gaps between the elements, needed: some " +
@@ -107,8 +107,8 @@ Extraction extract_elements(const std::string& photo, const ExtractionSettings& 
   extraction.least_px = std::max(settings.sizes.least_px, double(kLeastSize_px) / times);
   extraction.found = find_elements(labels, {extraction.least_px * times, settings.sizes.most_px * times});
   const std::vector<PhotoElement>& elements = extraction.found.elements;
-  if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
   if (settings.ground_px > 0) add_ground(photo, picture, labels, settings, extraction);
+  if (settings.with_overview) extraction.overview_png = png_of(elements_overview(picture, labels, elements));
   extraction.cut_outs = cut_outs(photo, picture, labels, elements);
   return extraction;
 }

@@ -13,6 +13,8 @@ namespace {
 /// Of the square root of an element's area: how wide a margin may be, and how far its inside lies from its edge.
 constexpr double kMostMargin = 0.08;
 constexpr double kInside = 0.12;
+/// The largest window that is looked at pixel by pixel; of a larger one a copy is.
+constexpr double kMostWindow_px2 = 2e6;
 
 /// Pixels of the window that are so near to the edges of the photo which the element reaches.
 cv::Mat near_edges(const cv::Rect& window, const cv::Rect& box, const cv::Size& photo, int margin_px) {
@@ -32,6 +34,24 @@ cv::Mat distances_from(const cv::Mat& bgr, const cv::Scalar& colour) {
   return difference;
 }
 
+cv::Mat resized(const cv::Mat& picture, cv::Size size, int filter) {
+  cv::Mat result = picture;
+  if (picture.size() != size) cv::resize(picture, result, size, 0, 0, filter);
+  return result;
+}
+
+/// What of the element is margin: a mask of the window, or empty where there is nothing to tell by. `near`: of the
+/// window, near_edges().
+cv::Mat margin_of(const cv::Mat& photo, const cv::Mat& element, const cv::Mat& gap, const cv::Mat& near,
+                  double size_px) {
+  cv::Mat depth_px;
+  cv::distanceTransform(element, depth_px, cv::DIST_L2, 3);
+  const cv::Mat inside = depth_px > kInside * size_px, bgr = bgr_of(photo);
+  if (cv::countNonZero(inside) == 0 || cv::countNonZero(gap) == 0) return {};
+  const cv::Mat is_gap_like = distances_from(bgr, cv::mean(bgr, gap)) < distances_from(bgr, cv::mean(bgr, inside));
+  return near & element & is_gap_like;
+}
+
 }  // namespace
 
 LabelRuns without_margins(const cv::Mat& photo, const LabelRuns& labels) {
@@ -43,17 +63,18 @@ LabelRuns without_margins(const cv::Mat& photo, const LabelRuns& labels) {
     result[label].assign(all.begin(), all.end());
     if (area_px2 == 0 || !reaches_edge(box, labels.size())) continue;
     const cv::Rect window = grown_within(box, std::max(box.width, box.height) / 4 + 2, labels.size());
-    const cv::Mat element = labels.mask_of(label, window), gap = elements(window) == 0, bgr = bgr_of(photo(window));
-    const double size_px = std::sqrt(area_px2);
-    cv::Mat depth_px;
-    cv::distanceTransform(element, depth_px, cv::DIST_L2, 3);
-    const cv::Mat inside = depth_px > kInside * size_px;
-    if (cv::countNonZero(inside) == 0 || cv::countNonZero(gap) == 0) continue;
-    const cv::Mat is_gap_like = distances_from(bgr, cv::mean(bgr, gap)) < distances_from(bgr, cv::mean(bgr, inside));
+    const double zoom = std::min(1., std::sqrt(kMostWindow_px2 / window.area())), size_px = std::sqrt(area_px2);
+    const cv::Size size(std::max(1, int(window.width * zoom)), std::max(1, int(window.height * zoom)));
     const int margin_px = std::max(1, int(kMostMargin * size_px));
-    const cv::Mat margin = near_edges(window, box, labels.size(), margin_px) & element & is_gap_like;
+    cv::Mat element = labels.mask_of(label, window);
+    const cv::Mat margin =
+        margin_of(resized(photo(window), size, cv::INTER_AREA), resized(element, size, cv::INTER_NEAREST),
+                  resized(elements(window), size, cv::INTER_NEAREST) == 0,
+                  resized(near_edges(window, box, labels.size(), margin_px), size, cv::INTER_NEAREST), zoom * size_px);
+    if (margin.empty()) continue;
+    element.setTo(0, resized(margin, window.size(), cv::INTER_NEAREST));
     result[label].clear();
-    append_runs(solid_part(element & ~margin), window.tl(), result[label]);
+    append_runs(solid_part(element), window.tl(), result[label]);
   }
   return {labels.size(), result};
 }

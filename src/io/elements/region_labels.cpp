@@ -57,21 +57,28 @@ cv::Mat bgr_of(const cv::Mat& picture) {
 
 cv::Mat round_window(int side_px) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side_px, side_px}); }
 
+/// In the mask itself, a byte a pixel: connected components of OpenCV would take five.
 cv::Mat solid_part(const cv::Mat& mask) {
+  constexpr int kSeen = 64, kLargest = 32, kReached = 128;
   cv::Mat framed;
-  cv::copyMakeBorder(mask != 0, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::Mat parts, stats, centroids;
-  const int count = cv::connectedComponentsWithStats(framed, parts, stats, centroids, 4);
-  int largest = 0;
-  for (int i = 1; i < count; ++i) {
-    if (largest == 0 || stats.at<int>(i, cv::CC_STAT_AREA) > stats.at<int>(largest, cv::CC_STAT_AREA)) largest = i;
+  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::compare(framed, 0, framed, cv::CMP_NE);
+  cv::Point largest;
+  int most_px2 = 0;
+  for (int y = 0; y < framed.rows; ++y) {
+    for (int x = 0; x < framed.cols; ++x) {
+      if (framed.at<std::uint8_t>(y, x) != 255) continue;
+      const int area_px2 = cv::floodFill(framed, {x, y}, kSeen);
+      if (area_px2 <= most_px2) continue;
+      most_px2 = area_px2;
+      largest = {x, y};
+    }
   }
-  if (largest == 0) return cv::Mat::zeros(mask.size(), CV_8U);
-  cv::Mat outside = parts != largest;
-  constexpr int kReached = 128;
-  cv::floodFill(outside, {0, 0}, kReached, nullptr, 0, 0, 8);
-  const cv::Mat solid = outside != kReached;
-  return solid(cv::Rect({1, 1}, mask.size())).clone();
+  if (most_px2 == 0) return cv::Mat::zeros(mask.size(), CV_8U);
+  cv::floodFill(framed, largest, kLargest);
+  cv::compare(framed, kLargest, framed, cv::CMP_NE);
+  cv::floodFill(framed, {0, 0}, kReached, nullptr, 0, 0, 8);
+  return framed(cv::Rect({1, 1}, mask.size())) != kReached;
 }
 
 double solidity_of(const cv::Mat& mask) {

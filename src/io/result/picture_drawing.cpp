@@ -80,6 +80,7 @@ class PictureBands {
  public:
   PictureBands(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits)
       : report_(report),
+        artworks_(artworks),
         limits_(limits),
         size_(picture_size_px(report.job->output, *report.canvas)),
         picture_px_(double(size_.width) / report.canvas->width_px),
@@ -91,6 +92,7 @@ class PictureBands {
         shadow_(report, size_),
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
     for (const auto& [placement, piece] : drawn_pieces(report, artworks)) {
+      artworks.check_stop();
       if (!report.colours.empty()) tints_.push_back(bgr_of(report.colours[piece]));
       if (!report.tones.empty()) tones_.push_back(report.tones[piece]);
       const std::size_t slot = report.shapes.slot_of(placement.shape);
@@ -113,6 +115,7 @@ class PictureBands {
     cv::Mat picture(bottom - top, size_.width, opaque_ ? CV_8UC3 : CV_8UC4);
     const int strips = (picture.rows + kStripRows - 1) / kStripRows;
     parallel_for(std::size_t(strips), [&](std::size_t strip) {
+      artworks_.check_stop();
       const int begin = int(strip) * kStripRows;
       draw_strip(reaching, top + begin, picture.rowRange(begin, std::min(begin + kStripRows, picture.rows)));
     });
@@ -153,6 +156,7 @@ class PictureBands {
       tiles_[i].kept = fits;
     }
     parallel_for(missing.size(), [&](std::size_t k) {
+      artworks_.check_stop();
       KeptTile& tile = tiles_[missing[k]];
       const PieceDrawing& piece = pieces_[missing[k]];
       const auto sprite = sprites_.get(piece.slot, piece.sprite_side_px);
@@ -223,6 +227,7 @@ class PictureBands {
   }
 
   const CollageReport& report_;
+  const ShapeArtworks& artworks_;
   const PictureLimits limits_;
   const cv::Size size_;
   const double picture_px_;  // picture px of a canvas px

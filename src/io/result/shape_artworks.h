@@ -41,6 +41,8 @@ class ShapeArtworks {
   SvgSymbol symbol(std::size_t slot, const std::string& id);
 
   const Outline& clip(std::size_t slot) const { return clips_[slot]; }
+  /// Throws DrawingStopped where drawing is to end, as the others do.
+  void check_stop() const { stop_.check(); }
   /// The notes on all that was asked for.
   DrawingNotes notes() const;
 
