@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/file_descriptor.h"
 
 namespace tessera::io {
 namespace {
@@ -20,23 +21,22 @@ namespace fs = std::filesystem;
   throw EnvironmentError("cannot write into the folder " + folder + ": " + std::generic_category().message(reason));
 }
 
-/// Why no file can be made there; 0: one can.
-int reason_against_files(const std::string& folder) {
-  std::string probe = (fs::path(folder) / ".tessera-XXXXXX").string();
-  const int file = ::mkostemp(probe.data(), O_CLOEXEC);
-  if (file < 0) return errno;
-  ::close(file);
-  ::unlink(probe.c_str());
-  return 0;
-}
-
 }  // namespace
+
+void check_takes_files(const std::string& folder) {
+  std::string probe = (fs::path(folder) / ".tessera-XXXXXX").string();
+  const FileDescriptor file(::mkostemp(probe.data(), O_CLOEXEC));
+  if (!file.is_open()) fail(folder, errno);
+  ::unlink(probe.c_str());
+  // A disk without room takes files, but no bytes.
+  if (::write(file.number(), "", 1) != 1 || ::fsync(file.number()) != 0) fail(folder, errno);
+}
 
 OutputFolder::OutputFolder(const std::string& folder) {
   const std::string path = folder.empty() ? "." : folder;
   try {
     make(path);
-    if (const int reason = reason_against_files(path); reason != 0) fail(path, reason);
+    check_takes_files(path);
   } catch (...) {
     for (auto made = made_.rbegin(); made != made_.rend(); ++made) ::rmdir(made->c_str());
     throw;

@@ -8,6 +8,9 @@
 
 namespace tessera::io {
 
+/// Throws EnvironmentError, which names `folder`, where no file with something in it can be made there.
+void check_takes_files(const std::string& folder);
+
 /// Makes the folder with its parents before the work begins, so that what cannot be written is found at once. Of the
 /// folders that it made those that are still empty go with the object, and also where a signal ends the process.
 class OutputFolder {

@@ -32,7 +32,7 @@ plant() {
   local file
   while read -r file; do "$@" "$file.tmp" || fail "not planted: $file.tmp"; done < <(
     find made -type f ! -name run.log
-    printf 'made/%s\n' campaign/seed_1/checkpoint{,.previous}.h5 campaign/.tessera-write-test
+    printf 'made/%s\n' campaign/seed_1/checkpoint{,.previous}.h5
   )
   "$@" made/campaign/seed_1/collage.tiff.tmp.level
 }

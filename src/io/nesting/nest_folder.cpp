@@ -80,10 +80,11 @@ std::string foreign_file(const fs::path& folder) {
   return "";
 }
 
-void check_may_be_written(const fs::path& folder) {
+/// The folder, which may be written into.
+fs::path checked(const fs::path& folder) {
   const std::string shown = printable_utf8(folder.string());
   std::error_code ignored;
-  if (!fs::exists(folder, ignored)) return;
+  if (!fs::exists(folder, ignored)) return folder;
   if (!fs::is_directory(folder, ignored))
     throw InputError("--out " + shown + ": is there and is no folder; give another name");
   if (const std::string file = foreign_file(folder); !file.empty()) {
@@ -94,6 +95,7 @@ void check_may_be_written(const fs::path& folder) {
     if (is_ours(name) && fs::is_directory(fs::symlink_status(folder / name)))
       throw EnvironmentError("cannot write " + shown + "/" + printable_utf8(name) + ": is a folder; remove it");
   }
+  return folder;
 }
 
 std::string name_of_sheet(const NestRun& run, int sheet) {
@@ -143,37 +145,10 @@ void add_sheet(const NestRun& run, int sheet, const fs::path& folder, TemporaryF
 
 }  // namespace
 
-NestFolder::NestFolder(const std::string& folder) : folder_(folder) {
-  check_may_be_written(folder_);
-  try {
-    make_folder();
-    lock_.emplace(folder_lock_path(folder), folder);
-  } catch (...) {
-    remove_empty_folders();
-    throw;
-  }
-}
-
-NestFolder::~NestFolder() {
-  lock_.reset();
-  remove_empty_folders();
-}
-
-void NestFolder::remove_empty_folders() const {
-  std::error_code not_empty;
-  for (auto made = made_.rbegin(); made != made_.rend(); ++made) fs::remove(*made, not_empty);
-}
-
-void NestFolder::make_folder() {
-  std::error_code error;
-  for (fs::path at = fs::absolute(folder_).lexically_normal(); !fs::exists(at, error) && at.has_relative_path();
-       at = at.parent_path())
-    made_.insert(made_.begin(), at);
-  for (const fs::path& at : made_) {
-    fs::create_directory(at, error);
-    if (error) throw EnvironmentError("cannot make " + printable_utf8(at.string()) + ": " + error.message());
-  }
-}
+NestFolder::NestFolder(const std::string& folder)
+    : folder_(checked(folder)),
+      made_(folder),
+      lock_(folder_lock_path(folder), folder) {}
 
 /// With layout.json gone the folder has no whole layout, until the new layout.json is there.
 void NestFolder::replace_earlier(const std::vector<std::string>& names) {

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/nesting/nest_result.h"
+#include "io/output_folder.h"
 #include "io/output_lock.h"
 
 namespace tessera::io {
@@ -22,10 +22,6 @@ class NestFolder {
   /// Makes the folder where it is missing. Throws InputError where it holds something that is not of tessera nest, or
   /// where another run is at work; EnvironmentError where nothing can be written there.
   explicit NestFolder(const std::string& folder);
-  /// Removes the folders that were made and are empty.
-  ~NestFolder();
-  NestFolder(const NestFolder&) = delete;
-  NestFolder& operator=(const NestFolder&) = delete;
 
   /// layout.json, card.txt, and of each sheet layout.svg and .dxf; of a library's shapes layout.toml and
   /// layout_pieces.geojson, too. Of several sheets they are called layout_1.svg and so on. All get temporary names
@@ -37,13 +33,11 @@ class NestFolder {
   void draw(const NestRun& run, const BetweenFiles& between);
 
  private:
-  void make_folder();
-  void remove_empty_folders() const;
   void replace_earlier(const std::vector<std::string>& names);
 
   std::filesystem::path folder_;
-  std::vector<std::filesystem::path> made_;  // the outer ones first
-  std::optional<OutputLock> lock_;
+  OutputFolder made_;
+  OutputLock lock_;
 };
 
 }  // namespace tessera::io

@@ -1,7 +1,6 @@
 #include "io/result/collage_files.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <system_error>
 
@@ -11,6 +10,7 @@
 #include "io/job/job_library.h"
 #include "io/job/start_pieces.h"
 #include "io/job/wished_sizes.h"
+#include "io/output_folder.h"
 #include "io/result/card_output.h"
 #include "io/result/geojson_output.h"
 #include "io/result/result_manifest.h"
@@ -91,9 +91,7 @@ void create_output_directory(const std::string& dir) {
 
 void prepare_output_directory(const std::string& dir) {
   create_output_directory(dir);
-  TemporaryFile probe(in_directory(dir, ".tessera-write-test"));
-  probe.write(std::array<std::uint8_t, 1>{});  // a disk without room takes files, but no bytes
-  probe.flush();
+  check_takes_files(dir);
 }
 
 void check_can_be_published(const std::string& dir) {
