@@ -105,7 +105,6 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const std::fu
     const ShapeModel& model = shapes_.model(id);
     const StanceList& list = context_.stances.list(id);
     for (std::uint32_t s = 0; s < list.count && attempts > 0; ++s) {
-      look();
       const auto settles = [&](const Similarity& pose) {
         look();
         Candidate candidate;
@@ -118,7 +117,7 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const std::fu
         return settle(best) || --attempts == 0;
       };
       const PoseRange& poses = context_.stances[list.first + s].poses;
-      if (any_pose_in_gap(model, room, poses, free_, window, settles) && attempts > 0) return true;
+      if (any_pose_in_gap(model, room, poses, free_, window, look, settles) && attempts > 0) return true;
     }
   }
   return false;

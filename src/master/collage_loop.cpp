@@ -155,7 +155,7 @@ class Run {
     });
   }
 
-  /// Where the matcher interrupts `change` the attempts are as they were before: the collage is, too.
+  /// Where the matcher interrupts `change` the collage has not changed yet: the attempts are put back, to fit it.
   bool unless_interrupted(const std::function<bool()>& change) {
     const SizeAttempts before = sizes_;
     try {

@@ -11,9 +11,9 @@
 namespace tessera::master {
 namespace {
 
-/// After kEmptyPasses, where a wide gap is left. Each sample keeps the dockings that were drawn first: early reject takes
-/// points on lines for contact, so that by its key those dockings of line art come first that cross lines, and none of
-/// these can be refined into a piece.
+/// Where a wide gap is left the first of the empty passes is one more than kEmptyPasses. In it each sample keeps the
+/// dockings that were drawn first: early reject takes points on lines for contact, so that by its key those dockings of
+/// line art come first that cross lines, and none of these can be refined into a piece.
 constexpr int kFirstDrawnPasses = 1;
 
 }  // namespace
@@ -64,14 +64,15 @@ bool Filling::place_one() {
   }
 }
 
-bool Filling::may_match_again() const {
+bool Filling::may_match_again() {
   if (empty_passes_ == most_empty_passes_) return false;
-  return empty_passes_ < kEmptyPasses || collage_.leaves_wide_gap(region_);
+  return empty_passes_ < kEmptyPasses || collage_.leaves_wide_gap(region_);  // which no empty pass changes
 }
 
-MatchPlan Filling::plan() const {
+MatchPlan Filling::plan() {
   if (empty_passes_ == 0) return usual_plan_;
-  return {.tangent_dockings = std::uint32_t(kRematchTangentDockings), .first_drawn = empty_passes_ > kEmptyPasses};
+  return {.tangent_dockings = std::uint32_t(kRematchTangentDockings),
+          .first_drawn = empty_passes_ <= kFirstDrawnPasses && collage_.leaves_wide_gap(region_)};
 }
 
 void Filling::match_stale() {

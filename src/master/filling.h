@@ -35,8 +35,8 @@ class Filling {
   void count_into(RunStatistics& statistics) { statistics_ = &statistics; }
 
  private:
-  MatchPlan plan() const;
-  bool may_match_again() const;
+  MatchPlan plan();
+  bool may_match_again();
   void match_stale();
   void check_ahead();
   bool choose(Candidate& best);

@@ -132,10 +132,12 @@ TEST(WideGap, APoseIsFoundWhereOneFits) {
     const Shape frame = test::make_test_shape("frame", outline);
     free.stamp(frame, {300 * std::sqrt(float(test::shoelace_area(outline))), 0, 100, 100});
     std::vector<Similarity> found;
-    any_pose_in_gap(model, room, poses, free, free.field().value.bounds(), [&](const Similarity& pose) {
-      found.push_back(pose);
-      return true;
-    });
+    any_pose_in_gap(
+        model, room, poses, free, free.field().value.bounds(), [] {},
+        [&](const Similarity& pose) {
+          found.push_back(pose);
+          return true;
+        });
     return found;
   };
   const PoseRange any{20, 60, direction_range(-4, 4)};
@@ -146,6 +148,20 @@ TEST(WideGap, APoseIsFoundWhereOneFits) {
   EXPECT_TRUE(found_in(20 * room.radius - 2, any).empty());
   EXPECT_TRUE(found_in(20 * room.radius + 1.5f, {20, 60, direction_range(-0.1f, 0.1f)}).empty());
   EXPECT_EQ(found_in(20 * room.radius + 1.5f, {20, 60, direction_range(0.41f, 0.43f)}).size(), 1u) << "a narrow range";
+}
+
+/// Where nothing is found, too.
+TEST(WideGap, ASearchCanBeStopped) {
+  const PieceSettings pieces;
+  const Shape shape = test::make_test_shape("spectacles", test::spectacles_outline(0.2f));
+  const ShapeModel model = make_shape_model(shape, PadParameters{}, PadParameters{}, {});
+  FreeField free(make_rectangle_canvas(300, 200), pieces);
+  int checks = 0;
+  const auto count = [&] { ++checks; };
+  const auto refuse = [](const Similarity&) { return false; };
+  any_pose_in_gap(model, hull_room(shape), {20, 60, direction_range(-4, 4)}, free, free.field().value.bounds(), count,
+                  refuse);
+  EXPECT_GE(checks, 5);
 }
 
 }  // namespace

@@ -167,6 +167,9 @@ TEST(Card, NamesWhatIsMissing) {
   EXPECT_NE(text.find("ant (3 of 5)\n"), std::string::npos);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 80u) << line;
+  missing.assign(200'000, {ShapeId{0}, "ant", 5, 3});
+  EXPECT_EQ(nlohmann::json::parse(card_json({}, {}, {}, {}, {}, {}, missing))["missing"]["shapes"].size(), 1000u);
+  EXPECT_EQ(nlohmann::json::parse(card_json({}, {}, {}, {}, {}, {}, missing))["missing"]["pieces"], 400'000);
   missing.assign(100, {ShapeId{0}, "ant", 5, 3});
   EXPECT_NE(card_text({}, {}, {}, {}, missing).find("and 80 more (card.json)\n"), std::string::npos);
   EXPECT_EQ(missing_text(missing, 2), "ant (3 of 5), ant (3 of 5) and 98 more shapes");

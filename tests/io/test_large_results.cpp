@@ -55,7 +55,7 @@ TEST_F(LargeResults, OfLongTextsAreRefused) {
 }
 
 TEST_F(LargeResults, OfManyValuesAreRefused) {
-  const std::string lists = "feature 0: properties: found more than 16 values in lists, allowed: so many";
+  const std::string lists = "feature 0: properties: found more than 16 values in lists, allowed: 16 or fewer";
   expect_refused({kBegin + R"({"properties":{)" + kPose + R"(,"canvas_from_shape":[1)", ",1", 20'000'000, "]}}]}"},
                  "geometry.type: found nothing", lists, lists);
   expect_refused({kBegin + "{", R"("properties":{"shape":[1,2]},)", 2'000'000, R"("a":1}]})"}, "shape: found a list",
@@ -65,13 +65,20 @@ TEST_F(LargeResults, OfManyValuesAreRefused) {
   const std::string feature = R"({"properties":{)" + kPose +
                               R"(},"geometry":{"type":"Polygon","coordinates":[)"
                               "[[1,1],[9,1],[9,9],[1,1]]]}}";
-  expect_refused({kBegin + feature, "," + feature, 100'000, "]}"}, "more than 100000 features",
-                 "more than 100000 features", "more than 100000 features");
+  expect_refused({kBegin + feature, "," + feature, 1'000'000, "]}"}, "more than 100000 features",
+                 "more than 100000 features", "more than 1000000 features");
   // What nobody reads takes no memory.
   expect_refused({kBegin + R"({"a":[)", "[],", 20'000'000, R"([]],"properties":{)" + kPose + "}}]}"},
                  "geometry.type: found nothing", "", "");
   expect_refused({kBegin + R"({"properties":{)", R"("a":{},)", 8'000'000, kPose + "}}]}"},
                  "geometry.type: found nothing", "", "");
+}
+
+/// A result of the program itself may have more pieces than a job gives.
+TEST_F(LargeResults, OfManyPiecesAreRead) {
+  const std::string feature = R"({"properties":{)" + kPose + "}}";
+  test::LargeText{kBegin + feature, "," + feature, 250'000, "]}"}.write(pieces_);
+  EXPECT_EQ(read_placed_pieces(folder_.path("")).size(), 250'001u);
 }
 
 TEST_F(LargeResults, OfManyPositionsAreRefused) {

@@ -255,6 +255,24 @@ TEST_F(StartPieces, MistakesNameTheFeatureTheKeyAndWhatIsAllowed) {
   expect_mistake("7", "shape: found nothing");
 }
 
+/// As other programs write them: what stands beside the features and the poses is passed over, however long it is.
+TEST_F(StartPieces, OtherMembersOfGeoJsonArePassedOver) {
+  const std::string many = "[" + repeated("7,", 100) + "{\"shape\":[" + repeated("7,", 100) + "7]}]";
+  const std::string with_notes =
+      std::string(R"({"type":"Feature","bbox":)") + many + R"(,"geometry":{"type":"Point","bbox":)" + many +
+      R"(,"shape":)" + many + R"(},"properties":{"tags":)" + many + R"(,"a":{"shape":)" + many +
+      R"(},"shape":"disc","scale":9,"rotation_deg":0,"x_px":4,"y_px":2},"notes":)" + many + "}";
+  for (const std::string& head :
+       {std::string(R"("bbox":[0,0,9,9],)"), "\"notes\":" + many + ",",
+        std::string(R"("crs":{"type":"name","properties":{"name":"x"},"features":[7,{}]},)")}) {
+    const std::string file =
+        "{" + head + R"("features":[)" + with_notes + "]," + head + R"("type":"FeatureCollection"})";
+    const std::vector<GivenPiece> pieces = pieces_in(file);
+    ASSERT_EQ(pieces.size(), 1u) << head;
+    EXPECT_EQ(pieces[0].canvas_from_shape.tx, 4) << head;
+  }
+}
+
 TEST_F(StartPieces, WhatIsNoResultIsAMistake) {
   EXPECT_NE(mistake("").find("no JSON"), std::string::npos);
   EXPECT_NE(mistake("{\"features\":[").find("no JSON"), std::string::npos);
@@ -274,7 +292,7 @@ TEST_F(StartPieces, FilesThatWouldEatTheMachineAreRefused) {
   EXPECT_NE(mistake(collection(repeated(feature(kGood) + ",", 100'000) + "{}")).find("more than 100000 features"),
             std::string::npos);
   EXPECT_NE(mistake(collection(feature(R"({"shape":"disc","canvas_from_shape":[)" + repeated("1,", 100) + "1]}")))
-                .find("feature 0: properties: found more than 16 values in lists, allowed: so many"),
+                .find("feature 0: properties: found more than 16 values in lists, allowed: 16 or fewer"),
             std::string::npos);
 }
 

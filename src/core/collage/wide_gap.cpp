@@ -15,8 +15,10 @@ namespace {
 constexpr int kNodeStride = 2;
 constexpr int kTurns = 32;
 constexpr Vec2 kTurn{0.98078528f, 0.19509032f};  // cosine and sine of a 32nd of a whole turn
-constexpr float kLeastDistance = 0.5f;           // of the hull's middle from anything, in parts of HullRoom::radius
-/// Points one after the other lie side by side, and what one of them hits the next one hits, too. Prime to their number.
+constexpr std::size_t kPlacesBetweenChecks = 1000;
+constexpr float kLeastDistance = 0.5f;  // of the hull's middle from anything, in parts of HullRoom::radius
+/// The points of a boundary are tried so many places apart: two neighbours mostly hit the same thing. The stride has no
+/// divisor in common with the number of points, so that all of them are tried.
 constexpr int kPointStride = 37;
 
 std::array<Vec2, kTurns> directions() {
@@ -105,11 +107,13 @@ HullRoom hull_room(const Shape& shape) {
 }
 
 bool any_pose_in_gap(const ShapeModel& shape, const HullRoom& room, const PoseRange& poses, const FreeField& free,
-                     const Window& window, const std::function<bool(const Similarity&)>& attempt) {
+                     const Window& window, const std::function<void()>& check_stop,
+                     const std::function<bool(const Similarity&)>& attempt) {
   const std::vector<Vec2> middles = places_of_middle(free, window, kLeastDistance * room.radius * poses.min_scale_px);
   const std::vector<Similarity> turned = turned_poses(room, poses);
   const std::size_t stride = stride_over(middles.size());
   for (std::size_t k = 0, at = 0; k < middles.size(); ++k, at = (at + stride) % middles.size()) {
+    if (k % kPlacesBetweenChecks == 0) check_stop();
     for (std::size_t turn = 0; turn < turned.size(); ++turn) {
       Similarity pose = turned[(k + turn) % turned.size()];
       pose.tx += middles[at].x;

@@ -29,11 +29,12 @@ struct HullRoom {
 };
 HullRoom hull_room(const Shape& shape);
 
-/// Whether `attempt` returns true for a pose of the smallest size of `poses` in which the shape lies in the free
+/// `check_stop` is called again and again, and may throw. Whether `attempt` returns true for a pose of the smallest size of `poses` in which the shape lies in the free
 /// region. The hull's middle lies at every second node of `window`, in a scattered order, that is at least half as
 /// far from anything as the middle of a gap that is wide enough; of 32 rotations there the first is attempted in which the
 /// shape lies free.
 bool any_pose_in_gap(const ShapeModel& shape, const HullRoom& room, const PoseRange& poses, const FreeField& free,
-                     const Window& window, const std::function<bool(const Similarity&)>& attempt);
+                     const Window& window, const std::function<void()>& check_stop,
+                     const std::function<bool(const Similarity&)>& attempt);
 
 }  // namespace tessera

@@ -56,7 +56,8 @@ cv::Mat connected_labels(const cv::Mat& labels) {
     }
   }
   int count = 0;
-  for (int pixel = 0; pixel < int(result.total()); ++pixel) {  // earlier ones have their labels by then
+  for (int pixel = 0; pixel < int(result.total());
+       ++pixel) {  // a pixel points at an earlier one, which has its label already
     int& value = pixels[pixel];
     if (value == kGap) {
       value = 0;

@@ -23,15 +23,16 @@ class Filter {
         take_(take) {}
 
   bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-    if (depth == kFeature && (event == json::parse_event_t::object_end || event == json::parse_event_t::value)) {
+    if (depth == kFeature && in_features_ &&
+        (event == json::parse_event_t::object_end || event == json::parse_event_t::value)) {
       hand_out(parsed);
       return false;
     }
     const bool opens = event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
     if (opens && depth > kDeepest) throw InputError("more than " + std::to_string(kDeepest) + " levels deep");
     if (opens) return depth <= kProperty;
-    if (event == json::parse_event_t::value && depth > kProperty) count_in_lists();
-    return event != json::parse_event_t::key || is_read(depth, parsed);
+    if (event == json::parse_event_t::value && depth > kProperty && in_read_property_) count_in_lists();
+    return event != json::parse_event_t::key || enter(depth, parsed);
   }
 
  private:
@@ -51,18 +52,31 @@ class Filter {
   void count_in_lists() {
     if (++in_lists_ <= kMostInLists) return;
     throw InputError("feature " + std::to_string(features_) + ": properties: found more than " +
-                     std::to_string(kMostInLists) + " values in lists, allowed: so many");
+                     std::to_string(kMostInLists) + " values in lists, allowed: " + std::to_string(kMostInLists) +
+                     " or fewer");
   }
 
-  bool is_read(int depth, const json& key) const {
-    if (depth == kCollection) return key == "features";
-    if (depth == kProperties) return key == "properties";
-    return depth == kProperty && std::any_of(keys_.begin(), keys_.end(), [&](std::string_view k) { return key == k; });
+  /// Whether the member with this key is read.
+  bool enter(int depth, const json& key) {
+    if (depth == kCollection) return in_features_ = key == "features";
+    if (depth == kProperties) {
+      in_read_property_ = false;
+      return in_properties_ = key == "properties";
+    }
+    if (depth == kProperty) in_read_property_ = in_properties_ && is_wanted(key);
+    return depth == kProperty && in_read_property_;
+  }
+
+  bool is_wanted(const json& key) const {
+    return std::any_of(keys_.begin(), keys_.end(), [&](std::string_view wanted) { return key == wanted; });
   }
 
   const std::vector<std::string_view>& keys_;
   std::size_t most_;
   const std::function<void(const json&)>& take_;
+  bool in_features_ = false;
+  bool in_properties_ = false;
+  bool in_read_property_ = false;
   std::size_t features_ = 0;
   std::size_t in_lists_ = 0;  // of the feature that is read
 };

@@ -215,15 +215,18 @@ std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
          card_line("stopped by", end_text(run, improve));
 }
 
+/// The shapes are the first ones where many are missing: the card stays small enough to be read again.
 Json missing_json(const std::vector<MissingShape>& missing) {
+  constexpr std::size_t kShapes = 1000;
   Json shapes = Json::array();
-  for (const MissingShape& m : missing) {
+  for (std::size_t i = 0; i < std::min(missing.size(), kShapes); ++i) {
+    const MissingShape& m = missing[i];
     shapes.push_back({{"shape", m.name}, {"wanted", m.wanted}, {"standing", m.standing}});
   }
   return {{"pieces", pieces_of(missing)}, {"shapes", shapes}};
 }
 
-/// The first shapes; card.json has all.
+/// The first shapes; card.json has more.
 std::string missing_lines(const std::vector<MissingShape>& missing) {
   constexpr std::size_t kShapes = 20;
   constexpr std::size_t kNameBytes = 32;

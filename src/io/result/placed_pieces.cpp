@@ -8,7 +8,6 @@
 #include "io/number_text.h"
 #include "io/pose.h"
 #include "io/result/geojson_output.h"
-#include "io/result/polygon_features.h"
 #include "io/result/result_file.h"
 
 namespace tessera::io {
@@ -40,7 +39,7 @@ std::vector<PlacedPiece> read_placed_pieces(const std::string& dir) {
   const std::string path = path_in_result(dir, "pieces.geojson");
   std::vector<PlacedPiece> pieces;
   try {
-    read_feature_properties(file, kRead, kMostFeatures,
+    read_feature_properties(file, kRead, kMostPieces,
                             [&](const json& feature) { pieces.push_back(piece_of(feature.at("properties"))); });
   } catch (const json::exception& error) {
     throw InputError(path + ": not a pieces.geojson of tessera collage: " + error.what());

@@ -1,6 +1,7 @@
 // pieces.geojson of a result read back, without its polygons.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ struct PlacedPiece {
   bool exact = false;  // the file says its pose exactly, too (start_pieces.h)
 };
 
-/// In order of placement. Throws InputError that names the file and what is wrong with it.
+inline constexpr std::size_t kMostPieces = 1'000'000;  // as `stop.pieces` may say
+
+/// In order of placement, kMostPieces at most. Throws InputError that names the file and what is wrong with it.
 std::vector<PlacedPiece> read_placed_pieces(const std::string& dir);
 
 /// The poses as they are read back from pieces.geojson.

@@ -8,7 +8,7 @@
 namespace tessera::io {
 
 /// There is a line for each event: time (UTC), "info", "warning" or "error", text. Each is in the file when the call
-/// returns. What has control characters is written with "?" for them, so that no event can look like two.
+/// returns. What has control characters is written with "_" for them, so that no event can look like two.
 class RunLog {
  public:
   /// Appends to the file in `folder`, which is there (own_file.h says what else may not be there in its place). A log
