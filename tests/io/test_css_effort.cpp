@@ -68,7 +68,8 @@ std::vector<Refused> refused() {
           {"declarations", "*{" + repeated("a:b;", 100000) + "}", many_rects},
           {"classes", repeated(".x", 50000) + "{fill:red}", repeated(class_of_many, 2000)},
           {"comments", repeated(":empty", 50000) + "{fill:red}", "<rect>" + repeated("<!---->", 50000) + "</rect>"},
-          {"languages", repeated(":lang(en)", 50000) + "{fill:red}", deep(repeated("<rect/>", 100))}};
+          {"languages", repeated(":lang(en)", 50000) + "{fill:red}",
+           "<g xml:lang=\"en\">" + deep(repeated("<rect/>", 100)) + "</g>"}};
 }
 
 TEST(CssEffort, WhatTakesTooLongIsRefused) {

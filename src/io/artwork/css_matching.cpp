@@ -72,10 +72,10 @@ const xmlAttr* CssMatcher::attribute_of(const xmlNode* node, const CssAttribute&
   return nullptr;
 }
 
-/// A long value takes as long as many comparisons.
+/// Reading a value takes as long as many comparisons.
 std::string CssMatcher::counted(std::string value) {
-  constexpr std::size_t kBytesOfAComparison = 4;
-  count(1 + value.size() / kBytesOfAComparison);
+  constexpr std::size_t kComparisons = 16, kBytesOfAComparison = 4;
+  count(kComparisons + value.size() / kBytesOfAComparison);
   return value;
 }
 

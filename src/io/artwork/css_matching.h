@@ -12,7 +12,7 @@
 namespace tessera::io {
 
 /// Comparisons of selectors with elements that one drawing may need. They take a few seconds at most.
-inline constexpr std::uint64_t kMostCssComparisons = 200'000'000;
+inline constexpr std::uint64_t kMostCssComparisons = 100'000'000;
 
 /// Compares the selectors of one drawing with its elements. The drawing must not change meanwhile.
 class CssMatcher {

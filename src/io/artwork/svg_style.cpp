@@ -116,6 +116,7 @@ std::vector<const SvgStyle::Rule*> SvgStyle::rules_of(const xmlNode* element) {
   std::vector<const Rule*> rules;
   if (rules_.empty()) return rules;
   const std::string id = counted(attribute(element, "id")), classes = counted(attribute(element, "class"));
+  count_bytes(classes.size() / 2 * sizeof(std::string));  // as many keys as there may be words
   for (const std::string& key : keys_of(element, id, classes)) {
     const auto found = rules_by_key_.find(key);
     if (found == rules_by_key_.end()) continue;
