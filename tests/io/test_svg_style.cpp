@@ -64,6 +64,47 @@ TEST(SvgStyle, ValuesReferToTheirOwnDocumentAlone) {
   }
 }
 
+/// A comment divides what would be an address without it; in a copy without comments it would be one.
+TEST(SvgStyle, ValuesDividedByCommentsReferToNothing) {
+  const std::vector<std::string> values = {"url/**/('http://evil/x.svg#a')",
+                                           "url/**/('#other')",
+                                           "url/**/(#other)",
+                                           "u\\72l/**/('#other')",
+                                           "ur/**/l('#other')",
+                                           "ur/**/l(#other)",
+                                           "image-set/**/('http://evil/x' 1x)",
+                                           "image-set/*/*/('http://evil/x' 1x)",
+                                           "rgb(1,url/**/('http://evil/x'))",
+                                           "red url/**//**/('http://evil/x')"};
+  for (const std::string& value : values) {
+    EXPECT_EQ(declarations("fill:" + value), "") << value;
+    EXPECT_EQ(local_css_value(value, "p-"), std::nullopt) << value;
+    for (const std::string& body : {"<rect style=\"fill:" + value + "\"/>", "<rect fill=\"" + value + "\"/>",
+                                    "<style>rect{fill:" + value + "}</style><rect/>"}) {
+      const std::string copy = import_svg(svg(body), "file", "s", {100, 50});
+      EXPECT_NE(copy.find("<rect/>"), std::string::npos) << copy;
+    }
+  }
+}
+
+TEST(SvgStyle, NoCommentBeginsInACopy) {
+  const std::string kept = declarations("stroke:red//**/*;a:'*/;fill:url(http://evil/x.svg)'");
+  EXPECT_EQ(kept, "stroke:red/**///**/*;a:'*/;fill:url(http://evil/x.svg)'");
+  EXPECT_EQ(declarations("stroke-dasharray:5/**/3"), "stroke-dasharray:5/**/3");
+  EXPECT_EQ(local_css_value("translate(5/**/3)", "p-"), "translate(5/**/3)");
+}
+
+/// What XML does not allow would spoil the document around the copy.
+TEST(SvgStyle, ACopyIsXmlWhateverIsEscaped) {
+  for (const char* value :
+       {"'\\fffe '", "'\\ffff x'", "'\\1 '", "a\\c b", "url(\\23 a\\c b)", "url('#a\\b b')", "'\\d800 '"}) {
+    const std::string body =
+        std::string("<rect style=\"font-family:") + value + ";fill:lime\" width=\"100\" height=\"50\"/>";
+    const cv::Mat drawn = render_artwork(svg(import_svg(svg(body), "file", "s", {100, 50})), "copy", 100);
+    EXPECT_EQ(drawn.at<cv::Vec4b>(10, 10), cv::Vec4b(0, 255, 0, 255)) << value;
+  }
+}
+
 cv::Mat alone(const Bytes& file) { return render_artwork(file, "file", 200); }
 
 cv::Mat copied(const Bytes& file) { return render_artwork(svg(import_svg(file, "file", "s", {100, 50})), "copy", 200); }
@@ -143,7 +184,7 @@ RC_GTEST_PROP(SvgStyle, NoTextBecomesASheet, ()) {
   RC_ASSERT(copied(svg(styled_body(sheet))).size() == cv::Size(200, 100));
 }
 
-/// Each of these is one that a careless reader looks at again and again.
+/// Each of these is one that a careless reader looks at again and again. How long matching takes: test_css_effort.cpp.
 TEST(SvgStyle, LongSheetsAreReadOnce) {
   for (const char* part : {"(", "[", "{", "a{", "@a", "@a{", "'\n", "\\", "/*", "url(", ":not(", "a,", "a ", "[a",
                            "a{b:(", "a{b:url(", "a{b:c;", "&lt;!--"}) {

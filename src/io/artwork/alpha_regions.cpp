@@ -5,19 +5,21 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "io/artwork/page_pixels.h"
+
 namespace tessera::io {
 namespace {
 
-/// An edge takes so much of the way that alpha goes within 3 px around, from a pixel's neighbour on one side to that on the
-/// other. A blur of 1.3 px and more (standard deviation) takes less.
+/// A pixel lies on an edge where the range of alpha (largest minus smallest value) within 1 px is at least this part of
+/// the range within `kNearEdge_px`. A blur with a standard deviation of 1.3 px or more gives a smaller part.
 constexpr double kEdgePart = 0.6;
 constexpr int kNearEdge_px = 3;
+/// The range of alpha within 1 px of an edge is at least this, of 255.
 constexpr double kLeastStep = 20;
-/// What is no wider is a line.
+/// An area that is no wider than this is a line.
 constexpr int kLine_px = 4;
+/// A pixel counts as flat where its alpha differs from its region's mean by at most this part of the mean.
 constexpr double kFlat = 0.3;
-
-cv::Mat square(int radius_px) { return cv::Mat::ones(2 * radius_px + 1, 2 * radius_px + 1, CV_8U); }
 
 /// How far alpha goes up and down within so many px.
 cv::Mat range_within(const cv::Mat& alpha, int radius_px) {
@@ -42,13 +44,7 @@ cv::Mat without_lines(const cv::Mat& alpha, int unit_px) {
 }
 
 /// CV_8U, 255 where it is clear as far as the page's edge: not in a hole.
-cv::Mat outside_of(const cv::Mat& alpha) {
-  constexpr std::uint8_t kReached = 128;
-  cv::Mat clear;  // with a clear rim, from which all of the edge is reached
-  cv::copyMakeBorder(alpha < kClearAlpha, clear, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
-  cv::floodFill(clear, cv::Point(0, 0), cv::Scalar(kReached));
-  return clear(cv::Rect(1, 1, alpha.cols, alpha.rows)) == kReached;
-}
+cv::Mat outside_of(const cv::Mat& alpha) { return connected_to_edge(alpha < kClearAlpha); }
 
 class Measurement {
  public:

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace tessera::io {
 namespace {
@@ -31,23 +33,24 @@ std::size_t quoted_url_size(CssTokens tokens) {
   return i < tokens.size() && tokens[i].is_mark(')') ? i + 1 : 0;
 }
 
-/// Writes a value token by token.
+/// Copies a value token by token.
 class LocalValue {
  public:
   explicit LocalValue(const std::string& id_prefix) : id_prefix_(id_prefix) {}
 
-  /// Nothing where a token could lead out of the document.
+  /// Nothing where a token could lead out of the document, or where no text gives these tokens.
   std::optional<std::string> of(CssTokens tokens) {
     while (!tokens.empty()) {
       const std::size_t taken = take(tokens);
       if (taken == 0) return std::nullopt;
       tokens = tokens.subspan(taken);
     }
-    return text_ + std::string(open_brackets_, ')');
+    copied_.insert(copied_.end(), open_brackets_, CssToken{CssKind::mark, ")"});
+    return css_text(copied_);
   }
 
  private:
-  /// How many tokens were written; 0: the first one is refused.
+  /// How many tokens were copied; 0: the first one is refused.
   std::size_t take(CssTokens tokens) {
     const CssToken& token = tokens.front();
     switch (token.kind) {
@@ -55,8 +58,8 @@ class LocalValue {
       case CssKind::number:
       case CssKind::hash:
       case CssKind::string:
-      case CssKind::space: return write(css_text(token)), 1;
-      case CssKind::url: return write_url(token.text) ? 1 : 0;
+      case CssKind::space: return copy(token), 1;
+      case CssKind::url: return copy_url(token.text) ? 1 : 0;
       case CssKind::function: return take_function(tokens);
       case CssKind::mark: return take_mark(token) ? 1 : 0;
       case CssKind::at_keyword:
@@ -71,11 +74,11 @@ class LocalValue {
       const std::size_t size = quoted_url_size(tokens);
       if (size == 0) return 0;
       const auto is_string = [](const CssToken& token) { return token.kind == CssKind::string; };
-      return write_url(std::find_if(tokens.begin(), tokens.end(), is_string)->text) ? size : 0;
+      return copy_url(std::find_if(tokens.begin(), tokens.end(), is_string)->text) ? size : 0;
     }
     if (!is_known_function(tokens.front())) return 0;
     ++open_brackets_;
-    write(css_text(tokens.front()));
+    copy(tokens.front());
     return 1;
   }
 
@@ -86,24 +89,31 @@ class LocalValue {
     } else if (!is_harmless(mark)) {
       return false;
     } else if (mark.is_mark('(')) {
+      // A comment divides a name from its bracket. No value has that, and a careless reader could take it for a function.
+      if (!copied_.empty() && copied_.back().kind == CssKind::identifier) return false;
       ++open_brackets_;
     }
-    write(mark.text);
+    copy(mark);
     return true;
   }
 
-  bool write_url(const std::string& address) {
+  bool copy_url(const std::string& address) {
     if (address.size() < 2 || address.front() != '#') return false;
-    CssToken url{CssKind::url};
-    url.text = "#" + id_prefix_ + address.substr(1);
-    write(css_text(url));
+    const CssToken url{CssKind::url, "#" + id_prefix_ + address.substr(1)};
+    if (css_text(std::span(&url, 1)).value_or("\\").find('\\') == std::string::npos) {
+      copy(url);
+    } else {  // quotes are read by more programs than escapes
+      copy({CssKind::function, "url"});
+      copy({CssKind::string, url.text});
+      copy({CssKind::mark, ")"});
+    }
     return true;
   }
 
-  void write(const std::string& text) { text_ += text; }
+  void copy(const CssToken& token) { copied_.push_back(token); }
 
   const std::string& id_prefix_;
-  std::string text_;
+  std::vector<CssToken> copied_;
   std::size_t open_brackets_ = 0;
 };
 

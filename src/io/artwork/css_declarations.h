@@ -15,7 +15,9 @@ namespace tessera::io {
 
 struct CssDeclaration {
   std::string name;
-  std::string value;  // all of its brackets and quotes are closed; with "!important" where the file says so
+  /// Read again, it gives the tokens that were read. All of its brackets and quotes are closed. With "!important" where
+  /// the file says so.
+  std::string value;
 };
 
 /// The value of a presentation attribute with url(#id) made url(#PREFIXid). Nothing where the value refers to anything

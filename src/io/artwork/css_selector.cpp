@@ -58,7 +58,16 @@ CssPlace parsed_place(const std::string& text) {
     return text.substr(begin, at - begin);
   };
   const auto spaces = [&] {
-    while (at < text.size() && text[at] == ' ') ++at;
+    constexpr std::string_view kComment = "/**/";  // divides tokens (css_text)
+    while (at < text.size()) {
+      if (text[at] == ' ') {
+        ++at;
+      } else if (text.compare(at, kComment.size(), kComment) == 0) {
+        at += kComment.size();
+      } else {
+        return;
+      }
+    }
   };
   const int first_sign = sign() == '-' ? -1 : 1;
   const std::string first = digits();
@@ -76,12 +85,9 @@ CssPlace parsed_place(const std::string& text) {
 }
 
 std::string lower_text(CssTokens tokens) {
-  std::string text;
-  for (const CssToken& token : trimmed_css(tokens)) {
-    if (token.kind == CssKind::broken) throw NotUnderstood();
-    text += css_text(token);
-  }
-  return ascii_lower_case(text);
+  const std::optional<std::string> text = css_text(trimmed_css(tokens));
+  if (!text) throw NotUnderstood();
+  return ascii_lower_case(*text);
 }
 
 std::vector<CssSelector> parsed_list(CssTokens tokens, int nested);

@@ -22,13 +22,23 @@ bool is_not_printable(char c) {
   return code <= 8 || code == 0x0b || (code >= 0x0e && code <= 0x1f) || code == 0x7f;
 }
 
+/// U+FFFE and U+FFFF are replaced, too: XML, in which the text will stand, does not allow them.
 std::string utf8_of(std::uint32_t code) {
-  if (code == 0 || code > 0x10ffff || (code >= 0xd800 && code <= 0xdfff)) return std::string(kReplacement);
+  const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
+  if (code == 0 || code > 0x10ffff || is_surrogate || (code | 1) == 0xffff) return std::string(kReplacement);
   if (code < 0x80) return {char(code)};
   if (code < 0x800) return {char(0xc0 | code >> 6), char(0x80 | (code & 0x3f))};
   if (code < 0x10000) return {char(0xe0 | code >> 12), char(0x80 | (code >> 6 & 0x3f)), char(0x80 | (code & 0x3f))};
   return {char(0xf0 | code >> 18), char(0x80 | (code >> 12 & 0x3f)), char(0x80 | (code >> 6 & 0x3f)),
           char(0x80 | (code & 0x3f))};
+}
+
+/// Whether the unit, written without escapes behind a number, is read as this unit again.
+bool is_plain_unit(const std::string& unit) {
+  if (!begins_name(unit.front()) || !std::all_of(unit.begin(), unit.end(), is_name_character)) return false;
+  if (unit.front() != 'e' && unit.front() != 'E') return true;
+  const std::size_t sign = unit.size() > 1 && unit[1] == '-' ? 1 : 0;
+  return unit.size() <= 1 + sign || !is_digit(unit[1 + sign]);  // otherwise the unit would be an exponent
 }
 
 /// All line ends become "\n", and NUL becomes U+FFFD.
@@ -54,7 +64,11 @@ class Tokenizer {
 
   std::vector<CssToken> tokens() {
     std::vector<CssToken> tokens;
-    for (skip_comments(); at_ < text_.size(); skip_comments()) tokens.push_back(next());
+    for (skip_comments(); at_ < text_.size(); skip_comments()) {
+      CssToken token = next();
+      const bool goes_on = token.kind == CssKind::space && !tokens.empty() && tokens.back().kind == CssKind::space;
+      if (!goes_on) tokens.push_back(std::move(token));  // white space on both sides of a comment is one token
+    }
     return tokens;
   }
 
@@ -180,7 +194,7 @@ class Tokenizer {
       token.text += text_[at_++];
     } else if (name_begins()) {
       const std::string unit = name();
-      if (!std::all_of(unit.begin(), unit.end(), is_name_character)) token.kind = CssKind::broken;
+      if (!is_plain_unit(unit)) token.kind = CssKind::broken;
       token.text += unit;
     }
     return token;
@@ -266,23 +280,25 @@ std::string string_text(const std::string& value, char quote) {
   return text + quote;
 }
 
-/// Without quotes where nothing in the address needs them.
+bool is_plain_in_url(char c) {
+  return static_cast<unsigned char>(c) > ' ' && c != 0x7f &&
+         std::string_view("\"'()\\").find(c) == std::string_view::npos;
+}
+
+/// What cannot stand in an address without quotes is escaped.
 std::string url_text(const std::string& address) {
-  const bool is_plain = std::all_of(address.begin(), address.end(), [](char c) {
-    return !is_space(c) && !is_not_printable(c) && c != '"' && c != '\'' && c != '(' && c != ')' && c != '\\';
-  });
-  return "url(" + (is_plain ? address : string_text(address, '"')) + ")";
+  std::string text = "url(";
+  for (const char c : address) {
+    if (is_plain_in_url(c)) {
+      text += c;
+    } else {
+      text += escape_of(c);
+    }
+  }
+  return text + ")";
 }
 
-}  // namespace
-
-bool CssToken::is_function(std::string_view lower) const {
-  return kind == CssKind::function && ascii_lower_case(text) == lower;
-}
-
-std::vector<CssToken> css_tokens(std::string_view css) { return Tokenizer(css).tokens(); }
-
-std::string css_text(const CssToken& token) {
+std::string token_text(const CssToken& token) {
   switch (token.kind) {
     case CssKind::identifier: return name_text(token.text, false);
     case CssKind::function: return name_text(token.text, false) + "(";
@@ -297,6 +313,41 @@ std::string css_text(const CssToken& token) {
     case CssKind::comment: break;
   }
   return token.text;
+}
+
+bool stands_apart(const CssToken& token) {
+  return token.kind == CssKind::space || token.is_mark(',') || token.is_mark(')');
+}
+
+/// Nothing joins with a function's bracket, and a comment behind "url(" would be an address.
+bool could_join(const CssToken& first, const CssToken& second) {
+  return first.kind != CssKind::function && !stands_apart(first) && !stands_apart(second);
+}
+
+std::string text_of(std::span<const CssToken> tokens, std::string_view between) {
+  std::string text;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (i > 0 && could_join(tokens[i - 1], tokens[i])) text += between;
+    text += token_text(tokens[i]);
+  }
+  return text;
+}
+
+}  // namespace
+
+bool CssToken::is_function(std::string_view lower) const {
+  return kind == CssKind::function && ascii_lower_case(text) == lower;
+}
+
+std::vector<CssToken> css_tokens(std::string_view css) { return Tokenizer(css).tokens(); }
+
+std::optional<std::string> css_text(std::span<const CssToken> tokens) {
+  for (const std::string_view between : {"", "/**/"}) {
+    std::string text = text_of(tokens, between);
+    const std::vector<CssToken> again = css_tokens(text);
+    if (std::equal(again.begin(), again.end(), tokens.begin(), tokens.end())) return text;
+  }
+  return std::nullopt;
 }
 
 std::string ascii_lower_case(std::string_view text) {

@@ -1,6 +1,8 @@
-// The tokens of CSS text, as CSS Syntax Level 3 defines them. Comments give no token.
+// The tokens of CSS text, as CSS Syntax Level 3 defines them. Comments give no token, but they divide two tokens.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,13 +32,15 @@ struct CssToken {
   bool is_mark(char c) const { return kind == CssKind::mark && text.size() == 1 && text.front() == c; }
   /// Compares names without regard to the case of ASCII letters; `lower` is in lower case.
   bool is_function(std::string_view lower) const;
+  bool operator==(const CssToken&) const = default;
 };
 
 /// `css` is UTF-8. Never fails: CSS gives a meaning to every text.
 std::vector<CssToken> css_tokens(std::string_view css);
 
-/// Text that css_tokens reads as this token again.
-std::string css_text(const CssToken& token);
+/// Text that css_tokens reads as these tokens again. Empty comments divide the tokens where some would join otherwise.
+/// Nothing where no text gives these tokens: broken ones and a lone backslash cannot be written.
+std::optional<std::string> css_text(std::span<const CssToken> tokens);
 
 std::string ascii_lower_case(std::string_view text);
 

@@ -4,22 +4,16 @@
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
 
+#include "io/artwork/page_pixels.h"
+
 namespace tessera::io {
 namespace {
 
 constexpr int kBand_px = 2;
 
-cv::Mat square(int radius_px) { return cv::Mat::ones(2 * radius_px + 1, 2 * radius_px + 1, CV_8U); }
-
 }  // namespace
 
-cv::Mat ground_of(const cv::Mat& difference) {
-  constexpr std::uint8_t kReached = 128;
-  cv::Mat near;  // with a rim of ground, from which all of the edge is reached
-  cv::copyMakeBorder(difference <= kGroundNoise, near, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
-  cv::floodFill(near, cv::Point(0, 0), cv::Scalar(kReached));
-  return near(cv::Rect(1, 1, difference.cols, difference.rows)) == kReached;
-}
+cv::Mat ground_of(const cv::Mat& difference) { return connected_to_edge(difference <= kGroundNoise); }
 
 cv::Mat alpha_beside_ground(const cv::Mat& ground, const cv::Mat& difference) {
   cv::Mat reach, shown = difference.clone(), largest;

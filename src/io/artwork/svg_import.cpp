@@ -1,11 +1,8 @@
 #include "io/artwork/svg_import.h"
 
-#include <libxml/parser.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -37,26 +34,8 @@ const std::set<std::string_view> kElements = {
     "feOffset", "fePointLight", "feSpecularLighting", "feSpotLight", "feTile", "feTurbulence"};
 // clang-format on
 
-struct FreeContext {
-  void operator()(xmlParserCtxt* context) const {
-    // A document that was not handed over.
-    if (context->myDoc) xmlFreeDoc(context->myDoc);
-    xmlFreeParserCtxt(context);
-  }
-};
-
-std::string_view view(const xmlChar* text) { return text ? reinterpret_cast<const char*>(text) : ""; }
-
-/// Entities that would be read from elsewhere stay undeclared; using one is then an error like any other.
-void declare_internal_entity(void* context, const xmlChar* name, int type, const xmlChar* public_id,
-                             const xmlChar* system_id, xmlChar* content) {
-  if (type != XML_INTERNAL_GENERAL_ENTITY && type != XML_INTERNAL_PARAMETER_ENTITY) return;
-  xmlSAX2EntityDecl(context, name, type, public_id, system_id, content);
-}
-
 XmlDocPtr parse(std::span<const std::uint8_t> bytes, const std::string& path) {
-  const std::unique_ptr<xmlParserCtxt, FreeContext> context(xmlNewParserCtxt());
-  if (!context) throw std::bad_alloc();
+  const XmlContextPtr context = new_xml_context();
   context->sax->entityDecl = declare_internal_entity;
   constexpr int kOptions =
       XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
@@ -68,9 +47,7 @@ XmlDocPtr parse(std::span<const std::uint8_t> bytes, const std::string& path) {
 }
 
 bool is_svg_element(const xmlNode* node) {
-  // Old files forget the name space; librsvg draws them all the same.
-  return node->type == XML_ELEMENT_NODE && (!node->ns || view(node->ns->href) == kSvgNamespace) &&
-         kElements.contains(view(node->name));
+  return node->type == XML_ELEMENT_NODE && is_in_svg_namespace(node) && kElements.contains(name_of(node));
 }
 
 /// An embedded bitmap, told by its first bytes and not by what it says it is: an embedded SVG would bring its own

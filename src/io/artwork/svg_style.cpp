@@ -12,11 +12,7 @@
 namespace tessera::io {
 namespace {
 
-std::string_view view(const xmlChar* text) { return text ? reinterpret_cast<const char*>(text) : ""; }
-
-bool is_style(const xmlNode* node) {
-  return name_of(node) == "style" && (!node->ns || view(node->ns->href) == kSvgNamespace);
-}
+bool is_style(const xmlNode* node) { return name_of(node) == "style" && is_in_svg_namespace(node); }
 
 /// That of elements inside it does not count.
 std::string text_of(const xmlNode* style) {
@@ -58,41 +54,35 @@ std::string key_of(const CssCompound& compound) {
 }
 
 /// All keys that an element satisfies, each once.
-std::vector<std::string> keys_of(const xmlNode* element) {
-  std::vector<std::string> keys = {"", std::string(name_of(element)), "#" + attribute(element, "id")};
-  const std::string classes = attribute(element, "class");
-  constexpr const char* kSpaces = " \t\r\n\f";
-  for (std::size_t at = classes.find_first_not_of(kSpaces); at != std::string::npos;
-       at = classes.find_first_not_of(kSpaces, at)) {
-    const std::size_t end = std::min(classes.find_first_of(kSpaces, at), classes.size());
-    keys.push_back("." + classes.substr(at, end - at));
-    at = end;
+std::vector<std::string> keys_of(const xmlNode* element, const std::string& id, std::string_view classes) {
+  std::vector<std::string> keys = {"", std::string(name_of(element)), "#" + id};
+  for (std::string_view word = take_word(classes); !word.empty(); word = take_word(classes)) {
+    keys.push_back("." + std::string(word));
   }
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   return keys;
 }
 
-void append(std::vector<CssDeclaration>& to, const std::vector<CssDeclaration>& more) {
-  to.insert(to.end(), more.begin(), more.end());
-}
-
 }  // namespace
 
-SvgStyle::SvgStyle(const xmlNode* root, const std::string& path, const std::string& id_prefix) : id_prefix_(id_prefix) {
+SvgStyle::SvgStyle(const xmlNode* root, const std::string& path, const std::string& id_prefix)
+    : path_(path),
+      id_prefix_(id_prefix),
+      matcher_(path) {
   check_instructions(root->doc, path);
-  add_sheets_below(root, path);
+  add_sheets_below(root);
 }
 
 /// Recursion is as deep as the document, which libxml2 bounds (256).
-void SvgStyle::add_sheets_below(const xmlNode* node, const std::string& path) {
-  if (is_style(node)) return add_sheet(text_of(node), path);
+void SvgStyle::add_sheets_below(const xmlNode* node) {
+  if (is_style(node)) return add_sheet(text_of(node));
   for (const xmlNode* child = node->children; child; child = child->next) {
-    if (child->type == XML_ELEMENT_NODE) add_sheets_below(child, path);
+    if (child->type == XML_ELEMENT_NODE) add_sheets_below(child);
   }
 }
 
-void SvgStyle::add_sheet(std::string_view css, const std::string& path) {
+void SvgStyle::add_sheet(std::string_view css) {
   const std::vector<CssToken> tokens = css_tokens(css);
   CssTokens rest = tokens;
   while (!rest.empty()) {
@@ -105,7 +95,7 @@ void SvgStyle::add_sheet(std::string_view css, const std::string& path) {
     const std::size_t head = find_css_mark(rest, is_at_rule ? "{;" : "{");
     const bool has_block = head < rest.size() && rest[head].is_mark('{');
     const std::size_t end = has_block ? find_css_mark(rest, "}", head + 1) : head;
-    if (is_at_rule && imports_data(rest.first(head))) throw_loads_sheet(path);
+    if (is_at_rule && imports_data(rest.first(head))) throw_loads_sheet(path_);
     if (!is_at_rule && has_block) add_rule(rest.first(head), rest.subspan(head + 1, end - head - 1));
     rest = rest.subspan(std::min(end + 1, rest.size()));
   }
@@ -122,14 +112,16 @@ void SvgStyle::add_rule(CssTokens selectors, CssTokens block) {
 }
 
 /// Those that match, the one that counts most last. Of a block that several selectors choose the last one counts.
-std::vector<const SvgStyle::Rule*> SvgStyle::rules_of(const xmlNode* element) const {
+std::vector<const SvgStyle::Rule*> SvgStyle::rules_of(const xmlNode* element) {
   std::vector<const Rule*> rules;
   if (rules_.empty()) return rules;
-  for (const std::string& key : keys_of(element)) {
+  const std::string id = counted(attribute(element, "id")), classes = counted(attribute(element, "class"));
+  count_bytes(classes.size() / 2 * sizeof(std::string));  // as many keys as there may be words
+  for (const std::string& key : keys_of(element, id, classes)) {
     const auto found = rules_by_key_.find(key);
     if (found == rules_by_key_.end()) continue;
     for (const std::size_t i : found->second) {
-      if (selects(rules_[i].selector, element)) rules.push_back(&rules_[i]);
+      if (matcher_.selects(rules_[i].selector, element)) rules.push_back(&rules_[i]);
     }
   }
   std::sort(rules.begin(), rules.end(), [](const Rule* a, const Rule* b) {
@@ -141,12 +133,32 @@ std::vector<const SvgStyle::Rule*> SvgStyle::rules_of(const xmlNode* element) co
   return rules;
 }
 
-std::vector<CssDeclaration> SvgStyle::declarations_of(const xmlNode* element) const {
+std::vector<CssDeclaration> SvgStyle::declarations_of(const xmlNode* element) {
   std::vector<CssDeclaration> declarations;
   for (const Rule* rule : rules_of(element)) append(declarations, blocks_[rule->block]);
-  const std::vector<CssToken> own = css_tokens(attribute(element, "style"));
+  const std::vector<CssToken> own = css_tokens(counted(attribute(element, "style")));
   append(declarations, local_css_declarations(own, id_prefix_));
   return declarations;
+}
+
+std::string SvgStyle::counted(std::string value) {
+  count_bytes(value.size());
+  return value;
+}
+
+void SvgStyle::append(std::vector<CssDeclaration>& to, const std::vector<CssDeclaration>& more) {
+  for (const CssDeclaration& declaration : more) {
+    count_bytes(sizeof declaration + declaration.name.size() + declaration.value.size());
+    to.push_back(declaration);
+  }
+}
+
+void SvgStyle::count_bytes(std::size_t bytes) {
+  bytes_ += bytes;
+  if (bytes_ <= kMostDeclarationBytes) return;
+  throw InputError(path_ + ": its style sheets and attributes give its elements more than " +
+                   std::to_string(kMostDeclarationBytes >> 20) +
+                   " MiB of declarations, allowed: so many; write fewer declarations into each rule");
 }
 
 }  // namespace tessera::io

@@ -14,9 +14,13 @@
 #include <vector>
 
 #include "io/artwork/css_declarations.h"
+#include "io/artwork/css_matching.h"
 #include "io/artwork/css_selector.h"
 
 namespace tessera::io {
+
+/// Bytes that the declarations of one drawing may take, counted for each element that gets them.
+inline constexpr std::size_t kMostDeclarationBytes = std::size_t(256) << 20;
 
 class SvgStyle {
  public:
@@ -26,8 +30,10 @@ class SvgStyle {
   SvgStyle(const xmlNode* root, const std::string& path, const std::string& id_prefix);
 
   /// For the element's style attribute: what the sheets say of it, in the order in which it counts, and then what its own
-  /// style attribute says. All values are local (css_declarations.h).
-  std::vector<CssDeclaration> declarations_of(const xmlNode* element) const;
+  /// style attribute says. All values are local (css_declarations.h). Throws InputError where all calls together find
+  /// more than kMostDeclarationBytes, or need more than kMostCssComparisons: a few bytes of a sheet could go to each of
+  /// many elements.
+  std::vector<CssDeclaration> declarations_of(const xmlNode* element);
 
  private:
   struct Rule {
@@ -35,16 +41,23 @@ class SvgStyle {
     std::size_t block = 0;  // index in blocks_
   };
 
-  void add_sheets_below(const xmlNode* node, const std::string& path);
-  void add_sheet(std::string_view css, const std::string& path);
+  void add_sheets_below(const xmlNode* node);
+  void add_sheet(std::string_view css);
   void add_rule(CssTokens selectors, CssTokens block);
-  std::vector<const Rule*> rules_of(const xmlNode* element) const;
+  std::vector<const Rule*> rules_of(const xmlNode* element);
+  /// A value of one of the document's attributes; many elements may share one as a default.
+  std::string counted(std::string value);
+  void append(std::vector<CssDeclaration>& to, const std::vector<CssDeclaration>& more);
+  void count_bytes(std::size_t bytes);
 
+  const std::string path_;
   const std::string id_prefix_;
   std::vector<std::vector<CssDeclaration>> blocks_;
   std::vector<Rule> rules_;  // in the order of the sheets
   /// Indices of rules by what their last compound asks for: "#id", ".class", a type, or "" for anything.
   std::unordered_map<std::string, std::vector<std::size_t>> rules_by_key_;
+  CssMatcher matcher_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace tessera::io

@@ -1,5 +1,8 @@
 #include "io/artwork/xml_tree.h"
 
+#include <algorithm>
+#include <memory>
+
 #include "core/base/error.h"
 
 namespace tessera::io {
@@ -21,7 +24,19 @@ XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path)
   return doc;
 }
 
-std::string_view name_of(const xmlNode* node) { return reinterpret_cast<const char*>(node->name); }
+std::string_view view(const xmlChar* text) { return text ? reinterpret_cast<const char*>(text) : ""; }
+
+std::string_view name_of(const xmlNode* node) { return view(node->name); }
+
+bool is_in_svg_namespace(const xmlNode* element) { return !element->ns || view(element->ns->href) == kSvgNamespace; }
+
+std::string_view take_word(std::string_view& list) {
+  constexpr std::string_view kSpaces = " \t\r\n\f";
+  list.remove_prefix(std::min(list.find_first_not_of(kSpaces), list.size()));
+  const std::string_view word = list.substr(0, list.find_first_of(kSpaces));
+  list.remove_prefix(word.size());
+  return word;
+}
 
 std::string content_of(const xmlNode* node) { return taken(xmlNodeGetContent(node)); }
 

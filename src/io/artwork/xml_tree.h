@@ -1,29 +1,29 @@
 // XML that libxml2 has parsed.
 #pragma once
 
-#include <libxml/parser.h>
 #include <libxml/tree.h>
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
-namespace tessera::io {
+#include "io/artwork/xml_parsing.h"
 
-struct FreeXml {
-  void operator()(xmlDoc* doc) const { xmlFreeDoc(doc); }
-  void operator()(xmlChar* text) const { xmlFree(text); }
-};
-using XmlDocPtr = std::unique_ptr<xmlDoc, FreeXml>;
+namespace tessera::io {
 
 /// An SVG that a program of ours or cairo has written: it is well-formed, and may be huge. Throws InputError.
 XmlDocPtr parsed_svg(std::span<const std::uint8_t> svg, const std::string& path);
 
 inline constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
 
+/// "" for null.
+std::string_view view(const xmlChar* text);
 std::string_view name_of(const xmlNode* node);
+/// Elements without a name space count as SVG's, as for librsvg: old files forget the name space.
+bool is_in_svg_namespace(const xmlNode* element);
+/// Takes the first word off a list with white space between, such as an attribute "class". "" where there is none.
+std::string_view take_word(std::string_view& list);
 /// The text of an element or attribute, with that of the elements inside.
 std::string content_of(const xmlNode* node);
 /// "" where there is none.

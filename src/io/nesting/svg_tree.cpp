@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <new>
 #include <string_view>
 #include <vector>
 
@@ -18,13 +17,6 @@ namespace tessera::io {
 namespace {
 
 using namespace svg_limits;
-
-struct FreeContext {
-  void operator()(xmlParserCtxt* context) const {
-    if (context->myDoc) xmlFreeDoc(context->myDoc);  // was not handed over
-    xmlFreeParserCtxt(context);
-  }
-};
 
 /// What one document has had so far, while libxml2 reads it.
 struct Counts {
@@ -89,12 +81,9 @@ bool count_declaration(void* context) {
   return right;
 }
 
-/// Entities from elsewhere stay undeclared.
 void declare_entity(void* context, const xmlChar* name, int type, const xmlChar* public_id, const xmlChar* system_id,
                     xmlChar* content) {
-  if (!count_declaration(context)) return;
-  if (type == XML_INTERNAL_GENERAL_ENTITY || type == XML_INTERNAL_PARAMETER_ENTITY)
-    xmlSAX2EntityDecl(context, name, type, public_id, system_id, content);
+  if (count_declaration(context)) declare_internal_entity(context, name, type, public_id, system_id, content);
 }
 
 void declare_attribute(void* context, const xmlChar*, const xmlChar*, int, int, const xmlChar*,
@@ -148,8 +137,7 @@ std::string damage(const xmlParserCtxt& parser) {
 
 SvgTree parsed(std::span<const std::uint8_t> bytes, const std::string& path) {
   check_tags(bytes, path);
-  const std::unique_ptr<xmlParserCtxt, FreeContext> context(xmlNewParserCtxt());
-  if (!context) throw std::bad_alloc();
+  const XmlContextPtr context = new_xml_context();
   Counts counts;
   context->_private = &counts;
   *context->sax = handlers(*context->sax);

@@ -1,19 +1,16 @@
 // The elements of a foreign SVG as libxml2's tree, with bounds on how much of them there may be.
 #pragma once
 
-#include <libxml/tree.h>
-
+#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 
+#include "io/artwork/xml_parsing.h"
+
 namespace tessera::io {
 
-struct FreeXml {
-  void operator()(xmlDoc* doc) const { xmlFreeDoc(doc); }
-};
-using SvgTree = std::unique_ptr<xmlDoc, FreeXml>;
+using SvgTree = XmlDocPtr;
 
 /// What an SVG may have. Drawings of 200,000 points, which is as much as is read of them, have a tenth of this. The
 /// whole takes some 300 MB at most.
