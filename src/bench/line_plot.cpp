@@ -134,6 +134,10 @@ std::string plot_svg(const std::vector<Panel>& panels) {
   return svg.finish();
 }
 
+void check_plot_can_be_written(const std::string& path) {
+  for (const char* ending : {".svg", ".png"}) io::check_can_be_written(path + ending);
+}
+
 void write_plot(const std::vector<Panel>& panels, const std::string& path) {
   const std::string svg = plot_svg(panels);
   io::write_file_atomically(path + ".svg", svg);

@@ -26,6 +26,9 @@ struct Panel {
 /// The panels side by side.
 std::string plot_svg(const std::vector<Panel>& panels);
 
+/// Throws EnvironmentError where write_plot could not write: before the work whose plot it is.
+void check_plot_can_be_written(const std::string& path);
+
 /// `path`.svg and `path`.png. Throws EnvironmentError.
 void write_plot(const std::vector<Panel>& panels, const std::string& path);
 

@@ -64,6 +64,8 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
   if (seconds < 1 || seconds > 3600) {
     throw InputError("--seconds: found " + std::to_string(seconds) + "; allowed: 1 to 3600 s");
   }
+  const std::string plot = std::filesystem::path(setting.out).replace_extension().string();
+  if (!plot.empty()) check_plot_can_be_written(plot);
   const io::LibraryFile library(job.library);
   const int size_px = setting.quick ? std::min(job.size_px, 160) : job.size_px;
   const std::vector<double> marks_s = marks_up_to(setting.quick ? 2 : seconds);
@@ -103,8 +105,7 @@ Report bench_quality(const Setting& setting, const SquareJob& job, int seconds) 
     open.curves.push_back(open_curve);
     balance.curves.push_back(balance_curve);
   }
-  if (!setting.out.empty())
-    write_plot({open, balance}, std::filesystem::path(setting.out).replace_extension().string());
+  if (!plot.empty()) write_plot({open, balance}, plot);
   report.text = table.text() + "\n" + std::to_string(library.size()) + " shapes, " + std::to_string(size_px) + " x " +
                 std::to_string(size_px) + " px, pieces of " + short_number(job.scale_px[0]) + " to " +
                 short_number(job.scale_px[1]) + " px, seed " + std::to_string(job.seed) +

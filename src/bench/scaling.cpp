@@ -331,6 +331,8 @@ Report bench_scaling(const Setting& setting, const ScalingOptions& options) {
   const io::LibraryFile library(options.library);
   const Plan plan = make_plan(setting, options, library.size());
   io::prepare_output_directory(plan.folder);
+  io::check_can_be_written(plan.folder + ".csv");
+  check_plot_can_be_written(plan.folder);
   setenv("POCL_MAX_PTHREAD_COUNT", "1", 0);  // a worker has a core, however many there are
   const std::vector<Repeated> cases = run_all(plan, library);
 

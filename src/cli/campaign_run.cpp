@@ -54,7 +54,9 @@ std::vector<Task> tasks_of(const CampaignArguments& arguments) {
 void check_can_be_made(const std::vector<Task>& tasks) {
   std::error_code error;
   for (const Task& task : tasks) {
-    if (!task.end && std::filesystem::exists(task.folder, error)) io::prepare_output_directory(task.folder);
+    if (task.end || !std::filesystem::exists(task.folder, error)) continue;
+    io::prepare_output_directory(task.folder);
+    io::check_can_be_published(task.folder);
   }
 }
 
@@ -123,6 +125,7 @@ int run_campaign(const CampaignArguments& arguments, comm::Communicator& ranks) 
   io::prepare_output_directory(campaign_folder(arguments));
   const io::OutputLock lock(io::folder_lock_path(campaign_folder(arguments)), campaign_folder(arguments));
   check_can_be_made(tasks);
+  check_ranking_can_be_written(campaign_folder(arguments));
   const int made = make_all(arguments, tasks, ranks);
   if (made == kUnfinishedExitCode) {
     print_message("unfinished: the same command goes on where this one was");

@@ -11,8 +11,8 @@ inline constexpr int kDoneExitCode = 0;
 /// preferences (weights, style, colours) never lead here.
 inline constexpr int kIncompleteExitCode = 3;
 
-/// Interrupted: there is more to do, and `--resume` goes on from a checkpoint unless the first round had not begun.
-/// sysexits.h calls 75 a temporary failure.
+/// Interrupted: there is more to do, and the last line on stderr says how to go on: a
+/// collage from its checkpoint, other commands from the start. sysexits.h calls 75 a temporary failure.
 inline constexpr int kUnfinishedExitCode = 75;
 
 }  // namespace tessera::cli

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/collage_run.h"
 #include "io/output_folder.h"
@@ -13,9 +15,9 @@ namespace tessera::cli {
 /// written.
 class JobOutput {
  public:
-  /// `collage.job`: the file to write. `job_only`: no result follows. Throws InputError where another run is at work,
-  /// EnvironmentError.
-  JobOutput(const CollageArguments& collage, bool job_only);
+  /// `collage.job`: the file to write; `beside`: the others that are written with it. `job_only`: no result follows.
+  /// Throws InputError where another run is at work, EnvironmentError.
+  JobOutput(const CollageArguments& collage, const std::vector<std::string>& beside, bool job_only);
 
  private:
   io::OutputLock lock_;

@@ -113,7 +113,7 @@ void add_commands(CLI::App& app, Command& selected) {
       "  tessera campaign my_job.toml --seeds 1-8         eight of them, ranked by quality\n"
       "  tessera card theirs.geojson --size 1000,800      anybody's collage, by the same measures\n"
       "Exit codes: 0 done, 1 the machine failed (disk, memory, device), 2 bad input, 3 done, but something that was\n"
-      "counted is missing (warnings name it), 75 interrupted: --resume goes on.");
+      "counted is missing (warnings name it), 75 interrupted; the last line on stderr says how to go on.");
   add_library_command(app, selected);
   add_collage_command(app, selected);
   add_mosaic_command(app, selected);

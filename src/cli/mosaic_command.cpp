@@ -81,7 +81,8 @@ void write_job(const MosaicArguments& arguments) {
 
 /// Rank 0: the job, and then the collage.
 int write_and_run(const MosaicArguments& arguments, comm::Communicator& ranks) {
-  const JobOutput output(arguments.collage, arguments.job_only);
+  const std::string& job = arguments.request.job;
+  const JobOutput output(arguments.collage, {io::size_map_path(job), io::region_picture_path(job)}, arguments.job_only);
   write_job(arguments);
   return arguments.job_only ? kDoneExitCode : collage_exit_code(arguments.collage, ranks);
 }

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "comm/encode.h"
+#include "comm/heartbeat.h"
+#include "comm/rank_watch.h"
 #include "core/base/interrupted.h"
 #include "core/base/stopwatch.h"
 #include "core/nesting/column_layout.h"
@@ -97,19 +99,13 @@ NestLayout layout_of(Taker in) {
 /// What the chains of this rank find and how far they are, by whichever thread: one at a time is let in.
 class Findings {
  public:
-  /// `found` is told each layout that is better than all before, `looked` is called for every piece that is moved.
-  using Found = std::function<void(const NestLayout& best)>;
+  /// `looked` is called for every piece that is moved.
   using Looked = std::function<void(double done, const NestLayout& best)>;
-  Findings(std::size_t chains, Found found, Looked looked)
-      : done_(chains, 0),
-        found_(std::move(found)),
-        looked_(std::move(looked)) {}
+  Findings(std::size_t chains, Looked looked) : done_(chains, 0), looked_(std::move(looked)) {}
 
   void add(const NestLayout& layout) {
     const std::lock_guard lock(mutex_);
-    if (!best_.pieces.empty() && !is_better(layout, best_)) return;
-    best_ = layout;
-    found_(best_);
+    if (best_.pieces.empty() || is_better(layout, best_)) best_ = layout;
   }
 
   void look(std::size_t chain, double done) {
@@ -125,7 +121,6 @@ class Findings {
   std::mutex mutex_;
   std::vector<double> done_;  // of each chain
   NestLayout best_;           // without a piece: none yet
-  Found found_;
   Looked looked_;
 };
 
@@ -181,9 +176,35 @@ NestLayout last_of(comm::Communicator& ranks, int worker) {
 /// Adds all that has arrived by now; a stop must have been asked for.
 void add_arrived(comm::Communicator& ranks, int worker, Findings& findings) {
   try {
-    for (;;) findings.add(receive(ranks, worker).layout);
+    for (;;) {
+      const NestLayout layout = receive(ranks, worker).layout;
+      if (!layout.pieces.empty()) findings.add(layout);
+    }
   } catch (const Interrupted&) {  // nothing more is there
   }
+}
+
+/// A worker's chains. Rank 0 is told the best now and then, also where it is no other one: a worker that sends nothing
+/// for RankWatch::kMostBusy times `silence_s` counts as lost.
+void search_and_tell(const Search& search, comm::Communicator& ranks, double silence_s) {
+  // Rank 0 keeps what it is told until the end: so the longer the search, the rarer.
+  constexpr double kLeastPause_s = 0.25, kPausePart = 0.02;
+  const double most_pause_s = silence_s * comm::RankWatch::kMostBusy / 6;
+  const Stopwatch watch;
+  double sent_s = -1;
+  Findings findings(chains_of(ranks, search.effort), [&](double, const NestLayout& best) {
+    ranks.look();
+    const double now_s = watch.seconds();
+    if (now_s - sent_s < std::clamp(kPausePart * now_s, kLeastPause_s, most_pause_s)) return;
+    send(ranks, {best, false});
+    sent_s = now_s;
+  });
+  send(ranks, {best_of(search, ranks, findings), true});
+}
+
+/// A worker that is done: its heart beats on, as rank 0 waits for the others.
+[[noreturn]] void wait_until_job_ends(comm::Communicator& ranks) {
+  for (;;) ranks.receive(0, comm::Tag::nest_layout);  // which never comes: JobEnded
 }
 
 }  // namespace
@@ -191,18 +212,16 @@ void add_arrived(comm::Communicator& ranks, int worker, Findings& findings) {
 NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, const NestEffort& effort,
                          std::uint64_t seed, const NestProgress& progress,
                          const std::function<const char*()>& stop_reason) {
-  ranks.broadcast(comm::encode(numbers_of(problem, effort, seed)));
   ranks.interrupt_waits_when(stop_reason);
   const int workers = std::min(ranks.size(), effort.chains) - 1;
-  Findings findings(
-      chains_of(ranks, effort), [](const NestLayout&) {},
-      [&](double done, const NestLayout& best) {
-        ranks.look();
-        progress(done, best);
-        if (const char* reason = stop_reason()) throw Interrupted{reason};
-      });
+  Findings findings(chains_of(ranks, effort), [&](double done, const NestLayout& best) {
+    ranks.look();
+    progress(done, best);
+    if (const char* reason = stop_reason()) throw Interrupted{reason};
+  });
   findings.add(ColumnLayout(problem).all());
   try {
+    ranks.broadcast(comm::encode(numbers_of(problem, effort, seed)));
     std::vector<NestLayout> of_ranks{best_of({problem, effort, seed}, ranks, findings)};
     for (int worker = 1; worker <= workers; ++worker) of_ranks.push_back(last_of(ranks, worker));
     return {best_layout(of_ranks), nullptr};
@@ -212,27 +231,13 @@ NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, 
   }
 }
 
-void work_on_nesting(comm::Communicator& ranks) {
+void work_on_nesting(comm::Communicator& ranks, double silence_s) {
+  const comm::Heart heart(ranks, silence_s);
   Search search;
   Taker in(comm::decode<Numbers>(ranks.broadcast({})));
   search.problem = problem_of(in, search.effort, search.seed);
-  if (chains_of(ranks, search.effort) == 0) return;
-  // Rank 0 keeps what it is told until the end: so the longer the search, the rarer.
-  constexpr double kLeastPause_s = 0.25, kLeastPausePart = 0.02;
-  const Stopwatch watch;
-  double sent_s = -1;
-  bool is_new = false;
-  Findings findings(
-      chains_of(ranks, search.effort), [&](const NestLayout&) { is_new = true; },
-      [&](double, const NestLayout& best) {
-        ranks.look();
-        const double now_s = watch.seconds();
-        if (!is_new || now_s - sent_s < std::max(kLeastPause_s, kLeastPausePart * now_s)) return;
-        send(ranks, {best, false});
-        sent_s = now_s;
-        is_new = false;
-      });
-  send(ranks, {best_of(search, ranks, findings), true});
+  if (chains_of(ranks, search.effort) > 0) search_and_tell(search, ranks, silence_s);
+  wait_until_job_ends(ranks);
 }
 
 }  // namespace tessera::cli

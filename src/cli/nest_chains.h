@@ -19,12 +19,14 @@ struct NestOutcome {
 using NestProgress = std::function<void(double done, const NestLayout& best)>;
 
 /// Rank 0: sends the problem to all ranks, and gives the best layout of all chains. Soon after `stop_reason`, which any
-/// thread may ask, gives a reason it gives the best of what all ranks have told it; nobody is waited for.
+/// thread may ask, gives a reason, or where `ranks` finds one of them lost (watch_workers), it gives the best of what
+/// all ranks have told it; nobody is waited for.
 NestOutcome best_nesting(comm::Communicator& ranks, const NestProblem& problem, const NestEffort& effort,
                          std::uint64_t seed, const NestProgress& progress,
                          const std::function<const char*()>& stop_reason);
 
-/// Every other rank: takes its share of the chains. Leaves by JobEnded soon after rank 0 ended the job.
-void work_on_nesting(comm::Communicator& ranks);
+/// Every other rank: takes its share of the chains. Rank 0 may hold it for lost after `silence_s` without a heartbeat.
+/// Leaves by JobEnded soon after rank 0 ended the job.
+[[noreturn]] void work_on_nesting(comm::Communicator& ranks, double silence_s);
 
 }  // namespace tessera::cli

@@ -18,7 +18,8 @@ constexpr const char* kExamples =
     "keep\n"
     "their sizes; each closed outline is one, with the holes in it. DIR has layout.svg and .dxf in mm for the cutter,\n"
     "layout.png to look at, layout.json, card.txt. Pieces that find no place are named, and the exit code is 3. After\n"
-    "--time-limit, Ctrl-C or SIGTERM the best layout so far is written: then it depends on time which one that is.";
+    "--time-limit, Ctrl-C, SIGTERM or a lost rank the best layout so far is written: then it depends on time which one "
+    "that is.";
 
 }  // namespace
 
@@ -58,6 +59,12 @@ void add_nest_command(CLI::App& app, Command& selected) {
       ->add_option("--time-limit", arguments->time_limit,
                    "End by then with the best layout so far; default: the end of the Slurm job")
       ->type_name("LIMIT");
+  command
+      ->add_option("--silence-s", arguments->silence_s,
+                   "A rank that has not been heard of for so long is lost: the search ends with the best layout so far")
+      ->check(CLI::Range(1.0, 1e6))
+      ->capture_default_str()
+      ->type_name("SECONDS");
   command->callback([arguments, &selected] {
     selected.run_on_all_ranks = [arguments](comm::Communicator& ranks) { return nest_on_all_ranks(*arguments, ranks); };
   });

@@ -101,6 +101,8 @@ NestOutcome searched(const NestArguments& arguments, const NestProblem& problem,
                      comm::Communicator& ranks) {
   std::optional<SearchProgress> progress;
   if (!arguments.quiet) progress.emplace(problem, stop);
+  ranks.watch_workers(arguments.silence_s,
+                      [](const std::string& line) { print_warning(line + " (--silence-s): the search ends here"); });
   return best_nesting(
       ranks, problem, *nest_effort(arguments.effort), arguments.seed,
       [&](double done, const NestLayout& best) {
@@ -125,11 +127,16 @@ void warn_of_left_over(const io::NestRun& run) {
                 " pieces found no place: " + io::cut_utf8(names, 200));
 }
 
-void report(const NestArguments& arguments, const io::NestRun& run) {
+/// `drawn`: so many sheets have their picture. The last line on stderr says how to go on.
+void report(const NestArguments& arguments, const io::NestRun& run, int drawn) {
   warn_of_left_over(run);
+  if (drawn < run.layout.sheets) {
+    print_warning(shown_folder(arguments) + ": drew " + std::to_string(drawn) + " of " +
+                  std::to_string(run.layout.sheets) +
+                  " layout pictures (.png); all other files are there; the same command starts again");
+  }
   if (run.stopped_by) {
-    print_warning(std::string("stopped by ") +
-                  (run.stopped_by == std::string_view("signal") ? "a signal" : "the time limit") +
+    print_warning("stopped by " + io::stopped_by_text(run) +
                   ": the best layout so far was written; the same command may give another one");
   }
   if (arguments.quiet) return;
@@ -141,21 +148,19 @@ void report(const NestArguments& arguments, const io::NestRun& run) {
   }
 }
 
-/// Returns whether all pictures were drawn. They are for people: without them the layout is whole.
-bool draw(const NestArguments& arguments, const io::NestRun& run, NestStop& stop, io::NestFolder& folder) {
+/// Returns how many pictures were drawn. They are for people: without them the layout is whole.
+int draw(const NestArguments& arguments, const io::NestRun& run, NestStop& stop, io::NestFolder& folder) {
   FileProgress progress("drawing", arguments.quiet);
-  std::size_t drawn = 0;
+  int drawn = 0;
   try {
     folder.draw(run, [&](std::size_t done, std::size_t all) {
-      drawn = done;
+      drawn = int(done);
       end_if(stop.drawing_over(done));
       progress.show(done, all);
     });
-    return true;
+    return run.layout.sheets;
   } catch (const Interrupted&) {
-    print_warning(shown_folder(arguments) + ": drew " + std::to_string(drawn) + " of " +
-                  std::to_string(run.layout.sheets) + " layout pictures (.png); all other files are there");
-    return false;
+    return drawn;
   }
 }
 
@@ -177,9 +182,9 @@ int write(const NestArguments& arguments, const io::NestRun& run, NestStop& stop
     end_if(stop.writing_over());
     progress.show(done, all);
   });
-  const bool all_drawn = draw(arguments, run, stop, folder);
-  report(arguments, run);
-  if (interrupts(run.stopped_by, stop) || !all_drawn) return kUnfinishedExitCode;
+  const int drawn = draw(arguments, run, stop, folder);
+  report(arguments, run, drawn);
+  if (interrupts(run.stopped_by, stop) || drawn < run.layout.sheets) return kUnfinishedExitCode;
   return left_over(run) > 0 ? kIncompleteExitCode : kDoneExitCode;
 }
 
@@ -212,10 +217,7 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
 }  // namespace
 
 int nest_on_all_ranks(NestArguments arguments, comm::Communicator& ranks) {
-  if (ranks.rank() != 0) {
-    work_on_nesting(ranks);
-    return kDoneExitCode;
-  }
+  if (ranks.rank() != 0) work_on_nesting(ranks, arguments.silence_s);
   try {
     return nest(arguments, ranks);
   } catch (const Interrupted&) {

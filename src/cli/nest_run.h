@@ -22,11 +22,12 @@ struct NestArguments {
   std::string folder;  // empty: out/<name of the input>
   bool quiet = false;
   std::optional<std::string> time_limit;
+  double silence_s = 60;  // of a rank, then it is lost; as comm.silence_s of a job
 };
 
 /// Rank 0 writes the layout, the others search with it. Returns the exit code (exit_codes.h). A time limit that the
-/// user gave ends the search and is no interruption; signals and the end of a Slurm job are, though the best layout so
-/// far is written all the same.
+/// user gave ends the search and is no interruption; signals, the end of a Slurm job and a lost rank are, though the
+/// best layout so far is written all the same.
 int nest_on_all_ranks(NestArguments arguments, comm::Communicator& ranks);
 
 }  // namespace tessera::cli

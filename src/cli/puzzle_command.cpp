@@ -220,7 +220,7 @@ int solve_and_report(SolveArguments& arguments, const comm::Communicator& ranks)
 
 /// Rank 0: the job, and then the collage.
 int solve_and_collage(SolveArguments& arguments, comm::Communicator& ranks) {
-  const JobOutput output(arguments.collage, arguments.job_only);
+  const JobOutput output(arguments.collage, {io::solution_path(arguments.request.job)}, arguments.job_only);
   const int solved = solve_and_report(arguments, ranks);
   if (solved == kUnfinishedExitCode || arguments.job_only) return solved;
   comm::end_stop_handlers();  // until the collage has something to lose

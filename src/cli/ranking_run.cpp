@@ -4,6 +4,7 @@
 #include "cli/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/error.h"
+#include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/output_folder.h"
 #include "io/output_lock.h"
@@ -49,6 +50,10 @@ std::string table_text(const std::vector<io::RankedResult>& results) {
 
 }  // namespace
 
+void check_ranking_can_be_written(const std::string& folder) {
+  for (const char* name : {"ranking.csv", "ranking.json", "ranking.png"}) io::check_can_be_written(folder + "/" + name);
+}
+
 int run_ranking(const RankingArguments& arguments) {
   comm::end_stop_handlers();  // of a campaign's collages: a ranking is soon made again
   const io::RankingWeights weights = io::ranking_weights(arguments.weights);
@@ -58,6 +63,7 @@ int run_ranking(const RankingArguments& arguments) {
   const io::OutputFolder folder(out);
   const io::OutputLock lock(out + "/ranking.lock",
                             out);  // a campaign, or a run that goes on, may have the folder's own
+  check_ranking_can_be_written(out);
   const io::RankingFiles files = io::ranking_files(results, weights);
   {
     const comm::StopDelay delay;  // they belong together

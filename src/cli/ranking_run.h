@@ -12,6 +12,9 @@ struct RankingArguments {
   std::vector<std::string> weights;  // "NAME=WEIGHT"
 };
 
+/// Throws EnvironmentError where a file of a ranking could not be written into the folder, which is there.
+void check_ranking_can_be_written(const std::string& folder);
+
 /// Prints the table and writes the files. Throws InputError and EnvironmentError.
 int run_ranking(const RankingArguments& arguments);
 

@@ -62,12 +62,14 @@ void Communicator::watch_workers(double silence_s, std::function<void(const std:
 
 void Communicator::throw_if_interrupted() {
   const char* reason = stop_reason_ ? stop_reason_() : nullptr;
-  const std::optional<RankWatch::Lost> lost = watch_ ? watch_->lost() : std::nullopt;
-  if (lost && !lost_a_worker_) report_lost_(lost->rank > 0 ? place_of(lost->rank) + " " + lost->what : lost->what);
-  lost_a_worker_ |= lost.has_value();
+  // A rank that is heard of again later has been told to be lost: nobody waits for it any more.
+  if (const auto lost = watch_ && !lost_a_worker_ ? watch_->lost() : std::nullopt) {
+    lost_a_worker_ = true;
+    report_lost_(lost->rank > 0 ? place_of(lost->rank) + " " + lost->what : lost->what);
+  }
   gave_up_waiting_ |= reason != nullptr || lost_a_worker_;
   if (reason) throw Interrupted{reason};
-  if (lost) throw Interrupted{"lost_rank"};
+  if (lost_a_worker_) throw Interrupted{"lost_rank"};
 }
 
 template <class Done>

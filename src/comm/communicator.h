@@ -77,7 +77,8 @@ class Communicator {
   /// were waited for may still come; the only thing left to do is to end the job.
   void interrupt_waits_when(std::function<const char*()> stop_reason) { stop_reason_ = std::move(stop_reason); }
   /// Rank 0, whose workers all have a Heart with the same `silence_s`: from now on a wait that finds one of them lost
-  /// (rank_watch.h) calls `report` with a line that names it and throws Interrupted.
+  /// (rank_watch.h) calls `report` with a line that names it and throws Interrupted. So does every later wait, without
+  /// another report.
   void watch_workers(double silence_s, std::function<void(const std::string& line)> report);
   /// A wait of this rank was interrupted: somebody may still be at work on what it asked for; or there is no time left
   /// (hurry).

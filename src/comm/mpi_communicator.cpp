@@ -8,7 +8,6 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
-#include <system_error>
 
 #include "comm/watchdog.h"
 
@@ -53,10 +52,7 @@ std::string MpiCommunicator::place_of(int rank) const {
 
 void MpiCommunicator::abort(int exit_code) {
   std::optional<Watchdog> watchdog;  // where the launcher does not answer, the rank leaves all the same
-  try {
-    watchdog.emplace(kAbortPatience_s, exit_code);
-  } catch (const std::system_error&) {  // no thread is left: the launcher has to answer
-  }
+  start_if_possible(watchdog, kAbortPatience_s, exit_code);
   mpi::environment::abort(exit_code);
   throw std::logic_error("MPI_Abort returned");
 }

@@ -54,7 +54,7 @@ void watch(std::optional<Watchdog>& watchdog, const RankProgram& program, double
            const std::string& doing, const std::string& rest) {
   const std::string rank = launched_rank();
   const double own_patience_s = patience_s + (rank == "0" ? 0 : rank == "1" ? 1 : 2) * kBehind_s;
-  watchdog.emplace(own_patience_s, exit_code, [=, report = program.report_error] {
+  start_if_possible(watchdog, own_patience_s, exit_code, [=, report = program.report_error] {
     report("rank " + rank + " has waited " + std::to_string(std::lround(own_patience_s)) +
            " s for the other ranks to " + doing + ": one of them was stopped, hangs or was never started; " + rest);
   });

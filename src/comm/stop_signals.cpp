@@ -65,7 +65,14 @@ void end_at_once(int number) {
 }
 
 /// Those of install_stop_handlers.
-constexpr std::array kStops = {SIGINT, SIGTERM, SIGUSR2};
+constexpr std::array kStops = {SIGINT, SIGTERM, SIGUSR2, SIGHUP, SIGXCPU};
+
+/// nohup ignores SIGHUP, so that what it starts goes on. A shell without job control ignores SIGINT for what it starts
+/// in the background, but whoever sends that to a run means it.
+bool stays_ignored(int signal) {
+  struct sigaction now = {};
+  return signal == SIGHUP && sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
 
 }  // namespace
 
@@ -89,7 +96,7 @@ void end_at_once_when_signalled(void (*clean_up)()) {
   clean_up_at_end = clean_up;
   struct sigaction action = {}, before = {};
   action.sa_handler = end_at_once;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR2, SIGXCPU}) {
+  for (const int signal : kStops) {
     sigaction(signal, nullptr, &before);
     if (before.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
   }
@@ -99,7 +106,9 @@ void install_stop_handlers() {
   struct sigaction action = {};
   action.sa_handler = remember;
   action.sa_flags = SA_RESTART;  // a system call of MPI or OpenCL goes on
-  for (const int signal : kStops) sigaction(signal, &action, nullptr);
+  for (const int signal : kStops) {
+    if (!stays_ignored(signal)) sigaction(signal, &action, nullptr);
+  }
 }
 
 bool stop_signalled() { return signalled.load(std::memory_order_relaxed) != 0; }

@@ -1,6 +1,7 @@
-// The signals that end a run before its time: Ctrl-C, the SIGTERM that mpirun and Slurm send, and SIGUSR2, which Slurm
-// sends on demand some time before the end. A command that has nothing to save is ended by them at once. A run that has
-// lets them set a flag; who asks for it ends with a checkpoint and what is done so far.
+// The signals that end a run before its time: Ctrl-C, the SIGTERM that mpirun and Slurm send, SIGUSR2, which Slurm
+// sends on demand some time before the end, SIGHUP of a terminal that is gone, and SIGXCPU, the limit on processor
+// time. A command that has nothing to save is ended by them at once. A run that has lets them set a flag; who asks for
+// it ends with a checkpoint and what is done so far.
 //
 // What mpirun (Open MPI 4.1) does when it gets SIGINT (Ctrl-C), SIGTERM or SIGHUP, or when a
 // rank died, to every rank: SIGCONT at once, SIGTERM after 1 s, SIGKILL after 2 s; each pause (MCA parameter
@@ -24,13 +25,14 @@ void prepare_stop_signals(int rank);
 /// Whether mpirun has begun to kill the job.
 bool launcher_ends_job();
 
-/// From now on the signals that end a process (Ctrl-C, SIGTERM, SIGHUP, SIGUSR2 and the limit on processor time) end it
-/// at once, whatever it computes, with a line on stderr; before, they call `clean_up`, which may do only what a signal
-/// handler may. A signal that is ignored stays so. For main; what follows has an effect on the same signals.
+/// From now on the signals above end the process at once, whatever it computes, with a line on stderr; before, they
+/// call `clean_up`, which may do only what a signal handler may. A signal that is ignored stays so. For main; what
+/// follows has an effect on the same signals.
 void end_at_once_when_signalled(void (*clean_up)());
 
-/// From now on SIGINT, SIGTERM and SIGUSR2 only set a flag, however often they come (mpirun sends both). To be called
-/// where a run has something to lose; before, they end the process.
+/// From now on the signals above only set a flag, however often they come (mpirun sends several); a SIGHUP
+/// that is ignored stays so, as nohup asks for. To be called where a run has something to lose; before, they end the
+/// process.
 void install_stop_handlers();
 
 /// Whether a signal has come since.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <system_error>
 #include <utility>
 
 #include "comm/rank_watch.h"
@@ -28,6 +29,14 @@ void Watchdog::watch(const std::stop_token& stop, double patience_s) {
   if (report_) report_();
   std::fflush(nullptr);
   std::_Exit(exit_code_);
+}
+
+void start_if_possible(std::optional<Watchdog>& watchdog, double patience_s, int exit_code,
+                       std::function<void()> report) {
+  try {
+    watchdog.emplace(patience_s, exit_code, std::move(report));
+  } catch (const std::system_error&) {
+  }
 }
 
 }  // namespace tessera::comm

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace tessera::comm {
@@ -26,5 +27,10 @@ class Watchdog {
   std::function<void()> report_;
   std::jthread thread_;  // the last member: it ends before the others go
 };
+
+/// Puts a Watchdog into `watchdog`. Where the system gives no further thread there is none: the process goes on
+/// unwatched.
+void start_if_possible(std::optional<Watchdog>& watchdog, double patience_s, int exit_code,
+                       std::function<void()> report = {});
 
 }  // namespace tessera::comm

@@ -10,14 +10,13 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/named_file.h"
 #include "io/write_all.h"
 
 namespace tessera::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr mode_t kMode = 0666;  // less what the user's umask takes away
 
 /// A temporary name is taken again between its removal and the creation of our file only where somebody means harm.
 constexpr int kTries = 5;
@@ -37,26 +36,25 @@ std::string name_of(const std::string& path) {
 
 std::string temporary_name_of(const std::string& path) { return temporary_path(name_of(path)); }
 
-/// Whether the name in the folder leads to the open file.
-bool leads_to(const FileDescriptor& folder, const std::string& name, const FileDescriptor& file) {
-  struct stat opened {};
-  struct stat named {};
-  return ::fstat(file.number(), &opened) == 0 &&
-         ::fstatat(folder.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 && opened.st_dev == named.st_dev &&
-         opened.st_ino == named.st_ino;
-}
-
 mode_t mode_of(const FileDescriptor& folder, const std::string& name) {
   struct stat named {};
   return ::fstatat(folder.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 ? named.st_mode : 0;
 }
 
+FileDescriptor open_folder(const std::string& folder, const std::string& path) {
+  FileDescriptor open(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!open.is_open()) throw_cannot_write(path, message(errno));
+  return open;
+}
+
+/// Without it a power cut may undo a renaming. Some file systems cannot flush a folder (EINVAL) and keep its order by
+/// themselves. False with errno.
+bool flush_folder(const FileDescriptor& folder) { return ::fsync(folder.number()) == 0 || errno == EINVAL; }
+
 /// For a file that becomes `path`. Renaming would replace whatever has that name, also a device: who names /dev/null does
 /// not mean that.
 FileDescriptor open_folder_of(const std::string& path) {
-  const fs::path parent = fs::path(path).parent_path();
-  FileDescriptor folder(::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!folder.is_open()) throw_cannot_write(path, message(errno));
+  FileDescriptor folder = open_folder(fs::path(path).parent_path(), path);
   const mode_t mode = mode_of(folder, name_of(path));
   if (S_ISDIR(mode)) throw_cannot_write(path, message(EISDIR));
   if (S_ISCHR(mode) || S_ISBLK(mode)) throw_cannot_write(path, "it is a device");
@@ -66,7 +64,7 @@ FileDescriptor open_folder_of(const std::string& path) {
 /// Not open with errno where that cannot be, as where the name is taken.
 FileDescriptor create(const FileDescriptor& folder, const std::string& name) {
   constexpr int kNew = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-  return FileDescriptor(::openat(folder.number(), name.c_str(), kNew, kMode));
+  return FileDescriptor(::openat(folder.number(), name.c_str(), kNew, kNewFileMode));
 }
 
 [[noreturn]] void throw_in_the_way(const std::string& path, const std::string& name, int reason) {
@@ -139,12 +137,10 @@ void TemporaryFile::commit() {
   if (!file_.close()) fail();
   const std::string name = name_of(path_);
   if (::renameat(folder_.number(), name_.c_str(), folder_.number(), name.c_str()) != 0) fail();
-  if (!leads_to(folder_, name, open)) throw_replaced(path_, name_);  // at the last moment
+  if (!leads_to(folder_.number(), name, open)) throw_replaced(path_, name_);  // at the last moment
   name_.clear();
   leftover_.reset();
-  // Without it a power cut may undo the renaming. Some file systems cannot flush a folder (EINVAL) and keep its order
-  // by themselves.
-  if (::fsync(folder_.number()) != 0 && errno != EINVAL) fail();
+  if (!flush_folder(folder_)) fail();
 }
 
 void TemporaryFile::leave() {
@@ -153,7 +149,7 @@ void TemporaryFile::leave() {
   name_.clear();
 }
 
-bool TemporaryFile::is_ours() const { return leads_to(folder_, name_, file_); }
+bool TemporaryFile::is_ours() const { return leads_to(folder_.number(), name_, file_); }
 
 void TemporaryFile::remove() noexcept {
   if (name_.empty()) return;
@@ -167,11 +163,13 @@ void TemporaryFile::fail() {
   throw_cannot_write(path_, message(reason));
 }
 
-void take_left_file(const std::string& path) {
-  const FileDescriptor folder = open_folder_of(path);
-  const std::string from = name_of(temporary_path(path));
-  if (::renameat(folder.number(), from.c_str(), folder.number(), name_of(path).c_str()) != 0)
-    throw_cannot_write(path, message(errno));
+void take_left_files(const std::string& folder, const std::vector<std::string>& names) {
+  const FileDescriptor open = open_folder(folder, folder);
+  for (const std::string& name : names) {
+    if (::renameat(open.number(), temporary_path(name).c_str(), open.number(), name.c_str()) != 0)
+      throw_cannot_write((fs::path(folder) / name).string(), message(errno));
+  }
+  if (!flush_folder(open)) throw_cannot_write(folder, message(errno));
 }
 
 void write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes) {
@@ -216,7 +214,7 @@ void check_can_be_written(const std::string& path) {
   if (S_ISDIR(mode_of(folder, name))) throw_in_the_way(path, name, EISDIR);
   const FileDescriptor probe = create(folder, name);
   if (!probe.is_open() && errno != EEXIST) throw_cannot_write(path, message(errno));
-  if (probe.is_open() && leads_to(folder, name, probe)) ::unlinkat(folder.number(), name.c_str(), 0);
+  if (probe.is_open() && leads_to(folder.number(), name, probe)) ::unlinkat(folder.number(), name.c_str(), 0);
 }
 
 }  // namespace tessera::io

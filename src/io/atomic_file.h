@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/file_descriptor.h"
 #include "io/leftover_file.h"
@@ -19,7 +20,8 @@ namespace tessera::io {
 std::string temporary_path(const std::string& path);
 
 /// A new, empty file under temporary_path(path), for reading and writing, which becomes `path` in the end. All members
-/// throw EnvironmentError with the file's name and the system's reason; `path` is untouched then.
+/// throw EnvironmentError with the file's name and the system's reason; `path` is untouched then, but where commit()
+/// could not flush the folder after it had renamed the file.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& path);
@@ -47,8 +49,8 @@ class TemporaryFile {
   /// program has put a file of its own under the temporary name.
   void commit();
 
-  /// Flushes the file and leaves it under its temporary name for take_left_file(path), for files that appear together:
-  /// they may be more than can be open at a time.
+  /// Flushes the file and leaves it under its temporary name for take_left_files, for files that appear together: they
+  /// may be more than can be open at a time.
   void leave();
 
  private:
@@ -63,9 +65,9 @@ class TemporaryFile {
   FileDescriptor file_;
 };
 
-/// Renames what TemporaryFile::leave() left under temporary_path(path) to `path`, which is replaced. Throws
-/// EnvironmentError that names `path`.
-void take_left_file(const std::string& path);
+/// Renames what TemporaryFile::leave() left of these names in the folder, in this order, each of which is replaced, and
+/// flushes the folder. Throws EnvironmentError that names the file or the folder.
+void take_left_files(const std::string& folder, const std::vector<std::string>& names);
 
 /// Makes `bytes` the content of `path`. Throws EnvironmentError as above.
 void write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes);

@@ -3,13 +3,12 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "io/too_many.h"
 
 namespace tessera::io {
 namespace {
 
-[[noreturn]] void fail(std::size_t most, const char* what) {
-  throw InputError("found more than " + std::to_string(most) + " " + what + ", allowed: so many");
-}
+[[noreturn]] void fail(std::size_t most, const char* what) { throw InputError(too_many(most, what)); }
 
 }  // namespace
 

@@ -55,8 +55,10 @@ void remove_leftover_files() {
   for (const Slot& slot : slots) {
     if (counts(slot)) ::unlink(slot.path.data());
   }
-  for (auto slot = slots.rbegin(); slot != slots.rend(); ++slot) {  // a folder is noted after the one that it lies in
-    if (counts(*slot)) ::rmdir(slot->path.data());
+  // Slots are used again, so that a folder may come before or after the one that it lies in.
+  for (bool again = true; again;) {
+    again = false;
+    for (const Slot& slot : slots) again |= counts(slot) && ::rmdir(slot.path.data()) == 0;
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,6 +13,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/named_file.h"
 #include "io/own_file.h"
 
 namespace tessera::io {
@@ -104,14 +104,6 @@ Locking try_to_lock(int file) {
   return errno == EACCES || errno == EAGAIN ? Locking::held_by_another : Locking::not_supported;
 }
 
-/// The lock may be that of a file that its holder has just removed.
-bool is_file(int file, const std::string& path) {
-  struct stat opened = {};
-  struct stat named = {};
-  return fstat(file, &opened) == 0 && lstat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
-         opened.st_dev == named.st_dev;
-}
-
 /// Throws where the output is not free.
 void take(int file, const std::string& path, const std::string& output, Locking locking) {
   const Holder then = read_holder(file);
@@ -137,7 +129,8 @@ OutputLock::OutputLock(const std::string& path, const std::string& output)
       file_(open_own_file(path, O_RDWR)),
       owner_(getpid()) {
   Locking locking = try_to_lock(file_.number());
-  while (locking != Locking::held_by_another && !is_file(file_.number(), path)) {
+  // The lock may be that of a file that its holder has just removed.
+  while (locking != Locking::held_by_another && !leads_to(AT_FDCWD, path, file_)) {
     file_ = open_own_file(path, O_RDWR);
     locking = try_to_lock(file_.number());
   }
@@ -147,7 +140,7 @@ OutputLock::OutputLock(const std::string& path, const std::string& output)
 
 OutputLock::~OutputLock() {
   if (getpid() != owner_) return;
-  if (is_file(file_.number(), path_)) unlink(path_.c_str());  // it may be another run's: somebody had removed ours
+  if (leads_to(AT_FDCWD, path_, file_)) unlink(path_.c_str());  // it may be another run's: somebody had removed ours
 }
 
 void remove_stale_lock(const std::string& path) {

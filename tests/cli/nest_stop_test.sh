@@ -64,6 +64,35 @@ for ranks in 1 2; do
 done
 echo "ok signals"
 
+# A rank that is stopped holds up nobody: it is named, and the best so far is written. stop_rank RANK OPTION...
+stop_rank() {
+  local stopped=$1 rank process
+  rm -rf out/lost
+  "${on_ranks[@]}" 3 "$tessera" nest parts.json --out out/lost "${@:2}" >output 2>errors &
+  nesting=$!
+  wait_for 60 test -e out/lost/run.lock
+  # shellcheck disable=SC2013 # one line of words
+  for rank in $(cat "/proc/$nesting/task/$nesting/children"); do
+    tr '\0' '\n' <"/proc/$rank/environ" | grep -qx "OMPI_COMM_WORLD_RANK=$stopped" && process=$rank
+  done
+  kill -STOP "$process"
+  SECONDS=0
+  wait $nesting
+  code=$?
+  [[ $code -eq 75 ]] || fail "exit code $code where rank $stopped was stopped"
+}
+for rank in 1 2; do  # rank 1 has a chain of the two, rank 2 has none
+  stop_rank $rank --effort draft --silence-s 1 --quiet
+  ((SECONDS <= 30)) || fail "a stopped rank: the search went on for $SECONDS s"
+  grep -qE "warning: rank $rank on .* has not been heard of for 1 s \(--silence-s\): the search ends here" errors ||
+    fail "the stopped rank is not named"
+  expect_word 'stopped by a lost rank: the best layout so far was written'
+  grep -q '^ "stopped_by": "lost_rank",$' out/lost/layout.json || fail "layout.json does not tell of the lost rank"
+  grep -q '^  stopped         by a lost rank' out/lost/card.txt || fail "nor the card"
+  expect_whole out/lost 80
+done
+echo "ok lost ranks"
+
 # The limit that the user gave is none: that is what was asked for.
 run 0 nest parts.json --effort best --out out/limited --time-limit 4
 expect_word 'stopped by the time limit: the best layout so far was written'
@@ -122,6 +151,13 @@ echo 'tessera nest: parts' >stuck/card.txt
 most_s=20 run 1 nest parts.json --effort best --out stuck
 expect_word 'cannot write stuck/layout.dxf: is a folder; remove it'
 [[ $(ls stuck) == $'card.txt\nlayout.dxf' ]] || fail "left something behind"
+mv stuck/layout.dxf stuck/layout.svg.tmp
+touch stuck/layout.svg.tmp/file stuck/layout_7.dxf.tmp
+most_s=20 run 1 nest parts.json --effort best --out stuck
+expect_word 'cannot write stuck/layout.svg.tmp: is a folder; remove it'
+rm -r stuck/layout.svg.tmp
+run 0 nest parts.json --effort draft --out stuck --quiet
+expect_whole stuck 80
 echo "ok folder"
 
 # Plates of which a sheet holds one: thousands of files.
@@ -166,6 +202,45 @@ expect_whole out/plates 400
 run 0 $(plates 2)
 expect_whole out/plates 2
 [[ $(find out/plates -name '*.png' | wc -l) -eq 2 ]] || fail "pictures of the layout before"
+
+# The disk is full at the last moment: only layout.json is longer than the limit.
+before=$(cd out/plates && sha256sum ./*)
+# shellcheck disable=SC2046
+(ulimit -f 40 && run 1 $(plates 400)) || exit 1
+expect_word 'cannot write out/plates/layout.json: File too large'
+[[ $(cd out/plates && sha256sum ./*) == "$before" ]] || fail "a full disk has changed the layout that was there"
+
+# What ends a process where there is nothing to save: all files are written, then it ends.
+for signal in HUP XCPU; do
+  # shellcheck disable=SC2046
+  "$tessera" $(plates 400) >output 2>errors &
+  nesting=$!
+  wait_for 60 test -e out/plates/layout_30.svg.tmp
+  kill -s $signal $nesting
+  wait $nesting
+  code=$?
+  [[ $code -eq 75 ]] || fail "exit code $code after SIG$signal while it wrote"
+  expect_whole out/plates 400
+done
+
+# Killed while the old layout goes and the new one comes: then layout.json is missing, and the next run puts it right.
+# shellcheck disable=SC2046
+"$tessera" $(plates 1500) >output 2>errors &
+nesting=$!
+wait_for 60 test -e out/plates/layout_30.svg.tmp
+while [[ -e out/plates/layout.json ]]; do :; done
+kill -KILL $nesting
+wait $nesting 2>/dev/null
+if [[ -e out/plates/layout.json ]]; then
+  rm -f out/plates/*.tmp out/plates/run.lock
+  expect_whole out/plates 1500
+else
+  echo "killed with $(find out/plates -name '*.svg' | wc -l) of 1500 sheets in place"
+fi
+# shellcheck disable=SC2046
+run 0 $(plates 2)
+expect_whole out/plates 2
+[[ ! -e out/plates/run.lock ]] || fail "left the lock of a killed run"
 echo "ok writing"
 
 run 3 nest parts.json --sheet 19,30 --effort draft --out out/incomplete --quiet

@@ -56,8 +56,37 @@ for command in "collage job.toml --restart" "refine result --relax"; do
     rm -r out
   done
 done
-mkdir campaign
+for name in layout.json.tmp card.txt.tmp layout.svg layout.svg.tmp layout_12.dxf layout_12.dxf.tmp; do
+  mkdir -p "nested/$name/inside"
+  echo 'tessera nest: own' >nested/card.txt
+  before_work "cannot write nested/$name: is a folder; remove it" nest own.h5 --strip 100 --effort best --out nested
+  rm -r nested
+done
+# The pieces do not fit: who solves first says so, and the exit code is another one.
+for name in jigsaw.toml jigsaw_pieces.geojson; do
+  mkdir -p "$name.tmp/inside"
+  before_work "cannot write $name: $name.tmp $in_the_way" puzzle solve own.h5 --job jigsaw.toml --job-only
+  rm -r "$name.tmp"
+done
+for command in "puzzle solve own.h5 --job jigsaw.toml" "mosaic sun.png own.h5 --job free_mosaic.toml"; do
+  mkdir -p out/card.json.tmp/inside
+  # shellcheck disable=SC2086
+  before_work "cannot write out/card.json: card.json.tmp $in_the_way" $command --out out
+  rm -r out
+done
+for name in ranking.csv ranking.json ranking.png; do
+  mkdir -p "ranked/$name.tmp/inside"
+  before_work "cannot write ranked/$name: $name.tmp $in_the_way" rank result --out ranked
+  before_work "cannot write ranked/$name: $name.tmp $in_the_way" campaign job.toml --seeds 1-2 --out ranked
+  [[ $(ls ranked) == "$name.tmp" ]] || fail "work before a ranking that cannot be written"
+  rm -r ranked
+done
+mkdir -p campaign/seed_2/card.txt.tmp/inside
+before_work "cannot write campaign/seed_2/card.txt: card.txt.tmp $in_the_way" campaign job.toml --seeds 1-2 --out campaign
+rm -r campaign/seed_2
 echo "a file" >campaign/seed_2
 before_work 'campaign/seed_2' campaign job.toml --seeds 1-2 --out campaign
 [[ ! -e campaign/seed_1 ]] || fail "a collage of a campaign that cannot be finished"
+mkdir -p report.svg.tmp/inside
+before_work "cannot write report.svg: report.svg.tmp $in_the_way" bench quality --library own.h5 --quick --out report.json
 echo "ok"

@@ -17,5 +17,17 @@ TEST(LostWorker, IsToldOnceHoweverManyWaitsItEnds) {
   EXPECT_NE(told.front().find("has not been heard of"), std::string::npos) << told.front();
 }
 
+TEST(LostWorker, StaysLostWhenItIsHeardOfAgain) {
+  InProcessNetwork network(2);
+  const std::unique_ptr<Communicator> master = network.connect(0), worker = network.connect(1);
+  int told = 0;
+  master->watch_workers(0.05, [&](const std::string&) { ++told; });
+  EXPECT_THROW(master->receive(1, Tag::hello), Interrupted);
+  worker->send_heartbeat({});
+  EXPECT_THROW(master->receive(1, Tag::hello), Interrupted);
+  EXPECT_TRUE(master->lost_a_worker());
+  EXPECT_EQ(told, 1);
+}
+
 }  // namespace
 }  // namespace tessera::comm

@@ -64,15 +64,30 @@ TEST(StopSignals, OnesThatAreIgnoredStaySo) {
 }
 
 TEST(StopSignals, SetAFlagWhereThereIsSomethingToLose) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR2, SIGXCPU}) {
+    const End end = in_child([&] {
+      install_stop_handlers();
+      if (stop_signalled()) return 1;
+      raise(number);
+      raise(SIGINT);
+      return stop_signalled() ? 7 : 2;
+    });
+    EXPECT_EQ(end.exit_code, 7) << number;
+    EXPECT_FALSE(end.cleaned_up) << number;
+  }
+}
+
+TEST(StopSignals, AHangupThatNohupIgnoresStaysIgnored) {
   const End end = in_child([] {
+    signal(SIGHUP, SIG_IGN);
     install_stop_handlers();
-    if (stop_signalled()) return 1;
-    raise(SIGTERM);
-    raise(SIGINT);
-    return stop_signalled() ? 7 : 2;
+    raise(SIGHUP);
+    { const StopDelay delay; }
+    end_stop_handlers();
+    raise(SIGHUP);
+    return stop_signalled() ? 1 : 7;
   });
   EXPECT_EQ(end.exit_code, 7);
-  EXPECT_FALSE(end.cleaned_up);
 }
 
 TEST(StopSignals, EndTheProcessWhenNothingIsLeftToLose) {

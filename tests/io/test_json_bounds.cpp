@@ -84,12 +84,14 @@ RC_GTEST_PROP(JsonBounds, DoNotDependOnTheParts, ()) {
 }
 
 TEST(JsonBounds, SayWhatWasFound) {
-  EXPECT_EQ(refusal("[1, 2, 3]", {.values = 2}), "found more than 2 values, allowed: so many");
+  EXPECT_EQ(refusal("[1, 2, 3]", {.values = 2}), "found more than 2 values; allowed: 2 or fewer");
   EXPECT_EQ(refusal("[[[]]]", {.levels = 2}),
-            "found more than 2 levels of lists and objects in each other, allowed: so many");
-  EXPECT_EQ(refusal(R"({"a":1,"a":2})", {.members = 1}), "found more than 1 members of one object, allowed: so many");
+            "found more than 2 levels of lists and objects in each other; allowed: 2 or fewer");
+  EXPECT_EQ(refusal(R"({"a":1,"a":2})", {.members = 1}),
+            "found more than 1 members of one object; allowed: 1 or fewer");
   EXPECT_EQ(refusal(R"(["[[[[", "\"[[", 12345])", {.levels = 1, .token_bytes = 5}), "");
-  EXPECT_EQ(refusal("[123456]", {.token_bytes = 5}), "found more than 5 bytes in a text or number, allowed: so many");
+  EXPECT_EQ(refusal("[123456]", {.token_bytes = 5}),
+            "found more than 5 bytes in a text or number; allowed: 5 or fewer");
 }
 
 TEST(JsonFile, IsTheWholeFileAndItsDigest) {

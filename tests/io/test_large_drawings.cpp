@@ -46,12 +46,12 @@ TEST_F(LargeDrawings, AreRefusedOfManyAttributes) {
   for (int i = 0; i < 2'900; ++i) names += " a" + std::to_string(i) + "=''";
   for (int i = 0; i < 900; ++i) name_spaces += " xmlns:a" + std::to_string(i) + "='u" + std::to_string(i) + "'";
   expect_refused("attributes.svg", {kSvg + "<g", " a=''", 1'000'000, "/></svg>"},
-                 "found more than 3000 attributes of one element, allowed: so many");
+                 "found more than 3000 attributes of one element; allowed: 3000 or fewer");
   expect_refused("wide.svgz", {kSvg, "<g" + names + "/>", 1'500, "</svg>"}, " attributes, allowed: 400000");
   expect_refused("spaces.svgz", {kSvg, "<g" + name_spaces + ">", 250, "</svg>"},
                  " name spaces at one place, allowed: 1000");
   expect_refused("long.svg", {kSvg + "<path d='", "9", 50'000'000, "'/></svg>"},
-                 "found more than 9000000 bytes in one tag or text, allowed: so many");
+                 "found more than 9000000 bytes in one tag or text; allowed: 9000000 or fewer");
   expect_refused("text.svg", {kSvg, "x", 50'000'000, "</svg>"}, "found more than 9000000 bytes in one tag or text");
   expect_refused("name.svg",
                  {kSvg + "<path id='" + std::string(2'000'000, 'n') + "' d='", "M0 0h9v9z", 3'000, "'/></svg>"},
@@ -131,7 +131,7 @@ TEST_F(LargeDrawings, OfManyContoursInEachOtherAreSortedInSeconds) {
 
 TEST_F(LargeDrawings, InDxfAreRefused) {
   const std::string begin = "0\nSECTION\n2\nENTITIES\n";
-  const std::string points = "found more than 200000 points, allowed: so many in a file";
+  const std::string points = "found more than 200000 points in a file; allowed: 200000 or fewer";
   expect_refused("bulges.dxf", {begin + "0\nLWPOLYLINE\n", "10\n0\n20\n0\n42\n1\n10\n1e5\n20\n0\n42\n1\n", 90'000, ""},
                  points);
   expect_refused("vertices.dxf", {begin + "0\nLWPOLYLINE\n", "10\n0\n", 9'000'000, ""}, points);
@@ -148,7 +148,7 @@ TEST_F(LargeDrawings, InDxfAreRefused) {
 TEST_F(LargeDrawings, InInstancesAreRefused) {
   const std::string begin = R"({"strip_height": 9, "items": [)";
   const std::string ring = begin + R"({"shape": {"type": "simple_polygon", "data": [)";
-  const std::string values = "found more than 1000000 values, allowed: so many";
+  const std::string values = "found more than 1000000 values; allowed: 1000000 or fewer";
   expect_refused("lists.json", {begin, "[],", 20'000'000, "[]]}"}, values);
   expect_refused("objects.json", {begin, "{},", 20'000'000, "{}]}"}, values);
   expect_refused("members.json", {R"({"a": {)", "\"a\":{},", 9'000'000, "\"b\":1}}"}, values);
@@ -187,7 +187,7 @@ TEST_F(LargeDrawings, InFoldersAreCounted) {
     }
     out << "</svg>";
   }
-  test::expect_refused(path, "found more than 2000000 points in its files, allowed: so many",
+  test::expect_refused(path, "found more than 2000000 points in its files; allowed: 2000000 or fewer",
                        [&] { read_nest_input(path); });
 }
 

@@ -97,6 +97,18 @@ TEST_F(LeftoverFiles, AnOutputFolderThatCannotBeIsTold) {
   EXPECT_NO_THROW(OutputFolder(""));
 }
 
+// Slots are used again: that of "out" comes after that of "out/in", and then before it.
+TEST_F(LeftoverFiles, FoldersGoInWhicheverOrderTheyAreNoted) {
+  for (const bool outer_first : {true, false}) {
+    fs::create_directories(folder_.path("out/in/one"));
+    const std::string outer = folder_.path("out"), inner = folder_.path("out/in");
+    const LeftoverFile first(outer_first ? outer : inner), second(outer_first ? inner : outer);
+    const LeftoverFile innermost(folder_.path("out/in/one"));
+    remove_leftover_files();
+    EXPECT_FALSE(is_there("out")) << outer_first;
+  }
+}
+
 using NewFolders = LeftoverFiles;
 
 const std::vector<NewFile> kTwo = {{"pieces/one", {1}}, {"two", {2}}};

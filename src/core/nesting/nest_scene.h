@@ -68,7 +68,7 @@ class NestScene {
   double overlap() const;                       // of all pairs, not weighted
   void grow_weights();
 
-  void look() const {
+  void check_stop() const {
     if (watch_) watch_(work_);
   }
   /// How many pairs were held against each other: what a budget counts.

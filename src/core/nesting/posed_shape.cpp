@@ -99,10 +99,10 @@ bool boundaries_meet(const PosedShape& a, const PosedShape& b, NestPoint b_shift
 
 }  // namespace
 
-PosedItems posed_items(const NestProblem& problem, const std::function<void()>& look) {
+PosedItems posed_items(const NestProblem& problem, const std::function<void()>& check_stop) {
   PosedItems items;
   for (const NestItem& item : problem.items) {
-    if (look) look();
+    if (check_stop) check_stop();
     const UnposedShape shape = unposed(item, problem.spacing, nest_tuning::kInset * problem.height);
     std::vector<PosedShape>& angles = items.emplace_back();
     for (const double angle_deg : item.angles_deg) angles.push_back(posed(shape, turn_of(angle_deg)));

@@ -23,7 +23,7 @@ std::vector<int> overlapping(const NestScene& scene, NestRandom& random) {
 /// Every piece that overlaps another moves to where it overlaps less.
 void move_all_once(NestScene& scene, NestRandom& random) {
   for (const int piece : overlapping(scene, random)) {
-    scene.look();
+    scene.check_stop();
     const double before = scene.weighted_overlap_of(piece);
     if (!(before > 0)) continue;
     const NestPlace place = best_place(scene, piece, random);

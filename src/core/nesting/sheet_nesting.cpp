@@ -15,7 +15,7 @@ namespace {
 std::vector<int> lay_where_free(NestScene& scene, const std::vector<int>& items, NestRandom& random) {
   std::vector<int> left;
   for (const int item : items) {
-    scene.look();
+    scene.check_stop();
     // Of the same item the next one would fail as well.
     NestPlace place;
     const bool free = (left.empty() || left.back() != item) &&

@@ -73,7 +73,7 @@ void slide_all_left(NestScene& scene, std::uint64_t most_work) {
     bool moved = false;
     for (const int piece : order) {
       if (scene.work() >= most_work) return;
-      scene.look();
+      scene.check_stop();
       moved |= slid_left(scene, piece);
     }
     if (!moved) return;
@@ -173,7 +173,7 @@ void lay_in_order(NestScene& scene, std::vector<int> items, NestRandom& random,
   double length = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const int item = items[i];
-    scene.look();
+    scene.check_stop();
     double width = 0;
     for (int angle = 0; angle < scene.angles_of(item); ++angle)
       width = std::max(width, scene.shape(item, angle).own_box.width());

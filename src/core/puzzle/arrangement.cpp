@@ -275,7 +275,7 @@ void PuzzleArranger::keep_best(std::vector<Arrangement>& all, int width) const {
   all = std::move(kept);
 }
 
-void PuzzleArranger::come_to_rest(Arrangement& in) const {
+void PuzzleArranger::settle_all(Arrangement& in) const {
   for (int round = 0; round < kLastRounds; ++round) {
     for (std::size_t i = 1; i < in.laid.size(); ++i) {  // the first stays: the frame, or what the others lie round
       tell(in);

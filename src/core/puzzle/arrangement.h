@@ -70,7 +70,7 @@ class PuzzleArranger {
   Arrangement followed_to_the_end(std::vector<Arrangement> starts, int width) const;
 
   /// All pieces settle along their neighbours; the first one stays.
-  void come_to_rest(Arrangement& in) const;
+  void settle_all(Arrangement& in) const;
 
   /// Takes out pieces that hardly touch the others: they do not belong to them, as a straight side agrees with any other.
   void drop_loose(Arrangement& in) const;

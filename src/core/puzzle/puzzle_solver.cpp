@@ -128,7 +128,7 @@ class Solver {
     Arrangement best = starts.front();
     const auto follow = [&](const std::vector<Arrangement>& from, int width) {
       Arrangement found = arranger_.followed_to_the_end(from, width);
-      arranger_.come_to_rest(found);
+      arranger_.settle_all(found);
       if (arranger_.is_frame(found.laid.front())) keep_within_frame(found, arranger_);
       arranger_.drop_loose(found);
       if (arranger_.coherence(found) > arranger_.coherence(best)) best = std::move(found);
@@ -256,7 +256,7 @@ class Solver {
     Arrangement all = empty_frame();
     all.used.assign(pieces_.size(), true);
     for (std::size_t i = 0; i < poses->size(); ++i) all.laid.push_back({int(i), poses->at(i)});
-    arranger_.come_to_rest(all);
+    arranger_.settle_all(all);
     return arranger_.whole(all) ? all : other;
   }
 
@@ -271,7 +271,7 @@ class Solver {
       moved = moved || !(in.laid[i].pose == now.poses[i - first]);
       in.laid[i].pose = now.poses[i - first];
     }
-    if (moved) arranger_.come_to_rest(in);
+    if (moved) arranger_.settle_all(in);
     return now.undecided;
   }
 

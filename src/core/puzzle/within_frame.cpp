@@ -86,7 +86,7 @@ Arrangement moved_into_frame(const Arrangement& alone, const Similarity& frame_f
     moved.laid.push_back(there);
     moved.used[std::size_t(laid.piece)] = true;
   }
-  arranger.come_to_rest(moved);
+  arranger.settle_all(moved);
   keep_within_frame(moved, arranger);
   arranger.drop_loose(moved);
   return moved;

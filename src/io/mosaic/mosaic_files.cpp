@@ -119,7 +119,6 @@ Mosaic make_mosaic(const MosaicRequest& request, Drawers& drawers) {
   check_is_not_read(request.job, request);
   check_is_not_read(map_path, request);
   check_is_not_read(picture_path, request);
-  for (const std::string& output : {request.job, map_path, picture_path}) check_can_be_written(output);
   MosaicFiles files{.image = path_in_job(request.image, request.job),
                     .libraries = {},
                     .size_map = fs::path(map_path).filename().string(),

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/split_text.h"
 #include "io/nesting/contour_chains.h"
+#include "io/too_many.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -128,8 +129,7 @@ void add_bulge(double bulge, NestPoint to, NestRing& ring) {
 }
 
 [[noreturn]] void fail_points(const std::string& path) {
-  throw InputError(path + ": found more than " + std::to_string(kMostDrawingPoints) +
-                   " points, allowed: so many in a file");
+  throw InputError(path + ": " + too_many(kMostDrawingPoints, "points in a file"));
 }
 
 /// Has little more points than `most` where it would have more.

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kTemporary = ".tmp";  // as temporary_path has it
-
 /// layout or layout_N, and an ending of a sheet's files.
 bool is_of_sheet(std::string_view name) {
   constexpr std::string_view kStem = "layout";
@@ -35,7 +33,8 @@ bool is_ours(std::string_view name) { return is_of_sheet(name) || name == kNestL
 
 /// What a run that was killed may have left.
 bool is_leftover(std::string_view name) {
-  return name.ends_with(kTemporary) && is_ours(name.substr(0, name.size() - kTemporary.size()));
+  static const std::string ending = temporary_path("");
+  return name.ends_with(ending) && is_ours(name.substr(0, name.size() - ending.size()));
 }
 
 std::set<std::string> names_in(const fs::path& folder) {
@@ -92,7 +91,7 @@ fs::path checked(const fs::path& folder) {
                      " is not of tessera nest; give another name");
   }
   for (const std::string& name : names_in(folder)) {
-    if (is_ours(name) && fs::is_directory(fs::symlink_status(folder / name)))
+    if ((is_ours(name) || is_leftover(name)) && fs::is_directory(fs::symlink_status(folder / name)))
       throw EnvironmentError("cannot write " + shown + "/" + printable_utf8(name) + ": is a folder; remove it");
   }
   return folder;
@@ -148,25 +147,24 @@ void add_sheet(const NestRun& run, int sheet, const fs::path& folder, TemporaryF
 NestFolder::NestFolder(const std::string& folder)
     : folder_(checked(folder)),
       made_(folder),
-      lock_(folder_lock_path(folder), folder) {}
+      lock_(folder_lock_path(folder), folder) {
+  remove_files(folder_, is_leftover);
+}
 
-/// With layout.json gone the folder has no whole layout, until the new layout.json is there.
+/// With layout.json gone the folder has no whole layout, until the new layout.json is there, the last of `names`.
 void NestFolder::replace_earlier(const std::vector<std::string>& names) {
   remove_file(folder_ / kNestLayoutName);
   remove_files(folder_, is_of_sheet);
-  for (const std::string& name : names) take_left_file((folder_ / name).string());
+  take_left_files(folder_.string(), names);
 }
 
 void NestFolder::write(const NestRun& run, const BetweenFiles& between) {
-  remove_files(folder_, is_leftover);
   const std::size_t of_sheet = run.input.library.empty() ? 2 : 4;
   TemporaryFiles files(folder_, 2 + of_sheet * std::size_t(run.layout.sheets), between);
   files.add(kNestCardName, nest_card_text(run));
   for (int sheet = 0; sheet < run.layout.sheets; ++sheet) add_sheet(run, sheet, folder_, files);
-  const std::string layout = nest_layout_json(run);
-  between(files.names().size(), files.names().size() + 1);
+  files.add(kNestLayoutName, nest_layout_json(run));
   replace_earlier(files.names());
-  write_file_atomically((folder_ / kNestLayoutName).string(), layout);
 }
 
 void NestFolder::draw(const NestRun& run, const BetweenFiles& between) {

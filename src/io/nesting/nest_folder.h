@@ -19,14 +19,16 @@ using BetweenFiles = std::function<void(std::size_t done, std::size_t all)>;
 /// To be made before time is spent on a search. While it lives, no other run may write into the folder (output_lock.h).
 class NestFolder {
  public:
-  /// Makes the folder where it is missing. Throws InputError where it holds something that is not of tessera nest, or
-  /// where another run is at work; EnvironmentError where nothing can be written there.
+  /// Makes the folder where it is missing, and removes what a run that was killed has left of its temporary files.
+  /// Throws InputError where it holds something that is not of tessera nest, or where another run is at work;
+  /// EnvironmentError where nothing can be written there.
   explicit NestFolder(const std::string& folder);
 
   /// layout.json, card.txt, and of each sheet layout.svg and .dxf; of a library's shapes layout.toml and
   /// layout_pieces.geojson, too. Of several sheets they are called layout_1.svg and so on. All get temporary names
-  /// first: until all are there an earlier layout stays as it was, then the whole of it is replaced, pictures included.
-  /// Other files stay. Where layout.json is missing, the rest is not complete. Throws EnvironmentError.
+  /// first: until all are on the disk an earlier layout stays as it was, then the whole of it is replaced, pictures
+  /// included, layout.json as the first to go and the last to come: where it is missing, the rest is not complete.
+  /// Other files stay. Throws EnvironmentError.
   void write(const NestRun& run, const BetweenFiles& between);
 
   /// The pictures of a layout that was written: layout.png of each sheet. Those before what `between` throws stay.

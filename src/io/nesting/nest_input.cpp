@@ -12,6 +12,7 @@
 #include "io/nesting/nest_instance.h"
 #include "io/nesting/svg_drawings.h"
 #include "io/regular_file.h"
+#include "io/too_many.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -87,8 +88,7 @@ void add_folder(const fs::path& folder, NestInput& input) {
     }
     for (std::size_t i = before; i < input.sources.size(); ++i) points += points_of(input.sources[i].drawing);
     if (points > kMostFolderPoints) {
-      throw InputError(shown(folder) + ": found more than " + std::to_string(kMostFolderPoints) +
-                       " points in its files, allowed: so many");
+      throw InputError(shown(folder) + ": " + too_many(kMostFolderPoints, "points in its files"));
     }
   }
 }

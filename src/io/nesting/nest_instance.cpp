@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/nesting/nesting.h"
 #include "io/json_bounds.h"
+#include "io/too_many.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -143,8 +144,7 @@ NestInput nest_instance(std::string_view text, const std::string& path) {
     source.angles_deg = angles_of(item, where);
     points += source.drawing.outline.size();
     if (points > kMostDrawingPoints) {
-      throw InputError(path + ": found more than " + std::to_string(kMostDrawingPoints) +
-                       " points, allowed: so many in a file");
+      throw InputError(path + ": " + too_many(kMostDrawingPoints, "points in a file"));
     }
   }
   return input;

@@ -56,6 +56,12 @@ int wanted_pieces(const NestRun& run) {
   return count;
 }
 
+std::string stopped_by_text(const NestRun& run) {
+  const std::string_view reason = run.stopped_by;
+  if (reason == "signal") return "a signal";
+  return reason == "lost_rank" ? "a lost rank" : "the time limit";
+}
+
 std::string nest_layout_json(const NestRun& run) {
   ordered_json items = ordered_json::array();
   for (const NestedPiece& piece : run.layout.pieces) items.push_back(placed_item(run, piece));
@@ -97,8 +103,7 @@ std::string nest_card_text(const NestRun& run) {
   text += line("did not fit", left_over_text(run));
   text += line("effort", run.effort + ", seed " + std::to_string(run.seed));
   if (run.stopped_by) {
-    const std::string what = run.stopped_by == std::string_view("signal") ? "a signal" : "the time limit";
-    text += line("stopped", "by " + what + ": the same command may give another layout");
+    text += line("stopped", "by " + stopped_by_text(run) + ": the same command may give another layout");
   }
   return text + line("time", fixed(run.seconds, 1) + " s");
 }

@@ -15,7 +15,7 @@ struct NestRun {
   std::string effort;
   std::uint64_t seed = 1;
   double seconds = 0;
-  const char* stopped_by = nullptr;  // "signal" or "time_limit", before all of the search was done; null: nothing did
+  const char* stopped_by = nullptr;  // as Interrupted::reason, before all of the search was done; null: nothing did
 };
 
 /// What layout.json and card.txt begin with, so that a folder of tessera nest can be told from others.
@@ -28,6 +28,9 @@ double density_of(const NestRun& run);
 
 /// How many pieces were wanted.
 int wanted_pieces(const NestRun& run);
+
+/// What ended the search of a run that was stopped, for people: "the time limit".
+std::string stopped_by_text(const NestRun& run);
 
 /// layout.json, in the manner of sparrow's solutions: rotation in degrees about the shape's own origin, then the
 /// translation.

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/nesting/svg_path_data.h"
 #include "io/nesting/svg_tree.h"
+#include "io/too_many.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -26,8 +27,7 @@ std::string_view name_of(const xmlNode* node) { return reinterpret_cast<const ch
 
 /// Throws InputError where there are more up to here than a file may have.
 void check_count(const char* what, std::size_t count, std::size_t allowed) {
-  if (count > allowed)
-    throw InputError("found more than " + std::to_string(allowed) + " " + what + ", allowed: so many in a file");
+  if (count > allowed) throw InputError(too_many(allowed, what + std::string(" in a file")));
 }
 
 /// Entities of the document's own are refused, and its defaults do not count: a few bytes of the file could be

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "io/nesting/nest_contours.h"
+#include "io/too_many.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -93,8 +94,7 @@ class PathReader {
       last_ = upper(command);
       if (command == 'M') command = 'L';
       if (command == 'm') command = 'l';
-      if (points_ > kMostDrawingPoints)
-        throw InputError("found more than " + std::to_string(kMostDrawingPoints) + " points, allowed: so many");
+      if (points_ > kMostDrawingPoints) throw InputError(too_many(kMostDrawingPoints, "points"));
     }
     for (SvgSubpath& path : lists_) {
       for (NestPoint& p : path.points) p = matrix_.apply(p);
@@ -271,8 +271,7 @@ std::vector<double> svg_numbers(std::string_view text) {
   std::vector<double> numbers;
   while (!in.at_end()) {
     numbers.push_back(in.number());
-    if (numbers.size() > 2 * kMostContourPoints)
-      throw InputError("found more than " + std::to_string(2 * kMostContourPoints) + " numbers, allowed: so many");
+    if (numbers.size() > 2 * kMostContourPoints) throw InputError(too_many(2 * kMostContourPoints, "numbers"));
   }
   return numbers;
 }

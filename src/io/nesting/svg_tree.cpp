@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "io/artwork/gunzip.h"
+#include "io/too_many.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -118,12 +119,9 @@ void check_tags(std::span<const std::uint8_t> bytes, const std::string& path) {
   for (const std::uint8_t byte : bytes) {
     if (byte == '<') length = attributes = 0;
     attributes += byte == '=' ? 1 : 0;
-    if (++length > kTagBytes)
-      throw InputError(path + ": found more than " + std::to_string(kTagBytes) +
-                       " bytes in one tag or text, allowed: so many");
+    if (++length > kTagBytes) throw InputError(path + ": " + too_many(kTagBytes, "bytes in one tag or text"));
     if (attributes > kAttributesOfElement)
-      throw InputError(path + ": found more than " + std::to_string(kAttributesOfElement) +
-                       " attributes of one element, allowed: so many");
+      throw InputError(path + ": " + too_many(kAttributesOfElement, "attributes of one element"));
   }
 }
 

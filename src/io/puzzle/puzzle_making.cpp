@@ -164,7 +164,7 @@ cv::Mat cut_out(const cv::Mat& picture, const std::vector<Vec2>& polygon, double
   return cut;
 }
 
-std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+NewFile text_file(const std::string& name, const std::string& text) { return {name, {text.begin(), text.end()}}; }
 
 }  // namespace
 
@@ -188,10 +188,10 @@ MadePuzzle make_puzzle(const PuzzleRequest& request, Drawers& drawers) {
                       float(moment.x / moment.area), float(moment.y / moment.area)},
                      polygon});
   }
-  made.files.push_back({"truth/pieces.geojson", bytes_of(puzzle_geojson(truth))});
+  made.files.push_back(text_file("truth/pieces.geojson", puzzle_geojson(truth)));
   if (source.outline.empty()) return made;
   made.frame = "frame.svg";
-  made.files.push_back({made.frame, bytes_of(frame_svg(source))});
+  made.files.push_back(text_file(made.frame, frame_svg(source)));
   return made;
 }
 
