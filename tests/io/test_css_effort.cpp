@@ -64,6 +64,7 @@ std::vector<Refused> refused() {
           {"siblings", "x ~ rect{fill:red}", many_rects},
           {"rules", repeated("*{fill:red}", 20000), many_rects},
           {"ancestors", repeated("x *{fill:red}", 20000), deep(many_rects)},
+          {"compounds", "*" + repeated("+*", 40000) + "{fill:red}", many_rects},
           {"bytes", "*{font-family:'" + repeated("x", 100000) + "'}", many_rects},
           {"declarations", "*{" + repeated("a:b;", 100000) + "}", many_rects},
           {"classes", repeated(".x", 50000) + "{fill:red}", repeated(class_of_many, 2000)},
