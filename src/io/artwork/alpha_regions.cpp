@@ -35,8 +35,8 @@ cv::Mat edges_of(const cv::Mat& alpha, int unit_px) {
   return (step >= kLeastStep) & (step >= way * kEdgePart);
 }
 
-/// Removes all areas that are no wider than a line. The veins of a wing and the line round it do not tell how opaque the
-/// wing is; gaps between lines do not, either.
+/// Removes all areas that are no wider than a line. The veins of a wing and the line round it do not tell how opaque
+/// the wing is; gaps between lines do not, either.
 cv::Mat without_lines(const cv::Mat& alpha, int unit_px) {
   cv::Mat wide;
   cv::morphologyEx(alpha, wide, cv::MORPH_OPEN, square(kLine_px / 2 * unit_px), {-1, -1}, 1, cv::BORDER_CONSTANT,
