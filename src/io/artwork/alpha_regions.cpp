@@ -21,7 +21,7 @@ constexpr int kLine_px = 4;
 /// A pixel counts as flat where its alpha differs from its region's mean by at most this part of the mean.
 constexpr double kFlat = 0.3;
 
-/// How far alpha goes up and down within so many px.
+/// The largest minus the smallest alpha within `radius_px` of each pixel, CV_8U.
 cv::Mat range_within(const cv::Mat& alpha, int radius_px) {
   cv::Mat most, least;
   cv::dilate(alpha, most, square(radius_px));
@@ -35,7 +35,8 @@ cv::Mat edges_of(const cv::Mat& alpha, int unit_px) {
   return (step >= kLeastStep) & (step >= way * kEdgePart);
 }
 
-/// The veins of a wing and the line round it say nothing of how opaque it is, and how it ends; nor do gaps between lines.
+/// Removes all areas that are no wider than a line. The veins of a wing and the line round it do not tell how opaque
+/// the wing is; gaps between lines do not, either.
 cv::Mat without_lines(const cv::Mat& alpha, int unit_px) {
   cv::Mat wide;
   cv::morphologyEx(alpha, wide, cv::MORPH_OPEN, square(kLine_px / 2 * unit_px), {-1, -1}, 1, cv::BORDER_CONSTANT,
@@ -43,7 +44,7 @@ cv::Mat without_lines(const cv::Mat& alpha, int unit_px) {
   return wide;
 }
 
-/// CV_8U, 255 where it is clear as far as the page's edge: not in a hole.
+/// CV_8U, 255 where clear pixels are connected to the page's edge. A hole in the drawing is not.
 cv::Mat outside_of(const cv::Mat& alpha) { return connected_to_edge(alpha < kClearAlpha); }
 
 class Measurement {

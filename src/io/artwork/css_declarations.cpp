@@ -89,7 +89,7 @@ class LocalValue {
     } else if (!is_harmless(mark)) {
       return false;
     } else if (mark.is_mark('(')) {
-      // A comment divides a name from its bracket. No value has that, and a careless reader could take it for a function.
+      // A comment divides a name from its bracket: no value has that, and careless readers could see a function.
       if (!copied_.empty() && copied_.back().kind == CssKind::identifier) return false;
       ++open_brackets_;
     }

@@ -184,6 +184,10 @@ CssMatcher::Match CssMatcher::match_up_to(const CssSelector& selector, std::size
 }
 
 bool CssMatcher::selects(const CssSelector& selector, const xmlNode* element) {
+  if (selector.compounds.size() > kMostCssCompounds) {
+    throw InputError(path_ + ": its style sheets have a selector of " + std::to_string(selector.compounds.size()) +
+                     " parts, allowed: " + std::to_string(kMostCssCompounds) + "; name a class or an id instead");
+  }
   return match_up_to(selector, selector.compounds.size() - 1, element) == Match::yes;
 }
 

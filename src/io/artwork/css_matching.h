@@ -3,6 +3,7 @@
 
 #include <libxml/tree.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -13,6 +14,8 @@ namespace tessera::io {
 
 /// Comparisons of selectors with elements that one drawing may need. They take a few seconds at most.
 inline constexpr std::uint64_t kMostCssComparisons = 100'000'000;
+/// Parts of a selector with a combinator between each two. Matching is recursive: it is as deep as there are parts.
+inline constexpr std::size_t kMostCssCompounds = 500;
 
 /// Compares the selectors of one drawing with its elements. The drawing must not change meanwhile.
 class CssMatcher {
@@ -22,7 +25,7 @@ class CssMatcher {
 
   /// `element` is one of the SVG's own document, all of whose elements count, also those that draw nothing. Elements
   /// without a name space are SVG's, as for librsvg. Throws InputError where all calls together need more than
-  /// kMostCssComparisons.
+  /// kMostCssComparisons, or where the selector has more than kMostCssCompounds.
   bool selects(const CssSelector& selector, const xmlNode* element);
 
  private:

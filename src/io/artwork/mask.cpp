@@ -13,8 +13,8 @@
 namespace tessera::io {
 namespace {
 
-/// A pixel inside a mask's shape is odd where it differs from the shape's mean colour by more than this, of 255. The noise
-/// of a JPEG stays below.
+/// A pixel inside a mask's shape is odd where it differs from the shape's mean colour by more than this, of 255. The
+/// noise of a JPEG stays below.
 constexpr double kMostNoise = 40;
 /// A mask has at most this part of odd pixels; the whole is the number of pixels of its shape.
 constexpr double kMostOddPixels = 0.01;

@@ -23,8 +23,8 @@ using XmlContextPtr = std::unique_ptr<xmlParserCtxt, FreeXml>;
 /// Throws std::bad_alloc.
 XmlContextPtr new_xml_context();
 
-/// A handler for xmlSAXHandler::entityDecl. Entities that would be read from elsewhere stay undeclared; using one is then
-/// an error like any other.
+/// A handler for xmlSAXHandler::entityDecl. Entities that would be read from elsewhere stay undeclared; using one is
+/// then an error like any other.
 void declare_internal_entity(void* context, const xmlChar* name, int type, const xmlChar* public_id,
                              const xmlChar* system_id, xmlChar* content);
 
