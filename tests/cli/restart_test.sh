@@ -180,12 +180,9 @@ expect_error 'damaged/checkpoint.previous.h5: damaged' damaged --resume=previous
 echo "ok damaged checkpoints"
 
 # Where no checkpoint can be written any more the run goes on, and says so once.
-block_checkpoints() { # from the first one on
-  start 1 blocked "$@" --set checkpoint.every_s=0.01
-  wait_for_checkpoint blocked
-  until mkdir -p blocked/checkpoint.h5.tmp/in_the_way 2>/dev/null; do :; done
-}
-block_checkpoints
+start 1 blocked --set checkpoint.every_s=0.01
+wait_for_checkpoint blocked
+until mkdir -p blocked/checkpoint.h5.tmp/in_the_way 2>/dev/null; do :; done
 expect_end 0 "without checkpoints"
 cmp expected.geojson blocked/pieces.geojson || fail "without checkpoints: other pieces"
 warning='warning: no checkpoint: cannot write blocked/checkpoint.h5: checkpoint.h5.tmp is in the way'

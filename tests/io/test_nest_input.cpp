@@ -176,7 +176,7 @@ TEST(SvgDrawings, BoundsHostileOnes) {
   EXPECT_EQ(of_entity("requiredExtensions"), "");  // as drawing programs write them
   std::string zigzag = "M0 0";
   for (int i = 0; i < 300'000; ++i) zigzag += "l1 1";
-  EXPECT_NE(svg_refusal("<path d='" + zigzag + "z'/>").find("found more than 200000 points, allowed: so many"),
+  EXPECT_NE(svg_refusal("<path d='" + zigzag + "z'/>").find("found more than 200000 points; allowed: 200000 or fewer"),
             std::string::npos);
 }
 
@@ -315,7 +315,8 @@ TEST(NestInstance, BoundsHostileOnes) {
   const auto refused = [](const std::string& text) { return refusal([&] { nest_instance(text, "a.json"); }); };
   const std::string deep = std::string(400'000, '[') + std::string(400'000, ']');
   EXPECT_EQ(refused(instance("[[[]]]")), "a.json: item 0: found a list, allowed: an object");
-  const std::string too_deep = "a.json: found more than 32 levels of lists and objects in each other, allowed: so many";
+  const std::string too_deep =
+      "a.json: found more than 32 levels of lists and objects in each other; allowed: 32 or fewer";
   EXPECT_EQ(refused(instance(deep)), too_deep);
   EXPECT_EQ(refused(instance(R"({"shape": {"type": "simple_polygon", "data": [[0,0],[3,0],[0,3]]}, "demand": [[]]})")),
             "a.json: item 0: demand: found a list, allowed: a number from 0.0 to 2000.0");
@@ -323,7 +324,7 @@ TEST(NestInstance, BoundsHostileOnes) {
   for (int i = 0; i < 70'000; ++i) holes += std::string(i > 0 ? "," : "") + "[[1,1],[2,1],[1,2]]";
   EXPECT_EQ(refused(instance(R"({"shape": {"type": "polygon", "data": {"outer": [[0,0],[9,0],[0,9]], "inner": [)" +
                              holes + "]}}}")),
-            "a.json: found more than 200000 points, allowed: so many in a file");
+            "a.json: found more than 200000 points in a file; allowed: 200000 or fewer");
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ class InterruptedMatcher : public Matcher {
   ShapeRange shapes() const override { return matcher_.shapes(); }
   void start_field(int width, int height, Vec2 origin) override {
     at_starts_.push_back(left_);
-    call().start_field(width, height, origin);
+    Matcher& matcher = at_starts_.size() == 1 ? matcher_ : call();  // the first one belongs to no question
+    matcher.start_field(width, height, origin);
   }
   void update_field(const FieldPatch& patch) override { call().update_field(patch); }
   void limit(const StandingLimits& limits) override { call().limit(limits); }
