@@ -208,26 +208,26 @@ expect_whole out/plates 2
 # The disk is full at the last moment: only layout.json is longer than the limit.
 before=$(cd out/plates && sha256sum ./*)
 # shellcheck disable=SC2046
-(ulimit -f 40 && run 1 $(plates 400)) || exit 1
+(ulimit -f 20 && run 1 $(plates 150)) || exit 1
 expect_word 'cannot write out/plates/layout.json: File too large'
 [[ $(cd out/plates && sha256sum ./*) == "$before" ]] || fail "a full disk has changed the layout that was there"
 
 # What ends a process where there is nothing to save: all files are written, then it ends.
 for signal in HUP XCPU; do
   # shellcheck disable=SC2046
-  "$tessera" $(plates 400) >output 2>errors &
+  "$tessera" $(plates 150) >output 2>errors &
   nesting=$!
   wait_for 60 test -e out/plates/layout_30.svg.tmp
   kill -s $signal $nesting
   wait $nesting
   code=$?
   [[ $code -eq 75 ]] || fail "exit code $code after SIG$signal while it wrote"
-  expect_whole out/plates 400
+  expect_whole out/plates 150
 done
 
 # Killed while the old layout goes and the new one comes: then layout.json is missing, and the next run puts it right.
 # shellcheck disable=SC2046
-"$tessera" $(plates 1500) >output 2>errors &
+"$tessera" $(plates 400) >output 2>errors &
 nesting=$!
 wait_for 60 test -e out/plates/layout_30.svg.tmp
 while [[ -e out/plates/layout.json ]]; do :; done
@@ -235,9 +235,9 @@ kill -KILL $nesting
 wait $nesting 2>/dev/null
 if [[ -e out/plates/layout.json ]]; then
   rm -f out/plates/*.tmp out/plates/run.lock
-  expect_whole out/plates 1500
+  expect_whole out/plates 400
 else
-  echo "killed with $(find out/plates -name '*.svg' | wc -l) of 1500 sheets in place"
+  echo "killed with $(find out/plates -name '*.svg' | wc -l) of 400 sheets in place"
 fi
 # shellcheck disable=SC2046
 run 0 $(plates 2)
