@@ -1,3 +1,4 @@
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -6,9 +7,11 @@
 #include "cli/commands.h"
 #include "cli/list_option.h"
 #include "cli/terminal.h"
+#include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
 #include "io/own_program.h"
+#include "io/regular_file.h"
 #include "io/result/collage_files.h"
 #include "worker/opencl_devices.h"
 
@@ -31,10 +34,20 @@ constexpr const char* kExamples =
 
 using Benchmark = std::function<bench::Report(const bench::Setting&)>;
 
+/// What is there already may be a library or a picture.
+void check_is_report(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return;
+  std::array<std::uint8_t, 1> first{};
+  if (io::read_at(path, io::open_regular_file(path), 0, first) == 1 && first[0] != '{')
+    throw InputError("--out: found " + path + ", which is there and is no JSON file; give another name");
+}
+
 int run(const bench::Setting& setting, const Benchmark& benchmark) {
   worker::chosen_devices(setting.devices, {}, "--devices");  // what is wrong with it shows at once, by this name
   const std::filesystem::path folder = std::filesystem::path(setting.out).parent_path();
   io::prepare_output_directory(folder.empty() ? "." : folder.string());
+  check_is_report(setting.out);
   io::check_can_be_written(setting.out);
   bench::Setting told = setting;
   told.progress = print_message;

@@ -1,6 +1,7 @@
 // A command that writes a job and then runs it as tessera collage does: what it holds while it is at work.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ class JobOutput {
   JobOutput(const CollageArguments& collage, const std::vector<std::string>& beside, bool job_only);
 
  private:
-  io::OutputLock lock_;
+  std::deque<io::OutputLock> locks_;
   std::optional<io::OutputFolder> result_;
 };
 

@@ -99,7 +99,8 @@ int run(const BuildArguments& arguments) {
   check_replaceable(arguments.output);
   const io::OutputLock lock(arguments.output + ".lock", arguments.output);
   io::check_can_be_written(arguments.output);
-  io::check_can_be_written(io::left_out_path(arguments.output));
+  io::check_left_out_list(arguments.output);
+  check_is_not_built_from(files.paths, arguments.output);
   const io::LibraryBuildReport report = build_with_progress(arguments, files);
   const comm::StopDelay delay;  // for the list that belongs to it
   print_lines(build_summary(report));

@@ -164,6 +164,8 @@ class ExtractOutputs {
  public:
   explicit ExtractOutputs(const ExtractArguments& arguments) : library_(arguments.output + ".lock", arguments.output) {
     io::check_can_be_written(arguments.output);
+    check_is_not_built_from(arguments.photos, arguments.output);
+    check_is_not_built_from(arguments.photos, arguments.ground);
     if (!arguments.ground.empty()) {
       ground_.emplace(arguments.ground + ".lock", arguments.ground);
       io::check_can_be_written(arguments.ground);

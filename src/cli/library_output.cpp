@@ -21,6 +21,7 @@ void check_is_no_source(const io::LibraryChoice& choice, const std::string& outp
     if (std::filesystem::equivalent(file, output, error))
       throw InputError("--output: found " + output + ", which is read; allowed: another file");
   }
+  check_is_not_built_from(choice.files, output);
 }
 
 io::LibraryBuildReport report_of(const io::LibraryView& library) {
@@ -45,12 +46,23 @@ void check_replaceable(const std::string& output) {
   }
 }
 
+void check_is_not_built_from(const std::vector<std::string>& files, const std::string& output) {
+  const std::filesystem::path temporary = io::temporary_path(output);
+  for (const std::string& file : files) {
+    std::error_code error;
+    if (std::filesystem::path(file).filename() == temporary.filename() &&
+        std::filesystem::equivalent(file, temporary, error))
+      throw InputError("--output: found " + output + ", which is written as " + temporary.string() +
+                       " first, and that is read; allowed: another file");
+  }
+}
+
 void copy_to_library(const io::LibraryChoice& choice, const std::string& output) {
   check_is_no_source(choice, output);
   check_replaceable(output);
   const io::OutputLock lock(output + ".lock", output);
   io::check_can_be_written(output);
-  io::check_can_be_written(io::left_out_path(output));
+  io::check_left_out_list(output);
   const io::LibraryView library(choice);
   {
     ProgressBar bar("library", library.size());

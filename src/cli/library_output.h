@@ -8,6 +8,9 @@
 
 namespace tessera::cli {
 
+/// Before time is spent: throws InputError where one of the files that are read has the temporary name of `output`.
+void check_is_not_built_from(const std::vector<std::string>& files, const std::string& output);
+
 /// What is replaced must be a library: a slip of the pen names a drawing. Throws InputError.
 void check_replaceable(const std::string& output);
 

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "io/files_read.h"
 #include "io/named_file.h"
 #include "io/write_all.h"
 
@@ -36,9 +37,11 @@ std::string name_of(const std::string& path) {
 
 std::string temporary_name_of(const std::string& path) { return temporary_path(name_of(path)); }
 
-mode_t mode_of(const FileDescriptor& folder, const std::string& name) {
+/// All 0 where nothing has the name.
+struct stat status_of(const FileDescriptor& folder, const std::string& name) {
   struct stat named {};
-  return ::fstatat(folder.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 ? named.st_mode : 0;
+  if (::fstatat(folder.number(), name.c_str(), &named, AT_SYMLINK_NOFOLLOW) != 0) named = {};
+  return named;
 }
 
 FileDescriptor open_folder(const std::string& folder, const std::string& path) {
@@ -55,7 +58,7 @@ bool flush_folder(const FileDescriptor& folder) { return ::fsync(folder.number()
 /// not mean that.
 FileDescriptor open_folder_of(const std::string& path) {
   FileDescriptor folder = open_folder(fs::path(path).parent_path(), path);
-  const mode_t mode = mode_of(folder, name_of(path));
+  const mode_t mode = status_of(folder, name_of(path)).st_mode;
   if (S_ISDIR(mode)) throw_cannot_write(path, message(EISDIR));
   if (S_ISCHR(mode) || S_ISBLK(mode)) throw_cannot_write(path, "it is a device");
   return folder;
@@ -75,11 +78,17 @@ FileDescriptor create(const FileDescriptor& folder, const std::string& name) {
   throw_cannot_write(path, "another program put a file of its own under the name " + name);
 }
 
+void check_is_not_read(const std::string& path, const FileDescriptor& folder, const std::string& name) {
+  if (was_read(status_of(folder, name)))
+    throw_cannot_write(path, name + " would be removed, and is read here; give another name");
+}
+
 /// Removes what stands under the name, and returns the file that `create` creates there, for what is to become `path`.
 /// Where somebody else was faster, `create` returns a file that is not open, and is called again.
 FileDescriptor create_anew(const std::string& path, const FileDescriptor& folder, const std::string& name,
                            const std::function<FileDescriptor()>& create) {
   for (int i = 0; i < kTries; ++i) {
+    check_is_not_read(path, folder, name);
     if (::unlinkat(folder.number(), name.c_str(), 0) != 0 && errno != ENOENT) throw_in_the_way(path, name, errno);
     if (FileDescriptor file = create(); file.is_open()) return file;
   }
@@ -211,7 +220,8 @@ bool link_atomically(const std::string& file, const std::string& path) {
 void check_can_be_written(const std::string& path) {
   const FileDescriptor folder = open_folder_of(path);
   const std::string name = temporary_name_of(path);
-  if (S_ISDIR(mode_of(folder, name))) throw_in_the_way(path, name, EISDIR);
+  if (S_ISDIR(status_of(folder, name).st_mode)) throw_in_the_way(path, name, EISDIR);
+  check_is_not_read(path, folder, name);
   const FileDescriptor probe = create(folder, name);
   if (!probe.is_open() && errno != EEXIST) throw_cannot_write(path, message(errno));
   if (probe.is_open() && leads_to(folder.number(), name, probe)) ::unlinkat(folder.number(), name.c_str(), 0);

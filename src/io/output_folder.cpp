@@ -1,16 +1,15 @@
 #include "io/output_folder.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
 #include "core/base/error.h"
-#include "io/file_descriptor.h"
+#include "io/atomic_file.h"
 
 namespace tessera::io {
 namespace {
@@ -24,12 +23,9 @@ namespace fs = std::filesystem;
 }  // namespace
 
 void check_takes_files(const std::string& folder) {
-  std::string probe = (fs::path(folder) / ".tessera-XXXXXX").string();
-  const FileDescriptor file(::mkostemp(probe.data(), O_CLOEXEC));
-  if (!file.is_open()) fail(folder, errno);
-  ::unlink(probe.c_str());
-  // A disk without room takes files, but no bytes.
-  if (::write(file.number(), "", 1) != 1 || ::fsync(file.number()) != 0) fail(folder, errno);
+  TemporaryFile probe((fs::path(folder) / ".tessera-write-test").string());
+  probe.write(std::array<std::uint8_t, 1>{});  // a disk without room takes files, but no bytes
+  probe.flush();
 }
 
 OutputFolder::OutputFolder(const std::string& folder) {

@@ -8,7 +8,7 @@
 
 namespace tessera::io {
 
-/// Throws EnvironmentError, which names `folder`, where no file with something in it can be made there.
+/// Throws EnvironmentError, which names a file in `folder`, where none with something in it can be made.
 void check_takes_files(const std::string& folder);
 
 /// Makes the folder with its parents before the work begins, so that what cannot be written is found at once. Of the

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "io/file_kind.h"
+#include "io/files_read.h"
 
 namespace tessera::io {
 namespace {
@@ -47,6 +48,7 @@ FileDescriptor open_regular_file(const std::string& path) {
   if (!file.is_open() || ::fstat(file.number(), &status) != 0 || ::fstatfs(file.number(), &system) != 0)
     throw_unreadable(path);
   check_regular(path, status, system);
+  note_as_read(status);
   return file;
 }
 

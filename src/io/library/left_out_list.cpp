@@ -1,10 +1,13 @@
 #include "io/library/left_out_list.h"
 
 #include <filesystem>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "core/base/error.h"
 #include "io/atomic_file.h"
+#include "io/regular_file.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -15,6 +18,13 @@ namespace fs = std::filesystem;
 /// Paths and reasons with control characters, tabs among them, would break the columns.
 std::string line(const char* what, const std::string& path, const std::string& why) {
   return std::string(what) + "\t" + printable_utf8(path) + "\t" + printable_utf8(why) + "\n";
+}
+
+bool begins_as_list(const std::string& path) {
+  std::vector<std::uint8_t> first(8);
+  first.resize(read_at(path, open_regular_file(path), 0, first));
+  const std::string_view text(reinterpret_cast<const char*>(first.data()), first.size());
+  return text.starts_with("skipped\t") || text.starts_with("merged\t") || text.starts_with("trimmed\t");
 }
 
 }  // namespace
@@ -37,6 +47,14 @@ std::string left_out_list(const LibraryBuildReport& report) {
                  "a soft shadow joins them, build with --edge-opacity 0.05");
   }
   return text;
+}
+
+void check_left_out_list(const std::string& library) {
+  const std::string path = left_out_path(library);
+  std::error_code error;
+  if (fs::is_regular_file(path, error) && !begins_as_list(path))
+    throw InputError(path + ": is there and is no list of what a library left out; give the library another name");
+  check_can_be_written(path);
 }
 
 void write_left_out_list(const std::string& library, const LibraryBuildReport& report) {
