@@ -141,7 +141,8 @@ class Collage {
   bool may_dock(SampleId id) const;
   float score(const Candidate& candidate) const;
   ExactAreas check_exactly(Candidate& candidate);
-  bool settle(Candidate& candidate);
+  enum class Settled { unfit, touches_little, fit };
+  Settled settle(Candidate& candidate);
   Window stamp_window(const Placement& placement);
   Window restamp(const std::vector<Placement>& changed);
   void update_limits();

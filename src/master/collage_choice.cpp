@@ -52,14 +52,16 @@ void Collage::check_ahead() {
 }
 
 /// Makes a piece of the candidate, which may change what it is worth: that is measured again. False: it is given up.
-bool Collage::settle(Candidate& candidate) {
+Collage::Settled Collage::settle(Candidate& candidate) {
   const Stance& stance = context_.stances[candidate.stance];
   const PoseRange poses = sized_at(context_, stance, candidate.canvas_from_shape.translation()).poses;
-  if (!settling_.settle(candidate.shape, poses, candidate.canvas_from_shape)) return false;
+  if (!settling_.settle(candidate.shape, poses, candidate.canvas_from_shape)) return Settled::unfit;
   candidate.canvas_from_shape = free_.grid().period().wrapped(candidate.canvas_from_shape);
   candidate.terms = docking_terms(candidate.canvas_from_shape, shapes_.model(candidate.shape), free_.view(), context_);
   const ExactAreas areas = check_exactly(candidate);
-  return scoring_.acceptable(candidate) && scoring_.overlaps_little(candidate, areas) && keeps_apart(candidate);
+  if (!scoring_.overlaps_little(candidate) || !scoring_.overlaps_little(candidate, areas) || !keeps_apart(candidate))
+    return Settled::unfit;
+  return scoring_.touches(candidate) ? Settled::fit : Settled::touches_little;
 }
 
 const HullRoom& Collage::room_of(ShapeId shape) {
@@ -67,7 +69,7 @@ const HullRoom& Collage::room_of(ShapeId shape) {
   return found != rooms_.end() ? found->second : rooms_.emplace(shape, hull_room(shapes_.shape(shape))).first->second;
 }
 
-/// Those that enclose much, of the shapes that stand and may do so again and of some others that may stand, which are
+/// Those that hardly dock, of the shapes that stand and may do so again and of some others that may stand, which are
 /// other ones each time; and for which such a gap is wide enough.
 std::vector<ShapeId> Collage::shapes_for_gap(float gap_px) {
   const StanceTable& stances = context_.stances;
@@ -81,7 +83,7 @@ std::vector<ShapeId> Collage::shapes_for_gap(float gap_px) {
     shapes.insert(stances.open_shape((begin + i) % open));
   std::erase_if(shapes, [&](ShapeId shape) {
     const HullRoom& room = room_of(shape);
-    return !room.encloses_much() || gap_px < room.radius * stances.list(shape).min_scale_px;
+    return !room.hardly_docks() || gap_px < room.radius * stances.list(shape).min_scale_px;
   });
   return {shapes.begin(), shapes.end()};
 }
@@ -94,11 +96,13 @@ std::vector<ShapeId> Collage::shapes_for_gap_in(const Window& window) {
 
 bool Collage::leaves_wide_gap(const Window& window) { return !shapes_for_gap_in(window).empty(); }
 
-/// Of a few shapes, other ones each time, the first that is found to fit.
+/// Of a few shapes, other ones each time, the first that is found to fit and touches as much as any piece must. Where
+/// there is none the one that touches most: tips of rays are too small a part of their boundary.
 bool Collage::choose_in_gap(Candidate& best, const Window& window, const std::function<void()>& look) {
   if (growth_) return false;
   const std::vector<ShapeId> shapes = shapes_for_gap_in(window);
   int attempts = kGapAttempts;
+  float most_matched = -1;  // of its perimeter, by `best`
   for (std::size_t k = 0; k < std::min(shapes.size(), kGapShapes); ++k) {
     const ShapeId id = shapes[(placements_.size() + k) % shapes.size()];
     const HullRoom& room = room_of(id);
@@ -113,14 +117,19 @@ bool Collage::choose_in_gap(Candidate& best, const Window& window, const std::fu
         candidate.canvas_from_shape = pose;
         candidate.perimeter = model.perimeter;
         candidate.radius = model.radius;
-        best = candidate;
-        return settle(best) || --attempts == 0;
+        const Settled settled = settle(candidate);
+        const float matched = candidate.terms.matched_px / (candidate.perimeter * candidate.canvas_from_shape.scale());
+        if (settled == Settled::fit || (settled == Settled::touches_little && matched > most_matched)) {
+          most_matched = matched;
+          best = candidate;
+        }
+        return settled == Settled::fit || --attempts == 0;
       };
       const PoseRange& poses = context_.stances[list.first + s].poses;
       if (any_pose_in_gap(model, room, poses, free_, window, look, settles) && attempts > 0) return true;
     }
   }
-  return false;
+  return most_matched >= 0;
 }
 
 /// Where the canvas repeats both ways there is no boundary until something stands, and what grows outward docks to
@@ -175,7 +184,7 @@ bool Collage::settle_best(std::vector<Finalist>& finalists, Candidate& best, con
     if (best_value >= finalist.ranked.value) break;
     look();
     Candidate settled = finalist.candidate;
-    if (!settle(settled)) {
+    if (settle(settled) != Settled::fit) {
       finalist.given_up = true;
       continue;
     }

@@ -68,10 +68,14 @@ bool Scoring::may_use(ShapeId shape) const {
   return most == 0 || uses_of(shape) < most;
 }
 
-bool Scoring::acceptable(const Candidate& candidate) const {
+bool Scoring::overlaps_little(const Candidate& candidate) const {
   const float scale = candidate.canvas_from_shape.scale();
-  return candidate.terms.overlap_px2 <= kMaxOverlap * scale * scale &&
-         candidate.terms.matched_px >= kLeastMatched * candidate.perimeter * scale;
+  return candidate.terms.overlap_px2 <= kMaxOverlap * scale * scale;
+}
+
+bool Scoring::touches(const Candidate& candidate) const {
+  const float scale = candidate.canvas_from_shape.scale();
+  return candidate.terms.matched_px >= kLeastMatched * candidate.perimeter * scale;
 }
 
 /// With padding the areas are those of grown pieces, and the outlines themselves are apart.

@@ -96,9 +96,9 @@ TEST(WideGap, IsAsWideAsTheShapeIsAtItsNarrowestWithAllThatItEncloses) {
 /// Others may lie in what lines enclose.
 TEST(WideGap, IsOneOfItsAreaWhereAShapeConsistsOfLines) {
   EXPECT_EQ(hull_room(thin_ring()).radius, kLeastWideGap);
-  EXPECT_TRUE(hull_room(thin_ring()).encloses_much());
-  EXPECT_FALSE(hull_room(bar()).encloses_much());
-  EXPECT_FALSE(hull_room(test::make_test_shape("star", test::star_outline(5))).encloses_much());
+  EXPECT_TRUE(hull_room(thin_ring()).hardly_docks());
+  EXPECT_TRUE(hull_room(bar()).hardly_docks());
+  EXPECT_FALSE(hull_room(test::make_test_shape("star", test::star_outline(5))).hardly_docks());
 }
 
 TEST(WideGap, TheWidestOnesRadiusIsFoundInTheWindow) {

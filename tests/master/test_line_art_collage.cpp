@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/collage/placed_outlines.h"
+#include "core/collage/wide_gap.h"
 #include "core/shape/shape_field.h"
 #include "stopped_collage.h"
 #include "whole_collage.h"
@@ -99,6 +100,48 @@ TEST(LineArtCollage, ImprovesWithoutCrossings) {
   const CollageResult result = run_line_art(s, line_art());
   EXPECT_EQ(result.statistics.trials, 3u);
   EXPECT_EQ(crossings(result.placements, line_art()), 0);
+}
+
+/// A disc with twelve rays, each a fortieth of the disc wide.
+Outline sun_outline() {
+  constexpr float kRay = 0.025f;  // half its width; the disc's radius is 1
+  std::vector<Vec2> edge;
+  const auto add = [&](float radius, float angle) {
+    edge.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  };
+  for (int ray = 0; ray < 12; ++ray) {
+    const float middle = test::kTwoPi * float(ray) / 12;
+    for (const auto& [radius, side] : {std::pair(1.f, -1.f), {2.2f, -1.f}, {2.2f, 1.f}, {1.f, 1.f}})
+      add(radius, middle + side * kRay / radius);
+    for (int k = 1; k < 8; ++k) add(1, middle + test::kTwoPi * float(k) / 96);
+  }
+  return {{test::resampled(edge, test::kOuterPoints)}};
+}
+
+/// The tips of its rays are so small a part of its boundary that no docking counts as one that touches.
+TEST(LineArtCollage, ASunWithThinRaysFindsAPlaceOnAnEmptyCanvas) {
+  const std::vector<Shape> sun = {test::make_library_shape("sun", sun_outline())};
+  CollageSettings s = line_art_settings();
+  s.pieces.min_scale_px = 60;
+  s.pieces.max_scale_px = 70;
+  SilentObserver silent;
+  const CollageResult result = stopped_collage::run(s, {}, silent, {}, make_rectangle_canvas(320, 320), sun);
+  EXPECT_GE(result.placements.size(), 4u);
+  EXPECT_EQ(crossings(result.placements, sun), 0);
+}
+
+/// They enclose nothing, but a docking that is hardly off turns their far end into others.
+TEST(LineArtCollage, LongSticksLeaveNoWideGap) {
+  const std::vector<Shape> sticks = {test::make_library_shape("stick", test::rectangle_outline(40, 1)),
+                                     test::make_library_shape("shorter", test::rectangle_outline(36, 1))};
+  CollageSettings s = line_art_settings();
+  s.pieces.min_scale_px = 10;
+  s.pieces.max_scale_px = 16;
+  const CollageResult result = run_line_art(s, sticks);
+  FreeField free(line_art_canvas(), s.pieces);
+  for (const Placement& p : result.placements) free.stamp(sticks[index_of(p.shape)], p.canvas_from_shape);
+  EXPECT_LT(widest_gap_px(free, free.field().value.bounds()), 20);
+  EXPECT_GT(whole_collage::quality_of(line_art_canvas(), result.placements, sticks).coverage, 0.5);
 }
 
 /// Not what its box is, nor what its lines enclose.

@@ -103,7 +103,7 @@ HullRoom hull_room(const Shape& shape) {
   const Vec2 middle = moment.area > 0 ? Vec2{float(moment.x / moment.area), float(moment.y / moment.area)} : Vec2{};
   const bool of_lines = std::isfinite(line_radius(shape.field, shape.perimeter));
   const float half_width = of_lines ? 0 : float(0.5 * least_width(hull));
-  return {middle, float(moment.area), std::max(kLeastWideGap, half_width)};
+  return {middle, float(moment.area), std::max(kLeastWideGap, half_width), of_lines};
 }
 
 bool any_pose_in_gap(const ShapeModel& shape, const HullRoom& room, const PoseRange& poses, const FreeField& free,

@@ -23,9 +23,11 @@ struct HullRoom {
   /// Of a gap that is wide enough: half of the hull's width where it is narrowest, and kLeastWideGap at least. The latter
   /// where the shape consists of lines: these may lie round others.
   float radius = 0;
+  bool of_lines = false;  // line_radius() is finite
 
-  /// At least as much as it covers, as lines, frames and rings do.
-  bool encloses_much() const { return area >= 2; }
+  /// Dockings hardly find a pose for it: it encloses at least as much as it covers, as frames, rings and suns with rays
+  /// do, or it is thin.
+  bool hardly_docks() const { return of_lines || area >= 2; }
 };
 HullRoom hull_room(const Shape& shape);
 
