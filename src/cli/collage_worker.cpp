@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "cli/foreign_end.h"
 #include "cli/rank_agreement.h"
 #include "comm/heartbeat.h"
 #include "comm/matcher_server.h"
@@ -86,6 +87,7 @@ SitedMatcher own_matcher(const io::Job& job, const io::ShapeLibrary& library, co
   const auto models = io::models_of(library, context);
   const std::vector<worker::DevicePart> parts = worker::device_parts(job.devices, context, all, needs_of(job, *models),
                                                                      {.per_worker = job.devices_per_worker}, give_up);
+  take_abort_again();
   return {worker::make_device_matcher(parts, context, models, give_up), {host_name(), worker::describe(parts)}};
 }
 

@@ -17,6 +17,7 @@
 
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
+#include "cli/foreign_end.h"
 #include "cli/terminal.h"
 #include "cli/time_limit.h"
 #include "comm/in_process_communicator.h"
@@ -218,6 +219,7 @@ int run(int argc, char** argv) {
           },
       .report_error = print_message};
   if (started_by_launcher()) return comm::run_mpi_job(argc, argv, program, patience_of(command));
+  const ForeignEnd end;  // Open MPI, where it is used, has a handler of its own
   comm::InProcessNetwork alone(1);
   return comm::run_rank(*alone.connect(0), program).exit_code;
 }

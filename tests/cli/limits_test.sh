@@ -38,7 +38,7 @@ small_files() { # KIB COMMAND...
     timeout "$most_s" "$tessera" "${@:2}" 2>&1 </dev/null
     echo "exit code $?"
   ) | cat >output
-  grep -q -e 'File too large' -e 'files of . KiB (ulimit -f)' output || fail "does not say that a file is too large: ulimit -f $*"
+  grep -qE "tessera: .*(File too large|files of $1 KiB \(ulimit -f\))" output || fail "does not say that a file is too large: ulimit -f $*"
   grep -qx 'exit code 1' output || fail "not exit code 1: ulimit -f $*"
   expect_nothing_half_written
   expect_ordinary_words
@@ -58,6 +58,11 @@ for kib in 0 1; do small_files "$kib" collage job.toml --out none --quiet; done
 small_files 0 campaign job.toml --seeds 1 --out none
 small_files 0 mosaic sun.png own.h5 --pieces 100 --job-only --job none.toml
 small_files 0 library extract sun.png --element-px 75 -o none.h5 --overview none
+# The compiler of OpenCL ends the process where its file cannot grow.
+(
+  export POCL_CACHE_DIR=$PWD/kernels
+  for kib in 100 400; do small_files "$kib" collage job.toml --out none --quiet; done
+) || exit 1
 echo "ok size of files"
 
 # Names that no file system takes.
@@ -116,6 +121,13 @@ limited() {
 limited library build drawings -o none.h5
 limited draw result --to none --png --tiff --quiet
 limited rank result --out none
+for kib in 750000 600000 550000 500000 400000; do
+  # shellcheck disable=SC2016
+  run_program '0 1' bash -c 'ulimit -v "$0" && exec "$@"' $kib "$tessera" collage job.toml --out none --quiet
+  [[ $code != 1 ]] || grep -q 'of address space (ulimit -v)' errors || fail "does not name the limit: $kib KiB"
+  expect_nothing_half_written
+  rm -rf none
+done
 limited library info own.h5 --sheet none.png
 echo "ok memory"
 
