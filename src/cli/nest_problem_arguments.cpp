@@ -64,7 +64,7 @@ std::vector<std::pair<std::string, int>> demands_of(const std::vector<std::strin
     const bool number =
         !digits.empty() && digits.size() <= 4 && digits.find_first_not_of("0123456789") == std::string::npos;
     if (!number || sign == 0 || std::stoi(digits) > kMostNestedPieces) {
-      throw InputError("--demand " + io::printable_utf8(text) + ": allowed: NAME=COUNT, 0 to " +
+      throw InputError("--demand " + io::printable_utf8(text) + ": allowed: NAME=COUNT, a whole number from 0 to " +
                        std::to_string(kMostNestedPieces));
     }
     demands.emplace_back(text.substr(0, sign), std::stoi(digits));

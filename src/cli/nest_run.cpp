@@ -34,9 +34,21 @@ double area_of(const NestProblem& problem) {
 }
 
 /// About as many as there will be.
-double sheets_to_draw(const NestProblem& problem) {
+double sheets_to_write(const NestProblem& problem) {
   constexpr double kDensity = 0.6;
-  return std::isfinite(problem.length) ? area_of(problem) / (problem.height * problem.length) / kDensity : 1;
+  if (!std::isfinite(problem.length)) return 1;
+  double pieces = 0;
+  for (const NestItem& item : problem.items) pieces += item.demand;
+  return std::min(pieces, area_of(problem) / (problem.height * problem.length) / kDensity);
+}
+
+/// A search that has a limit leaves time for the files of its layout.
+void leave_time_to_write(const io::NestRun& run, const io::NestFolder& folder, NestStop& stop) {
+  constexpr double kOfPoint_s = 2e-6, kOfSheet_s = 1e-3, kOfPicture_s = 0.15;
+  if (!stop.has_limit()) return;
+  const double sheets = sheets_to_write(run.problem);
+  const double computing_s = kOfPoint_s * double(io::points_to_cut(run.input)) + kOfSheet_s * sheets;
+  stop.leave_time_for(computing_s + folder.seconds_to_write(!run.input.library.empty(), sheets), kOfPicture_s * sheets);
 }
 
 /// Shows how dense it is by now, how far the search is, and when it will be over.
@@ -199,9 +211,9 @@ int nest(NestArguments& arguments, comm::Communicator& ranks) {
   run.seed = arguments.seed;
   if (arguments.folder.empty()) arguments.folder = "out/" + run.input.name;
   for (const std::string& note : run.input.notes) print_warning(note);
-  stop.leave_time_for(io::points_to_cut(run.input), sheets_to_draw(run.problem));
   comm::install_stop_handlers();
   io::NestFolder folder(arguments.folder);
+  leave_time_to_write(run, folder, stop);
   const Stopwatch watch;
   NestOutcome found = searched(arguments, run.problem, stop, ranks);
   run.layout = std::move(found.layout);

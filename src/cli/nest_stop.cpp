@@ -1,6 +1,7 @@
 #include "cli/nest_stop.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 
@@ -10,21 +11,23 @@ namespace tessera::cli {
 namespace {
 
 constexpr double kLeaving_s = 4;  // of several ranks, as of a collage
-/// mpirun kills its ranks two seconds after a signal; a file, and leaving, take the rest. A process alone has more time
-/// for many sheets.
-constexpr double kWritingAfterSignal_s = 1.2, kWritingAlone_s = 10;
+/// mpirun kills its ranks two seconds after a signal; a picture, and leaving, take the rest.
+constexpr double kDrawingAfterSignal_s = 1.2;
+constexpr double kOneStop_s = 1;  // signals of that time mean one stop
 
 }  // namespace
 
 NestStop::NestStop(const std::optional<std::string>& argument, bool several_ranks)
     : was_asked_for_(argument.has_value()),
       leaving_s_(several_ranks ? kLeaving_s : 0),
-      writing_after_signal_s_(several_ranks ? kWritingAfterSignal_s : kWritingAlone_s),
       limit_(time_limit_s(argument, std::getenv("SLURM_JOB_END_TIME"), double(std::time(nullptr)), leaving_s_)) {}
 
-void NestStop::leave_time_for(std::size_t points, double sheets) {
-  constexpr double kOfPoint_s = 2e-6, kOfSheet_s = 0.15;
-  writing_s_ = std::min(kOfPoint_s * double(points) + kOfSheet_s * sheets, limit_.seconds() / 4);
+bool NestStop::has_limit() const { return std::isfinite(limit_.seconds()); }
+
+void NestStop::leave_time_for(double writing_s, double drawing_s) {
+  constexpr double kMostOfWriting = 0.75, kMostOfBoth = 0.25;  // of the limit
+  left_s_ = std::max(std::min(writing_s, kMostOfWriting * limit_.seconds()),
+                     std::min(writing_s + drawing_s, kMostOfBoth * limit_.seconds()));
 }
 
 bool NestStop::is_signalled() {
@@ -36,20 +39,23 @@ bool NestStop::is_signalled() {
 
 const char* NestStop::search_over() {
   if (is_signalled()) return "signal";
-  return limit_.round_over(leaving_s_ + writing_s_) ? "time_limit" : nullptr;
+  return limit_.round_over(leaving_s_ + left_s_) ? "time_limit" : nullptr;
 }
 
 const char* NestStop::writing_over() {
-  return is_signalled() && watch_.seconds() - signalled_s_ > writing_after_signal_s_ ? "signal" : nullptr;
+  if (!is_signalled() || comm::launcher_ends_job()) return nullptr;
+  const int signals = comm::count_of_stop_signals();
+  if (heeded_ == 0 || watch_.seconds() - signalled_s_ < kOneStop_s) heeded_ = signals;
+  return signals > heeded_ ? "signal" : nullptr;
 }
 
 const char* NestStop::drawing_over(std::size_t drawn) {
-  if (is_signalled() && watch_.seconds() - signalled_s_ > kWritingAfterSignal_s) return "signal";
+  if (is_signalled() && watch_.seconds() - signalled_s_ > kDrawingAfterSignal_s) return "signal";
   return drawn > 0 && limit_.drawing_over(leaving_s_) ? "time_limit" : nullptr;
 }
 
 double NestStop::search_left_s() const {
-  return limit_.seconds() - reserve_s(limit_.seconds()) - leaving_s_ - writing_s_ - watch_.seconds();
+  return limit_.seconds() - reserve_s(limit_.seconds()) - leaving_s_ - left_s_ - watch_.seconds();
 }
 
 }  // namespace tessera::cli

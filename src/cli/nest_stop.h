@@ -15,14 +15,15 @@ class NestStop {
   /// `argument`: of --time-limit. `several_ranks`: then there is time to leave, too. Throws InputError.
   NestStop(const std::optional<std::string>& argument, bool several_ranks);
 
-  /// To be called before the search: how many points all pieces have, and about how many sheets they need. The search
-  /// leaves time to write and draw them, a quarter of the limit at most.
-  void leave_time_for(std::size_t points, double sheets);
+  bool has_limit() const;
+  /// To be called before the search, which leaves time for this: to write the files of a layout, three quarters of the
+  /// limit at most, and to draw its pictures, too, where both fit into a quarter.
+  void leave_time_for(double writing_s, double drawing_s);
 
   /// Whether the search is to end, so that its best can be written; null: no. By any thread.
   const char* search_over();
-  /// Whether a signal came so long ago that writing the layout must end, too; null: no. The limit does not end it: the
-  /// search has left time for it.
+  /// Whether writing the layout is to end, and what was searched is to be thrown away; null: no. Only a second signal,
+  /// a second or more after the first one, asks for it: mpirun and Slurm send several that mean one. By one thread.
   const char* writing_over();
   /// Whether drawing pictures, of which so many are done, is to end; null: no. The limit does not end the first one,
   /// which most layouts have alone.
@@ -37,8 +38,8 @@ class NestStop {
 
   bool was_asked_for_;
   double leaving_s_;
-  double writing_after_signal_s_;
-  double writing_s_ = 0;
+  double left_s_ = 0;  // for the files
+  int heeded_ = 0;     // signals that count as the first one
   TimeLimit limit_;
   Stopwatch watch_;
   std::atomic<double> signalled_s_{-1};  // when somebody first saw a signal; negative: nobody did

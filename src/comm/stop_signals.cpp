@@ -46,9 +46,13 @@ void on_continue(int, siginfo_t* info, void*) {
 void on_first_stop(int) {}
 
 std::atomic<int> signalled{0};  // its number
+std::atomic<int> signals_so_far{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
 
-void remember(int number) { signalled.store(number, std::memory_order_relaxed); }
+void remember(int number) {
+  signalled.store(number, std::memory_order_relaxed);
+  signals_so_far.fetch_add(1, std::memory_order_relaxed);
+}
 
 void (*clean_up_at_end)() = nullptr;
 
@@ -112,6 +116,8 @@ void install_stop_handlers() {
 }
 
 bool stop_signalled() { return signalled.load(std::memory_order_relaxed) != 0; }
+
+int count_of_stop_signals() { return signals_so_far.load(std::memory_order_relaxed); }
 
 void end_stop_handlers() {
   struct sigaction at_once = {}, before = {};

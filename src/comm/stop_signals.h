@@ -38,6 +38,9 @@ void install_stop_handlers();
 /// Whether a signal has come since.
 bool stop_signalled();
 
+/// How many signals have come since, those of mpirun included: more of one kind at the same moment count as one.
+int count_of_stop_signals();
+
 /// After install_stop_handlers, where nothing is left to lose: signals end the process at once again, also one that has
 /// come.
 void end_stop_handlers();

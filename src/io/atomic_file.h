@@ -9,7 +9,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "io/file_descriptor.h"
 #include "io/leftover_file.h"
@@ -49,8 +48,8 @@ class TemporaryFile {
   /// program has put a file of its own under the temporary name.
   void commit();
 
-  /// Flushes the file and leaves it under its temporary name for take_left_files, for files that appear together: they
-  /// may be more than can be open at a time.
+  /// Leaves the file under its temporary name for flush_left_files and take_left_files, for files that appear together:
+  /// they may be more than can be open at a time. The disk begins to write, and nobody waits for it.
   void leave();
 
  private:
@@ -65,9 +64,13 @@ class TemporaryFile {
   FileDescriptor file_;
 };
 
+/// The bytes of what TemporaryFile::leave() left of these names in the folder are on the disk when this returns. Many
+/// files wait for the disk at a time, so that it writes them in few goes. Throws EnvironmentError that names the file.
+void flush_left_files(const std::string& folder, std::span<const std::string> names);
+
 /// Renames what TemporaryFile::leave() left of these names in the folder, in this order, each of which is replaced, and
 /// flushes the folder. Throws EnvironmentError that names the file or the folder.
-void take_left_files(const std::string& folder, const std::vector<std::string>& names);
+void take_left_files(const std::string& folder, std::span<const std::string> names);
 
 /// Makes `bytes` the content of `path`. Throws EnvironmentError as above.
 void write_file_atomically(const std::string& path, std::span<const std::uint8_t> bytes);

@@ -14,10 +14,10 @@
 
 namespace tessera::io {
 
-/// Calls body(i) for each i in [0, count), in any order, from as many threads as this process may use cores. After an
-/// exception no further item starts; the first one is thrown again here.
+/// Calls body(i) for each i in [0, count), in any order, from `most_threads` threads or fewer. After an exception no
+/// further item starts; the first one is thrown again here.
 template <class Body>
-void parallel_for(std::size_t count, Body&& body) {
+void parallel_for_on(std::size_t most_threads, std::size_t count, Body&& body) {
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr error;
@@ -31,7 +31,7 @@ void parallel_for(std::size_t count, Body&& body) {
     }
   };
   std::vector<std::jthread> threads;
-  const std::size_t wanted = std::min<std::size_t>(count, std::size_t(available_cores()));
+  const std::size_t wanted = std::min(count, most_threads);
   try {
     while (threads.size() + 1 < wanted) threads.emplace_back(work);
   } catch (const std::system_error&) {  // no more threads are allowed: those that are there share the work
@@ -39,6 +39,12 @@ void parallel_for(std::size_t count, Body&& body) {
   work();
   threads.clear();  // joins
   if (error) std::rethrow_exception(error);
+}
+
+/// The same from as many threads as this process may use cores.
+template <class Body>
+void parallel_for(std::size_t count, Body&& body) {
+  parallel_for_on(std::size_t(available_cores()), count, body);
 }
 
 }  // namespace tessera::io

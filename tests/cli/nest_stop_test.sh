@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# nest_stop_test.sh TESSERA MPIRUN NEW_FOLDER: tessera nest stopped by signals and limits, while it searches, writes and
-# draws: the best layout so far is there as a whole, or the one before is as it was.
+# nest_stop_test.sh TESSERA MPIRUN NEW_FOLDER SLOW_DISK: tessera nest stopped by signals and limits, while it searches,
+# writes and draws: the best layout so far is there as a whole. SLOW_DISK: the library of slow_disk.cpp.
 set -uo pipefail
 tessera=$1
 # shellcheck disable=SC2034 # support/ranks.sh
 mpirun=$2
 folder=$3
+slow_disk=$4
 # shellcheck source=tests/cli/command_fixture.sh
 source "$(dirname "${BASH_SOURCE[0]}")/command_fixture.sh"
+export ASAN_OPTIONS=${ASAN_OPTIONS:-}:verify_asan_link_order=0 # slow_disk comes first
 
 # expect_whole FOLDER PIECES: all files of one layout, whose pieces lie somewhere, and nothing else
 expect_whole() {
@@ -162,85 +164,103 @@ run 0 nest parts.json --effort draft --out stuck --quiet
 expect_whole stuck 80
 echo "ok folder"
 
-# Plates of which a sheet holds one: thousands of files.
+# Plates of which a sheet holds one, and a slow disk: many files, and one wait for the disk for many of them.
 cat >plates.json <<'JSON'
 {"items": [{"id": "plate", "demand": 2, "allowed_orientations": [0], "shape": {"type": "simple_polygon", "data": [[0,0],[20,0],[20,15],[0,15]]}}]}
 JSON
-plates() { # DEMAND: its arguments
-  echo "nest plates.json --sheet 21,16 --effort draft --out out/plates --quiet --demand plate=$1"
+plates() { # DEMAND: the words of the command
+  echo "$tessera nest plates.json --sheet 21,16 --effort draft --out out/plates --quiet --demand plate=$1"
 }
+on_slow_disk() { # FLUSH_MS RENAME_MS COMMAND...
+  SLOW_FLUSH_MS=$1 SLOW_RENAME_MS=$2 LD_PRELOAD=$slow_disk exec "${@:3}" >output 2>errors
+}
+# start_plates DEMAND FLUSH_MS RENAME_MS: in the background, until its files have temporary names
+start_plates() {
+  # shellcheck disable=SC2046
+  on_slow_disk "$2" "$3" $(plates "$1") &
+  nesting=$!
+  wait_for 60 test -e "out/plates/layout_$1.svg.tmp"
+}
+# end_plates CODE MOST_MS: waits until it is over
+end_plates() {
+  local before code
+  before=$(date +%s%N)
+  wait $nesting 2>/dev/null
+  code=$?
+  [[ $code -eq $1 ]] || fail "exit code $code, not $1: $(cat errors)"
+  ((($(date +%s%N) - before) / 1000000 < $2)) || fail "it took $((($(date +%s%N) - before) / 1000000)) ms to end"
+}
+sums() { (cd out/plates && sha256sum ./*); }
 # shellcheck disable=SC2046
-run 0 $(plates 2)
+run_program 0 $(plates 2)
 expect_whole out/plates 2
-before=$(cd out/plates && sha256sum ./*)
-# shellcheck disable=SC2046
-"$tessera" $(plates 1500) >output 2>errors &
-nesting=$!
-wait_for 60 test -e out/plates/layout_30.svg.tmp
+before=$(sums)
+
+start_plates 40 400 0
 kill -KILL $nesting
-wait $nesting 2>/dev/null
-[[ $(cd out/plates && rm -f ./*.tmp run.lock && sha256sum ./*) == "$before" ]] ||
-  fail "a run that was killed while it wrote has changed the layout that was there"
-# shellcheck disable=SC2046
-"$tessera" $(plates 1500) >output 2>errors &
-nesting=$!
-wait_for 60 test -e out/plates/layout_30.svg.tmp
-kill -KILL $nesting
-wait $nesting 2>/dev/null
-# shellcheck disable=SC2046
-"$tessera" $(plates 400) >output 2>errors &
-nesting=$!
+end_plates 137 4000
+rm -f out/plates/run.lock out/plates/*.tmp
+[[ $(sums) == "$before" ]] || fail "a run that was killed while it wrote has changed the layout that was there"
+
+# A second signal ends it without the layout, and the one before is as it was.
+start_plates 70 1500 0
+kill -TERM $nesting
+sleep 1.3
+kill -INT $nesting
+end_plates 75 5000
+expect_word 'unfinished, nothing was written, and an earlier layout is as it was'
+[[ $(sums) == "$before" ]] || fail "a second signal leaves something behind"
+
+# What ends a process where there is nothing to save, and several signals at once, end it when all files are there: with
+# a wait for each file they would take a minute.
+for signal in HUP XCPU TERM; do
+  start_plates 120 250 0
+  kill -s $signal $nesting
+  kill -s INT $nesting
+  end_plates 75 8000
+  expect_whole out/plates 120
+done
+! grep -q stopped_by out/plates/layout.json || fail "the search was not stopped"
+
+# The limit has room for the files.
+SECONDS=0
+most_s=20 on_slow_disk 300 0 "$tessera" nest plates.json --sheet 21,16 --effort best --out out/slow --quiet --demand plate=120 \
+  --time-limit 10 &
+wait $!
+code=$?
+[[ $code -eq 0 || $code -eq 75 ]] || fail "exit code $code within a limit on a slow disk: $(cat errors)"
+((SECONDS <= 11)) || fail "a limit of 10 s took $SECONDS s on a slow disk"
+expect_whole out/slow 120
+
+# Pictures appear some at a time, and a signal ends drawing.
+start_plates 40 800 0
 wait_for 60 test -e out/plates/layout_3.png # the layout is whole, and drawn
 kill -TERM $nesting
-before=$(date +%s%N)
-wait $nesting
-[[ $? -eq 75 ]] || fail "exit code $? after a signal while it drew"
-((($(date +%s%N) - before) / 1000000 < 4000)) || fail "drawing does not end after a signal"
-grep -q 'out/plates: drew [0-9]* of 400 layout pictures (.png); all other files are there' errors ||
-  fail "does not tell that pictures are missing"
-expect_whole out/plates 400
-! grep -q stopped_by out/plates/layout.json || fail "the search was not stopped"
+end_plates 75 4000
+grep -q 'out/plates: drew 32 of 40 layout pictures (.png); all other files are there' errors ||
+  fail "does not tell that pictures are missing: $(cat errors)"
+expect_whole out/plates 40
+[[ $(find out/plates -name '*.png' | wc -l) -eq 32 ]] || fail "not the pictures that were drawn"
 # shellcheck disable=SC2046
-run 0 $(plates 2)
+run_program 0 $(plates 2)
 expect_whole out/plates 2
 [[ $(find out/plates -name '*.png' | wc -l) -eq 2 ]] || fail "pictures of the layout before"
 
 # The disk is full at the last moment: only layout.json is longer than the limit.
-before=$(cd out/plates && sha256sum ./*)
+before=$(sums)
 # shellcheck disable=SC2046
-(ulimit -f 20 && run 1 $(plates 150)) || exit 1
+(ulimit -f 20 && run_program 1 $(plates 150)) || exit 1
 expect_word 'cannot write out/plates/layout.json: File too large'
-[[ $(cd out/plates && sha256sum ./*) == "$before" ]] || fail "a full disk has changed the layout that was there"
-
-# What ends a process where there is nothing to save: all files are written, then it ends.
-for signal in HUP XCPU; do
-  # shellcheck disable=SC2046
-  "$tessera" $(plates 150) >output 2>errors &
-  nesting=$!
-  wait_for 60 test -e out/plates/layout_30.svg.tmp
-  kill -s $signal $nesting
-  wait $nesting
-  code=$?
-  [[ $code -eq 75 ]] || fail "exit code $code after SIG$signal while it wrote"
-  expect_whole out/plates 150
-done
+[[ $(sums) == "$before" ]] || fail "a full disk has changed the layout that was there"
 
 # Killed while the old layout goes and the new one comes: then layout.json is missing, and the next run puts it right.
-# shellcheck disable=SC2046
-"$tessera" $(plates 400) >output 2>errors &
-nesting=$!
-wait_for 60 test -e out/plates/layout_30.svg.tmp
-while [[ -e out/plates/layout.json ]]; do :; done
+start_plates 40 0 20
+wait_for 60 test -e out/plates/layout_20.svg
 kill -KILL $nesting
-wait $nesting 2>/dev/null
-if [[ -e out/plates/layout.json ]]; then
-  rm -f out/plates/*.tmp out/plates/run.lock
-  expect_whole out/plates 400
-else
-  echo "killed with $(find out/plates -name '*.svg' | wc -l) of 400 sheets in place"
-fi
+end_plates 137 4000
+[[ ! -e out/plates/layout.json ]] || fail "layout.json is there before all files are"
 # shellcheck disable=SC2046
-run 0 $(plates 2)
+run_program 0 $(plates 2)
 expect_whole out/plates 2
 [[ ! -e out/plates/run.lock ]] || fail "left the lock of a killed run"
 echo "ok writing"

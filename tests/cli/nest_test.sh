@@ -89,6 +89,13 @@ expect_word 'warning: 2 of 3 pieces found no place: disc, ring'
 mkdir both && cp plates.svg out/plates/layout.dxf both
 run 0 nest both --strip 60 --effort draft
 grep -q '^  pieces          9 of 9$' output || fail "not all of a folder"
+mkfifo both/a.svg both/b.DXF
+ln -s c.svg both/c.svg # leads to itself
+mkdir both/d.svg
+touch both/notes.txt
+run 0 nest both --strip 60 --effort draft
+expect_word 'warning: both: left out 4 names that are no regular files: a.svg, b.DXF, c.svg, d.svg'
+grep -q '^  pieces          9 of 9$' output || fail "not all of a folder beside pipes"
 cat >spike.svg <<'SVG'
 <svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="300mm" viewBox="0 0 300 300">
   <polygon id="p" points="0,0 100,0 100,50 150,50 100,50 100,100 0,100"/></svg>
@@ -139,7 +146,7 @@ expect_word 'dot.json: dot: found a size of 0.5 mm, allowed: 1 or more, a millio
 run 2 nest plates.svg --strip 50 --demand wheel=2
 expect_word '--demand wheel: fits no name of a shape; allowed: patterns of plate, disc, ring'
 run 2 nest plates.svg --strip 50 --demand plate
-expect_word '--demand plate: allowed: NAME=COUNT, 0 to 2000'
+expect_word '--demand plate: allowed: NAME=COUNT, a whole number from 0 to 2000'
 run 2 nest plates.svg --strip 50 --demand '*=1500'
 expect_word 'found 4500 pieces in all, allowed: 1 to 2000'
 run 2 nest plates.svg --strip 50 --spacing -1

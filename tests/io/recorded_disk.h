@@ -2,6 +2,7 @@
 // fsync, renameat and linkat of the whole test program are those of recorded_disk.cpp.
 #pragma once
 
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,15 @@ class RecordedDisk {
   /// Every flush of a file fails from now on, with the reason ENOSPC: a disk that finds out late that it is full.
   void fail_flushes() { flushes_fail_ = true; }
 
-  void record(const std::string& step) { steps_.push_back(step); }
+  /// By any thread.
+  void record(const std::string& step) {
+    const std::lock_guard lock(mutex_);
+    steps_.push_back(step);
+  }
   bool flushes_fail() const { return flushes_fail_; }
 
  private:
+  std::mutex mutex_;
   std::vector<std::string> steps_;
   bool flushes_fail_ = false;
 };

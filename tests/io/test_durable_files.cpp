@@ -93,5 +93,42 @@ TEST(DurableFiles, AFlushThatFailsLeavesTheFileThatWasThere) {
   EXPECT_FALSE(std::filesystem::exists(temporary_path(path)));
 }
 
+/// Not one wait for the disk for each file.
+TEST(DurableFiles, OfManyFilesAllAreFlushedTogetherBeforeTheFirstIsRenamed) {
+  constexpr std::size_t kFiles = 200;
+  const test::ScratchFolder folder;
+  std::vector<std::string> names;
+  Steps flushes, renames;
+  const RecordedDisk disk;
+  for (std::size_t i = 0; i < kFiles; ++i) {
+    const std::string name = std::to_string(100 + i) + ".svg";
+    names.push_back(name);
+    TemporaryFile file(folder.path(name));
+    file.write(bytes_of("12345"));
+    file.leave();
+    flushes.push_back("flush " + name + ".tmp (5 bytes)");
+    renames.push_back("rename " + name + ".tmp " + name);
+  }
+  EXPECT_TRUE(disk.steps().empty()) << "a file waited for the disk";
+  flush_left_files(folder.path(""), names);
+  Steps flushed = disk.steps();
+  std::sort(flushed.begin(), flushed.end());
+  EXPECT_EQ(flushed, flushes);
+  take_left_files(folder.path(""), names);
+  renames.push_back("flush folder");
+  EXPECT_EQ(Steps(disk.steps().begin() + kFiles, disk.steps().end()), renames);
+}
+
+TEST(DurableFiles, OfManyFilesAFlushThatFailsIsTold) {
+  const test::ScratchFolder folder;
+  const std::vector<std::string> names = {"a.svg"};
+  TemporaryFile file(folder.path("a.svg"));
+  file.write(bytes_of("12345"));
+  file.leave();
+  RecordedDisk full;
+  full.fail_flushes();
+  EXPECT_THROW(flush_left_files(folder.path(""), names), EnvironmentError);
+}
+
 }  // namespace
 }  // namespace tessera::io

@@ -58,6 +58,16 @@ TEST_F(LargeDrawings, AreRefusedOfManyAttributes) {
                  "id: found a name of 2000000 bytes, \"nnnnnnnnnnnnnnnnnnnn...\", allowed: 1000");
 }
 
+/// libxml2 refuses more than 10 MB of a document that ends right after a long tag.
+TEST_F(LargeDrawings, AreReadToTheirLastByte) {
+  const std::string arcs = "a1 1 0 1 1 2 0 ";
+  std::string path = "<path id='a' d='M0 0 ";
+  for (int i = 0; i < 100'000; ++i) path += arcs;
+  path += "z'/>";
+  for (const char* name : {"arcs.svg", "arcs.svgz"})
+    expect_refused(name, {kSvg, path, 12, "</svg>"}, ": a: found more than 200000 points");
+}
+
 TEST_F(LargeDrawings, AreRefusedOfManyNumbers) {
   expect_refused("line.svg", {kSvg + "<path d='M0 0", " 1 1", 1'000'000, "'/></svg>"}, "found more than 200000 points");
   expect_refused("starts.svg", {kSvg + "<path d='", "M0 0", 2'000'000, "'/></svg>"}, "found more than 200000 points");

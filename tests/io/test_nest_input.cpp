@@ -146,7 +146,10 @@ TEST(SvgDrawings, RefusesWhatIsOfNoUse) {
   EXPECT_NE(svg_refusal("<rect width='9' height='9' transform='turn(3)'/>").find("transform: found turn"),
             std::string::npos);
   EXPECT_EQ(svg_refusal("<rect").substr(0, 39), "a.svg: not a readable SVG file: line 1:");
-  EXPECT_NE(refusal([] { svg("", "viewBox='0 0 0 nan'"); }).find("viewBox: found"), std::string::npos);
+  EXPECT_EQ(refusal([] { svg("", "viewBox='0 0 0 9'"); }),
+            "a.svg: viewBox: found \"0 0 0 9\", allowed: four numbers, the last two above 0");
+  EXPECT_EQ(svg_refusal("<circle r='1e9'/>"),
+            "a.svg: circle1: r: found \"1e9\", allowed: a length below 1e9 px, in px, mm, cm, in, pt or pc");
 }
 
 TEST(SvgDrawings, BoundsHostileOnes) {
@@ -242,7 +245,7 @@ TEST(DxfDrawings, KnowsEveryUnit) {
   }
   for (const std::string unit : {"21", "-1", "1.5"}) {
     EXPECT_EQ(refusal([&] { dxf_drawings(dxf(box, header(unit)), "a.dxf", "a"); }),
-              "a.dxf: line 8: $INSUNITS: found " + unit + ", allowed: 0 to 20");
+              "a.dxf: line 8: $INSUNITS: found " + unit + ", allowed: a whole number from 0 to 20");
   }
 }
 
@@ -251,7 +254,10 @@ TEST(DxfDrawings, RefusesDamage) {
   EXPECT_EQ(refused(""), "a.dxf: not an ASCII DXF file");
   EXPECT_EQ(refused("AutoCAD Binary DXF\r\n"),
             "a.dxf: line 1: found \"AutoCAD Binary DXF\", allowed: the number of a group code");
-  EXPECT_EQ(refused(dxf("0\nCIRCLE\n10\nnan\n20\n1\n40\n1\n")), "a.dxf: line 14: found \"nan\", allowed: a number");
+  EXPECT_EQ(refused(dxf("0\nCIRCLE\n10\nnan\n20\n1\n40\n1\n")),
+            "a.dxf: line 14: found \"nan\", allowed: a number from -1e12 to 1e12");
+  EXPECT_EQ(refused(dxf("0\nCIRCLE\n10\n1\n20\n1\n40\n1e300\n")),
+            "a.dxf: line 18: found \"1e300\", allowed: a number from -1e12 to 1e12");
   EXPECT_EQ(refused("0\nSECTION\n2\nENTITIES\n0"), "a.dxf: line 5: ends within a pair of lines");
   EXPECT_EQ(refused(dxf(line(0, 0, 4, 4) + line(4, 4, 4, 0) + line(4, 0, 0, 4) + line(0, 4, 0, 0))),
             "a.dxf: contour 1: found a contour that crosses itself");
@@ -305,7 +311,11 @@ TEST(NestInstance, RefusesWhatIsOfNoUse) {
   EXPECT_NE(refused(std::string(1'000'000, '[')).find("a.json: "), std::string::npos);
   const std::string triangle = R"("shape": {"type": "simple_polygon", "data": [[0,0],[3,0],[0,3]]})";
   EXPECT_EQ(refused(instance(R"({"demand": 2.7, )" + triangle + "}")),
-            "a.json: item 0: demand: found 2.7, allowed: a whole number");
+            "a.json: item 0: demand: found 2.7, allowed: a whole number from 0 to 2000");
+  EXPECT_EQ(refused(instance(R"({"demand": 2001, )" + triangle + "}")),
+            "a.json: item 0: demand: found 2001, allowed: a whole number from 0 to 2000");
+  EXPECT_EQ(refused(instance(R"({"demand": "two", )" + triangle + "}")),
+            "a.json: item 0: demand: found \"two\", allowed: a whole number from 0 to 2000");
   EXPECT_EQ(nest_instance(instance(R"({"demand": 2.0, )" + triangle + "}"), "a.json").sources.at(0).demand, 2);
   EXPECT_EQ(of(R"({"type": "polygon", "data": {"outer": [[0,0],[9,0],[0,9]], "inner": 3}})"),
             "a.json: item 0: shape: inner: found 3, allowed: a list of contours");

@@ -39,9 +39,7 @@ XmlDocPtr parse(std::span<const std::uint8_t> bytes, const std::string& path) {
   context->sax->entityDecl = declare_internal_entity;
   constexpr int kOptions =
       XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOCDATA | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
-  XmlDocPtr doc(xmlCtxtReadMemory(context.get(), reinterpret_cast<const char*>(bytes.data()), int(bytes.size()),
-                                  nullptr, nullptr, kOptions));
-  context->myDoc = nullptr;
+  XmlDocPtr doc = read_xml(*context, bytes, kOptions);
   if (!doc) throw InputError(path + ": not a well-formed SVG file");
   return doc;
 }

@@ -4,7 +4,9 @@
 #include <libxml/parser.h>
 #include <libxml/tree.h>
 
+#include <cstdint>
 #include <memory>
+#include <span>
 
 namespace tessera::io {
 
@@ -22,6 +24,11 @@ using XmlContextPtr = std::unique_ptr<xmlParserCtxt, FreeXml>;
 
 /// Throws std::bad_alloc.
 XmlContextPtr new_xml_context();
+
+/// The document of `bytes`, null where it is damaged; `options` are XML_PARSE_... without XML_PARSE_HUGE. As
+/// xmlCtxtReadMemory, which also refuses a document of more than 10 MB that ends right after a long tag. Throws
+/// std::bad_alloc.
+XmlDocPtr read_xml(xmlParserCtxt& context, std::span<const std::uint8_t> bytes, int options);
 
 /// A handler for xmlSAXHandler::entityDecl. Entities that would be read from elsewhere stay undeclared; using one is
 /// then an error like any other.

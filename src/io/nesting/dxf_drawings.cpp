@@ -66,7 +66,8 @@ double number_of(const Pair& pair, const PairReader& in) {
   const std::string_view text = pair.value.starts_with('+') ? pair.value.substr(1) : pair.value;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || !std::isfinite(value) || std::abs(value) > 1e12)
-    in.fail(pair.line + 1, "found \"" + std::string(pair.value.substr(0, 20)) + "\", allowed: a number");
+    in.fail(pair.line + 1,
+            "found \"" + std::string(pair.value.substr(0, 20)) + "\", allowed: a number from -1e12 to 1e12");
   return value;
 }
 
@@ -236,7 +237,8 @@ class Reader {
     if (variable_ != "$INSUNITS" || pair.code != 70) return;
     const double unit = number_of(pair, in_);
     if (!(unit >= 0 && unit < double(kMmOfUnit.size()) && unit == std::floor(unit)))
-      in_.fail(pair.line + 1, "$INSUNITS: found " + std::string(pair.value.substr(0, 20)) + ", allowed: 0 to 20");
+      in_.fail(pair.line + 1,
+               "$INSUNITS: found " + std::string(pair.value.substr(0, 20)) + ", allowed: a whole number from 0 to 20");
     mm_ = kMmOfUnit[std::size_t(unit)];
   }
 

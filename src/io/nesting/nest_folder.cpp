@@ -1,11 +1,14 @@
 #include "io/nesting/nest_folder.h"
 
 #include <algorithm>
+#include <exception>
 #include <set>
+#include <span>
 #include <string_view>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 #include "io/atomic_file.h"
 #include "io/nesting/nest_job.h"
 #include "io/nesting/nest_sheets.h"
@@ -115,21 +118,61 @@ class TemporaryFiles {
   TemporaryFiles(const TemporaryFiles&) = delete;
   TemporaryFiles& operator=(const TemporaryFiles&) = delete;
 
-  void add(const std::string& name, std::string_view text) {
+  void add(const std::string& name, std::span<const std::uint8_t> bytes) {
     between_(names_.size(), all_);
     names_.push_back(name);
     TemporaryFile file((folder_ / name).string());
-    file.write(bytes_of(text));
+    file.write(bytes);
     file.leave();
   }
-  const std::vector<std::string>& names() const { return names_; }
+  void add(const std::string& name, std::string_view text) { add(name, bytes_of(text)); }
+
+  /// All bytes are on the disk when this returns.
+  void flush() const {
+    constexpr std::size_t kAtOnce = 64;
+    for (std::size_t first = 0; first < names_.size(); first += kAtOnce) {
+      between_(names_.size(), all_);
+      flush_left_files(folder_.string(), std::span(names_).subspan(first, std::min(kAtOnce, names_.size() - first)));
+    }
+  }
+
+  /// All of them, in the order in which they were added, get their own names. They were flushed.
+  void take() const { take_left_files(folder_.string(), names_); }
 
  private:
   fs::path folder_;
   std::size_t all_;
-  const BetweenFiles& between_;
+  BetweenFiles between_;
   std::vector<std::string> names_;
 };
+
+std::size_t files_of_sheet(bool of_library) { return of_library ? 4 : 2; }
+
+/// What the disk takes for files that are written, flushed and renamed together.
+struct DiskSpeed {
+  double wait_s = 0;  // however many there are
+  double file_s = 0;  // more for each
+  double seconds(double files) const { return wait_s + file_s * files; }
+};
+
+/// Writes, flushes and removes so many small files. Returns how long that took.
+double seconds_of_trial(const fs::path& folder, std::size_t count) {
+  constexpr std::size_t kBytes = 4096;
+  const std::string text(kBytes, ' ');
+  const Stopwatch watch;
+  {
+    TemporaryFiles files(folder, count, [](std::size_t, std::size_t) {});
+    for (std::size_t i = 1; i <= count; ++i) files.add("layout_" + std::to_string(i) + ".svg", text);
+    files.flush();
+  }
+  return watch.seconds();
+}
+
+DiskSpeed measured_disk(const fs::path& folder) {
+  constexpr std::size_t kFiles = 96;
+  const double wait_s = seconds_of_trial(folder, 1);
+  return {wait_s, std::max(0.0, seconds_of_trial(folder, kFiles) - wait_s) / double(kFiles)};
+}
 
 void add_sheet(const NestRun& run, int sheet, const fs::path& folder, TemporaryFiles& files) {
   const std::string name = name_of_sheet(run, sheet);
@@ -151,27 +194,51 @@ NestFolder::NestFolder(const std::string& folder)
   remove_files(folder_, is_leftover);
 }
 
-/// With layout.json gone the folder has no whole layout, until the new layout.json is there, the last of `names`.
-void NestFolder::replace_earlier(const std::vector<std::string>& names) {
+double NestFolder::seconds_to_write(bool of_library, double sheets) const {
+  constexpr double kFew = 16, kMargin = 1.5;
+  const double count = double(files_of_sheet(of_library)) * sheets;
+  return count > kFew ? kMargin * measured_disk(folder_).seconds(count) : 0;
+}
+
+/// With layout.json gone the folder has no whole layout, until the new layout.json is there, the last file.
+void NestFolder::remove_earlier() {
   remove_file(folder_ / kNestLayoutName);
   remove_files(folder_, is_of_sheet);
-  take_left_files(folder_.string(), names);
 }
 
 void NestFolder::write(const NestRun& run, const BetweenFiles& between) {
-  const std::size_t of_sheet = run.input.library.empty() ? 2 : 4;
-  TemporaryFiles files(folder_, 2 + of_sheet * std::size_t(run.layout.sheets), between);
+  const std::size_t of_sheets = files_of_sheet(!run.input.library.empty()) * std::size_t(run.layout.sheets);
+  TemporaryFiles files(folder_, 2 + of_sheets, between);
   files.add(kNestCardName, nest_card_text(run));
   for (int sheet = 0; sheet < run.layout.sheets; ++sheet) add_sheet(run, sheet, folder_, files);
   files.add(kNestLayoutName, nest_layout_json(run));
-  replace_earlier(files.names());
+  files.flush();
+  remove_earlier();
+  files.take();
 }
 
 void NestFolder::draw(const NestRun& run, const BetweenFiles& between) {
-  for (int sheet = 0; sheet < run.layout.sheets; ++sheet) {
-    between(std::size_t(sheet), std::size_t(run.layout.sheets));
-    write_file_atomically((folder_ / (name_of_sheet(run, sheet) + ".png")).string(), sheet_png(nest_sheet(run, sheet)));
+  constexpr int kAtOnce = 32;
+  for (int first = 0; first < run.layout.sheets; first += kAtOnce)
+    draw_some(run, first, std::min(first + kAtOnce, run.layout.sheets), between);
+}
+
+/// The sheets from `first` to before `end`.
+void NestFolder::draw_some(const NestRun& run, int first, int end, const BetweenFiles& between) {
+  const BetweenFiles nothing = [](std::size_t, std::size_t) {};
+  TemporaryFiles files(folder_, std::size_t(end - first), nothing);
+  std::exception_ptr ended;
+  try {
+    for (int sheet = first; sheet < end; ++sheet) {
+      between(std::size_t(sheet), std::size_t(run.layout.sheets));
+      files.add(name_of_sheet(run, sheet) + ".png", sheet_png(nest_sheet(run, sheet)));
+    }
+  } catch (...) {
+    ended = std::current_exception();
   }
+  files.flush();
+  files.take();
+  if (ended) std::rethrow_exception(ended);
 }
 
 }  // namespace tessera::io

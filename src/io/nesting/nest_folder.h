@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "io/nesting/nest_result.h"
 #include "io/output_folder.h"
@@ -13,7 +12,8 @@
 
 namespace tessera::io {
 
-/// Called before each file, with the number of files that are done and that of all. What it throws ends the writing.
+/// Called before each file, with the number of files that are done and that of all, and while the disk writes. What it
+/// throws ends the writing.
 using BetweenFiles = std::function<void(std::size_t done, std::size_t all)>;
 
 /// To be made before time is spent on a search. While it lives, no other run may write into the folder (output_lock.h).
@@ -24,6 +24,10 @@ class NestFolder {
   /// EnvironmentError where nothing can be written there.
   explicit NestFolder(const std::string& folder);
 
+  /// About how long the disk will take for the files of so many sheets: some small files are written and removed. 0
+  /// where they are few. Throws EnvironmentError.
+  double seconds_to_write(bool of_library, double sheets) const;
+
   /// layout.json, card.txt, and of each sheet layout.svg and .dxf; of a library's shapes layout.toml and
   /// layout_pieces.geojson, too. Of several sheets they are called layout_1.svg and so on. All get temporary names
   /// first: until all are on the disk an earlier layout stays as it was, then the whole of it is replaced, pictures
@@ -31,11 +35,13 @@ class NestFolder {
   /// Other files stay. Throws EnvironmentError.
   void write(const NestRun& run, const BetweenFiles& between);
 
-  /// The pictures of a layout that was written: layout.png of each sheet. Those before what `between` throws stay.
+  /// The pictures of a layout that was written: layout.png of each sheet, some at a time. Those before what `between`
+  /// throws stay.
   void draw(const NestRun& run, const BetweenFiles& between);
 
  private:
-  void replace_earlier(const std::vector<std::string>& names);
+  void remove_earlier();
+  void draw_some(const NestRun& run, int first, int end, const BetweenFiles& between);
 
   std::filesystem::path folder_;
   OutputFolder made_;

@@ -65,13 +65,41 @@ void add_file(const fs::path& path, NestInput& input) {
   add(std::move(found.drawings), input);
 }
 
-void add_folder(const fs::path& folder, NestInput& input) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const Kind kind = kind_of(entry.path());
-    if (entry.is_regular_file() && (kind == Kind::svg || kind == Kind::dxf)) files.push_back(entry.path());
+struct FolderFiles {
+  std::vector<fs::path> drawings;
+  std::set<std::string> others;  // called like drawings, and no regular files
+};
+
+FolderFiles drawings_in(const fs::path& folder) {
+  FolderFiles files;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
+    const Kind kind = kind_of(at->path());
+    if (kind != Kind::svg && kind != Kind::dxf) continue;
+    std::error_code ignored;
+    if (at->is_regular_file(ignored))
+      files.drawings.push_back(at->path());
+    else
+      files.others.insert(printable_utf8(at->path().filename().string()));
   }
-  std::sort(files.begin(), files.end());
+  if (error) throw InputError(shown(folder) + ": cannot be read: " + error.message());
+  std::sort(files.drawings.begin(), files.drawings.end());
+  return files;
+}
+
+std::string joined(const std::set<std::string>& names) {
+  constexpr std::size_t kMostBytes = 200;
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+    if (text.size() > kMostBytes) break;
+  }
+  return cut_utf8(text, kMostBytes);
+}
+
+void add_folder(const fs::path& folder, NestInput& input) {
+  const auto [files, others] = drawings_in(folder);
+  note(int(others.size()), "names that are no regular files: " + joined(others), folder, input);
   std::size_t points = 0;
   for (const fs::path& file : files) {
     const std::size_t before = input.sources.size();

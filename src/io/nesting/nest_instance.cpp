@@ -36,8 +36,17 @@ double number_in(const json& value, double least, double most, const std::string
     const double number = value.get<double>();
     if (number >= least && number <= most) return number;
   }
-  std::string allowed = json(least).dump() + " to " + json(most).dump();
+  const std::string allowed = json(least).dump() + " to " + json(most).dump();
   throw InputError(where + ": found " + shown(value) + ", allowed: a number from " + allowed);
+}
+
+int whole_number_in(const json& value, int least, int most, const std::string& where) {
+  if (value.is_number()) {
+    const double number = value.get<double>();
+    if (number >= least && number <= most && number == std::floor(number)) return int(number);
+  }
+  throw InputError(where + ": found " + shown(value) + ", allowed: a whole number from " + std::to_string(least) +
+                   " to " + std::to_string(most));
 }
 
 NestRing ring_of(const json& points, const std::string& where) {
@@ -100,12 +109,6 @@ std::vector<double> angles_of(const json& item, const std::string& where) {
   return {angles.begin(), angles.end()};
 }
 
-int demand_of(const json& value, const std::string& where) {
-  if (value.is_number_float() && value.get<double>() != std::floor(value.get<double>()))
-    throw InputError(where + ": found " + shown(value) + ", allowed: a whole number");
-  return int(number_in(value, 0, kMostNestedPieces, where));
-}
-
 std::string name_of(const json& item, std::size_t index) {
   const auto id = item.find("id");
   if (id != item.end() && id->is_string()) return printable_utf8(id->get<std::string>());
@@ -140,7 +143,8 @@ NestInput nest_instance(std::string_view text, const std::string& path) {
     source.drawing = drawing_of(member(item, "shape", where), where, points);
     source.drawing.name = name_of(item, input.sources.size() - 1);
     check_name(source.drawing.name, where + ": id");
-    if (item.contains("demand")) source.demand = demand_of(item["demand"], where + ": demand");
+    if (item.contains("demand"))
+      source.demand = whole_number_in(item["demand"], 0, kMostNestedPieces, where + ": demand");
     source.angles_deg = angles_of(item, where);
     points += source.drawing.outline.size();
     if (points > kMostDrawingPoints) {

@@ -72,7 +72,8 @@ SvgMatrix mm_from_user(xmlNode* root, const std::string& path) {
   } catch (const InputError&) {
   }
   if (view.size() != 4 || !(view[2] > 0 && view[3] > 0))
-    throw InputError(path + ": viewBox: found \"" + printable_utf8(box->substr(0, 40)) + "\", allowed: four numbers");
+    throw InputError(path + ": viewBox: found \"" + printable_utf8(box->substr(0, 40)) +
+                     "\", allowed: four numbers, the last two above 0");
   const auto side = [&](const char* name, double user) {
     const std::optional<std::string> text = attribute(root, name);
     const std::optional<double> px = text ? length_px(*text) : std::nullopt;
@@ -89,7 +90,8 @@ double number_of(xmlNode* node, const char* name) {
   if (!text) return 0;
   const std::optional<double> value = length_px(*text);
   if (value && std::abs(*value) < 1e9) return *value;
-  throw InputError(std::string(name) + ": found \"" + printable_utf8(text->substr(0, 20)) + "\", allowed: a length");
+  throw InputError(std::string(name) + ": found \"" + printable_utf8(text->substr(0, 20)) +
+                   "\", allowed: a length below 1e9 px, in px, mm, cm, in, pt or pc");
 }
 
 std::vector<SvgSubpath> closed(NestRing ring, const SvgMatrix& matrix) {

@@ -140,9 +140,7 @@ SvgTree parsed(std::span<const std::uint8_t> bytes, const std::string& path) {
   context->_private = &counts;
   *context->sax = handlers(*context->sax);
   constexpr int kOptions = XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING;
-  SvgTree tree(xmlCtxtReadMemory(context.get(), reinterpret_cast<const char*>(bytes.data()), int(bytes.size()), nullptr,
-                                 nullptr, kOptions));
-  context->myDoc = nullptr;
+  SvgTree tree = read_xml(*context, bytes, kOptions);
   if (!counts.fault.empty()) throw InputError(path + ": " + counts.fault);
   const xmlNode* const root = tree ? xmlDocGetRootElement(tree.get()) : nullptr;
   if (!root) throw InputError(path + ": not a readable SVG file" + damage(*context));
