@@ -34,7 +34,14 @@ void check_regular(const std::string& path, const struct stat& status, const str
   if (!kernel.empty()) throw_found(path, "a file of the kernel (" + kernel + ")");
 }
 
-std::string mebibytes(std::size_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
+/// In the largest unit of which the limit is a whole number. What was found is rounded up, so that it is never the limit.
+std::string more_than_allowed(std::size_t found_bytes, std::size_t most_bytes) {
+  constexpr std::size_t kKibibyte = 1 << 10, kMebibyte = 1 << 20;
+  const std::size_t unit = most_bytes % kMebibyte == 0 ? kMebibyte : most_bytes % kKibibyte == 0 ? kKibibyte : 1;
+  const std::string name = unit == kMebibyte ? " MiB" : unit == kKibibyte ? " KiB" : " bytes";
+  return std::to_string((found_bytes + unit - 1) / unit) + name + ", more than the " +
+         std::to_string(most_bytes / unit) + name + " allowed";
+}
 
 }  // namespace
 
@@ -74,8 +81,7 @@ std::size_t read_at(const std::string& path, const FileDescriptor& file, std::ui
 std::vector<std::uint8_t> read_regular_file(const std::string& path, std::size_t most_bytes) {
   const FileDescriptor file = open_regular_file(path);
   const std::size_t size = size_of(path, file);
-  if (size > most_bytes)
-    throw InputError(path + ": " + mebibytes(size) + ", more than the " + mebibytes(most_bytes) + " allowed");
+  if (size > most_bytes) throw InputError(path + ": " + more_than_allowed(size, most_bytes));
   std::vector<std::uint8_t> bytes(size);
   if (read_at(path, file, 0, bytes) < size) throw InputError(path + ": became shorter while it was read");
   return bytes;

@@ -260,12 +260,14 @@ TEST_F(PolygonPieces, FilesThatWouldEatTheMachineAreRefused) {
       {repeated("{\"a\":", 1'000'000), "more than 32 levels deep"},
       {open_features + repeated("[", 1'000'000), "the feature: found a list"},
       {open_ring + repeated("[", 1'000'000), "more than 32 levels deep"},
-      {open_ring + repeated("[1,2],", 3'000'000), "more than 20000 positions"},
+      {open_ring + repeated("[1,2],", 3'000'000),
+       "found more than 20000 positions of a piece; allowed: 20000 or fewer"},
       {open_ring + repeated("1,", 3'000'000), "no JSON"},
       {open_features + repeated("{\"geometry\":{},", 500'000), "no JSON"},
       {collection(comb), "px of boundary in a box of 99.0 x 99.0 px, allowed: up to 100 times its width and height"},
       {collection(dense), "4002 positions in a box of 2.0 x 2.0 px, allowed: 1000, and 100 for each px"},
-      {collection(repeated(long_comb + ",", 500) + long_comb), "more than 8 million px of boundary up to here"}};
+      {collection(repeated(long_comb + ",", 500) + long_comb),
+       "more than 8000000 px of boundary up to here, of all pieces; allowed: 8000000 or fewer"}};
   for (const auto& [bytes, word] : files) {
     const test::ChildReport report = test::in_child([&] { return mistake(bytes); });
     test::expect_survived(report, bytes.substr(0, 60));

@@ -48,8 +48,10 @@ TEST(RegularFile, IsReadFromAPlaceUpToItsEnd) {
 TEST(RegularFile, MayNotBeLargerThanAllowed) {
   const test::ScratchFolder folder;
   const std::string file = folder.write("file", std::string((3u << 20) + 1, 'x'));
-  EXPECT_EQ(mistake(file, 2u << 20), file + ": 3 MiB, more than the 2 MiB allowed");
-  EXPECT_EQ(mistake(file, 3u << 20), file + ": 3 MiB, more than the 3 MiB allowed");
+  EXPECT_EQ(mistake(file, 2u << 20), file + ": 4 MiB, more than the 2 MiB allowed");
+  EXPECT_EQ(mistake(file, 64u << 10), file + ": 3073 KiB, more than the 64 KiB allowed");
+  EXPECT_EQ(mistake(file, 100), file + ": 3145729 bytes, more than the 100 bytes allowed");
+  EXPECT_EQ(mistake(file, 3u << 20), file + ": 4 MiB, more than the 3 MiB allowed");
 }
 
 TEST(RegularFile, OtherThingsAreRefusedAndNamed) {

@@ -122,6 +122,41 @@ TEST(SvgNeighbours, NoReferenceReachesThem) {
   }
 }
 
+/// Parts that blend with all that is beneath them.
+const std::vector<std::string> kBlending = {
+    R"~(<rect x="-900" y="-900" width="9999" height="9999" style="mix-blend-mode:difference;fill:white"/>)~",
+    R"~(<rect width="100" height="50" mix-blend-mode="difference" fill="white"/>)~",
+    R"~(<style>.b{MIX-BLEND-MODE:exclusion}</style><rect width="100" height="50" class="b" fill="white"/>)~",
+    R"~(<g style="mix-blend-mode:multiply"><rect width="100" height="50" fill="#ccc"/></g>)~",
+    R"~(<defs><g id="x"><rect width="100" height="50" fill="#4a8" style="mix-blend-mode:screen"/></g></defs>)~"
+    R"~(<use xlink:href="#x"/>)~"};
+
+/// The drawing on a ground of another colour than white.
+cv::Mat on_ground(const std::string& drawing) {
+  std::string text = document(drawing);
+  const std::string white = "fill=\"white\"/><g id=\"layer\"";
+  return by_librsvg(text.replace(text.rfind(white), white.size(), "fill=\"#f3f0ec\"/><g id=\"layer\""));
+}
+
+/// As collage.png has it: drawn by itself, then laid on the ground.
+TEST(SvgNeighbours, NoBlendModeReachesTheGround) {
+  const cv::Rect middle(0, 50, 100, 50);
+  for (const std::string& body : kBlending) {
+    const cv::Mat alone = render_artwork(svg(body), "s.svg", 100);
+    EXPECT_EQ(cv::norm(on_ground(drawing("s", body))(middle), alone, cv::NORM_INF), 0) << body;
+  }
+  EXPECT_EQ(harmless().find("isolation"), std::string::npos) << "the bytes of all others stay";
+}
+
+/// librsvg gives it to filters, wherever the drawing stands: such a drawing becomes a picture.
+TEST(SvgNeighbours, NoFilterReadsTheGround) {
+  for (const char* input : {"BackgroundImage", "BackgroundAlpha"}) {
+    const std::string body = R"~(<filter id="f"><feBlend in="SourceGraphic" in2=")~" + std::string(input) +
+                             R"~(" mode="difference"/></filter><rect width="9" height="9" filter="url(#f)"/>)~";
+    EXPECT_THROW(drawing("s", body), InputError) << input;
+  }
+}
+
 std::string chromium() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome", "chrome"}) {
     const std::string program = std::string("/usr/bin/") + name;

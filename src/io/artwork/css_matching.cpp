@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "io/artwork/xml_tree.h"
+#include "io/too_many.h"
 
 namespace tessera::io {
 namespace {
@@ -44,8 +45,8 @@ bool passes(CssAttribute::Test test, std::string_view value, std::string_view wa
 void CssMatcher::count(std::uint64_t comparisons) {
   comparisons_ += comparisons;
   if (comparisons_ <= kMostCssComparisons) return;
-  throw InputError(path_ + ": its style sheets need more than " + std::to_string(kMostCssComparisons) +
-                   " comparisons with its elements, allowed: so many; write styles as attributes, or fewer selectors");
+  throw InputError(path_ + ": its style sheets: " + too_many(kMostCssComparisons, "comparisons with its elements") +
+                   "; write styles as attributes, or fewer selectors");
 }
 
 /// Null above the root.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "io/too_many.h"
 
 namespace tessera::io {
 namespace {
@@ -35,8 +36,7 @@ std::vector<std::uint8_t> gunzip(std::span<const std::uint8_t> bytes, const std:
     if (got == 0) return result;
     result.insert(result.end(), block.begin(), block.begin() + got);
     if (result.size() > limit_bytes) {
-      throw InputError(path + ": found more than " + std::to_string(limit_bytes >> 20) +
-                       " MiB when decompressed, allowed: so much");
+      throw InputError(path + ": " + too_many(limit_bytes >> 20, "MiB when decompressed"));
     }
   }
 }

@@ -1,5 +1,7 @@
 #include "io/artwork/svg_import.h"
 
+#include <glib.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -76,6 +78,11 @@ bool begins_like_handler(std::string_view name) {
   return name.size() > 2 && (name[0] == 'o' || name[0] == 'O') && (name[1] == 'n' || name[1] == 'N');
 }
 
+/// Whether a filter takes what lies beneath the drawing. librsvg knows it, of whatever document the drawing is in.
+bool reads_background(const std::string& attribute, const std::string& value) {
+  return (attribute == "in" || attribute == "in2") && value.find("Background") != std::string::npos;
+}
+
 /// Of the outermost <svg>, which gets a place and size of its own: the page, beyond which nothing is drawn.
 const std::set<std::string_view> kPlaced = {"x", "y", "width", "height", "overflow"};
 
@@ -84,6 +91,7 @@ class Importer {
  public:
   Importer(const xmlNode* root, const std::string& path, const std::string& scope_id, cv::Size2d page_size)
       : root_(root),
+        path_(path),
         scope_id_(scope_id),
         prefix_(scope_id + "-"),
         style_(root, path, prefix_),
@@ -94,7 +102,10 @@ class Importer {
     writer_.start("svg").attribute("width", fixed(page_.width, 6)).attribute("height", fixed(page_.height, 6));
     write_attributes(root_);
     write_children(root_);
-    return writer_.end().end().finish();
+    std::string imported = writer_.end().end().finish();
+    // Known at the end only: what lies beneath the drawing takes no part in it.
+    if (blends_) imported.insert(imported.find('>'), " style=\"isolation:isolate\"");
+    return imported;
   }
 
  private:
@@ -139,6 +150,9 @@ class Importer {
     // Without style sheets classes mean nothing; the style attribute is written with what the sheets say.
     static const std::set<std::string_view> kDropped = {"src", "base", "class", "style", "version", "baseProfile"};
     if (begins_like_handler(name) || kDropped.contains(name)) return;
+    if (reads_background(name, value))
+      throw InputError(path_ + ": found a filter of " + value + ", which is that of the document it stands in");
+    note_blending(name);
     if (name == "id") {
       writer_.attribute("id", prefix_ + value);
     } else if (const auto local = local_css_value(value, prefix_)) {
@@ -150,9 +164,14 @@ class Importer {
     std::string style;
     for (const CssDeclaration& declaration : style_.declarations_of(node)) {
       if (is_placed(node, declaration.name)) continue;
+      note_blending(declaration.name);
       style += (style.empty() ? "" : ";") + declaration.name + ":" + declaration.value;
     }
     if (!style.empty()) writer_.attribute("style", style);
+  }
+
+  void note_blending(const std::string& property) {
+    blends_ = blends_ || g_ascii_strcasecmp(property.c_str(), "mix-blend-mode") == 0;
   }
 
   std::optional<std::string> local_reference(const xmlNode* node, const std::string& uri) const {
@@ -163,11 +182,13 @@ class Importer {
   }
 
   const xmlNode* root_;
+  std::string path_;
   std::string scope_id_;
   std::string prefix_;
   SvgStyle style_;
   cv::Size2d page_;
   XmlWriter writer_;
+  bool blends_ = false;  // some part with what is beneath it
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "io/artwork/css_matching.h"
 #include "io/artwork/css_tokens.h"
 #include "io/artwork/xml_tree.h"
+#include "io/too_many.h"
 
 namespace tessera::io {
 namespace {
@@ -156,9 +157,9 @@ void SvgStyle::append(std::vector<CssDeclaration>& to, const std::vector<CssDecl
 void SvgStyle::count_bytes(std::size_t bytes) {
   bytes_ += bytes;
   if (bytes_ <= kMostDeclarationBytes) return;
-  throw InputError(path_ + ": its style sheets and attributes give its elements more than " +
-                   std::to_string(kMostDeclarationBytes >> 20) +
-                   " MiB of declarations, allowed: so many; write fewer declarations into each rule");
+  throw InputError(path_ + ": its style sheets and attributes: " +
+                   too_many(kMostDeclarationBytes >> 20, "MiB of declarations for its elements") +
+                   "; write fewer declarations into each rule");
 }
 
 }  // namespace tessera::io

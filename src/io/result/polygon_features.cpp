@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "io/job/job_entry.h"
 #include "io/number_text.h"
+#include "io/too_many.h"
 
 namespace tessera::io {
 namespace {
@@ -87,10 +88,10 @@ class Coordinates {
     if (axis_ < 2) fail(kCoordinates, "a position of one number", "[x, y]");
     axis_ = 0;
     if (++points_ > kMostFeaturePoints) {
-      fail(kCoordinates, "more than " + plural(kMostFeaturePoints, "positions"), "so many of a piece");
+      throw InputError(std::string(kCoordinates) + ": " + too_many(kMostFeaturePoints, "positions of a piece"));
     }
     if (++points_before_ > kMostPoints) {
-      fail(kCoordinates, "more than " + plural(kMostPoints, "positions up to here"), "so many in all");
+      throw InputError(std::string(kCoordinates) + ": " + too_many(kMostPoints, "positions up to here, of all pieces"));
     }
     ring_.push_back(position_);
   }

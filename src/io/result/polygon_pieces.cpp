@@ -7,6 +7,7 @@
 #include "core/geometry/winding.h"
 #include "io/number_text.h"
 #include "io/result/polygon_features.h"
+#include "io/too_many.h"
 
 namespace tessera::io {
 namespace {
@@ -138,8 +139,8 @@ std::vector<JudgedPiece> read_polygon_pieces(const std::string& path, const Canv
       pieces.push_back(piece_of(std::move(feature), canvas));
       boundary_px += length_px(pieces.back().outline_px);
       if (boundary_px <= kMostBoundary_px) return;
-      throw InputError("geometry.coordinates: found more than " + fixed(kMostBoundary_px / 1e6, 0) +
-                       " million px of boundary up to here, allowed: so much in all");
+      throw InputError("geometry.coordinates: " +
+                       too_many(std::size_t(kMostBoundary_px), "px of boundary up to here, of all pieces"));
     });
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
