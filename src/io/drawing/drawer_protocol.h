@@ -51,12 +51,13 @@ enum class DrawingKind : std::uint32_t {
   labels,
   whole,
   warped_svg,
-  uncut_page
+  uncut_page,
+  reduced
 };
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
-  int longest_side_px = 0;                   // of page, uncut_page, png and whole
+  int longest_side_px = 0;                   // of page, uncut_page, png, whole and reduced
   double width_pt = 0;                       // of the PDFs
   TracingSettings tracing = {};              // of shape
   std::string path = {};                     // stands in messages; a shape's name

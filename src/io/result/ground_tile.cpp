@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/artwork/alpha.h"
 #include "io/artwork/artwork_render.h"
 #include "io/artwork/svg_page.h"
 #include "io/job/canvas_file.h"
@@ -67,6 +68,7 @@ GroundTile drawn(const Job& job, const Canvas& canvas, Drawers& drawers) {
     tile.svg = svg_image(image, kId);
     tile.svg_size = image.size();
   }
+  premultiply(tile.page);
   return tile;
 }
 
