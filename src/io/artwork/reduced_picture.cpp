@@ -43,8 +43,9 @@ cv::Mat with_8_bits(const cv::Mat& decoded) {
 void give_back(const cv::Mat& rows) {
   const auto page = std::uintptr_t(::sysconf(_SC_PAGESIZE));
   const std::uintptr_t begin = (std::uintptr_t(rows.data) + page - 1) / page * page;
-  const std::uintptr_t end = std::uintptr_t(rows.dataend) / page * page;
-  if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+  const std::uintptr_t end =
+      std::uintptr_t(rows.ptr(rows.rows - 1) + std::size_t(rows.cols) * rows.elemSize()) / page * page;
+  if (rows.isContinuous() && begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
 }
 
 }  // namespace

@@ -6,14 +6,11 @@
 #include <span>
 #include <string>
 
-#include "io/artwork/image_decoding.h"
-
 namespace tessera::io {
 
 /// Straight BGRA, CV_8UC4, in its own px; 16 bits a channel become 8, and without alpha it is turned as its EXIF data
-/// say. One of more than `most_pixels` is reduced (reduced_picture.h). Throws InputError as decode_image does, and where
+/// say. One of more than kMostWorkedPixels is reduced (reduced_picture.h). Throws InputError as decode_image does, and where
 /// one of its sides is longer than `longest_side_px`.
-cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px,
-                      double most_pixels = kMaxImagePixels);
+cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
 
 }  // namespace tessera::io

@@ -16,8 +16,7 @@ std::size_t most_result_bytes(const DrawingRequest& request) {
     case DrawingKind::page:
     case DrawingKind::uncut_page:
     case DrawingKind::png:
-    case DrawingKind::whole:
-    case DrawingKind::reduced: return 4 * side_px * side_px;
+    case DrawingKind::whole: return 4 * side_px * side_px;
     case DrawingKind::natural_size: return 2 * sizeof(double);
     case DrawingKind::svg_import:
     case DrawingKind::warped_svg: return 64 * kMebibyte;

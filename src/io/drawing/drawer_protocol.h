@@ -51,13 +51,12 @@ enum class DrawingKind : std::uint32_t {
   labels,
   whole,
   warped_svg,
-  uncut_page,
-  reduced
+  uncut_page
 };
 
 struct DrawingRequest {
   DrawingKind kind = DrawingKind::page;
-  int longest_side_px = 0;                   // of page, uncut_page, png, whole and reduced
+  int longest_side_px = 0;                   // of page, uncut_page, png and whole
   double width_pt = 0;                       // of the PDFs
   TracingSettings tracing = {};              // of shape
   std::string path = {};                     // stands in messages; a shape's name

@@ -219,13 +219,6 @@ cv::Mat Drawers::whole_picture(std::span<const std::uint8_t> bytes, const std::s
   return image_of(crew_->draw(request), path, longest_side_px);
 }
 
-cv::Mat Drawers::reduced_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
-  check_side(longest_side_px, path);
-  const DrawingRequest request{
-      .kind = DrawingKind::reduced, .longest_side_px = longest_side_px, .path = path, .bytes = bytes};
-  return image_of(crew_->draw(request), path, longest_side_px);
-}
-
 cv::Mat Drawers::photo(std::span<const std::uint8_t> bytes, const std::string& path) {
   const DrawingRequest request{.kind = DrawingKind::photo, .path = path, .bytes = bytes};
   return image_of(crew_->draw(request), path, int(kMaxImagePixels));

@@ -71,9 +71,6 @@ class Drawers {
   /// See whole_picture.h: straight BGRA, CV_8UC4.
   cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
 
-  /// The same; one of more than kMostWorkedPixels (reduced_picture.h) is reduced.
-  cv::Mat reduced_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);
-
   /// See photo.h: CV_8UC4, opaque; CV_32SC1.
   cv::Mat photo(std::span<const std::uint8_t> bytes, const std::string& path);
   cv::Mat labels(std::span<const std::uint8_t> bytes, const std::string& path);

@@ -11,7 +11,6 @@
 #include "io/artwork/artwork_shape.h"
 #include "io/artwork/photo.h"
 #include "io/artwork/png_picture.h"
-#include "io/artwork/reduced_picture.h"
 #include "io/artwork/svg_import.h"
 #include "io/artwork/svg_pdf.h"
 #include "io/artwork/warped_svg.h"
@@ -70,7 +69,6 @@ DrawingAnswer answer_of(const DrawingRequest& request) {
     case DrawingKind::uncut_page: return image_answer(render_artwork(bytes, path, longest_side_px, Background::kept));
     case DrawingKind::png: return image_answer(png_picture(bytes, path, longest_side_px));
     case DrawingKind::whole: return image_answer(whole_picture(bytes, path, longest_side_px));
-    case DrawingKind::reduced: return image_answer(whole_picture(bytes, path, longest_side_px, kMostWorkedPixels));
     case DrawingKind::natural_size: return size_answer(open_artwork_page(bytes, path)->natural_size());
     case DrawingKind::svg_import:
       return text_answer(import_svg(bytes, path, scope_id, open_artwork_page(bytes, path)->natural_size()));

@@ -14,7 +14,7 @@ namespace {
 cv::Mat page_of(const std::vector<std::uint8_t>& bytes, const std::string& path, const char* key, int side_px) try {
   Drawers drawers(photo_drawer_settings(1));
   return looks_like_svg(bytes) ? drawers.render(bytes, path, side_px)
-                               : drawers.reduced_picture(bytes, path, kMaxArtworkSide_px);
+                               : drawers.whole_picture(bytes, path, kMaxArtworkSide_px);
 } catch (const InputError& error) {
   throw InputError(std::string(key) + ": " + error.what());
 }

@@ -10,7 +10,7 @@ namespace tessera::io {
 
 /// The file's middle with the canvas' aspect, as large as it can be: it covers the canvas, its middle on the canvas'
 /// middle. Straight BGRA, CV_8UC4; an SVG is drawn with a longest side of `side_px`. Throws InputError, which begins
-/// with the key where the file cannot be read, as Drawers::reduced_picture does otherwise.
+/// with the key where the file cannot be read, as Drawers::whole_picture does otherwise.
 cv::Mat overlay_picture(const std::string& path, const char* key, const Canvas& canvas, int side_px);
 
 }  // namespace tessera::io
