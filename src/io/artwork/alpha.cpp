@@ -20,9 +20,13 @@ void convert_colours(cv::Mat& image, Convert convert) {
 
 }  // namespace
 
+void premultiply(cv::Mat& straight) {
+  convert_colours(straight, [](int colour, int alpha) { return (colour * alpha + 127) / 255; });
+}
+
 cv::Mat premultiplied(const cv::Mat& straight) {
   cv::Mat result = straight.clone();
-  convert_colours(result, [](int colour, int alpha) { return (colour * alpha + 127) / 255; });
+  premultiply(result);
   return result;
 }
 

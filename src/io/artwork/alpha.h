@@ -6,7 +6,8 @@
 namespace tessera::io {
 
 cv::Mat premultiplied(const cv::Mat& straight);
-/// Works in place: a picture may be too large to be in memory twice.
+// These two work in place: a picture may be too large to be in memory twice.
+void premultiply(cv::Mat& straight);
 void straighten(cv::Mat& premultiplied);
 cv::Mat straightened(const cv::Mat& premultiplied);
 

@@ -5,12 +5,13 @@
 
 #include "core/base/error.h"
 #include "io/artwork/image_decoding.h"
+#include "io/artwork/reduced_picture.h"
 
 namespace tessera::io {
 
-cv::Mat photo_picture(std::span<const std::uint8_t> bytes, const std::string& path) {
+cv::Mat photo_picture(std::span<const std::uint8_t> bytes, const std::string& path, double most_pixels) {
   cv::Mat bgra;
-  cv::cvtColor(decode_image(bytes, path, cv::IMREAD_COLOR), bgra, cv::COLOR_BGR2BGRA);
+  cv::cvtColor(reduced_picture(decode_image(bytes, path, cv::IMREAD_COLOR), most_pixels), bgra, cv::COLOR_BGR2BGRA);
   return bgra;
 }
 

@@ -8,6 +8,7 @@
 #include "io/artwork/alpha.h"
 #include "io/artwork/image_decoding.h"
 #include "io/artwork/mask.h"
+#include "io/artwork/reduced_picture.h"
 
 namespace tessera::io {
 namespace {
@@ -15,14 +16,6 @@ namespace {
 /// An enlarged drawing shows nothing more, but its contour is smoothed on a grid that is fine enough.
 constexpr int kLeastFinestSide_px = 512;
 constexpr int kMostFinestSide_px = 2048;
-
-cv::Mat to_8_bits(const cv::Mat& image, const std::string& path) {
-  if (image.depth() == CV_8U) return image;
-  if (image.depth() != CV_16U) throw InputError(path + ": an image must have 8 or 16 bits a channel");
-  cv::Mat result;
-  image.convertTo(result, CV_8U, 1.0 / 257);
-  return result;
-}
 
 bool has_transparency(const cv::Mat& bgra) {
   cv::Mat alpha;
@@ -56,9 +49,11 @@ cv::Mat with_silhouette(const cv::Mat& image, const std::string& path, Backgroun
 
 class RasterPage : public ArtworkPage {
  public:
-  explicit RasterPage(cv::Mat premultiplied_bgra) : image_(std::move(premultiplied_bgra)) {}
+  RasterPage(cv::Mat premultiplied_bgra, cv::Size natural_size)
+      : image_(std::move(premultiplied_bgra)),
+        natural_size_(natural_size) {}
 
-  cv::Size2d natural_size() const override { return {double(image_.cols), double(image_.rows)}; }
+  cv::Size2d natural_size() const override { return natural_size_; }
   int finest_side_px() const override { return std::clamp(longest_side(), kLeastFinestSide_px, kMostFinestSide_px); }
   float source_px(int longest_side_px) const override { return float(longest_side_px) / float(longest_side()); }
 
@@ -72,16 +67,25 @@ class RasterPage : public ArtworkPage {
  private:
   int longest_side() const { return std::max(image_.cols, image_.rows); }
 
-  cv::Mat image_;
+  cv::Mat image_;  // may have fewer pixels than the file
+  cv::Size natural_size_;
 };
+
+void check_kind(const cv::Mat& decoded, const std::string& path) {
+  if (decoded.depth() != CV_8U && decoded.depth() != CV_16U)
+    throw InputError(path + ": an image must have 8 or 16 bits a channel");
+  if (decoded.channels() == 2) throw InputError(path + ": an image must have 1, 3 or 4 channels");
+}
 
 }  // namespace
 
 std::unique_ptr<ArtworkPage> open_raster_page(std::span<const std::uint8_t> bytes, const std::string& path,
                                               Background background) {
-  const cv::Mat image = to_8_bits(decode_image(bytes, path, cv::IMREAD_UNCHANGED), path);
-  if (image.channels() == 2) throw InputError(path + ": an image must have 1, 3 or 4 channels");
-  return std::make_unique<RasterPage>(premultiplied(with_silhouette(image, path, background)));
+  cv::Mat image = decode_image(bytes, path, cv::IMREAD_UNCHANGED);
+  check_kind(image, path);
+  const cv::Size natural_size = image.size();
+  image = reduced_picture(image, kMostWorkedPixels);
+  return std::make_unique<RasterPage>(premultiplied(with_silhouette(image, path, background)), natural_size);
 }
 
 }  // namespace tessera::io

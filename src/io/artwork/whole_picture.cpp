@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "io/artwork/image_decoding.h"
 #include "io/artwork/photo.h"
+#include "io/artwork/reduced_picture.h"
 
 namespace tessera::io {
 
@@ -16,10 +17,13 @@ cv::Mat whole_picture(std::span<const std::uint8_t> bytes, const std::string& pa
     throw InputError(cv::format("%s: %d x %d pixels, allowed: %d px each way", path.c_str(), picture.cols, picture.rows,
                                 longest_side_px));
   }
-  if (picture.channels() != 4) return photo_picture(bytes, path);
-  if (picture.depth() == CV_16U) picture.convertTo(picture, CV_8U, 1.0 / 257);
-  if (picture.depth() != CV_8U) throw InputError(path + ": an image must have 8 or 16 bits a channel");
-  return picture;
+  if (picture.channels() != 4) {
+    picture.release();
+    return photo_picture(bytes, path, kMostWorkedPixels);
+  }
+  if (picture.depth() != CV_8U && picture.depth() != CV_16U)
+    throw InputError(path + ": an image must have 8 or 16 bits a channel");
+  return reduced_picture(picture, kMostWorkedPixels);
 }
 
 }  // namespace tessera::io

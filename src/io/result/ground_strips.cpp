@@ -5,16 +5,13 @@
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
 
-#include "io/artwork/alpha.h"
-
 namespace tessera::io {
 namespace {
 
 /// Averaged where the picture shows it smaller; never enlarged.
-cv::Mat as_in_picture(const cv::Mat& straight_page, cv::Size2d tile_px) {
+cv::Mat as_in_picture(const cv::Mat& page, cv::Size2d tile_px) {
   const auto side = [](double px, int most) { return std::clamp(int(std::ceil(px - 1e-6)), 1, most); };
-  const cv::Size size(side(tile_px.width, straight_page.cols), side(tile_px.height, straight_page.rows));
-  const cv::Mat page = premultiplied(straight_page);
+  const cv::Size size(side(tile_px.width, page.cols), side(tile_px.height, page.rows));
   if (size == page.size()) return page;
   cv::Mat tile;
   cv::resize(page, tile, size, 0, 0, cv::INTER_AREA);

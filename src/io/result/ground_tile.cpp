@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "io/artwork/alpha.h"
 #include "io/artwork/artwork_render.h"
+#include "io/artwork/image_header.h"
 #include "io/artwork/svg_page.h"
 #include "io/job/canvas_file.h"
 #include "io/job/canvas_page.h"
@@ -29,6 +32,13 @@ cv::Mat whole_px(const cv::Mat& page, cv::Size2d natural) {
   const double scale = std::max(page.cols, page.rows) / std::max(natural.width, natural.height);
   const auto whole = [&](double side, int px) { return std::clamp(int(std::floor(side * scale + 1e-6)), 1, px); };
   return page(cv::Rect(0, 0, whole(natural.width, page.cols), whole(natural.height, page.rows)));
+}
+
+/// A page of many pixels was reduced; a photo may have been turned.
+cv::Size2d size_in_file(std::span<const std::uint8_t> bytes, cv::Size page) {
+  const cv::Size2d found = image_size_from_header(bytes).value_or(cv::Size2d(page));
+  if (found.area() <= page.area()) return page;
+  return (found.width > found.height) == (page.width > page.height) ? found : cv::Size2d(found.height, found.width);
 }
 
 /// As fine as the picture shows it.
@@ -62,11 +72,12 @@ GroundTile drawn(const Job& job, const Canvas& canvas, Drawers& drawers) {
     tile.svg_size = embedded.size;
   } else {
     tile.page = drawers.whole_picture(bytes, path, kMaxArtworkSide_px);
-    tile.size_px = tile_size_px(tile.page.size(), job.output.ground_px, canvas);
+    tile.size_px = tile_size_px(size_in_file(bytes, tile.page.size()), job.output.ground_px, canvas);
     const cv::Mat image = embedded(tile.page);
     tile.svg = svg_image(image, kId);
     tile.svg_size = image.size();
   }
+  premultiply(tile.page);
   return tile;
 }
 

@@ -11,7 +11,7 @@
 namespace tessera::io {
 
 struct GroundTile {
-  cv::Mat page;        // straight BGRA; empty: there is none
+  cv::Mat page;        // premultiplied BGRA; empty: there is none
   cv::Size2d size_px;  // of a tile, px of the canvas; the first one lies in its upper left corner
   std::string svg;     // the same as an SVG element, its page as large as svg_size in units of its own
   cv::Size2d svg_size;
