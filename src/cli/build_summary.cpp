@@ -69,6 +69,10 @@ std::string build_summary(const io::LibraryBuildReport& report) {
             std::to_string(report.trimmed.size()) + ": " + first_names(report.trimmed) +
             "\n  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n";
   }
+  if (!report.faint.empty()) {
+    text += "parts that are too faint (an opacity below 0.08) or too thin are not in the silhouettes of " +
+            std::to_string(report.faint.size()) + ": " + first_names(report.faint) + "\n";
+  }
   if (!report.hollow.empty()) {
     text += std::to_string(report.hollow.size()) +
             " enclose twice what they cover or more, which leaves gaps; --fill-holes counts it as theirs: " +

@@ -174,7 +174,7 @@ RC_GTEST_PROP(SolidCoverage, WithoutTranslucentPartsItIsAlphaItself, ()) {
     if (line_px == 0) cv::fillPoly(alpha, polygon, cv::Scalar(255), cv::LINE_AA);
     if (line_px > 0) cv::polylines(alpha, polygon, true, cv::Scalar(255), line_px, cv::LINE_AA);
   }
-  RC_ASSERT(cv::norm(solid_coverage(alpha, 0), alpha, cv::NORM_INF) == 0);
+  RC_ASSERT(cv::norm(solid_coverage(alpha, 0).coverage, alpha, cv::NORM_INF) == 0);
 }
 
 }  // namespace

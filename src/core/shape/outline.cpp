@@ -13,6 +13,7 @@
 namespace tessera {
 namespace {
 
+constexpr double kBarAspect = 4;
 constexpr float kOpeningCells = 4.2f;  // radius of the disc that seeks hairlines, in cells: round enough, and quick
 
 struct Component {
@@ -35,7 +36,7 @@ std::size_t owner_of(std::size_t hole, const std::vector<std::vector<Vec2>>& cur
 }
 
 /// The component whose outer curve encloses most, with the holes that count.
-Component largest_component(std::vector<std::vector<Vec2>> curves, bool fill_holes) {
+Component largest_component(const std::vector<std::vector<Vec2>>& curves, bool fill_holes) {
   std::vector<double> area(curves.size());
   std::transform(curves.begin(), curves.end(), area.begin(), signed_area);
   const std::size_t largest = std::size_t(std::max_element(area.begin(), area.end()) - area.begin());
@@ -61,9 +62,12 @@ double enclosed_area(const Outline& outline) {
                          [](double sum, const std::vector<Vec2>& curve) { return sum + signed_area(curve); });
 }
 
+/// A long bar may lack no more than one of aspect `kBarAspect`: its length must not outweigh what its ends lack.
 bool is_plain_rectangle(const Outline& outline) {
   const Box box = bounding_box(outline.curves.front());
-  return enclosed_area(outline) >= kPlainRectangle * double(box.width()) * box.height();
+  const double width = std::min(box.width(), box.height()), length = std::max(box.width(), box.height());
+  const double lacking = width * length - enclosed_area(outline);
+  return lacking <= (1 - kPlainRectangle) * width * std::min(length, kBarAspect * width);
 }
 
 std::ptrdiff_t count_set(const Grid<std::uint8_t>& set) { return std::count(set.data().begin(), set.data().end(), 1); }
@@ -95,10 +99,23 @@ bool is_hairlines(const Outline& outline, double area) {
   return double(count_set(opened(set, kOpeningCells))) < kHairlineRest * double(count_set(set));
 }
 
+double length_of(const std::vector<Vec2>& closed) {
+  double length = 0;
+  for (std::size_t i = 0; i < closed.size(); ++i) length += double(norm(closed[(i + 1) % closed.size()] - closed[i]));
+  return length;
+}
+
+/// Of lines thinner than a pixel the pixels catch fragments alone, which only seem to be parts side by side.
+SkipReason reason_for_parts(const Outline& parts, float source_px) {
+  double length = 0;
+  for (const std::vector<Vec2>& curve : parts.curves) length += length_of(curve);
+  const double mean_width_px = 2 * enclosed_area(parts) / length;
+  return mean_width_px < std::max(1.f, source_px) ? SkipReason::hairlines : SkipReason::several_large_components;
+}
+
 std::optional<SkipReason> reason_to_skip(const Component& component, float source_px, const TracingRules& rules) {
   const double area = enclosed_area(component.outline);
   // In this order: of a drawing in thin lines the pixels catch fragments, which are not too small for their own fault.
-  if (component.others_area > kLargestSpecks * component.outer_area) return SkipReason::several_large_components;
   if (is_hairlines(component.outline, area)) return SkipReason::hairlines;
   if (std::sqrt(area) < kLeastSize_px * std::max(1.f, source_px)) return SkipReason::too_small;
   if (!rules.keep_rectangles && is_plain_rectangle(component.outline)) return SkipReason::plain_rectangle;
@@ -111,7 +128,10 @@ std::variant<TracedOutline, SkipReason> trace_outline(const Grid<float>& alpha, 
                                                       const TracingRules& rules) {
   std::vector<std::vector<Vec2>> curves = contours(alpha, rules.edge_opacity);
   if (curves.empty()) return SkipReason::empty;
-  Component component = largest_component(std::move(curves), rules.fill_holes);
+  Component component = largest_component(curves, rules.fill_holes);
+  if (component.others_area > kLargestSpecks * component.outer_area) {
+    return reason_for_parts({std::move(curves)}, source_px);
+  }
   if (const auto reason = reason_to_skip(component, source_px, rules)) return *reason;
 
   const float sigma_px = std::max(kSmoothing_px, kSmoothing_sourcepx * source_px);

@@ -10,8 +10,10 @@
 
 namespace tessera {
 
-/// `hollow`: thin lines, or parts side by side, but what they enclose would make a shape (TracingRules::fill_holes).
-enum class SkipReason { empty, too_small, several_large_components, plain_rectangle, hairlines, hollow };
+/// `hairlines`: thin lines make up much of the drawing. `hollow`: they do, or there are parts side by side, but what they
+/// enclose would make a shape (TracingRules::fill_holes). `faint`: what is seen is too faint or too thin to count, and
+/// the rest makes no shape.
+enum class SkipReason { empty, too_small, several_large_components, plain_rectangle, hairlines, hollow, faint };
 
 /// Artwork frame (px).
 struct TracedOutline {
@@ -33,7 +35,8 @@ inline constexpr float kLeastSize_px = 24;
 inline constexpr float kLeastHole = 0.003f;
 /// Above this part of the largest component's area the others belong to the picture.
 inline constexpr float kLargestSpecks = 0.02f;
-/// A silhouette that fills so much of its box is a plain rectangle, which says nothing.
+/// A silhouette that fills so much of its box is a plain rectangle, which says nothing. Of a long box, ends of twice its
+/// width count.
 inline constexpr float kPlainRectangle = 0.97f;
 /// Hairlines: an opening by a disc of this radius (in square roots of the area) leaves less than that part of the area.
 inline constexpr float kHairlineRadius = 0.035f;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kEdgePart = 0.6;
 constexpr int kNearEdge_px = 3;
 /// The range of alpha within 1 px of an edge is at least this, of 255.
-constexpr double kLeastStep = 20;
+constexpr double kLeastStep = 6;
 /// An area that is no wider than this is a line.
 constexpr int kLine_px = 4;
 /// A pixel counts as flat where its alpha differs from its region's mean by at most this part of the mean.
@@ -49,9 +49,9 @@ cv::Mat outside_of(const cv::Mat& alpha) { return connected_to_edge(alpha < kCle
 
 class Measurement {
  public:
-  Measurement(const cv::Mat& alpha, int unit_px)
+  Measurement(const cv::Mat& alpha, int unit_px, Lines lines)
       : alpha_(alpha),
-        wide_(without_lines(alpha, unit_px)),
+        wide_(lines == Lines::kept ? alpha : without_lines(alpha, unit_px)),
         outside_(outside_of(alpha)),
         reach_px_(kEdgeWidth_px * unit_px) {
     const cv::Mat smooth =
@@ -94,7 +94,8 @@ class Measurement {
     }
   }
 
-  /// What lies beside a pixel of the region, behind an edge if there is one. The page's end and holes say nothing.
+  /// What lies beside a pixel of the region, behind an edge if there is one. The page's end says nothing, nor do edges
+  /// of holes.
   void look_beyond(AlphaRegion& region, cv::Point from, cv::Point step) const {
     const cv::Rect page({0, 0}, alpha_.size());
     for (int i = 1; i <= reach_px_; ++i) {
@@ -102,7 +103,10 @@ class Measurement {
       if (!page.contains(at) || label_at(at) == label_at(from)) return;
       if (i < reach_px_ && in_edge(at)) continue;
       const bool falls = alpha_.at<std::uint8_t>(at) < alpha_.at<std::uint8_t>(from);
-      if (alpha_.at<std::uint8_t>(at) < kClearAlpha && !outside_.at<std::uint8_t>(at)) return;
+      if (alpha_.at<std::uint8_t>(at) < kClearAlpha && !outside_.at<std::uint8_t>(at)) {
+        if (i == 1) ++region.fading_in_holes;
+        return;
+      }
       ++(i > 1 ? (falls ? region.falling : region.rising) : (falls ? region.fading : region.merging));
       return;
     }
@@ -125,6 +129,8 @@ class Measurement {
 
 }  // namespace
 
-AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px) { return Measurement(alpha, unit_px).measured(); }
+AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px, Lines lines) {
+  return Measurement(alpha, unit_px, lines).measured();
+}
 
 }  // namespace tessera::io

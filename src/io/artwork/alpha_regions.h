@@ -9,7 +9,7 @@
 namespace tessera::io {
 
 // Alpha, of 255: below the one a pixel is clear, from the other on it is opaque. Neither belongs to a region.
-inline constexpr int kClearAlpha = 25;
+inline constexpr int kClearAlpha = 8;
 inline constexpr int kOpaqueAlpha = 250;
 /// So wide an edge is at most, in px of the source.
 inline constexpr int kEdgeWidth_px = 4;
@@ -23,10 +23,11 @@ struct AlphaRegion {
   double level = 0;      // the mean
   double flat_part = 0;  // of its pixels: no further from the level than 30 % of it
   // How many of its pixels' sides lie on its border, by what is beyond:
-  int fading = 0;   // clear outside, without an edge between
-  int falling = 0;  // an edge, and less alpha behind it
-  int rising = 0;   // an edge, and more alpha behind it
-  int merging = 0;  // opaque, without an edge between
+  int fading = 0;           // clear outside, without an edge between
+  int fading_in_holes = 0;  // the same where the clear pixels lie in a hole
+  int falling = 0;          // an edge, and less alpha behind it
+  int rising = 0;           // an edge, and more alpha behind it
+  int merging = 0;          // opaque, without an edge between
 };
 
 struct AlphaRegions {
@@ -36,7 +37,11 @@ struct AlphaRegions {
   const AlphaRegion& at(int y, int x) const { return regions[std::size_t(label.at<int>(y, x))]; }
 };
 
+/// What becomes of areas that are no wider than a line: dropped, they do not part the regions that they cross; kept,
+/// lines of 4 px and more are regions, too.
+enum class Lines : std::uint8_t { dropped, kept };
+
 /// `alpha`: CV_8U. `unit_px`: size of a pixel of the source, 1 or more.
-AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px);
+AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px, Lines lines);
 
 }  // namespace tessera::io

@@ -14,10 +14,11 @@ namespace tessera::io {
 
 /// A shape, and what of its artwork is not part of it.
 struct ArtworkShape {
-  Shape shape;  // name: the file name without extension; Artwork::original stays empty
-  int other_components = 0;
+  Shape shape;                    // name: the file name without extension; Artwork::original stays empty
+  int other_components = 0;       // parts that touch it nowhere, translucent ones too
   float other_area_fraction = 0;  // see TracedOutline
-  float hollowness = 1;           // the same
+  bool loses_parts = false;       // see SolidCoverage
+  float hollowness = 1;           // see TracedOutline
   StyleFeatures style = {};       // what the drawing looks like
 };
 

@@ -7,8 +7,10 @@
 
 #include "core/style/style_measure.h"
 #include "io/artwork/alpha.h"
+#include "io/artwork/alpha_regions.h"
 #include "io/artwork/artwork_page.h"
 #include "io/artwork/colour_conversion.h"
+#include "io/artwork/page_pixels.h"
 #include "io/artwork/solid_coverage.h"
 #include "io/artwork/style_picture.h"
 
@@ -29,11 +31,14 @@ cv::Mat alpha_of(const cv::Mat& bgra) {
   return alpha;
 }
 
-/// Whether it has parts that alpha alone misjudges.
-bool has_body(const ArtworkPage& page, const cv::Mat& first, float edge_opacity) {
-  if (edge_opacity != kEdgeOpacity) return false;
-  const cv::Mat alpha = alpha_of(first);
-  return solid_coverage(alpha, page.source_px(kSilhouetteSide_px)).data != alpha.data;
+/// Whether something translucent lies apart from opaque pixels, so that alpha alone may misjudge it.
+bool has_translucent_parts(const cv::Mat& bgra) {
+  constexpr int kEdge_px = 2;
+  constexpr int kLeastPixels = 8;
+  const cv::Mat alpha = alpha_of(bgra);
+  cv::Mat beside_opaque;
+  cv::dilate(alpha >= kOpaqueAlpha, beside_opaque, square(kEdge_px));
+  return cv::countNonZero((alpha >= kClearAlpha) & ~beside_opaque) >= kLeastPixels;
 }
 
 /// What is drawn on, with a margin; empty where nothing is.
@@ -66,6 +71,24 @@ Drawing drawn_finely(const ArtworkPage& page, const cv::Mat& first, float edge_o
   finer.part = zoomed & cv::Rect({0, 0}, page_size_px(page, finer.longest_side_px));
   finer.bgra = page.draw(finer.longest_side_px, finer.part);
   return finer;
+}
+
+/// A drawing, and what of it counts where that is not its alpha.
+struct Judged {
+  Drawing drawing;
+  cv::Mat body = {};  // CV_8U; empty: it is alpha
+  int loose_parts = 0;
+  bool loses_parts = false;
+};
+
+Judged judged(const ArtworkPage& page, const cv::Mat& first, float edge_opacity) {
+  if (edge_opacity != kEdgeOpacity || !has_translucent_parts(first)) return {drawn_finely(page, first, edge_opacity)};
+  // A shadow is known by how it fades, so that all of it must be there.
+  Drawing seen = drawn_finely(page, first, kLeastSeen);
+  const cv::Mat alpha = alpha_of(seen.bgra);
+  const SolidCoverage solid = solid_coverage(alpha, page.source_px(seen.longest_side_px));
+  if (solid.coverage.data == alpha.data) return {drawn_finely(page, first, edge_opacity), {}, 0, solid.loses_parts};
+  return {std::move(seen), solid.coverage, solid.loose_parts, solid.loses_parts};
 }
 
 /// 0..1, of CV_8U.
@@ -138,9 +161,8 @@ std::vector<std::uint8_t> png_of(const cv::Mat& bgra) {
 Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::string& path, float edge_opacity) {
   const std::unique_ptr<ArtworkPage> page = open_artwork_page(bytes, path);
   const cv::Mat first = page->draw(kSilhouetteSide_px, cv::Rect({0, 0}, page_size_px(*page, kSilhouetteSide_px)));
-  const bool body = has_body(*page, first, edge_opacity);
-  // A shadow is known by how it fades, so that all of it must be there.
-  const Drawing drawing = drawn_finely(*page, first, body ? kLeastSeen : edge_opacity);
+  const Judged judgement = judged(*page, first, edge_opacity);
+  const Drawing& drawing = judgement.drawing;
   const cv::Size size = page_size_px(*page, drawing.longest_side_px);
   const cv::Mat thumbnail = thumbnail_of(first);
 
@@ -152,7 +174,9 @@ Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::strin
   silhouette.alpha = grid_of(alpha);
   silhouette.origin_px = {float(drawing.part.x), float(drawing.part.y)};
   silhouette.source_px = page->source_px(drawing.longest_side_px);
-  if (body) silhouette.body = grid_of(solid_coverage(alpha, silhouette.source_px));
+  if (!judgement.body.empty()) silhouette.body = grid_of(judgement.body);
+  silhouette.loose_parts = judgement.loose_parts;
+  silhouette.loses_parts = judgement.loses_parts;
   silhouette.drawn_px =
       float(std::max(page->natural_size().width, page->natural_size().height) / drawing.longest_side_px);
   silhouette.colour = colour_of(thumbnail);

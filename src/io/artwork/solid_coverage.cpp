@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/artwork/alpha_regions.h"
+#include "io/artwork/page_pixels.h"
 
 namespace tessera::io {
 namespace {
@@ -14,41 +15,63 @@ namespace {
 // Of 255.
 constexpr int kHalf = 128;
 constexpr int kBarelyHalf = 153;  // an outline at one half lies inside of the edge
-constexpr int kLeastLevel = 51;   // of a part that counts
+constexpr int kLeastLevel = 20;   // of a part that counts, and of a pixel of a lost line
 /// Of a region; where thin lines cross each other, alpha is smooth, too.
 constexpr int kLeastPixels = 256;
 constexpr double kFlatPart = 0.7;
+/// The same of a line or a spot.
+constexpr int kLeastLinePixels = 48;
 /// Of the ways in which a region ends, one prevails that is so many times as long as the other.
 constexpr int kMostly = 2;
+/// A region that hardly fades anywhere: edges are so many times as long.
+constexpr int kAlmostWholly = 16;
 
-/// A region in which coverage is not alpha.
-enum class Kind : std::uint8_t { as_opaque, solid, shadow };
+/// A region in which coverage is not alpha. A faint one would be solid, were it not below kLeastLevel.
+enum class Kind : std::uint8_t { as_opaque, solid, shadow, faint };
 
 bool is_large(const AlphaRegion& region, int unit_px) { return region.core_pixels >= kLeastPixels * unit_px * unit_px; }
 
-/// What is far less opaque than the part it belongs to is its end.
-int least_counted(const AlphaRegion& region) { return int(region.level / 2); }
-
-bool is_solid(const AlphaRegion& region) {
-  return region.level >= kLeastLevel && region.falling >= kMostly * region.fading && region.flat_part >= kFlatPart;
+/// Where a region fades, what is far less opaque than the rest of it is its end.
+int least_counted(const AlphaRegion& region) {
+  const bool has_edges = region.falling >= kAlmostWholly * (region.fading + region.fading_in_holes);
+  return has_edges ? 0 : int(region.level / 2);
 }
+
+bool ends_at_edges(const AlphaRegion& region) {
+  return region.falling >= kMostly * region.fading &&
+         (region.flat_part >= kFlatPart || region.falling >= kMostly * (region.fading + region.fading_in_holes));
+}
+
+Kind kind_by_level(const AlphaRegion& region) { return region.level >= kLeastLevel ? Kind::solid : Kind::faint; }
 
 /// Fades out on one side, and ends at edges of what is more opaque on the other, or stands alone.
 bool is_shadow_of_body(const AlphaRegion& region) {
   return region.fading > kMostly * region.falling && region.rising >= region.merging;
 }
 
-/// By label.
+/// Of the large regions, by label.
 std::vector<Kind> kinds_of(const AlphaRegions& parts, const cv::Mat& alpha, int unit_px) {
   std::vector<Kind> kinds(parts.regions.size(), Kind::as_opaque);
   for (std::size_t i = 1; i < kinds.size(); ++i) {
-    if (is_large(parts.regions[i], unit_px) && is_solid(parts.regions[i])) kinds[i] = Kind::solid;
+    const AlphaRegion& region = parts.regions[i];
+    if (is_large(region, unit_px) && ends_at_edges(region)) kinds[i] = kind_by_level(region);
   }
   const bool any_body =
       std::count(kinds.begin(), kinds.end(), Kind::solid) > 0 || cv::countNonZero(alpha >= kOpaqueAlpha) > 0;
   for (std::size_t i = 1; i < kinds.size(); ++i) {
-    if (!any_body || kinds[i] == Kind::solid || !is_large(parts.regions[i], unit_px)) continue;
+    if (!any_body || kinds[i] != Kind::as_opaque || !is_large(parts.regions[i], unit_px)) continue;
     if (is_shadow_of_body(parts.regions[i])) kinds[i] = Kind::shadow;
+  }
+  return kinds;
+}
+
+/// Of lines and spots, by label. Thin lines that cross each other are smooth, too, but not flat.
+std::vector<Kind> line_kinds_of(const AlphaRegions& lines, int unit_px) {
+  std::vector<Kind> kinds(lines.regions.size(), Kind::as_opaque);
+  for (std::size_t i = 1; i < kinds.size(); ++i) {
+    const AlphaRegion& region = lines.regions[i];
+    const bool is_flat = region.flat_part >= kFlatPart && region.pixels >= kLeastLinePixels * unit_px * unit_px;
+    if (is_flat && ends_at_edges(region)) kinds[i] = kind_by_level(region);
   }
   return kinds;
 }
@@ -87,34 +110,73 @@ class NearestPixels {
   std::vector<int> level_;  // by label
 };
 
-/// CV_8U: what is opaque, what is translucent and counts, and what is left out.
+/// The regions of an alpha channel, and what each of them is.
+class JudgedRegions {
+ public:
+  JudgedRegions(const cv::Mat& alpha, int unit_px)
+      : unit_px_(unit_px),
+        wide_(alpha_regions(alpha, unit_px, Lines::dropped)),
+        wide_kinds_(kinds_of(wide_, alpha, unit_px)),
+        lines_(alpha_regions(alpha, unit_px, Lines::kept)),
+        line_kinds_(line_kinds_of(lines_, unit_px)) {}
+
+  struct Judged {
+    const AlphaRegion& region;
+    Kind kind;
+  };
+  /// A line or a spot is only where no large region is.
+  Judged at(int y, int x) const {
+    const AlphaRegion& wide = wide_.at(y, x);
+    if (is_large(wide, unit_px_)) return {wide, wide_kinds_[std::size_t(wide_.label.at<int>(y, x))]};
+    return {lines_.at(y, x), line_kinds_[std::size_t(lines_.label.at<int>(y, x))]};
+  }
+
+  bool is_edge(int y, int x) const { return wide_.label.at<int>(y, x) == 0; }
+
+ private:
+  int unit_px_;
+  AlphaRegions wide_;
+  std::vector<Kind> wide_kinds_;
+  AlphaRegions lines_;
+  std::vector<Kind> line_kinds_;
+};
+
+/// CV_8U: what is opaque, what is translucent and counts, what is left out because it is clear or a shadow, and what is
+/// so though it ends at an edge.
 struct SurePixels {
   cv::Mat opaque;
   cv::Mat translucent;
   cv::Mat left_out;
+  cv::Mat faint;
+  cv::Mat blurred;           // large regions that fade, and are no shadows
+  bool any_matters = false;  // see matters()
 };
 
-SurePixels sure_pixels(const cv::Mat& alpha, const AlphaRegions& parts, const std::vector<Kind>& kinds) {
-  SurePixels sure{alpha >= kOpaqueAlpha, cv::Mat::zeros(alpha.size(), CV_8U), alpha < kClearAlpha};
+SurePixels sure_pixels(const cv::Mat& alpha, const JudgedRegions& regions) {
+  const auto none = [&] { return cv::Mat(cv::Mat::zeros(alpha.size(), CV_8U)); };
+  SurePixels sure{alpha >= kOpaqueAlpha, none(), alpha < kClearAlpha, none(), none()};
   for (int y = 0; y < alpha.rows; ++y) {
     for (int x = 0; x < alpha.cols; ++x) {
-      const Kind kind = kinds[std::size_t(parts.label.at<int>(y, x))];
-      if (kind == Kind::shadow) sure.left_out.at<std::uint8_t>(y, x) = 255;
-      const bool counts = kind == Kind::solid && alpha.at<std::uint8_t>(y, x) >= least_counted(parts.at(y, x));
+      const auto [region, kind] = regions.at(y, x);
+      sure.any_matters = sure.any_matters || matters(region, kind);
+      const bool counts = kind == Kind::solid && alpha.at<std::uint8_t>(y, x) >= least_counted(region);
       if (counts) sure.translucent.at<std::uint8_t>(y, x) = 255;
+      if (kind == Kind::shadow) sure.left_out.at<std::uint8_t>(y, x) = 255;
+      if (kind == Kind::faint) sure.faint.at<std::uint8_t>(y, x) = 255;
+      if (kind == Kind::as_opaque && !regions.is_edge(y, x)) sure.blurred.at<std::uint8_t>(y, x) = 255;
     }
   }
   return sure;
 }
 
 /// On edges, alpha as it rises from what is left out on one side to what counts on the other.
-cv::Mat coverage_of(const cv::Mat& alpha, const AlphaRegions& parts, const SurePixels& sure, int unit_px) {
+cv::Mat coverage_of(const cv::Mat& alpha, const JudgedRegions& regions, const SurePixels& sure, int unit_px) {
   const NearestPixels opaque(sure.opaque, alpha), translucent(sure.translucent, alpha), left_out(sure.left_out, alpha);
   const double reach_px = kEdgeWidth_px * unit_px;
   cv::Mat coverage = alpha.clone();
   for (int y = 0; y < alpha.rows; ++y) {
     for (int x = 0; x < alpha.cols; ++x) {
-      if (parts.label.at<int>(y, x) != 0) continue;
+      if (!regions.is_edge(y, x)) continue;
       // Where both are near, the lower level: between a wing and its body nothing is left out.
       const double to_translucent_px = translucent.distance_px(y, x), to_opaque_px = opaque.distance_px(y, x);
       const bool by_wing = to_translucent_px <= std::min(reach_px, to_opaque_px + 2 * unit_px);
@@ -131,38 +193,47 @@ cv::Mat coverage_of(const cv::Mat& alpha, const AlphaRegions& parts, const SureP
   return coverage;
 }
 
-/// Translucent parts count with an opaque one that they touch; where there is none, all of them do.
-void remove_loose_parts(cv::Mat& coverage, const cv::Mat& alpha) {
+/// Translucent parts count with an opaque one that they touch; where there is none, all of them do. Returns how many
+/// parts it removed.
+int remove_loose_parts(cv::Mat& coverage, const cv::Mat& alpha) {
   cv::Mat label;
   const int count = cv::connectedComponents(coverage >= kHalf, label, 8, CV_32S);
-  std::vector<bool> is_opaque(std::size_t(count), false);
+  std::vector<bool> is_loose(std::size_t(count), true);
+  is_loose[0] = false;
   for (int y = 0; y < label.rows; ++y) {
     for (int x = 0; x < label.cols; ++x) {
-      const int part = label.at<int>(y, x);
-      if (part > 0 && alpha.at<std::uint8_t>(y, x) >= kHalf) is_opaque[std::size_t(part)] = true;
+      if (alpha.at<std::uint8_t>(y, x) >= kHalf) is_loose[std::size_t(label.at<int>(y, x))] = false;
     }
   }
-  if (std::find(is_opaque.begin(), is_opaque.end(), true) == is_opaque.end()) return;
+  const int loose = int(std::count(is_loose.begin(), is_loose.end(), true));
+  if (loose == count - 1) return 0;
   for (int y = 0; y < label.rows; ++y) {
     for (int x = 0; x < label.cols; ++x) {
-      const int part = label.at<int>(y, x);
-      if (part > 0 && !is_opaque[std::size_t(part)]) coverage.at<std::uint8_t>(y, x) = 0;
+      if (is_loose[std::size_t(label.at<int>(y, x))]) coverage.at<std::uint8_t>(y, x) = 0;
     }
   }
+  return loose;
+}
+
+/// Whether a part is seen that is neither covered nor soft.
+bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const SurePixels& sure, int unit_px) {
+  cv::Mat told;
+  const cv::Mat shadow = sure.left_out & (alpha >= kClearAlpha);
+  cv::dilate((coverage >= kHalf) | sure.blurred | shadow, told, square(kEdgeWidth_px * unit_px));
+  const cv::Mat line = (alpha >= kLeastLevel) & ~told;
+  return cv::countNonZero(sure.faint | line) >= kLeastPixels * unit_px * unit_px;
 }
 
 }  // namespace
 
-cv::Mat solid_coverage(const cv::Mat& alpha, double source_px) {
+SolidCoverage solid_coverage(const cv::Mat& alpha, double source_px) {
   const int unit_px = std::max(1, int(std::lround(source_px)));
-  const AlphaRegions parts = alpha_regions(alpha, unit_px);
-  const std::vector<Kind> kinds = kinds_of(parts, alpha, unit_px);
-  bool any_matters = false;
-  for (std::size_t i = 1; i < kinds.size(); ++i) any_matters = any_matters || matters(parts.regions[i], kinds[i]);
-  if (!any_matters) return alpha;
-  cv::Mat coverage = coverage_of(alpha, parts, sure_pixels(alpha, parts, kinds), unit_px);
-  remove_loose_parts(coverage, alpha);
-  return coverage;
+  const JudgedRegions regions(alpha, unit_px);
+  const SurePixels sure = sure_pixels(alpha, regions);
+  SolidCoverage solid{sure.any_matters ? coverage_of(alpha, regions, sure, unit_px) : alpha};
+  solid.loses_parts = loses_parts(alpha, solid.coverage, sure, unit_px);
+  if (sure.any_matters) solid.loose_parts = remove_loose_parts(solid.coverage, alpha);
+  return solid;
 }
 
 }  // namespace tessera::io

@@ -15,6 +15,7 @@ struct Header {
   std::int32_t skip_reason = kNone;
   std::int32_t other_components = 0;
   float other_area_fraction = 0;
+  std::int32_t loses_parts = 0;  // 1: it does
   float hollowness = 1;
   StyleFeatures style;
 
@@ -32,6 +33,7 @@ std::vector<std::uint8_t> encode_shape_answer(const ShapeOrReason& answer) {
     const auto& artwork = std::get<ArtworkShape>(answer);
     header.other_components = artwork.other_components;
     header.other_area_fraction = artwork.other_area_fraction;
+    header.loses_parts = artwork.loses_parts;
     header.hollowness = artwork.hollowness;
     header.style = artwork.style;
     shape = encode_shape(artwork.shape);
@@ -47,14 +49,18 @@ ShapeOrReason decode_shape_answer(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < sizeof header) throw std::runtime_error("a shape's header is cut off");
   std::memcpy(&header, bytes.data(), sizeof header);
   if (header.skip_reason != Header::kNone) {
-    if (header.skip_reason < 0 || header.skip_reason > std::int32_t(SkipReason::hollow)) {
+    if (header.skip_reason < 0 || header.skip_reason > std::int32_t(SkipReason::faint)) {
       throw std::runtime_error("no reason that is known");
     }
     return SkipReason(header.skip_reason);
   }
   const std::string_view shape(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return ArtworkShape{decode_shape(shape.substr(sizeof header)), header.other_components, header.other_area_fraction,
-                      header.hollowness, header.style};
+  return ArtworkShape{.shape = decode_shape(shape.substr(sizeof header)),
+                      .other_components = header.other_components,
+                      .other_area_fraction = header.other_area_fraction,
+                      .loses_parts = header.loses_parts != 0,
+                      .hollowness = header.hollowness,
+                      .style = header.style};
 }
 
 }  // namespace tessera::io

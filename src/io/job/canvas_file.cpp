@@ -49,9 +49,9 @@ cv::Mat shrunk(const cv::Mat& image, int longest_side_px) {
 /// how wide those of an enlarged image are is not known here.
 void add_translucent_parts(cv::Mat& alpha) {
   const cv::Mat small = shrunk(alpha, kSilhouetteSide_px);
-  if (solid_coverage(small, 0).data == small.data) return;  // most have none
+  if (solid_coverage(small, 0).coverage.data == small.data) return;  // most have none
   cv::Mat parts;
-  cv::resize(solid_coverage(shrunk(alpha, kMostForParts_px), 0), parts, alpha.size(), 0, 0, cv::INTER_LINEAR);
+  cv::resize(solid_coverage(shrunk(alpha, kMostForParts_px), 0).coverage, parts, alpha.size(), 0, 0, cv::INTER_LINEAR);
   alpha = cv::max(alpha, parts);
 }
 

@@ -46,6 +46,12 @@ std::string left_out_list(const LibraryBuildReport& report) {
                  "parts that do not touch the largest one are not in the silhouette; join them to have them, or, where "
                  "a soft shadow joins them, build with --edge-opacity 0.05");
   }
+  for (const std::string& path : report.faint) {
+    text +=
+        line("trimmed", path,
+             "parts that are too faint (an opacity below 0.08) or too thin, or a plate behind the drawing, are not in "
+             "the silhouette; make them more opaque or thicker to have them, or build with --edge-opacity 0.05");
+  }
   return text;
 }
 

@@ -13,8 +13,11 @@ std::string skip_reason_text(SkipReason reason) {
              "library extract";
     case SkipReason::plain_rectangle:
       return "a plain rectangle; take the background away, if that is what it is, or keep it (--keep-rectangles)";
-    case SkipReason::hairlines: return "thin lines alone; fill what they enclose, or make them thicker";
+    case SkipReason::hairlines: return "too much of it is thin lines; fill what they enclose, or make them thicker";
     case SkipReason::hollow: return "little but what it encloses; --fill-holes takes that for the shape, or fill it";
+    case SkipReason::faint:
+      return "too faint: parts of an opacity below 0.08, or lines too thin, do not count, and the rest makes no shape; "
+             "make them more opaque or thicker, or build with --edge-opacity 0.05";
   }
   return "unknown";
 }
