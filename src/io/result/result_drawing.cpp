@@ -299,6 +299,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   report.placements = placements_of(dir, manifest, library.size());
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
   report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });
+  report.names_like_patterns = names_like_patterns(library, job);
   report.covered = manifest.covered;
   if (!other_colours) {
     report.colours = manifest.colours;
