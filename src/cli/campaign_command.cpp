@@ -16,8 +16,8 @@ constexpr const char* kExamples =
     "not overwritten; at the end all are ranked (see tessera rank). A collage that lacks pieces ends no other one, "
     "and\n"
     "the exit code is 3 then. --list prints, for scripts, a line a collage:\n"
-    "finished or open, its folder, its values, with tabs between them. One process; slurm/campaign.sh makes an array\n"
-    "of jobs of any number of ranks.";
+    "finished or open, its folder, its values, with tabs between them; a cell of what cannot be printed is $'...', as\n"
+    "bash quotes it. One process; slurm/campaign.sh makes an array of jobs of any number of ranks.";
 
 }  // namespace
 

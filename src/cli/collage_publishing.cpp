@@ -1,5 +1,6 @@
 #include "cli/collage_publishing.h"
 
+#include "io/job/job_library.h"
 #include "io/result/collage_files.h"
 #include "io/result/piece_colours.h"
 #include "io/result/piece_deformation.h"
@@ -25,6 +26,7 @@ std::string publish(const CollageInput& input, const master::CollageResult& resu
   report.record = record;
   const io::LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = false};
   report.shapes = io::read_placed_shapes(input.library, report.placements, parts);
+  report.names_like_patterns = io::names_like_patterns(input.library, input.job);
   const ColourWish& colour = input.job.settings.colour;
   if (colour.target) report.covered = io::covered_colours(report, *colour.target);
   if (io::draws_palette(input.job.colour, input.library)) report.colours = io::piece_colours(report, input.palette);

@@ -161,7 +161,8 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
       run_loop(arguments, input, limit, *matching.matcher, *replacer, shapes, checkpoints);
   const RankStatistics times = times_of(clock, result);
   const std::vector<io::MissingShape> missing = missing_shapes(input, result);
-  journal->warn(unplaced_warning(input, result, missing));
+  journal->warn(unplaced_warning(input, result, missing, arguments.refined.get()));
+  journal->warn(never_fitting_warning(input, result));
   journal->warn(used_up_warning(input.job, input.canvas, result));
   if (relaxes(arguments)) journal->warn(nothing_gained_warning(input.job, result));
   journal->warn(empty_room_warning(input.job, result));

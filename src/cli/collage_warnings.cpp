@@ -123,7 +123,8 @@ std::string standing_warning(const io::Job& job, const Canvas& canvas,
   const std::vector<GivenPiece>& pieces = job.settings.wishes.given;
   const std::size_t first_of_start = io::rows_of(job, "given").size();
   const auto name = [&](std::size_t piece) { return shape(pieces[piece].shape).name; };
-  const StandingCheck found = check_standing(canvas, pieces, shape);
+  const PieceSettings& settings = job.settings.pieces;
+  const StandingCheck found = check_standing(canvas, pieces, settings.padding_px > 0 ? 0 : settings.overlap_px, shape);
   const char* in_a_zone = "in a zone that pieces keep out of";
   const std::string given = those_that_lie(found.kept_out, 0, first_of_start, in_a_zone, name);
   std::string start;

@@ -6,7 +6,7 @@
 
 namespace tessera::cli {
 
-/// The words as a shell takes them: those that need it stand in quotes.
+/// The words as a shell takes them (shell_word.h).
 std::string quoted_command(const std::vector<std::string>& words);
 
 /// The command line of this process; empty where the system does not tell.

@@ -119,18 +119,63 @@ io::LibraryBuildReport build(const ExtractArguments& arguments, const std::vecto
                            progress);
 }
 
-/// Before the search: it would replace none of the photos, and can be written.
+/// Of files that may not be there yet.
+bool is_same_path(const std::string& one, const std::string& other) {
+  std::error_code error;
+  return std::filesystem::weakly_canonical(one, error) == std::filesystem::weakly_canonical(other, error);
+}
+
+bool same_file(const std::string& one, const std::string& other) {
+  std::error_code error;
+  return std::filesystem::equivalent(one, other, error);
+}
+
+/// All that is read.
+std::vector<std::string> inputs(const ExtractArguments& arguments) {
+  std::vector<std::string> files = arguments.photos;
+  if (!arguments.settings.labels.empty()) files.push_back(arguments.settings.labels);
+  return files;
+}
+
+/// Before the search: what the option writes replaces nothing that is read.
+void check_replaces_no_input(const ExtractArguments& arguments, const std::string& option, const std::string& output) {
+  for (const std::string& photo : arguments.photos) {
+    if (same_file(output, photo))
+      throw InputError(option + ": found the photo " + photo + ", allowed: another file, which is written");
+  }
+  if (same_file(output, arguments.settings.labels))
+    throw InputError(option + ": found the map of --labels, " + output + ", allowed: another file, which is written");
+}
+
+/// Before the search: it can be written, and is no other output.
 void check_ground(const ExtractArguments& arguments) {
   const std::filesystem::path ground = arguments.ground;
   std::error_code error;
   if (ground.extension() != ".png")
     throw InputError("--ground: found " + arguments.ground + ", allowed: a name that ends in .png");
-  for (const std::string& photo : arguments.photos) {
-    if (std::filesystem::equivalent(ground, photo, error))
-      throw InputError("--ground: found the photo " + photo + ", allowed: another file, which is written");
-  }
+  check_replaces_no_input(arguments, "--ground", arguments.ground);
+  if (is_same_path(arguments.ground, arguments.output))
+    throw InputError("--ground: found " + arguments.ground + ", which is --output, too; allowed: another file");
   if (ground.has_parent_path() && !std::filesystem::is_directory(ground.parent_path(), error))
     throw InputError("--ground: found " + arguments.ground + ", allowed: a file in a folder that is there");
+}
+
+/// Before the search: each photo has an overview of its own, which is no other file of this run.
+void check_overviews(const ExtractArguments& arguments) {
+  std::map<std::string, std::string> photo_of_overview;
+  for (const std::string& photo : arguments.photos) {
+    const std::string overview = overview_path(arguments, photo);
+    const auto [other, is_new] = photo_of_overview.try_emplace(overview, photo);
+    if (!is_new)
+      throw InputError("--overview: " + other->second + " and " + photo + " would both be shown in " + overview +
+                       "; allowed: photos with names of their own");
+    check_replaces_no_input(arguments, "--overview", overview);
+    for (const std::string& output : {arguments.output, arguments.ground}) {
+      if (!output.empty() && is_same_path(overview, output))
+        throw InputError("--overview: " + photo + " would be shown in " + overview +
+                         ", which is written as another output, too; allowed: another folder");
+    }
+  }
 }
 
 void check(const ExtractArguments& arguments) {
@@ -149,23 +194,17 @@ void check(const ExtractArguments& arguments) {
   if (!arguments.settings.labels.empty() && arguments.photos.size() > 1)
     throw InputError("--labels: found " + std::to_string(arguments.photos.size()) +
                      " photos, allowed: one, which the map belongs to");
+  check_replaces_no_input(arguments, "--output", arguments.output);
   if (!arguments.ground.empty()) check_ground(arguments);
-  std::map<std::string, std::string> photo_of_overview;
-  for (const std::string& photo : arguments.photos) {
-    const auto [other, is_new] = photo_of_overview.try_emplace(overview_path(arguments, photo), photo);
-    if (!is_new && !arguments.overview.empty())
-      throw InputError("--overview: " + other->second + " and " + photo + " would both be shown in " + other->first +
-                       "; allowed: photos with names of their own");
-  }
+  if (!arguments.overview.empty()) check_overviews(arguments);
 }
-
 /// Keeps other runs away from all that is written, and finds at once where it could not be.
 class ExtractOutputs {
  public:
   explicit ExtractOutputs(const ExtractArguments& arguments) : library_(arguments.output + ".lock", arguments.output) {
     io::check_can_be_written(arguments.output);
-    check_is_not_built_from(arguments.photos, arguments.output);
-    check_is_not_built_from(arguments.photos, arguments.ground);
+    check_is_not_built_from(inputs(arguments), arguments.output);
+    check_is_not_built_from(inputs(arguments), arguments.ground);
     if (!arguments.ground.empty()) {
       ground_.emplace(arguments.ground + ".lock", arguments.ground);
       io::check_can_be_written(arguments.ground);

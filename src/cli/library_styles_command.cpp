@@ -15,6 +15,7 @@
 #include "io/library/style_reference.h"
 #include "io/library/style_sheet.h"
 #include "io/number_text.h"
+#include "io/utf8_text.h"
 
 namespace tessera::cli {
 namespace {
@@ -76,8 +77,8 @@ void print_names(const Styles& styles, const std::vector<StyleGroup>& groups) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const StylePlace& typical = styles.places[groups[g].members.front()];
     for (const std::uint32_t i : groups[g].members) {
-      print_cells(
-          {std::to_string(g + 1), io::fixed(double(style_distance(styles.places[i], typical)), 2), styles.names[i]});
+      const std::string distance = io::fixed(double(style_distance(styles.places[i], typical)), 2);
+      print_lines(std::to_string(g + 1) + "\t" + distance + "\t" + io::printable_utf8(styles.names[i]) + "\n");
     }
   }
 }

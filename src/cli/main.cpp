@@ -41,12 +41,6 @@ std::string understood_command(const CLI::App& app) {
   return text;
 }
 
-std::string parse_problem(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<std::string> not_understood = app.remaining(true);
-  const bool lacks_command = dynamic_cast<const CLI::RequiredError*>(&error) && !not_understood.empty();
-  return lacks_command ? "unknown command or option " + not_understood.front() : error.what();
-}
-
 std::vector<const CLI::App*> with_all_below(const CLI::App& app) {
   std::vector<const CLI::App*> all = {&app};
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -56,8 +50,8 @@ std::vector<const CLI::App*> with_all_below(const CLI::App& app) {
   return all;
 }
 
-/// CLI11 takes whatever follows "--out" for its value, be it the next option.
-void check_no_option_was_swallowed(const CLI::App& app, const std::vector<std::string>& words) {
+/// CLI11 takes whatever follows "--out" for its value, be it the next option. What is wrong then; empty where nothing is.
+std::string swallowed_option(const CLI::App& app, const std::vector<std::string>& words) {
   const std::vector<const CLI::App*> commands = with_all_below(app);
   const auto is_option = [&](const std::string& text) {
     return text.starts_with('-') && std::find(words.begin(), words.end(), text) != words.end() &&
@@ -71,10 +65,31 @@ void check_no_option_was_swallowed(const CLI::App& app, const std::vector<std::s
       const auto swallowed = std::find_if(values.begin(), values.end(), is_option);
       if (swallowed == values.end()) continue;
       const std::string name = option->get_name();
-      throw CLI::ValidationError(name, "found the option " + *swallowed +
-                                           ", allowed: a value; one that begins so: " + name + "=" + *swallowed);
+      return name + ": found the option " + *swallowed + ", allowed: a value; one that begins so: " + name + "=" +
+             *swallowed;
     }
   }
+  return "";
+}
+
+/// Where a value is no number CLI11 says neither what is wrong with it nor what is allowed.
+std::string conversion_problem(const std::string& problem) {
+  constexpr std::string_view kBeginning = "Could not convert: ", kBetween = " = ";
+  const std::size_t between = problem.find(kBetween);
+  if (!problem.starts_with(kBeginning) || between == problem.npos) return problem;
+  const std::string option = problem.substr(kBeginning.size(), between - kBeginning.size());
+  const std::string value = problem.substr(between + kBetween.size());
+  double number = 0;
+  const bool is_number = CLI::detail::lexical_cast(value, number);
+  return option + ": found " + value + ", allowed: a " + (is_number ? "whole number that is not too large" : "number");
+}
+
+/// `words`: of the command line.
+std::string parse_problem(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
+  if (const std::string problem = swallowed_option(app, words); !problem.empty()) return problem;
+  const std::vector<std::string> not_understood = app.remaining(true);
+  const bool lacks_command = dynamic_cast<const CLI::RequiredError*>(&error) && !not_understood.empty();
+  return lacks_command ? "unknown command or option " + not_understood.front() : conversion_problem(error.what());
 }
 
 /// That of the sub-command that was given, where there is one.
@@ -135,10 +150,11 @@ void add_commands(CLI::App& app, Command& selected) {
 Command parsed_command(int argc, char** argv) {
   CLI::App app("Collages of shapes, on one machine or a cluster.", "tessera");
   Command selected;
+  const std::vector<std::string> words(argv, argv + argc);
   try {
     add_commands(app, selected);
     app.parse(reversed_arguments(argc, argv));
-    check_no_option_was_swallowed(app, {argv, argv + argc});
+    if (const std::string problem = swallowed_option(app, words); !problem.empty()) throw CLI::ParseError(problem, 1);
     selected.time_limit = given_time_limit(app);
     return selected;
   } catch (const CLI::ParseError& error) {
@@ -150,7 +166,7 @@ Command parsed_command(int argc, char** argv) {
         return kDoneExitCode;
       }};
     }
-    const std::string problem = parse_problem(app, error) + " (see " + understood_command(app) + " --help)";
+    const std::string problem = parse_problem(app, error, words) + " (see " + understood_command(app) + " --help)";
     return {.run = [problem]() -> int { throw InputError(problem); }};
   } catch (...) {
     return {.run = [problem = std::current_exception()]() -> int { std::rethrow_exception(problem); }};

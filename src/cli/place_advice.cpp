@@ -18,6 +18,7 @@ constexpr std::size_t kShapesTried = 24;  // of many, evenly from all
 constexpr std::size_t kMostTrials = 96;
 constexpr float kSmallerStep = 0.8f;
 constexpr float kLeastTried_px = 1;
+constexpr float kRoomBeside = 0.03f;  // of the canvas' longer side: twice what has_any_place does not see
 constexpr io::LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
 
 /// The tables that say something else than [pieces] of some shapes.
@@ -98,17 +99,19 @@ class KeysTried {
                        [&](const Trial& trial) { return fits(trial, canvas, kept_px, 1, any_rotation); });
   }
 
-  /// The largest size, in steps, at which one of the shapes fits.
+  /// The largest size, in steps, at which one of the shapes fits with some room beside it: where it must lie in one
+  /// place alone, no collage finds that.
   struct Smaller {
     float factor;
     float scale_px;
   };
   std::optional<Smaller> largest_that_fits() const {
+    const float room_beside_px = kept_px() + kRoomBeside * float(std::max(canvas_.width_px, canvas_.height_px));
     float largest_px = 0;
     for (const Trial& trial : trials_) largest_px = std::max(largest_px, trial.scale_px);
     for (float factor = kSmallerStep; factor * largest_px >= kLeastTried_px; factor *= kSmallerStep) {
       for (const Trial& trial : trials_) {
-        if (fits(trial, canvas_, kept_px(), factor, false)) return Smaller{factor, factor * trial.scale_px};
+        if (fits(trial, canvas_, room_beside_px, factor, false)) return Smaller{factor, factor * trial.scale_px};
       }
     }
     return {};

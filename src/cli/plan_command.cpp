@@ -52,6 +52,7 @@ PlanInput plan_input(const PlanArguments& arguments) {
           .canvas_nodes = double(nodes.width()) * nodes.height(),
           .picture_px2 = double(picture_px.width) * picture_px.height,
           .shapes = library.size(),
+          .drawings = library.drawings(),
           .reads = library.stored_models(context) != nullptr,
           .host_devices = job.devices != "gpu",
           .ranks = arguments.ranks,

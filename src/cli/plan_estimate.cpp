@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "cli/time_estimate.h"
 #include "core/base/kept_memory.h"
+#include "core/collage/missing_pieces.h"
 #include "core/matching/matching_context.h"
 #include "core/tuning.h"
 #include "master/replacing.h"
@@ -80,17 +82,33 @@ double priced(double amount, double edge, double price, double price_beyond) {
   return price * std::min(amount, edge) + price_beyond * std::max(0., amount - edge);
 }
 
-double pieces_when_full(const PlanInput& input) {
+std::vector<std::uint32_t> drawings_of(const PlanInput& input) {
+  std::vector<std::uint32_t> drawings = input.drawings;
+  if (!drawings.empty()) return drawings;
+  drawings.resize(input.shapes);
+  std::iota(drawings.begin(), drawings.end(), 0u);
+  return drawings;
+}
+
+/// With fit = "all", where sizes follow from them.
+double wanted_pieces(const PlanInput& input) {
+  double pieces = 0;
+  for (const MissingPieces& missing : missing_pieces(input.settings, drawings_of(input), {})) pieces += missing.wanted;
+  return pieces;
+}
+
+/// Where nothing in [stop] limits their number.
+double pieces_when_filled(const PlanInput& input, double coverage) {
   const PieceSettings& pieces = input.settings.pieces;
-  return input.canvas_px2 / (kAreaOfAPiece * pieces.min_scale_px * pieces.max_scale_px);
+  if (pieces.fit_all) return coverage * wanted_pieces(input);
+  const double room = input.canvas_px2 / (kAreaOfAPiece * pieces.min_scale_px * pieces.max_scale_px);
+  return std::min(coverage * room, most_pieces(input.settings, drawings_of(input)));
 }
 
 double expected_pieces(const PlanInput& input) {
-  const CollageSettings& s = input.settings;
-  double pieces = std::max(1., pieces_when_full(input) * s.stop.coverage);
-  if (s.stop.pieces > 0) pieces = std::min(pieces, double(s.stop.pieces));
-  if (s.pieces.uses > 0) pieces = std::min(pieces, double(s.pieces.uses) * double(input.shapes));
-  return pieces;
+  const StopSettings& stop = input.settings.stop;
+  const double pieces = std::max(1., pieces_when_filled(input, stop.coverage));
+  return stop.pieces > 0 ? std::min(pieces, double(stop.pieces)) : pieces;
 }
 
 /// A device that is the host itself holds its part of the library, and the lists of pairs, in the worker's memory.
@@ -125,11 +143,11 @@ double replacing_s(const PlanInput& input, const PlanEstimate& plan, double tria
   return trials * double(master::kReplacementsPerTrial) * kReplacement_s / std::min(double(plan.workers), windows);
 }
 
-/// A limit that ends the filling leaves nothing to improve; a number of pieces that the canvas does not hold is none.
+/// A limit that ends the filling leaves nothing to improve; a number of pieces that is not reached is none.
 double expected_trials(const PlanInput& input, double trials_a_second) {
   const ImproveSettings& improve = input.settings.improve;
   StopSettings stop = input.settings.stop;
-  if (stop.pieces > pieces_when_full(input)) stop.pieces = 0;
+  if (stop.pieces > pieces_when_filled(input, 1)) stop.pieces = 0;
   if (ends_before_improving(stop)) return 0;
   return improve.trials > 0 ? double(improve.trials) : improve.seconds * trials_a_second;
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "core/settings.h"
 
@@ -12,13 +13,14 @@ namespace tessera::cli {
 /// What the formulas take.
 struct PlanInput {
   CollageSettings settings;
-  double canvas_px2 = 0;     // to fill
-  double canvas_nodes = 0;   // width times height
-  double picture_px2 = 0;    // of collage.png
-  std::size_t shapes = 0;    // in the library
-  bool reads = true;         // their models from its file; else each worker holds all of its part's
-  bool host_devices = true;  // the workers' OpenCL devices use the host's memory (CPUs)
-  int ranks = 1;             // a master and workers; one rank is both
+  double canvas_px2 = 0;                     // to fill
+  double canvas_nodes = 0;                   // width times height
+  double picture_px2 = 0;                    // of collage.png
+  std::size_t shapes = 0;                    // in the library, with mirror images
+  std::vector<std::uint32_t> drawings = {};  // ShapeLibrary::drawings; empty: no mirror images
+  bool reads = true;                         // their models from its file; else each worker holds all of its part's
+  bool host_devices = true;                  // the workers' OpenCL devices use the host's memory (CPUs)
+  int ranks = 1;                             // a master and workers; one rank is both
   int nodes = 1;
 };
 

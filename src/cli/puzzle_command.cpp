@@ -17,6 +17,7 @@
 #include "cli/job_output.h"
 #include "cli/list_option.h"
 #include "cli/progress_bar.h"
+#include "cli/shell_word.h"
 #include "cli/terminal.h"
 #include "cli/time_limit.h"
 #include "comm/stop_signals.h"
@@ -61,15 +62,6 @@ constexpr const char* kSolveExamples =
     "laid\n"
     "beyond a frame. Pieces that find no place are named, the others are laid, and the exit code is 3.";
 
-/// As a shell takes it, for commands to be typed next.
-std::string shell_word(const std::string& text) {
-  constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+=,:@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
-
 const std::map<std::string, CutStyle> kCuts = {
     {"tabs", CutStyle::tabs}, {"polygons", CutStyle::polygons}, {"rectangles", CutStyle::rectangles}};
 
@@ -99,9 +91,9 @@ int make(MakeArguments arguments) {
   }
   const std::string folder = io::printable_utf8(out);
   print_line("%s: %d pieces of a picture of %d x %d px", folder.c_str(), made.pieces, made.width_px, made.height_px);
-  const std::string library = shell_word(folder + ".h5");
-  const std::string frame = made.frame.empty() ? "" : " --frame " + shell_word(folder + "/" + made.frame);
-  print_line("next: tessera library build %s -o %s --puzzle", shell_word(folder + "/pieces").c_str(), library.c_str());
+  const std::string library = shell_word(out + ".h5");
+  const std::string frame = made.frame.empty() ? "" : " --frame " + shell_word(out + "/" + made.frame);
+  print_line("next: tessera library build %s -o %s --puzzle", shell_word(out + "/pieces").c_str(), library.c_str());
   print_line("      tessera puzzle solve %s%s --size %d,%d", library.c_str(), frame.c_str(), made.width_px,
              made.height_px);
   return kDoneExitCode;
@@ -169,7 +161,7 @@ void report(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
                double(solved.agreement->worst_px));
   }
   if (arguments.job_only && !arguments.collage.quiet)
-    print_line("next: tessera collage %s", shell_word(io::printable_utf8(arguments.request.job)).c_str());
+    print_line("next: tessera collage %s", shell_word(arguments.request.job).c_str());
   print_now();
 }
 

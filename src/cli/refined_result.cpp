@@ -96,7 +96,7 @@ std::vector<std::string> erasing_keys() { return {"start.keep=standing", "stop.c
 void check_can_be_erased(const RefinedResult& result, const std::vector<io::PlacedPiece>& all) {
   if (result.whole.job.settings.pieces.fit_all) {
     throw InputError(result.folder + ": its job has pieces.fit = \"all\", with sizes that follow from all pieces; " +
-                     "allowed: --relax");
+                     "allowed: --relax, --deform");
   }
   if (std::all_of(all.begin(), all.end(), [](const io::PlacedPiece& piece) { return piece.exact; })) return;
   throw InputError(result.folder + ": pieces.geojson does not say exactly where pieces lie: found no " +

@@ -4,12 +4,12 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
 
+#include "cli/shell_word.h"
 #include "core/base/error.h"
 #include "core/base/split_text.h"
 #include "io/utf8_text.h"
@@ -26,15 +26,6 @@ std::string formatted(const char* format, va_list arguments) {
   std::vsnprintf(text.data(), text.size(), format, again);
   va_end(again);
   return text.data();
-}
-
-/// The path of a folder may be any bytes, and a script is to find it: of a cell that is no UTF-8 only the bytes that
-/// are control characters in one of ISO's alphabets are replaced.
-std::string escaped_cell(std::string cell) {
-  if (io::is_utf8(cell)) return io::printable_utf8(cell);
-  const auto is_control = [](unsigned char c) { return c < 0x20 || (c >= 0x7f && c < 0xa0); };
-  std::replace_if(cell.begin(), cell.end(), is_control, '_');
-  return cell;
 }
 
 /// Why printing failed first; 0 where it did not, or nobody was told.
@@ -64,7 +55,7 @@ void print_line(const char* format, ...) {
 
 void print_cells(const std::vector<std::string>& cells) {
   std::vector<std::string> escaped;
-  for (const std::string& cell : cells) escaped.push_back(escaped_cell(cell));
+  for (const std::string& cell : cells) escaped.push_back(shell_cell(cell));
   put(joined(escaped, "\t") + "\n");
 }
 

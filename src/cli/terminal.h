@@ -11,8 +11,8 @@ namespace tessera::cli {
 /// (printable_utf8 in io/utf8_text.h) is printed as '_', tabs and line ends within a name among it.
 [[gnu::format(printf, 1, 2)]] void print_line(const char* format, ...);
 
-/// Prints one line on stdout for scripts: the cells with tabs between them, escaped as by print_line; but bytes that
-/// are no UTF-8 and no control characters stay, as in paths they may be anything.
+/// Prints one line on stdout for scripts: the cells with tabs between them. What is not to be printed is in a cell that
+/// bash reads back (shell_cell in shell_word.h): a path may be any bytes.
 void print_cells(const std::vector<std::string>& cells);
 
 /// Prints lines on stdout, each with its line end. The names in `lines` have none of their own: whoever makes a text of

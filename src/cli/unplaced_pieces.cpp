@@ -1,6 +1,7 @@
 #include "cli/unplaced_pieces.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "cli/collage_warnings.h"
@@ -9,6 +10,7 @@
 #include "core/collage/missing_pieces.h"
 #include "core/matching/sized_settings.h"
 #include "core/matching/stances.h"
+#include "core/matching/use_limits.h"
 
 namespace tessera::cli {
 namespace {
@@ -76,13 +78,22 @@ std::string empty_warning(const CollageInput& input, const master::CollageResult
                               is_full ? what_to_try(input, shapes) : std::vector<std::string>());
 }
 
+/// Refining what is to stay as it is lets no piece more come in than the result has; nobody gave that limit.
+bool keeps_number_of_pieces(const io::Job& job, const RefinedResult* refined, const std::string& limit) {
+  return refined != nullptr && limit == "pieces" &&
+         job.settings.stop.pieces != refined->whole.job.settings.stop.pieces &&
+         std::size_t(job.settings.stop.pieces) == refined->whole.manifest.shapes.size();
+}
+
 std::string missing_warning(const CollageInput& input, const master::CollageResult& result,
-                            const std::vector<io::MissingShape>& missing) {
+                            const std::vector<io::MissingShape>& missing, const RefinedResult* refined) {
   const io::Job& job = input.job;
   const std::uint64_t pieces = io::pieces_of(missing);
   const std::string what = (pieces == 1 ? "1 piece is missing: " : std::to_string(pieces) + " pieces are missing: ") +
                            io::missing_text(missing, kNamesTold) + "; ";
   if (const char* limit = limit_that_ended(result.statistics)) {
+    if (keeps_number_of_pieces(job, refined, limit))
+      return what + refined->folder + " lacks them, too, and refining it so lets no piece more come in";
     return what + with_value(job, "stop", limit) + " ended the collage before they found a place";
   }
   std::vector<ShapeId> shapes;
@@ -94,7 +105,48 @@ std::string missing_warning(const CollageInput& input, const master::CollageResu
   return what + tried + "; try " + joined_warnings(what_to_try(input, shapes));
 }
 
+/// By class: whether none of its shapes stands, though some size of its own is wished for and none is counted.
+std::vector<bool> absent_classes(const CollageInput& input, const master::CollageResult& result) {
+  const Wishes& wishes = input.job.settings.wishes;
+  const UseLimits uses(input.job.settings.pieces, wishes);
+  std::vector<bool> absent;
+  for (const ShapeWish& wish : wishes.classes) absent.push_back(wish.weight > 0 && !wish.poses.scale_px.empty());
+  for (std::uint32_t i = 0; i < wishes.class_of_shape.size(); ++i) {
+    if (uses.least(ShapeId{i}) > 0) absent[wishes.class_of_shape[i]] = false;
+  }
+  for (const Placement& p : result.placements) absent[wishes.class_of_shape[index_of(p.shape)]] = false;
+  return absent;
+}
+
+std::string never_fitting_text(const CollageInput& input, const std::vector<ShapeId>& shapes) {
+  const std::vector<std::string> keys =
+      keys_that_keep_out(input.job, smallest_sizes(input.job), input.library, input.canvas, shapes);
+  if (keys.empty()) return "";
+  const std::size_t first = index_of(shapes.front());
+  const std::string others = shapes.size() == 1 ? " fits" : " and " + std::to_string(shapes.size() - 1) + " others fit";
+  return '"' + input.library.read(first, first + 1, kNamesOnly).front().name + '"' + others +
+         " nowhere on the canvas; try " + joined_warnings(keys);
+}
+
 }  // namespace
+
+std::string never_fitting_warning(const CollageInput& input, const master::CollageResult& result) {
+  constexpr std::size_t kMostClasses = 8;  // each may take a tenth of a second
+  const std::vector<std::uint32_t>& class_of_shape = input.job.settings.wishes.class_of_shape;
+  if (result.unfinished || result.placements.empty() || class_of_shape.empty()) return "";
+  const std::vector<bool> absent = absent_classes(input, result);
+  std::map<std::uint32_t, std::vector<ShapeId>> shapes_of_class;
+  for (const ShapeId shape : all_that_may_stand(input)) {
+    const std::uint32_t of = class_of_shape[index_of(shape)];
+    if (absent[of]) shapes_of_class[of].push_back(shape);
+  }
+  std::size_t tried = 0;
+  for (const auto& [of, shapes] : shapes_of_class) {
+    if (const std::string text = never_fitting_text(input, shapes); !text.empty()) return text;
+    if (++tried == kMostClasses) break;
+  }
+  return "";
+}
 
 std::vector<io::MissingShape> missing_shapes(const CollageInput& input, const master::CollageResult& result) {
   if (result.unfinished) return {};
@@ -113,10 +165,10 @@ std::vector<io::MissingShape> missing_shapes(const CollageInput& input, const ma
 }
 
 std::string unplaced_warning(const CollageInput& input, const master::CollageResult& result,
-                             const std::vector<io::MissingShape>& missing) {
+                             const std::vector<io::MissingShape>& missing, const RefinedResult* refined) {
   if (result.unfinished) return "";
   if (result.placements.empty()) return empty_warning(input, result);
-  return missing.empty() ? "" : missing_warning(input, result, missing);
+  return missing.empty() ? "" : missing_warning(input, result, missing, refined);
 }
 
 }  // namespace tessera::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/collage_input.h"
+#include "cli/refined_result.h"
 #include "io/result/missing_shape.h"
 #include "master/collage_loop.h"
 
@@ -14,8 +15,12 @@ namespace tessera::cli {
 std::vector<io::MissingShape> missing_shapes(const CollageInput& input, const master::CollageResult& result);
 
 /// Why the collage is empty, or which of `missing` found no place, and what helps. Empty where nothing is missing, and
-/// where the run may still go on.
+/// where the run may still go on. `refined`: from whose pieces it began; null: none.
 std::string unplaced_warning(const CollageInput& input, const master::CollageResult& result,
-                             const std::vector<io::MissingShape>& missing);
+                             const std::vector<io::MissingShape>& missing, const RefinedResult* refined);
+
+/// Which shapes with sizes of their own ([[shapes]] scale_px, or as drawn) fit nowhere on the canvas, so that none of them
+/// stands though nothing counts them, and what helps. Empty where there are none, and of an empty collage.
+std::string never_fitting_warning(const CollageInput& input, const master::CollageResult& result);
 
 }  // namespace tessera::cli

@@ -3,20 +3,37 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 namespace tessera::io {
 namespace {
 
 bool is_continuation(unsigned char c) { return (c & 0xc0) == 0x80; }
 
-/// What no line of text has; the last two may not stand in XML.
-bool is_control(std::uint32_t code) {
-  return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0xfffe || code == 0xffff;
-}
+struct Range {
+  std::uint32_t first;
+  std::uint32_t last;
+};
 
-/// Unicode's line and paragraph separators, and what embeds, overrides or isolates a direction of writing: a name with
-/// one of these changes how the text beside it is shown.
-bool is_layout(std::uint32_t code) { return (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069); }
+/// Ascending: Unicode's control and format characters (categories Cc and Cf), its line and paragraph separators, and
+/// others that are not seen (Default_Ignorable_Code_Point), but for the variation selectors, which only choose between
+/// two forms of a character. Among them is what embeds, overrides or isolates a direction of writing.
+constexpr Range kUnseen[] = {
+    {0x00, 0x1f},       {0x7f, 0x9f},       {0xad, 0xad},       {0x34f, 0x34f},     {0x600, 0x605},
+    {0x61c, 0x61c},     {0x6dd, 0x6dd},     {0x70f, 0x70f},     {0x890, 0x891},     {0x8e2, 0x8e2},
+    {0x115f, 0x1160},   {0x17b4, 0x17b5},   {0x180b, 0x180f},   {0x200b, 0x200f},   {0x2028, 0x202e},
+    {0x2060, 0x206f},   {0x3164, 0x3164},   {0xfdd0, 0xfdef},   {0xfeff, 0xfeff},   {0xffa0, 0xffa0},
+    {0xfff0, 0xfffb},   {0x110bd, 0x110bd}, {0x110cd, 0x110cd}, {0x13430, 0x1343f}, {0x1bca0, 0x1bca3},
+    {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
+};
+
+/// Of every plane the last two are no characters; the first plane's may not stand in XML.
+bool is_no_character(std::uint32_t code) { return (code & 0xfffe) == 0xfffe; }
+
+bool is_unseen(std::uint32_t code) {
+  const auto range = std::ranges::lower_bound(kUnseen, code, {}, &Range::last);
+  return (range != std::end(kUnseen) && range->first <= code) || is_no_character(code);
+}
 
 struct Character {
   std::size_t bytes;  // 0: this is none
@@ -48,8 +65,8 @@ std::string printable_utf8(const std::string& text, std::string_view kept) {
   for (std::size_t at = 0; at < text.size();) {
     const auto [bytes, code] = character_at(text, at);
     const bool is_kept = kept.find(text[at]) != kept.npos;
-    if (!is_kept && (bytes == 0 || is_control(code) || is_layout(code))) {
-      // Of a control character each byte, as of what is no UTF-8.
+    if (!is_kept && (bytes == 0 || is_unseen(code))) {
+      // Of such a character each byte, as of what is no UTF-8.
       result.append(std::max<std::size_t>(1, bytes), '_');
     } else {
       result.append(text, at, bytes);
@@ -58,6 +75,8 @@ std::string printable_utf8(const std::string& text, std::string_view kept) {
   }
   return result;
 }
+
+std::size_t utf8_length(const std::string& text, std::size_t at) { return character_at(text, at).bytes; }
 
 bool is_utf8(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {

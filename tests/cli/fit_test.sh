@@ -81,6 +81,12 @@ run 3 collage cannot.toml --out cannot --quiet --resume=auto
 expect_word 'tessera: warning: cannot: 5 pieces are missing; card.txt names them'
 run 0 draw cannot --png --quiet
 run 3 refine cannot --relax --quiet --out relaxed
+run 3 refine cannot --deform --quiet --out deformed
+expect_word ' are missing: '
+expect_word '; cannot lacks them, too, and refining it so lets no piece more come in'
+! grep -q 'stop.pieces' errors || fail "a limit that nobody gave"
+run 2 refine cannot --pieces 0 --quiet --out none
+expect_word 'allowed: --relax, --deform'
 run 3 campaign cannot.toml --seeds 1-2 --set pieces.apart_px=0,900 --out campaign
 [[ $(grep -c 'pieces are missing$' output) == 2 ]] || fail "the campaign does not say which lack pieces"
 [[ $(wc -l <campaign/ranking.csv) == 5 ]] || fail "the campaign is not ranked"
@@ -101,6 +107,12 @@ expect_word 'pieces are missing: bean ('
 expect_word 'they found no place; try smaller pieces, pieces.scale_px (now [60, 60]); pieces.fit = "all", which finds their sizes;'
 echo "ok least sizes, limits and least uses"
 
+# Nothing counts a shape that fits nowhere: it is told all the same, and what is advised helps.
+job disc own.h5 'scale_px = [15, 40]'
+printf '[[shapes]]\nnames = "bean"\nscale_px = [900, 1000]\nweight = 50\n' >>disc.toml
+run 0 collage disc.toml --out disc --quiet
+expect_word 'warning: "bean" fits nowhere on the canvas; try pieces of '
+
 # No piece at all: exit code 3, and which key keeps them out.
 empty() { # WORDS OPTION...
   run 3 collage empty.toml --out empty --quiet "${@:2}"
@@ -108,9 +120,20 @@ empty() { # WORDS OPTION...
   expect_word "$1"
   [[ -s empty/collage.png ]] || fail "no picture of an empty collage"
 }
+# advised_size_helps JOB: what the last warning says is true.
+advised_size_helps() {
+  local px
+  px=$(sed -n 's/.* pieces of \([0-9.]*\) px or less.*/\1/p' errors)
+  run 0 collage "$1.toml" --out helped --quiet --set "pieces.scale_px=[$px, $px]"
+}
+job empty own.h5 'scale_px = [1000, 1200]'
+empty 'nothing fits; try pieces of ' --set 'canvas.size_px=[300, 200]'
+sed -i 's/400, 300/300, 200/' empty.toml
+advised_size_helps empty
 job empty bars.h5 $'scale_px = [150, 200]'
 empty 'nothing fits; try pieces of '
 expect_word ' px or less, pieces.scale_px (now [150, 200]); a larger canvas.size_px (now [400, 300])'
+advised_size_helps empty
 empty 'other rotations, pieces.rotation_deg (now [90, 90])' --set 'pieces.scale_px=90' --set pieces.rotation_deg=90
 empty 'less pieces.padding_px (now 140)' --set 'pieces.scale_px=60' --set pieces.padding_px=140
 empty 'drawings 64 % as large, pieces.sizes (now "drawn"); pieces.fit = "all", which finds such sizes' --set pieces.sizes=drawn

@@ -117,6 +117,28 @@ expect_word 'tiles.png: --ground: found hardly any gaps between the elements, ne
 [[ ! -e none.h5 && ! -e none.png ]] || fail "something was written"
 run 2 library extract wall.png --element-px 75 -o none.h5 --ground wall.png
 expect_word '--ground: found the photo wall.png, allowed: another file'
+# The map is read, too, under any name; and no output is another one.
+mkdir maps
+cp wall.png maps/w.png
+cp map.png maps/w_found.png
+cp map.png kept_map.png
+for map in map.png maps/w_found.png; do
+  run 2 library extract maps/w.png --labels "$map" -o none.h5 --ground "$map"
+  expect_word "--ground: found the map of --labels, $map, allowed: another file"
+  run 2 library extract maps/w.png --labels "$map" -o "./$map"
+  expect_word "--output: found the map of --labels, ./$map, allowed: another file"
+  cmp "$map" kept_map.png || fail "the map is another one"
+done
+run 2 library extract maps/w.png --labels maps/w_found.png -o none.h5 --overview maps
+expect_word '--overview: found the map of --labels, maps/w_found.png, allowed: another file'
+run 2 library extract maps/w.png maps/w_found.png --element-px 75 -o none.h5 --overview maps
+expect_word '--overview: found the photo maps/w_found.png, allowed: another file'
+cmp maps/w_found.png kept_map.png || fail "the map is another one"
+run 2 library extract wall.png --element-px 75 -o none.png --ground ./none.png
+expect_word '--ground: found ./none.png, which is --output, too; allowed: another file'
+run 2 library extract wall.png --element-px 75 -o none.h5 --ground shown/wall_found.png --overview shown
+expect_word '--overview: wall.png would be shown in shown/wall_found.png, which is written as another output, too'
+[[ ! -e shown && ! -e none.h5 && ! -e none.png ]] || fail "something was written"
 run 2 library extract wall.png --element-px 75 -o none.h5 --ground mortar.jpg
 expect_word '--ground: found mortar.jpg, allowed: a name that ends in .png'
 run 2 library extract wall.png --element-px 75 -o none.h5 --ground nowhere/mortar.png

@@ -45,22 +45,23 @@ run 0 draw in_mm --svg --set output.dpi=600 --quiet
 run 2 collage in_px.toml --out none --set 'canvas.size_mm=[0, 0]' --set pieces.scale_mm=3
 grep -q 'pieces.scale_mm: found 3; needed: canvas.size_mm' errors || fail "another message without size_mm"
 grep -q '"overlap_fraction": *\(0.000000\|0.0[,}]\|0[,}]\)' in_mm/card.json || fail "pieces overlap"
-# 141 px would be 20.94 mm.
-run 0 collage in_px.toml --out a4 --quiet --set 'canvas.size_mm=[21, 29.7]' --set 'canvas.size_px=[141, 200]' --set output.dpi=300
-run 0 draw a4 --svg --pdf --png --tiff --quiet
-grep -q 'width="21.000mm" height="29.700mm" viewBox="0 0 141.414 200"' a4/collage.svg || fail "collage.svg is not A4 by ten"
-python3 - <<'PYTHON' || fail "a picture is not as large on paper as was asked"
-import re, struct
-width_mm, height_mm = 21, 29.7
-box = re.search(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", open("a4/collage.pdf", "rb").read())
+# expect_paper FOLDER WIDTH_MM HEIGHT_MM: its pictures are as large on paper, to 0.001 mm where the format can say it.
+expect_paper() {
+  local size
+  size="width=\"$2mm\" height=\"$3mm\""
+  grep -qF "$size" "$1/collage.svg" || fail "$1/collage.svg has not the $size"
+  python3 - "$@" <<'PYTHON' || fail "a picture of $1 is not as large on paper as was asked"
+import re, struct, sys
+folder, width_mm, height_mm = sys.argv[1], float(sys.argv[2]), float(sys.argv[3])
+box = re.search(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", open(folder + "/collage.pdf", "rb").read())
 for found, want in zip(box.groups(), (width_mm, height_mm)):
     assert abs(float(found) * 25.4 / 72 - want) < 0.001, box.groups()
-png = open("a4/collage.png", "rb").read()
+png = open(folder + "/collage.png", "rb").read()
 size = struct.unpack(">II", png[16:24])
 at = png.index(b"pHYs") + 4
 for px, per_metre, want in zip(size, struct.unpack(">II", png[at:at + 8]), (width_mm, height_mm)):
     assert abs(px / per_metre * 1000 - want) < want * 0.5 / per_metre + 1e-9, (px, per_metre)
-tiff = open("a4/collage.tiff", "rb").read()
+tiff = open(folder + "/collage.tiff", "rb").read()
 directory = struct.unpack("<I", tiff[4:8])[0]
 entries = struct.unpack("<H", tiff[directory:directory + 2])[0]
 fields = {}
@@ -70,6 +71,25 @@ for i in range(entries):
 for px, tag, want in zip(size, (282, 283), (width_mm, height_mm)):
     assert abs(px * 25.4 * fields[tag][1] / fields[tag][0] - want) < 0.001, fields[tag]
 PYTHON
+}
+
+# 141 px would be 20.94 mm.
+run 0 collage in_px.toml --out a4 --quiet --set 'canvas.size_mm=[21, 29.7]' --set 'canvas.size_px=[141, 200]' --set output.dpi=300
+run 0 draw a4 --svg --pdf --png --tiff --quiet
+grep -q 'viewBox="0 0 141.414 200"' a4/collage.svg || fail "collage.svg is not A4 by ten"
+expect_paper a4 21.000 29.700
+# A page of the box' own aspect fills it, and one of another aspect has the mm of the side that fits.
+echo '<svg xmlns="http://www.w3.org/2000/svg" width="420mm" height="297mm" viewBox="0 0 420 297">' \
+  '<ellipse cx="210" cy="148" rx="208" ry="146"/></svg>' >page.svg
+printf "quality = 'draft'\n[library]\nfile = 'own.h5'\n[canvas]\nfile = 'page.svg'\nsize_px = [200, 141]\n" >page.toml
+printf "[pieces]\nscale_px = [30, 60]\n[stop]\npieces = 4\n[output]\ndpi = 60\n" >>page.toml
+run 0 collage page.toml --out page --quiet --set 'canvas.size_mm=[420, 297]'
+run 0 draw page --svg --pdf --png --tiff --quiet
+grep -q 'viewBox="0 0 200 141.429"' page/collage.svg || fail "the canvas does not fill its box"
+expect_paper page 420.000 297.000
+run 0 collage page.toml --out upright --quiet --set 'canvas.size_mm=[297, 420]' --set 'canvas.size_px=[141, 200]'
+run 0 draw upright --svg --pdf --png --tiff --quiet
+expect_paper upright 297.000 210.021
 echo "ok millimetres"
 
 printf "quality = 'draft'\n[library]\nfile = 'own.h5'\n[stop]\npieces = 2\n[canvas]\nsize_px = [120, 90]\n[pieces]\nscale_px = [14, 40]\n" >plain.toml

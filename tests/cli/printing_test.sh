@@ -92,6 +92,26 @@ run 2 collage job.toml --set "pieces.uses=$evil" --out none
 [[ $(wc -l <errors) == 1 ]] || fail "a value broke the message"
 run 0 campaign job.toml --seeds 1-2 --out "$evil" --list
 LC_ALL=C grep -q $'\e' output && fail "campaign --list printed ESC"
+# Programs read where it is: bash in the list of a campaign, others in ranking.json, whatever bytes its name has.
+odd=$'odd \xe4\xff\e\n\'\u00ad\u200e\U000e0041 \u00e9'
+for folder_of_list in "$odd" "a b'c" "\$'x" plain; do
+  run 0 campaign job.toml --seeds 1-2 --out "$folder_of_list" --list
+  [[ $(wc -l <output) == 2 ]] || fail "campaign --list: a name broke the line"
+  iconv -f utf-8 output >/dev/null || fail "campaign --list: no UTF-8"
+  IFS=$'\t' read -r state cell seed <output
+  [[ $state == open && $seed == seed=1 ]] || fail "campaign --list: another state or value: $state $seed"
+  [[ $cell != "\$'"* ]] || eval "cell=$cell"
+  [[ $cell == "$folder_of_list/seed_1" ]] || fail "campaign --list: another folder: $cell"
+done
+cp -r result "$odd"
+run 0 rank "$odd" result --out ranking
+python3 - "$odd" <<'PYTHON' || fail "ranking.json: another folder"
+import json, sys
+folders = [each["folder"] for each in json.load(open("ranking/ranking.json"))["ranking"]]
+assert sorted(folders) == sorted([sys.argv[1], "result"]), folders
+PYTHON
+LC_ALL=C grep -q $'\xc2\xad\|\xe2\x80\x8e\|\xf3\xa0\x81\x81\|\xe4\|\xff' output ranking/ranking.csv ranking/ranking.json &&
+  fail "rank printed what is not seen"
 echo "ok names"
 
 # One argument is one value: no option takes the next one for its own.
@@ -113,6 +133,15 @@ refused '--palette: found #zz,#112233, allowed: ' draw result --palette '#zz,#11
 refused 'not expected: leaf' library subset own.h5 --include star leaf -o some.h5
 refused '--out: found the option --quiet, allowed: a value; one that begins so: --out=--quiet' \
   collage job.toml --out --quiet
+refused '--strip: found the option --out, allowed: a value' nest own.h5 --strip --out X
+refused '--seed: found the option --quiet, allowed: a value' nest own.h5 --strip 60 --seed --quiet
+refused '--spacing: found the option --quiet, allowed: a value' nest own.h5 --strip 60 --spacing --quiet
+refused '--pieces: found the option --cut, allowed: a value' puzzle make sheet.png --pieces --cut
+refused '--seeds: found the option --out, allowed: a value' campaign job.toml --seeds --out X
+refused '--include: found the option --exclude, allowed: a value' library subset own.h5 --include --exclude x -o some.h5
+refused '--strip: found wide, allowed: a number' nest own.h5 --strip wide --out X
+refused '--seed: found 1.5, allowed: a whole number' nest own.h5 --strip 60 --seed 1.5 --out X
+[[ ! -e X ]] || fail "a refused command wrote something"
 refused '--devices x: "x" is no index' bench pairs --devices x --out x.json
 [[ ! -e --quiet && ! -e x.json ]] || fail "an option became a file"
 echo "ok options"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/shell_word.h"
+
 namespace tessera::cli {
 namespace {
 
@@ -14,6 +16,13 @@ TEST(CommandLine, plain_words_stand_as_they_are) {
 TEST(CommandLine, others_are_quoted) {
   EXPECT_EQ(quoted_command({"tessera", "", "a b", "$(rm)", "it's", "pieces.scale_px=[14, 90]", "~"}),
             "tessera '' 'a b' '$(rm)' 'it'\\''s' 'pieces.scale_px=[14, 90]' '~'");
+}
+
+TEST(CommandLine, what_cannot_be_printed_is_escaped) {
+  EXPECT_EQ(quoted_command({"a\xe4\x1b\n'\\\u00ad\u00e9"}), "$'a\\344\\033\\012\\047\\134\\302\\255\u00e9'");
+  EXPECT_EQ(shell_cell("a b'c\"\u00e9"), "a b'c\"\u00e9");
+  EXPECT_EQ(shell_cell("a\tb"), "$'a\\011b'");
+  EXPECT_EQ(shell_cell("$'x"), "$'$\\047x'") << "else it would be read as what is escaped";
 }
 
 TEST(CommandLine, of_this_process_begins_with_its_program) {

@@ -44,6 +44,35 @@ TEST(Plan, a_search_for_sizes_takes_a_few_attempts) {
   EXPECT_NE(plan_text(input, searched).find("a few attempts at sizes (pieces.fit), of 12 at most"), std::string::npos);
 }
 
+/// 25 drawings on 400 x 400 px, where pieces of the sizes in the job would be three.
+TEST(Plan, counts_each_wanted_piece_where_all_are_to_fit) {
+  PlanInput input = animals();
+  input.canvas_px2 = input.canvas_nodes = 160'000;
+  input.shapes = 25;
+  input.settings.pieces.min_scale_px = input.settings.pieces.max_scale_px = 170;
+  input.settings.pieces.fit_all = true;
+  input.settings.pieces.uses = 1;
+  EXPECT_EQ(estimate(input).pieces, 25);
+  input.settings.pieces.least_uses = input.settings.pieces.uses = 3;
+  EXPECT_EQ(estimate(input).pieces, 75);
+  input.settings.stop.pieces = 7;
+  EXPECT_EQ(estimate(input).pieces, 7);
+}
+
+TEST(Plan, counts_a_drawing_and_its_mirror_image_once) {
+  PlanInput input = animals();
+  input.canvas_px2 = 25e6;
+  input.shapes = 80;
+  input.settings.pieces.uses = 1;
+  EXPECT_EQ(estimate(input).pieces, 80);
+  for (std::uint32_t i = 0; i < 80; ++i) input.drawings.push_back(i % 40);
+  EXPECT_EQ(estimate(input).pieces, 40);
+  input.settings.wishes.classes.resize(2);
+  input.settings.wishes.classes[1].weight = 0;
+  for (std::uint32_t i = 0; i < 80; ++i) input.settings.wishes.class_of_shape.push_back(i % 40 < 10);
+  EXPECT_EQ(estimate(input).pieces, 30) << "ten may not stand";
+}
+
 TEST(Plan, shapes_are_divided_among_the_workers) {
   PlanInput input = animals();
   input.ranks = 9;

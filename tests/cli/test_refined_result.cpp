@@ -93,7 +93,8 @@ TEST(RefinedResult, ThoseWhosePiecesLieAboutSomewhereAreNotErased) {
   EXPECT_NE(mistake(false).find("out/a b: pieces.geojson does not say exactly where pieces lie"), std::string::npos);
   result.whole.job.settings.pieces.fit_all = true;
   EXPECT_EQ(mistake(true),
-            "out/a b: its job has pieces.fit = \"all\", with sizes that follow from all pieces; allowed: --relax");
+            "out/a b: its job has pieces.fit = \"all\", with sizes that follow from all pieces; allowed: --relax, "
+            "--deform");
 }
 
 TEST(RefinedResult, GoesBesideIt) {

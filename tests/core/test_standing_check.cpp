@@ -16,8 +16,8 @@ const Shape& square() {
 
 GivenPiece piece(float scale_px, Vec2 at_px) { return {ShapeId{0}, {scale_px, 0, at_px.x, at_px.y}}; }
 
-StandingCheck check(const Canvas& canvas, const std::vector<GivenPiece>& pieces) {
-  return check_standing(canvas, pieces, [](ShapeId) -> const Shape& { return square(); });
+StandingCheck check(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px = 0) {
+  return check_standing(canvas, pieces, overlap_px, [](ShapeId) -> const Shape& { return square(); });
 }
 
 using Places = std::vector<std::size_t>;
@@ -41,6 +41,16 @@ TEST(StandingCheck, AlittleBesideTheEdgeOrOnOthersIsAsPiecesLie) {
   const StandingCheck found = check(make_rectangle_canvas(200, 100), {piece(40, {19, 50}), piece(40, {58, 50})});
   EXPECT_EQ(found.outside, Places{});
   EXPECT_EQ(found.overlapping, Places{});
+}
+
+/// Of a small piece that is more than a twentieth: 2 of 20 px.
+TEST(StandingCheck, TheOverlapThatTheJobAllowsIsNotTold) {
+  const Canvas canvas = make_rectangle_canvas(200, 100);
+  const std::vector<GivenPiece> pieces = {piece(20, {8, 50}), piece(20, {26, 50}), piece(20, {-4, 20})};
+  EXPECT_EQ(check(canvas, pieces).outside, (Places{0, 2}));
+  EXPECT_EQ(check(canvas, pieces, 2).outside, Places{2});
+  EXPECT_EQ(check(canvas, pieces).overlapping, Places{1});
+  EXPECT_EQ(check(canvas, pieces, 2).overlapping, Places{});
 }
 
 TEST(StandingCheck, AZoneIsNoOutside) {

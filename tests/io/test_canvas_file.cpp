@@ -111,6 +111,48 @@ TEST_F(CanvasFile, alpha_of_an_image_is_a_mask) {
   EXPECT_NEAR(canvas.area_px2, 2821, 30);
 }
 
+/// 420 x 297 mm are 2000 x 1414.286 px: a page of that aspect is not made less wide for the sake of 0.286 px.
+TEST_F(CanvasFile, fills_a_box_on_paper_to_its_last_mm) {
+  CanvasSpec spec{.width_px = 2000,
+                  .height_px = 1414,
+                  .file = svg("<ellipse cx=\"210\" cy=\"148.5\" rx=\"208\" ry=\"146\"/>",
+                              "width=\"420mm\" height=\"297mm\" viewBox=\"0 0 420 297\"")};
+  spec.width_mm = 420;
+  spec.height_mm = 297;
+  Drawers drawers(canvas_drawer_settings(spec));
+  const Canvas canvas = load_canvas(spec, drawers);
+  EXPECT_EQ(canvas.width_px, 2000);
+  EXPECT_EQ(canvas.height_px, 1414);
+  EXPECT_NEAR(canvas.area_px2, 3.14159 * 208 * 146 * (2000. / 420) * (2000. / 420), 1000);
+  shrink_box_to_page(spec, canvas, drawers);
+  EXPECT_NEAR(spec.width_mm, 420, 1e-4);
+  EXPECT_NEAR(spec.height_mm, 297, 1e-4);
+}
+
+TEST_F(CanvasFile, has_the_mm_of_the_side_that_fits_and_the_pages_aspect) {
+  const auto paper_mm = [&](int width_px, int height_px, double width_mm, double height_mm) {
+    CanvasSpec spec{.width_px = width_px,
+                    .height_px = height_px,
+                    .file = svg("<circle cx=\"45\" cy=\"30\" r=\"28\"/>", "width=\"90\" height=\"60\"")};
+    spec.width_mm = width_mm;
+    spec.height_mm = height_mm;
+    Drawers drawers(canvas_drawer_settings(spec));
+    const Canvas canvas = load_canvas(spec, drawers);
+    shrink_box_to_page(spec, canvas, drawers);
+    EXPECT_EQ(spec.width_px, canvas.width_px);
+    EXPECT_EQ(spec.height_px, canvas.height_px);
+    return cv::Size2d(spec.width_mm, spec.height_mm);
+  };
+  const auto expect_near = [](const cv::Size2d& found, double width_mm, double height_mm) {
+    EXPECT_NEAR(found.width, width_mm, 1e-4);
+    EXPECT_NEAR(found.height, height_mm, 1e-4);
+  };
+  expect_near(paper_mm(2000, 1333, 300, 200), 300, 200);
+  expect_near(paper_mm(1414, 2000, 210, 297), 210, 140);
+  expect_near(paper_mm(400, 200, 400, 200), 300, 200);
+  expect_near(paper_mm(6000, 4000, 150, 100), 150, 100);
+}
+
 TEST_F(CanvasFile, coverage_has_even_sides) {
   const CanvasPage page{cv::Mat(31, 45, CV_8UC4, cv::Scalar(0, 0, 0, 0)), 23, 16, 2};
   const Grid<float> coverage = coverage_on_canvas(page, mask_coverage(page.bgra));

@@ -115,6 +115,14 @@ TEST_F(LibraryBuilder, NamesPicturesInOtherFormats) {
   EXPECT_EQ(report.files, 6u) << "all but the text";
 }
 
+/// As for names in a library: a file that has the pattern itself as its name is meant, and no other.
+TEST_F(LibraryBuilder, AnExactNameWinsOverAPattern) {
+  for (const char* name : {"logo [final].svg", "logo f.svg", "logo i.svg"}) write(name, name);
+  EXPECT_EQ(found("logo [final].svg").paths, std::vector<std::string>{folder_.path("in/logo [final].svg")});
+  EXPECT_EQ(found("logo [fi].svg").paths.size(), 2u);
+  EXPECT_EQ(found("logo*").paths.size(), 3u);
+}
+
 TEST_F(LibraryBuilder, JudgesWhatIsNamedByItsContent) {
   for (const char* name : {"pic.ai", "b.GIF"}) {
     write(name, "1");

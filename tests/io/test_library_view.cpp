@@ -222,6 +222,22 @@ TEST_F(LibraryViews, SayWhatNamesAreNear) {
             "exclude: nothing is left of the 4 shapes of " + path);
 }
 
+/// "logo [final]" as a pattern would be of "logo f" and "logo i".
+TEST_F(LibraryViews, TheNameOfAShapeThatWasLeftOutSelectsNoOther) {
+  const std::string path =
+      write("logos.h5", {make_shape("logo [final]", 1), make_shape("logo f", 2), make_shape("logo i", 3)});
+  const std::vector<MirroringRule> rules{{{"logo [final]"}, Mirroring::also}};
+  EXPECT_EQ(names(LibraryView({{path}, {}, rules})), (Names{"logo [final]", "logo f", "logo i", "logo [final]"}));
+  const LibraryView view({{path}, {{}, {"logo [final]"}}, rules});
+  EXPECT_EQ(names(view), (Names{"logo f", "logo i"}));
+  Job job = load_job(folder_.write("job.toml",
+                                   "[library]\nfile = 'logos.h5'\nexclude = 'logo [final]'\n[pieces]\n"
+                                   "scale_px = [30, 50]\n[[shapes]]\nnames = ['logo [final]', 'logo*']\n"),
+                     {});
+  EXPECT_EQ(names_like_patterns(view, job), (Names{"logo [final]"}));
+  EXPECT_NE(message_of([&] { resolve_wishes(view, job); }).find("has a name like \"logo [final]\""), std::string::npos);
+}
+
 TEST_F(LibraryViews, JoinFilesInOrderAndLeaveTwinsOut) {
   const std::string a = write("a.h5", animals_);
   const std::string b = write(

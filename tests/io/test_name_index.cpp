@@ -39,6 +39,25 @@ TEST(NameIndex, ANameThatLooksLikeAPatternSelectsItselfAlone) {
   EXPECT_EQ(index.matching("["), (Places{8}));
 }
 
+TEST(NameIndex, ANameIsFoundAsItIsShown) {
+  const NameIndex index({"I\u0085b", "a\tb", "a\u202eb", "plain", "a_b", "a\xe4"});
+  EXPECT_EQ(index.matching("I__b"), Places{0});
+  EXPECT_EQ(index.matching("a___b"), Places{2});
+  EXPECT_EQ(index.matching("a_b"), Places{4}) << "the name itself comes first";
+  EXPECT_EQ(index.matching("a_"), Places{5});
+  EXPECT_EQ(index.find("I__b"), 0u);
+  EXPECT_EQ(index.find("a_b"), 4u);
+}
+
+TEST(NameIndex, ANameThatWasLeftOutIsNoPattern) {
+  const NameIndex index({"logo f", "logo i", "a*"}, {"logo [final]", "logo [if]", "a*", "logo"});
+  EXPECT_EQ(index.matching("logo [final]"), Places{}) << "that shape was meant, and it is not there";
+  EXPECT_EQ(index.matching("logo [if]"), Places{});
+  EXPECT_EQ(index.matching("logo [fi]"), (Places{0, 1})) << "no name";
+  EXPECT_EQ(index.matching("logo*"), (Places{0, 1}));
+  EXPECT_EQ(index.matching("a*"), Places{2}) << "another one of the name is there";
+}
+
 TEST(NameIndex, ANameIsComparedWithItselfAndAPatternWithWhatBeginsLikeIt) {
   std::vector<std::string> names;
   for (int i = 0; i < 10'000; ++i) names.push_back("shape_" + std::to_string(i));

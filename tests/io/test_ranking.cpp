@@ -178,6 +178,7 @@ class ResultFolders : public testing::Test {
     ResultManifest manifest;
     for (const char* file : {"pieces.geojson", "card.txt"}) scratch_.write(name + "/" + file, "");
     scratch_.write(name + "/job.toml", kJob);
+    manifest.shapes.resize(10);
     manifest.pieces_digest = digest_text("");
     manifest.job_digest = digest_text(kJob);
     write_manifest(scratch_.path(name), manifest);
@@ -243,8 +244,36 @@ TEST_F(ResultFolders, what_is_wrong_with_a_card_is_said) {
   EXPECT_EQ(message("{"), path + ": not JSON; allowed: a card.json of tessera collage");
   EXPECT_EQ(message("[1]"), path + ": quality.coverage_fraction is missing; allowed: a card.json of tessera collage");
   EXPECT_EQ(message(R"({"quality": {"coverage_fraction": "high"}})"),
-            path + ": quality.coverage_fraction: found \"high\", allowed: a number from 0");
+            path + ": quality.coverage_fraction: found \"high\", allowed: a number from 0 to 1.1");
   EXPECT_NE(message_of([&] { read_card(scratch_.path("none")); }).find("none/card.json: not found"), std::string::npos);
+}
+
+TEST_F(ResultFolders, numbers_that_cannot_be_are_refused) {
+  make_result("forged", 0.9);
+  const std::string path = scratch_.path("forged/card.json");
+  const auto whole = nlohmann::json::parse(std::ifstream(path));
+  const auto damage = [&](const char* section, const char* key, double value) {
+    auto card = whole;
+    card[section][key] = value;
+    scratch_.write("forged/card.json", card.dump());
+    const FoundResults found = find_results(scratch_.path("forged"));
+    return found.damages.empty() ? "ranked" : found.damages.front();
+  };
+  EXPECT_EQ(damage("quality", "coverage_fraction", 1e308),
+            path + ": quality.coverage_fraction: found 1e+308, allowed: a number from 0 to 1.1");
+  EXPECT_EQ(damage("quality", "pieces", 1e300), path +
+                                                    ": quality.pieces: found 1e+300, allowed: a number from 0 to "
+                                                    "1000000000");
+  EXPECT_EQ(damage("quality", "pieces", 1000),
+            path + ": quality.pieces: found 1000, allowed: 10, as many as pieces.geojson has");
+  for (const char* key : {"overlap_fraction", "outside_fraction", "shared_boundary_fraction", "distinct_shapes",
+                          "largest_gap_radius_px", "effective_shapes", "size_balance", "dwarfs_fraction",
+                          "nearest_copy_px", "nearest_copy_fraction", "between_pieces_px", "alone_fraction"}) {
+    EXPECT_NE(damage("quality", key, 1e7).find(std::string(key) + ": found 1"), std::string::npos) << key;
+    EXPECT_NE(damage("quality", key, -1).find(std::string(key) + ": found -1"), std::string::npos) << key;
+  }
+  EXPECT_NE(damage("run", "total_s", 1e300).find("run.total_s"), std::string::npos);
+  EXPECT_EQ(damage("quality", "coverage_fraction", 1), "ranked");
 }
 
 TEST_F(ResultFolders, are_the_folder_or_its_folders) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "io/json_text.h"
+
 namespace tessera::io {
 namespace {
 
@@ -22,11 +24,16 @@ TEST(PrintableUtf8, ReplacesControlsAndBrokenBytes) {
   EXPECT_EQ(printable_utf8("\xef\xbf\xbe\xef\xbf\xbf"), "______");  // which XML does not allow
 }
 
-TEST(PrintableUtf8, ReplacesWhatReordersTheTextRoundIt) {
-  for (const char* text : {"\u2028", "\u2029", "\u202a", "\u202e", "\u2066", "\u2069"}) {
-    EXPECT_EQ(printable_utf8(std::string("a") + text + "b"), "a___b");
-  }
-  for (const char* text : {"\u2027", "\u202f", "\u2065", "\u206a", "\u200d", "שלום"})
+TEST(PrintableUtf8, ReplacesWhatIsNotSeenOrReordersTheTextRoundIt) {
+  for (const char* text : {"\u00ad", "\u034f", "\u061c", "\u0085"})
+    EXPECT_EQ(printable_utf8(std::string("a") + text + "b"), "a__b") << text;
+  for (const char* text : {"\u2028", "\u2029", "\u202a", "\u202e", "\u2066", "\u2069", "\u200b", "\u200d", "\u200e",
+                           "\u206a", "\u2060", "\ufeff", "\ufff9", "\u115f", "\u3164", "\ufdd0"})
+    EXPECT_EQ(printable_utf8(std::string("a") + text + "b"), "a___b") << text;
+  for (const char* text : {"\U0001d173", "\U000e0041", "\U000e0001", "\U000e0100", "\U0001fffe", "\U0010ffff"})
+    EXPECT_EQ(printable_utf8(std::string("a") + text + "b"), "a____b") << text;
+  for (const char* text : {"\u2027", "\u202f", "\u00ac", "\u00ae", "\u200a", "\u2010", "\u2070", "\ufffd", "\ufefc",
+                           "\u2764\ufe0f", "\U0001f600", "\U000dffff", "\U000e1000", "שלום"})
     EXPECT_EQ(printable_utf8(text), text);
 }
 
@@ -44,6 +51,13 @@ TEST(IsUtf8, AsksNotWhatTheCharactersAre) {
   for (const char* beyond : {"\xf5\x80\x80\x80", "\xf9\xab\xb0\xbf", "\xfc\x80\x80\x80", "\xff"}) {
     EXPECT_FALSE(is_utf8(beyond));
   }
+}
+
+TEST(JsonPathText, HasEveryByteOfAPath) {
+  EXPECT_EQ(json_path_text("out/a b"), R"("out/a b")");
+  EXPECT_EQ(json_path_text("a\"\\\n\x1b\u202e"), R"("a\"\\\n\u001b\u202e")");
+  EXPECT_EQ(json_path_text("\u00e4\U0001f600"), R"("\u00e4\ud83d\ude00")");
+  EXPECT_EQ(json_path_text("t\xe4\xffst\xc3"), R"("t\udce4\udcffst\udcc3")");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/base/processor_time.h"
 #include "io/job/shape_group.h"
 #include "io/scratch_folder.h"
+#include "support/input_error.h"
 
 namespace tessera::io {
 namespace {
@@ -246,6 +247,17 @@ TEST_F(WishResolution, NamesThatThereAreNotAreTold) {
   EXPECT_NE(mistake(region + region).find("two with the name \"sea\""), std::string::npos);
   EXPECT_NE(mistake("fit = 'all'\n" + region).find("pieces.fit: found \"all\" where there are [[regions]]"),
             std::string::npos);
+}
+
+/// Names of shapes that the job left out.
+TEST_F(WishResolution, AWishForAShapeThatWasLeftOutGoesToNoOther) {
+  Job job = resolved("[[shapes]]\nnames = 'c[ao]?'\nuses = 9\ngroup = 'them'\n");
+  EXPECT_EQ(job.settings.wishes.classes[job.settings.wishes.class_of_shape[0]].uses, 9);
+  const std::string message = test::message_of([&] { resolve_wishes(kShapes, job, {"c[ao]?"}); });
+  EXPECT_NE(message.find("[[shapes]] names: no shape of the library has a name like \"c[ao]?\""), std::string::npos)
+      << message;
+  EXPECT_EQ(shape_groups(job, {"cat", "owl"}), (std::vector<std::string>{"them", ""}));
+  EXPECT_EQ(shape_groups(job, {"cat", "owl"}, {"c[ao]?"}), (std::vector<std::string>{"", ""}));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "core/collage/missing_pieces.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/matching/stances.h"
 #include "core/matching/use_limits.h"
@@ -35,6 +36,20 @@ std::vector<MissingPieces> missing_pieces(const CollageSettings& settings, const
     if (drawings[i] == i && may[i] && standing[i] < wanted) missing.push_back({ShapeId{i}, wanted, standing[i]});
   }
   return missing;
+}
+
+double most_pieces(const CollageSettings& settings, const std::vector<std::uint32_t>& drawings) {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  const UseLimits uses(settings.pieces, settings.wishes);
+  if (!uses.any()) return kNoLimit;
+  const std::vector<bool> may = may_stand(settings, std::uint32_t(drawings.size()));
+  double pieces = 0;
+  for (std::uint32_t i = 0; i < drawings.size(); ++i) {
+    if (!may[i] || drawings[i] != i) continue;
+    const int most = uses.most(ShapeId{i});
+    pieces += most > 0 ? double(most) : kNoLimit;
+  }
+  return pieces;
 }
 
 }  // namespace tessera

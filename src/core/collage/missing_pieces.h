@@ -21,4 +21,8 @@ struct MissingPieces {
 std::vector<MissingPieces> missing_pieces(const CollageSettings& settings, const std::vector<std::uint32_t>& drawings,
                                           const std::vector<Placement>& placements);
 
+/// How many pieces there may be of all shapes that may stand in some region; infinity where one may stand as often as
+/// there is room. A drawing and its mirror image count once.
+double most_pieces(const CollageSettings& settings, const std::vector<std::uint32_t>& drawings);
+
 }  // namespace tessera

@@ -40,17 +40,20 @@ Cells count_cells(const Canvas& canvas, const Outline& outline, const Similarity
 
 }  // namespace
 
-StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces,
+StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px,
                              const std::function<const Shape&(ShapeId)>& shape) {
   Grid<std::uint8_t> covered(canvas.width_px, canvas.height_px, 0);
   StandingCheck found;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Similarity& pose = pieces[i].canvas_from_shape;
-    const double area_px2 = double(pose.scale()) * double(pose.scale());
-    const Cells cells = count_cells(canvas, shape(pieces[i].shape).outline, pose, covered);
-    if (double(cells.inside) < (1 - kShown) * area_px2) found.outside.push_back(i);
-    if (double(cells.kept_out) > kShown * area_px2) found.kept_out.push_back(i);
-    if (double(cells.covered) > kShown * area_px2) found.overlapping.push_back(i);
+    const double scale_px = double(pose.scale());
+    const double area_px2 = scale_px * scale_px;
+    const Shape& placed = shape(pieces[i].shape);
+    const double allowed_px2 = kShown * area_px2 + double(overlap_px * placed.perimeter) * scale_px / 2;
+    const Cells cells = count_cells(canvas, placed.outline, pose, covered);
+    if (double(cells.inside) < area_px2 - allowed_px2) found.outside.push_back(i);
+    if (double(cells.kept_out) > allowed_px2) found.kept_out.push_back(i);
+    if (double(cells.covered) > allowed_px2) found.overlapping.push_back(i);
   }
   return found;
 }

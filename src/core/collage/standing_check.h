@@ -19,8 +19,9 @@ struct StandingCheck {
 };
 
 /// `shape(id)` gives library shapes with their outlines. Counted on cells of 1 px; as little of a piece's area as where
-/// a run itself makes pieces touch does not count.
-StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces,
+/// a run itself makes pieces touch does not count, nor what a piece may have in others and beyond the edge along half of
+/// its outline, `overlap_px` deep (PieceSettings::overlap_px; 0 with padding).
+StandingCheck check_standing(const Canvas& canvas, const std::vector<GivenPiece>& pieces, float overlap_px,
                              const std::function<const Shape&(ShapeId)>& shape);
 
 }  // namespace tessera

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "io/artwork/artwork_render.h"
+#include "io/job/millimetres.h"
 
 namespace tessera::io {
 
@@ -32,7 +33,39 @@ Background background_of(const CanvasSpec& spec) {
   return spec.region_colours.empty() ? Background::cut_out : Background::kept;
 }
 
+namespace {
+
+/// The largest size of the page's aspect within the box, in the box's unit.
+cv::Size2d fitted_size(const cv::Size2d& natural, const cv::Size2d& box) {
+  return natural * std::min(box.width / natural.width, box.height / natural.height);
+}
+
+/// The box in px of a job in mm is a fraction of a px larger or smaller than canvas.size_px, and a page of its aspect
+/// fills it.
+CanvasPage page_on_paper(std::span<const std::uint8_t> bytes, const CanvasSpec& spec, Drawers& drawers) {
+  const cv::Size2d box_px = cv::Size2d(spec.width_mm, spec.height_mm) * px_per_mm(spec);
+  const cv::Size2d exact_px = fitted_size(drawers.natural_size(bytes, spec.file), box_px);
+  const auto side = std::max(1L, std::lround(2 * std::max(exact_px.width, exact_px.height)));
+  const bool is_fine = side <= kMaxArtworkSide_px;
+  const int drawn_px = is_fine ? int(side) : kMaxArtworkSide_px;
+  return {drawers.render(bytes, spec.file, drawn_px, background_of(spec)), int(std::lround(exact_px.width)),
+          int(std::lround(exact_px.height)), is_fine ? 2 : 1};
+}
+
+}  // namespace
+
+void shrink_box_to_page(CanvasSpec& spec, const Canvas& canvas, Drawers& drawers) {
+  if (spec.file.empty() || spec.width_mm == 0) return;
+  const cv::Size2d natural = drawers.natural_size(read_canvas_file(spec.file), spec.file);
+  const cv::Size2d size_mm = fitted_size(natural, {spec.width_mm, spec.height_mm});
+  spec.width_px = canvas.width_px;
+  spec.height_px = canvas.height_px;
+  spec.width_mm = size_mm.width;
+  spec.height_mm = size_mm.height;
+}
+
 CanvasPage canvas_page(const CanvasSpec& spec, Drawers& drawers) {
+  if (spec.width_mm > 0) return page_on_paper(read_canvas_file(spec.file), spec, drawers);
   return page_in_box(read_canvas_file(spec.file), spec.file, {spec.width_px, spec.height_px}, drawers,
                      background_of(spec));
 }
@@ -45,7 +78,8 @@ Grid<float> coverage_on_canvas(const CanvasPage& page, const Grid<float>& covera
     cv::Mat on_canvas(height, width, CV_32F, cells.row(0));
     cv::resize(drawn, on_canvas, on_canvas.size(), 0, 0, cv::INTER_LINEAR);
   } else {
-    for (int y = 0; y < coverage.height(); ++y) std::copy_n(coverage.row(y), coverage.width(), cells.row(y));
+    const int columns = std::min(width, coverage.width()), rows = std::min(height, coverage.height());
+    for (int y = 0; y < rows; ++y) std::copy_n(coverage.row(y), columns, cells.row(y));
   }
   return cells;
 }

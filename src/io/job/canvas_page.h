@@ -35,11 +35,15 @@ CanvasPage page_in_box(std::span<const std::uint8_t> bytes, const std::string& p
 /// Regions are told by their colours, so that no colour may be taken for a background before.
 Background background_of(const CanvasSpec& spec);
 
+/// Of a canvas with a file and a size on paper: makes the box as large as the page within it, in mm exactly, in px as
+/// `canvas`. Else does nothing. Errors as canvas_page.
+void shrink_box_to_page(CanvasSpec& spec, const Canvas& canvas, Drawers& drawers);
+
 /// The page of the spec's file, which touches the spec's box in width or height. Errors as load_canvas (canvas_file.h).
 CanvasPage canvas_page(const CanvasSpec& spec, Drawers& drawers);
 
 /// What was found for each pixel of the page (0 to 1), in the canvas' cells: the page's pixels where these are fine
-/// enough, sizes rounded up to even ones, else interpolated. As make_mask_canvas takes it.
+/// enough, sizes rounded to even ones, else interpolated. As make_mask_canvas takes it.
 Grid<float> coverage_on_canvas(const CanvasPage& page, const Grid<float>& coverage);
 
 }  // namespace tessera::io

@@ -1,6 +1,8 @@
 #include "io/job/job_library.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "core/base/error.h"
 #include "io/artwork/colour_conversion.h"
@@ -8,6 +10,7 @@
 #include "io/job/palette.h"
 #include "io/job/start_pieces.h"
 #include "io/job/wish_resolution.h"
+#include "io/library/name_index.h"
 
 namespace tessera::io {
 
@@ -74,8 +77,22 @@ std::vector<NamedShape> named_shapes(const ShapeLibrary& library) {
   return shapes;
 }
 
-void resolve_wishes(const ShapeLibrary& library, Job& job) {
-  resolve_wishes(has_shape_wishes(job) ? named_shapes(library) : std::vector<NamedShape>(), job);
+std::vector<std::string> names_like_patterns(const LibraryView& library, const Job& job) {
+  std::set<std::string> patterns;
+  const auto add = [&](const std::vector<std::string>& globs) {
+    std::ranges::copy_if(globs, std::inserter(patterns, patterns.end()), is_pattern);
+  };
+  for (const JobRow& row : rows_of(job, "shapes")) add(row.at("names").texts);
+  add(job.style.like);
+  if (patterns.empty()) return {};
+  std::vector<std::string> names = library.names_in_files();
+  std::erase_if(names, [&](const std::string& name) { return !patterns.contains(name); });
+  return names;
+}
+
+void resolve_wishes(const LibraryView& library, Job& job) {
+  if (!has_shape_wishes(job)) return resolve_wishes(std::vector<NamedShape>(), job);
+  resolve_wishes(named_shapes(library), job, names_like_patterns(library, job));
 }
 
 void add_start_pieces(const ShapeLibrary& library, Job& job) {

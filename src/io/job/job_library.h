@@ -19,8 +19,12 @@ std::string library_text(const Job& job);
 /// what is allowed.
 LibraryView open_library_of(const Job& job);
 
+/// What the job's [[shapes]] and its [style] select shapes by and is the name of one in the library's files letter by
+/// letter, though it looks like a pattern. The job may have left out that shape: then it selects no other (NameIndex).
+std::vector<std::string> names_like_patterns(const LibraryView& library, const Job& job);
+
 /// Resolves the job's wishes by the names of the library's shapes (wish_resolution.h).
-void resolve_wishes(const ShapeLibrary& library, Job& job);
+void resolve_wishes(const LibraryView& library, Job& job);
 
 /// Adds the pieces that the job starts from (start_pieces.h), after resolve_wishes. Only who places them needs them.
 void add_start_pieces(const ShapeLibrary& library, Job& job);

@@ -4,11 +4,12 @@
 
 namespace tessera::io {
 
-std::vector<std::string> shape_groups(const Job& job, const std::vector<std::string>& names) {
+std::vector<std::string> shape_groups(const Job& job, const std::vector<std::string>& names,
+                                      const std::vector<std::string>& other_names) {
   std::vector<std::string> groups(names.size());
   const auto table = job.tables.find("shapes");
   if (table == job.tables.end()) return groups;
-  const NameIndex index(names);
+  const NameIndex index(names, other_names);
   for (const JobRow& row : table->second) {
     if (!row.contains("group")) continue;
     for (const std::string& glob : row.at("names").texts) {

@@ -9,6 +9,8 @@
 namespace tessera::io {
 
 /// For each of the shapes' names the `group` of the last row of [[shapes]] that says one of it; empty: none.
-std::vector<std::string> shape_groups(const Job& job, const std::vector<std::string>& names);
+/// `other_names` are shapes of the library, too (NameIndex).
+std::vector<std::string> shape_groups(const Job& job, const std::vector<std::string>& names,
+                                      const std::vector<std::string>& other_names = {});
 
 }  // namespace tessera::io

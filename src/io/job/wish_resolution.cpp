@@ -43,13 +43,13 @@ std::vector<std::string> names_of(const std::vector<NamedShape>& shapes) {
 
 class Resolution {
  public:
-  Resolution(const std::vector<NamedShape>& shapes, const Job& job)
+  Resolution(const std::vector<NamedShape>& shapes, const std::vector<std::string>& other_names, const Job& job)
       : shapes_(shapes),
         job_(job),
         shape_rows_(rows_of(job, "shapes")),
         region_rows_(rows_of(job, "regions")),
         given_rows_(rows_of(job, "given")),
-        names_(names_of(shapes)) {}
+        names_(names_of(shapes), other_names) {}
 
   Wishes wishes() {
     if (!region_rows_.empty() && job_.settings.pieces.fit_all) {
@@ -244,8 +244,8 @@ bool has_shape_wishes(const Job& job) {
          !rows_of(job, "given").empty();
 }
 
-void resolve_wishes(const std::vector<NamedShape>& shapes, Job& job) {
-  job.settings.wishes = Resolution(shapes, job).wishes();
+void resolve_wishes(const std::vector<NamedShape>& shapes, Job& job, const std::vector<std::string>& other_names) {
+  job.settings.wishes = Resolution(shapes, other_names, job).wishes();
   widen_scales(job.settings.pieces, job.settings.wishes, job.drawn_sizes);
 }
 

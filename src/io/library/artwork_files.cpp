@@ -1,7 +1,5 @@
 #include "io/library/artwork_files.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -11,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "io/artwork/unread_format.h"
+#include "io/library/name_index.h"
 
 namespace tessera::io {
 namespace {
@@ -53,24 +52,30 @@ void take_found(const fs::path& file, ArtworkFiles& found) {
   found.left_out.push_back({file, unread_format_reason(extension.substr(1))});
 }
 
-bool is_wanted(const fs::path& file, const std::string& glob) {
-  const std::string name = file.filename();
-  if (!glob.empty()) return name == glob || ::fnmatch(glob.c_str(), name.c_str(), 0) == 0;
+bool is_artwork(const fs::path& file) {
   const std::string extension = extension_of(file);
   return contains(kExtensions, extension) || contains(kOtherExtensions, extension);
 }
 
-void search_folder(const fs::path& folder, const std::string& glob, ArtworkFiles& found) {
+/// Adds all files in the folder and its folders to `files`.
+void search_folder(const fs::path& folder, std::vector<fs::path>& files, ArtworkFiles& found) {
   std::error_code error;
   for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
     std::error_code ignored;
     if (at->is_directory(ignored) && !at->is_symlink(ignored)) {
-      search_folder(at->path(), glob, found);
-    } else if (is_wanted(at->path(), glob) && !at->is_directory(ignored)) {
-      take_found(at->path(), found);
+      search_folder(at->path(), files, found);
+    } else if (!at->is_directory(ignored)) {
+      files.push_back(at->path());
     }
   }
   if (error) found.left_out.push_back({folder, "a folder that cannot be read"});
+}
+
+/// Those that the pattern is of, by the rule of NameIndex: where files have the pattern itself as their name, these.
+void take_matching(const std::vector<fs::path>& files, const std::string& glob, ArtworkFiles& found) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file.filename());
+  for (const std::uint32_t place : NameIndex(std::move(names)).matching(glob)) take_found(files[place], found);
 }
 
 /// Where several paths lead to one file, the file's own path stays, or the first of the links.
@@ -100,16 +105,24 @@ void sort_by_path(std::vector<UnusedFile>& files) {
 
 ArtworkFiles find_artwork(const std::vector<std::string>& sources, const std::string& glob) {
   ArtworkFiles found;
+  std::vector<fs::path> in_folders;
   for (const std::string& source : sources) {
     const fs::path path = fs::absolute(source).lexically_normal();
     std::error_code error;
     if (fs::is_directory(path, error)) {
-      search_folder(path, glob, found);
+      search_folder(path, in_folders, found);
     } else if (fs::exists(path, error)) {
       take_named(path, found);
     } else {
       throw InputError(source + ": no such file or folder");
     }
+  }
+  if (glob.empty()) {
+    for (const fs::path& file : in_folders) {
+      if (is_artwork(file)) take_found(file, found);
+    }
+  } else {
+    take_matching(in_folders, glob, found);
   }
   remove_repeated(found.paths);
   sort_by_path(found.left_out);

@@ -17,7 +17,8 @@ struct ArtworkFiles {
 };
 
 /// `sources`: files, and folders, searched to any depth for files (not through links to folders) whose name matches the
-/// shell pattern `glob`; an empty pattern means the extensions of pictures. Those in formats that are not read (GIF,
+/// shell pattern `glob`, or is the pattern itself, letter by letter, where a file has that name (NameIndex); an empty
+/// pattern means the extensions of pictures. Those in formats that are not read (GIF,
 /// PDF, EPS ...) are left out by their extension where they are found; a file that is named is taken whatever its
 /// extension. Throws InputError where a source does not exist.
 ArtworkFiles find_artwork(const std::vector<std::string>& sources, const std::string& glob);

@@ -50,13 +50,18 @@ void for_each_head(const Library& library, Take take) {
   }
 }
 
-/// For each shape of the files, one after the other, whether it is chosen.
-std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std::string& path,
-                                const NameGlobs& globs) {
+/// Of all shapes of the files, one after the other.
+std::vector<std::string> names_of(const std::vector<LibraryFile>& files) {
   std::vector<std::string> names;
   for (const LibraryFile& file : files)
     for_each_head(file, [&](std::size_t, ShapeHead head) { names.push_back(std::move(head.name)); });
-  const NameIndex index(std::move(names));
+  return names;
+}
+
+/// For each shape of the files, one after the other, whether it is chosen.
+std::vector<bool> chosen_shapes(const std::vector<LibraryFile>& files, const std::string& path,
+                                const NameGlobs& globs) {
+  const NameIndex index(names_of(files));
   std::vector<bool> chosen(index.names().size());
   for (const std::uint32_t place : chosen_names(index, globs, path)) chosen[place] = true;
   return chosen;
@@ -227,6 +232,8 @@ std::vector<std::string> LibraryView::names() const {
   return names;
 }
 
+std::vector<std::string> LibraryView::names_in_files() const { return names_of(files_); }
+
 std::vector<float> LibraryView::drawn_scales_px() const {
   std::vector<float> scales_px;
   for_each_head(*this, [&](std::size_t, const ShapeHead& head) { scales_px.push_back(head.drawn_scale_px); });
@@ -234,7 +241,7 @@ std::vector<float> LibraryView::drawn_scales_px() const {
 }
 
 void LibraryView::add_mirror_images(const std::vector<MirroringRule>& rules) {
-  const std::vector<Mirroring> mirroring = mirroring_of(NameIndex(names()), rules);
+  const std::vector<Mirroring> mirroring = mirroring_of(NameIndex(names(), names_in_files()), rules);
   for (std::uint32_t own = 0; own < mirroring.size(); ++own) {
     if (mirroring[own] == Mirroring::never) continue;
     Entry image = entries_[own];

@@ -73,6 +73,9 @@ class LibraryView : public ShapeLibrary {
   /// Of the shapes [begin, end).
   std::vector<ShapeHead> heads(std::size_t begin, std::size_t end) const;
 
+  /// The names in the files, of all their shapes, chosen or not.
+  std::vector<std::string> names_in_files() const;
+
   /// What was left out for being there already.
   const std::vector<Twin>& twins() const { return twins_; }
 

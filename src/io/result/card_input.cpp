@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "io/number_text.h"
 #include "io/result/card_bounds.h"
 #include "io/result/result_file.h"
 #include "io/utf8_text.h"
@@ -27,30 +28,39 @@ const json& value_at(const json& card, const std::string& path, const char* sect
   return part->at(key);
 }
 
-double number(const json& card, const std::string& path, const char* section, const char* key) {
+// What a measure can be at most. Cells are counted, so that a small canvas may be covered by a little more than all.
+constexpr double kMostCoverage = 1.1;
+constexpr double kMostLayers = 1e6;  // of what is covered twice, or lies outside, by the canvas' area
+constexpr double kMostPieces = 1e9;
+constexpr double kMostLength_px = 1e6;
+constexpr double kMostCopies = 2;  // canvas diagonals from one to the next: both may reach beyond the edge
+constexpr double kMostTime_s = 1e12;
+
+double number(const json& card, const std::string& path, const char* section, const char* key, double most) {
   const json& value = value_at(card, path, section, key);
-  if (!value.is_number() || value.get<double>() < 0) {
+  if (!value.is_number() || value.get<double>() < 0 || value.get<double>() > most) {
     throw InputError(path + ": " + section + "." + key + ": found " + value.dump().substr(0, 60) +
-                     ", allowed: a number from 0");
+                     ", allowed: a number from 0 to " + significant(most, 10));
   }
   return value.get<double>();
 }
 
 /// Null says nothing.
-std::optional<double> number_or_null(const json& card, const std::string& path, const char* section, const char* key) {
+std::optional<double> number_or_null(const json& card, const std::string& path, const char* section, const char* key,
+                                     double most) {
   if (value_at(card, path, section, key).is_null()) return {};
-  return number(card, path, section, key);
+  return number(card, path, section, key, most);
 }
 
 /// What older cards do not have.
 void read_picture_measures(const json& card, const std::string& path, Quality& quality) {
-  const auto measure = [&](const char* key) { return number_or_null(card, path, "quality", key); };
-  const auto evenness = measure("size_balance"), dwarfs = measure("dwarfs_fraction");
+  const auto measure = [&](const char* key, double most) { return number_or_null(card, path, "quality", key, most); };
+  const auto evenness = measure("size_balance", 1), dwarfs = measure("dwarfs_fraction", 1);
   if (evenness && dwarfs) quality.balance = SizeBalance{*evenness, *dwarfs};
-  quality.copies_px = measure("nearest_copy_px");
-  quality.copies_apart = measure("nearest_copy_fraction");
-  quality.between_px = measure("between_pieces_px");
-  quality.alone = number(card, path, "quality", "alone_fraction");
+  quality.copies_px = measure("nearest_copy_px", kMostLength_px);
+  quality.copies_apart = measure("nearest_copy_fraction", kMostCopies);
+  quality.between_px = measure("between_pieces_px", kMostLength_px);
+  quality.alone = number(card, path, "quality", "alone_fraction", 1);
 }
 
 std::string text(const json& card, const std::string& path, const char* section, const char* key) {
@@ -70,23 +80,24 @@ bool is_unfinished(const ResultCard& card) {
 ResultCard read_card(const std::string& folder) {
   const std::string path = path_in_result(folder, "card.json");
   const json card = parsed(folder, path);
-  const auto measure = [&](const char* key) { return number(card, path, "quality", key); };
+  const auto measure = [&](const char* key, double most) { return number(card, path, "quality", key, most); };
   ResultCard result;
   result.folder = folder;
-  result.quality.coverage = measure("coverage_fraction");
-  result.quality.overlap = measure("overlap_fraction");
-  result.quality.outside = measure("outside_fraction");
-  result.quality.shared_boundary = measure("shared_boundary_fraction");
-  result.quality.pieces = std::size_t(measure("pieces"));
-  result.quality.distinct_shapes = std::size_t(measure("distinct_shapes"));
-  result.quality.largest_gap_px = measure("largest_gap_radius_px");
+  result.quality.coverage = measure("coverage_fraction", kMostCoverage);
+  result.quality.overlap = measure("overlap_fraction", kMostLayers);
+  result.quality.outside = measure("outside_fraction", kMostLayers);
+  result.quality.shared_boundary = measure("shared_boundary_fraction", 1);
+  result.quality.pieces = std::size_t(measure("pieces", kMostPieces));
+  result.quality.distinct_shapes = std::size_t(measure("distinct_shapes", double(result.quality.pieces)));
+  result.quality.largest_gap_px = measure("largest_gap_radius_px", kMostLength_px);
   const auto tells = [&](const char* key) { return card.at("quality").contains(key); };
   result.age = tells("effective_shapes") ? CardAge::variety : tells("size_balance") ? CardAge::picture : CardAge::first;
   if (result.age >= CardAge::picture) read_picture_measures(card, path, result.quality);
   if (result.age >= CardAge::variety) {
-    result.quality.effective_shapes = number_or_null(card, path, "quality", "effective_shapes");
+    result.quality.effective_shapes =
+        number_or_null(card, path, "quality", "effective_shapes", double(result.quality.pieces));
   }
-  result.total_s = number(card, path, "run", "total_s");
+  result.total_s = number(card, path, "run", "total_s", kMostTime_s);
   result.stopped_by = text(card, path, "run", "stopped_by");
   return result;
 }

@@ -42,7 +42,8 @@ struct CollageReport {
   GroundTile ground;        // for pictures; mostly none
   std::vector<Placement> placements;
   PlacedShapes shapes;
-  std::optional<DeformedCollage> deformed;  // deformed_collage.h: then each piece has a shape of its own
+  std::vector<std::string> names_like_patterns;  // of the library, placed or not (job_library.h)
+  std::optional<DeformedCollage> deformed;       // deformed_collage.h: then each piece has a shape of its own
   std::vector<std::string> colours;   // of the placements, "#rrggbb": silhouettes are drawn; empty: the artwork is
   std::vector<std::string> covered;   // of the placements: covered_colours (tone_shift.h); empty: no picture is shown
   std::vector<ToneShift> tones;       // of the placements; empty: the drawings' own

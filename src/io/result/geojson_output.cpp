@@ -105,7 +105,7 @@ void append_feature(const Placement& placement, const Feature& feature, const Sh
 
 std::string geojson_text(const CollageReport& report) {
   std::string text = R"({"type":"FeatureCollection","features":[)";
-  const std::vector<std::string> groups = shape_groups(*report.job, report.shapes.names());
+  const std::vector<std::string> groups = shape_groups(*report.job, report.shapes.names(), report.names_like_patterns);
   const Wishes& wishes = report.job->settings.wishes;
   const std::size_t locked = wishes.locked();  // the first of the placements
   for (std::size_t i = 0; i < report.placements.size(); ++i) {

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/csv_text.h"
+#include "io/json_text.h"
 #include "io/number_text.h"
 #include "io/result/collage_sheet.h"
 #include "io/result/finished_result.h"
@@ -71,10 +72,25 @@ std::vector<PictureMeasure> picture_measures(const ResultCard& card) {
           {"alone_fraction", card.age < CardAge::picture ? std::nullopt : std::optional(q.alone), 6}};
 }
 
+constexpr const char* kFolderToCome = "";
+
+/// The library for JSON knows no bytes that are no UTF-8, which the name of a folder may have.
+std::string with_folders(std::string json, const std::vector<RankedResult>& results) {
+  const std::string key = R"("folder": )", place = key + R"("")";  // within a text quotes have a backslash before them
+  std::size_t at = 0;
+  for (const RankedResult& result : results) {
+    const std::string folder = key + json_path_text(result.card.folder);
+    at = json.find(place, at);
+    json.replace(at, place.size(), folder);
+    at += folder.size();
+  }
+  return json;
+}
+
 nlohmann::ordered_json result_json(const RankedResult& result) {
   const Quality& q = result.card.quality;
   nlohmann::ordered_json json = {{"rank", result.rank},
-                                 {"folder", result.card.folder},
+                                 {"folder", kFolderToCome},
                                  {"score", std::round(1000 * result.score) / 1000},
                                  {"coverage_fraction", q.coverage},
                                  {"overlap_fraction", q.overlap},
@@ -110,8 +126,14 @@ std::vector<std::string> entries_of(const std::string& folder) {
 void take(const std::string& folder, FoundResults& found) {
   try {
     if (!is_in_result(folder, kManifestName)) return;
-    read_result(folder);
-    found.cards.push_back(read_card(folder));
+    const std::size_t pieces = read_result(folder).manifest.shapes.size();
+    const ResultCard card = read_card(folder);
+    if (card.quality.pieces != pieces) {
+      throw InputError(path_in_result(folder, "card.json") + ": quality.pieces: found " +
+                       std::to_string(card.quality.pieces) + ", allowed: " + std::to_string(pieces) +
+                       ", as many as pieces.geojson has");
+    }
+    found.cards.push_back(card);
   } catch (const InputError& error) {
     found.damages.push_back(error.what());
   } catch (const EnvironmentError& error) {
@@ -230,7 +252,7 @@ std::string ranking_json(const std::vector<RankedResult>& results, const Ranking
   for (std::size_t i = 0; i < kRankingTerms; ++i) json["weights"][ranking_terms()[i].name] = weights[i];
   json["ranking"] = nlohmann::ordered_json::array();
   for (const RankedResult& result : results) json["ranking"].push_back(result_json(result));
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return with_folders(json.dump(2, ' ', true, nlohmann::json::error_handler_t::replace) + "\n", results);
 }
 
 RankingFiles ranking_files(const std::vector<RankedResult>& results, const RankingWeights& weights) {

@@ -14,6 +14,7 @@
 #include "io/checkpoint/checkpoint_origin.h"
 #include "io/drawing/drawers.h"
 #include "io/job/canvas_file.h"
+#include "io/job/canvas_page.h"
 #include "io/job/job_library.h"
 #include "io/job/palette.h"
 #include "io/job/picture_size.h"
@@ -87,9 +88,10 @@ LibraryView library_of(const std::string& dir, const Job& job, const ResultManif
 }
 
 /// The job's own output on paper, and what is asked for instead.
-OutputSpec output_of(const WholeResult& result, const PictureRequest& request, const Canvas& canvas) {
+OutputSpec output_of(const WholeResult& result, const PictureRequest& request, const CanvasSpec& page,
+                     const Canvas& canvas) {
   Job job = result.job;
-  job.output = on_paper(job.output, job.canvas, canvas);
+  job.output = on_paper(job.output, page, canvas);
   set_drawing_keys(job, request.keys);
   return job.output;
 }
@@ -99,7 +101,7 @@ struct DrawnCanvas {
   CanvasDrawing drawing;
 };
 
-/// Also makes the job's output that of the pictures, which goes by the canvas.
+/// Also makes the job's output that of the pictures, which goes by the canvas, and the canvas' box on paper the page.
 DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, Job& job, DrawingObserver& observer) {
   Drawers drawers(canvas_picture_settings(job));
   const StopWatcher stop(observer, drawers);
@@ -109,7 +111,8 @@ DrawnCanvas canvas_of(const WholeResult& result, const PictureRequest& request, 
     const std::string both = spec.file + (spec.file.empty() || spec.keep_out.empty() ? "" : " or ") + spec.keep_out;
     throw InputError(both + ": another content than when the collage was made; put the file back to draw it");
   }
-  job.output = output_of(result, request, canvas);
+  shrink_box_to_page(job.canvas, canvas, drawers);
+  job.output = output_of(result, request, job.canvas, canvas);
   check_picture_size(job.output, canvas);
   CanvasDrawing drawing = draw_canvas(job, canvas, drawers);
   return {std::move(canvas), std::move(drawing)};
@@ -296,6 +299,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   report.placements = placements_of(dir, manifest, library.size());
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
   report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });
+  report.names_like_patterns = names_like_patterns(library, job);
   report.covered = manifest.covered;
   if (!other_colours) {
     report.colours = manifest.colours;

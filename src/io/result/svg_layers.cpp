@@ -23,7 +23,7 @@ SvgLayer layer_of(const std::string& group, std::size_t groups_before) {
 std::vector<SvgLayer> piece_layers(const CollageReport& report) {
   std::vector<SvgLayer> layers;
   std::map<std::string, std::size_t> layer_of_group;
-  const std::vector<std::string> groups = shape_groups(*report.job, report.shapes.names());
+  const std::vector<std::string> groups = shape_groups(*report.job, report.shapes.names(), report.names_like_patterns);
   for (std::size_t i = 0; i < report.placements.size(); ++i) {
     const std::string& group = groups[report.shapes.slot_of(report.placements[i].shape)];
     const auto [at, is_new] = layer_of_group.try_emplace(group, layers.size());
