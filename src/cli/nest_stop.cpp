@@ -13,7 +13,6 @@ namespace {
 constexpr double kLeaving_s = 4;  // of several ranks, as of a collage
 /// mpirun kills its ranks two seconds after a signal; a picture, and leaving, take the rest.
 constexpr double kDrawingAfterSignal_s = 1.2;
-constexpr double kOneStop_s = 1;  // signals of that time mean one stop
 
 }  // namespace
 
@@ -43,10 +42,8 @@ const char* NestStop::search_over() {
 }
 
 const char* NestStop::writing_over() {
-  if (!is_signalled() || comm::launcher_ends_job()) return nullptr;
-  const int signals = comm::count_of_stop_signals();
-  if (heeded_ == 0 || watch_.seconds() - signalled_s_ < kOneStop_s) heeded_ = signals;
-  return signals > heeded_ ? "signal" : nullptr;
+  is_signalled();  // drawing counts from here on
+  return comm::stop_signalled_again() ? "signal" : nullptr;
 }
 
 const char* NestStop::drawing_over(std::size_t drawn) {

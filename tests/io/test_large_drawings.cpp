@@ -93,7 +93,7 @@ TEST_F(LargeDrawings, AreRefusedOfDeclarationsAndEncodings) {
   expect_refused("entities.svgz", {"<!DOCTYPE svg [", "<!ENTITY a 'x'>", 4'000'000, "]>" + kSvg + "</svg>"},
                  "found 1001 declarations, allowed: 1000");
   expect_refused("elements.svgz", {"<!DOCTYPE svg [", "<!ELEMENT a ANY>", 4'000'000, "]>" + kSvg + "</svg>"},
-                 "not a readable SVG file");
+                 "found no closed shape");  // nothing is kept of them
   std::string laughs = "<!DOCTYPE svg [<!ENTITY a '<g/><g/><g/><g/>'>";
   for (char c = 'b'; c < 'z'; ++c) {
     laughs += std::string("<!ENTITY ") + c + " '";
