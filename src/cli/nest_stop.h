@@ -1,7 +1,6 @@
 // When a nesting is to end before its time: by a signal, by --time-limit, or by the end of the Slurm job.
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <string>
 
@@ -34,14 +33,11 @@ class NestStop {
   bool was_asked_for() const { return was_asked_for_; }
 
  private:
-  bool is_signalled();
-
   bool was_asked_for_;
   double leaving_s_;
   double left_s_ = 0;  // for the files
   TimeLimit limit_;
   Stopwatch watch_;
-  std::atomic<double> signalled_s_{-1};  // when somebody first saw a signal; negative: nobody did
 };
 
 }  // namespace tessera::cli

@@ -136,6 +136,11 @@ void install_stop_handlers() {
 
 bool stop_signalled() { return signalled.load(std::memory_order_relaxed) != 0; }
 
+double seconds_since_stop() {
+  const std::int64_t at_ns = first_ns;
+  return at_ns == 0 ? 0 : 1e-9 * double(now_ns() - at_ns);
+}
+
 bool stop_signalled_again() { return signalled_again && !launcher_ends_job(); }
 
 void end_stop_handlers() {

@@ -38,6 +38,9 @@ void install_stop_handlers();
 /// Whether a signal has come since.
 bool stop_signalled();
 
+/// Since the first of them; 0 where none has come.
+double seconds_since_stop();
+
 /// Whether another one has come a second or more after the first: somebody does not want to wait. What mpirun and Slurm
 /// send is one stop, however many signals it is.
 bool stop_signalled_again();
