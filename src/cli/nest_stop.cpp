@@ -13,7 +13,6 @@ namespace {
 constexpr double kLeaving_s = 4;  // of several ranks, as of a collage
 /// mpirun kills its ranks two seconds after a signal; a picture, and leaving, take the rest.
 constexpr double kDrawingAfterSignal_s = 1.2;
-constexpr double kOneStop_s = 1;  // signals of that time mean one stop
 
 }  // namespace
 
@@ -30,27 +29,15 @@ void NestStop::leave_time_for(double writing_s, double drawing_s) {
                      std::min(writing_s + drawing_s, kMostOfBoth * limit_.seconds()));
 }
 
-bool NestStop::is_signalled() {
-  if (!comm::stop_signalled()) return false;
-  double nobody = -1;
-  signalled_s_.compare_exchange_strong(nobody, watch_.seconds());
-  return true;
-}
-
 const char* NestStop::search_over() {
-  if (is_signalled()) return "signal";
+  if (comm::stop_signalled()) return "signal";
   return limit_.round_over(leaving_s_ + left_s_) ? "time_limit" : nullptr;
 }
 
-const char* NestStop::writing_over() {
-  if (!is_signalled() || comm::launcher_ends_job()) return nullptr;
-  const int signals = comm::count_of_stop_signals();
-  if (heeded_ == 0 || watch_.seconds() - signalled_s_ < kOneStop_s) heeded_ = signals;
-  return signals > heeded_ ? "signal" : nullptr;
-}
+const char* NestStop::writing_over() { return comm::stop_signalled_again() ? "signal" : nullptr; }
 
 const char* NestStop::drawing_over(std::size_t drawn) {
-  if (is_signalled() && watch_.seconds() - signalled_s_ > kDrawingAfterSignal_s) return "signal";
+  if (comm::seconds_since_stop() > kDrawingAfterSignal_s) return "signal";
   return drawn > 0 && limit_.drawing_over(leaving_s_) ? "time_limit" : nullptr;
 }
 

@@ -1,7 +1,6 @@
 // When a nesting is to end before its time: by a signal, by --time-limit, or by the end of the Slurm job.
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <string>
 
@@ -22,8 +21,8 @@ class NestStop {
 
   /// Whether the search is to end, so that its best can be written; null: no. By any thread.
   const char* search_over();
-  /// Whether writing the layout is to end, and what was searched is to be thrown away; null: no. Only a second signal,
-  /// a second or more after the first one, asks for it: mpirun and Slurm send several that mean one. By one thread.
+  /// Whether writing the layout is to end, and what was searched is to be thrown away; null: no. Only a second signal
+  /// asks for it (stop_signalled_again).
   const char* writing_over();
   /// Whether drawing pictures, of which so many are done, is to end; null: no. The limit does not end the first one,
   /// which most layouts have alone.
@@ -34,15 +33,11 @@ class NestStop {
   bool was_asked_for() const { return was_asked_for_; }
 
  private:
-  bool is_signalled();
-
   bool was_asked_for_;
   double leaving_s_;
   double left_s_ = 0;  // for the files
-  int heeded_ = 0;     // signals that count as the first one
   TimeLimit limit_;
   Stopwatch watch_;
-  std::atomic<double> signalled_s_{-1};  // when somebody first saw a signal; negative: nobody did
 };
 
 }  // namespace tessera::cli

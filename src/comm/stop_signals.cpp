@@ -2,12 +2,14 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 
@@ -45,13 +47,30 @@ void on_continue(int, siginfo_t* info, void*) {
 
 void on_first_stop(int) {}
 
-std::atomic<int> signalled{0};  // its number
-std::atomic<int> signals_so_far{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+std::atomic<int> signalled{0};          // its number
+std::atomic<std::int64_t> first_ns{0};  // when it came; 0: none has
+std::atomic<bool> signalled_again{false};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+std::int64_t now_ns() {
+  struct timespec now = {};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+}
 
 void remember(int number) {
   signalled.store(number, std::memory_order_relaxed);
-  signals_so_far.fetch_add(1, std::memory_order_relaxed);
+  constexpr std::int64_t kOneStop_ns = 1'000'000'000;
+  const std::int64_t at_ns = now_ns();
+  std::int64_t none = 0;
+  if (!first_ns.compare_exchange_strong(none, at_ns) && at_ns - first_ns.load() >= kOneStop_ns) signalled_again = true;
+}
+
+/// The number of the signal that has come; 0: none has. From now on none has come.
+int forgotten_stop() {
+  first_ns = 0;
+  signalled_again = false;
+  return signalled.exchange(0);
 }
 
 void (*clean_up_at_end)() = nullptr;
@@ -117,7 +136,12 @@ void install_stop_handlers() {
 
 bool stop_signalled() { return signalled.load(std::memory_order_relaxed) != 0; }
 
-int count_of_stop_signals() { return signals_so_far.load(std::memory_order_relaxed); }
+double seconds_since_stop() {
+  const std::int64_t at_ns = first_ns;
+  return at_ns == 0 ? 0 : 1e-9 * double(now_ns() - at_ns);
+}
+
+bool stop_signalled_again() { return signalled_again && !launcher_ends_job(); }
 
 void end_stop_handlers() {
   struct sigaction at_once = {}, before = {};
@@ -126,7 +150,7 @@ void end_stop_handlers() {
     sigaction(signal, nullptr, &before);
     if (before.sa_handler == remember) sigaction(signal, &at_once, nullptr);
   }
-  if (const int number = signalled.exchange(0); number != 0) raise(number);
+  if (const int number = forgotten_stop(); number != 0) raise(number);
 }
 
 struct StopDelay::Before {
@@ -140,7 +164,7 @@ StopDelay::StopDelay() : before_(std::make_unique<Before>()) {
 
 StopDelay::~StopDelay() {
   for (std::size_t i = 0; i < kStops.size(); ++i) sigaction(kStops[i], &before_->actions[i], nullptr);
-  if (const int number = signalled.exchange(0); number != 0) raise(number);
+  if (const int number = forgotten_stop(); number != 0) raise(number);
 }
 
 }  // namespace tessera::comm

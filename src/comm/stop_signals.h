@@ -38,8 +38,12 @@ void install_stop_handlers();
 /// Whether a signal has come since.
 bool stop_signalled();
 
-/// How many signals have come since, those of mpirun included: more of one kind at the same moment count as one.
-int count_of_stop_signals();
+/// Since the first of them; 0 where none has come.
+double seconds_since_stop();
+
+/// Whether another one has come a second or more after the first: somebody does not want to wait. What mpirun and Slurm
+/// send is one stop, however many signals it is.
+bool stop_signalled_again();
 
 /// After install_stop_handlers, where nothing is left to lose: signals end the process at once again, also one that has
 /// come.

@@ -50,7 +50,7 @@ for ranks in 1 2; do
   "${launch[@]}" "$tessera" nest parts.json --effort best --out "out/stopped_$ranks" >output 2>errors &
   nesting=$!
   wait_for 60 test -e "out/stopped_$ranks/run.lock"
-  sleep 2
+  sleep 1
   kill -0 $nesting 2>/dev/null || fail "it ended before it was interrupted"
   before=$(date +%s%N)
   kill -TERM $nesting
@@ -98,16 +98,11 @@ expect_silence "a rank without a search is missed"
 echo "ok lost ranks"
 
 # The limit that the user gave is none: that is what was asked for.
-run 0 nest parts.json --effort best --out out/limited --time-limit 4
-expect_word 'stopped by the time limit: the best layout so far was written'
-grep -q '^ "stopped_by": "time_limit",$' out/limited/layout.json || fail "layout.json does not tell of the limit"
+run_on_ranks 2 0 nest parts.json --effort best --out out/limited --time-limit 7 --quiet
 expect_whole out/limited 80
-[[ -s out/limited/layout.png ]] || fail "no picture"
-run_on_ranks 2 0 nest parts.json --effort best --out out/limited --time-limit 8 --quiet
-expect_whole out/limited 80
-run '0 75' nest parts.json --effort best --sheet 45,40 --spacing 1 --out out/sheets --time-limit 4 --quiet
+run '0 75' nest parts.json --effort best --sheet 45,40 --spacing 1 --out out/sheets --time-limit 3 --quiet
 expect_whole out/sheets 80
-SLURM_JOB_END_TIME=$(($(date +%s) + 5)) run 75 nest parts.json --effort best --out out/slurm
+SLURM_JOB_END_TIME=$(($(date +%s) + 4)) run 75 nest parts.json --effort best --out out/slurm
 expect_word 'stopped by the time limit: the best layout so far was written'
 expect_whole out/slurm 80
 run 2 nest parts.json --time-limit soon --out out/none
@@ -119,7 +114,7 @@ python3 - "$tessera" <<'PYTHON' || fail "a terminal is not shown how far it is, 
 import os, pty, re, select, sys, time
 pid, terminal = pty.fork()
 if pid == 0:
-    os.execv(sys.argv[1], [sys.argv[1], "nest", "parts.json", "--effort", "best", "--out", "out/shown", "--time-limit", "6"])
+    os.execv(sys.argv[1], [sys.argv[1], "nest", "parts.json", "--effort", "best", "--out", "out/shown", "--time-limit", "5"])
 said, gaps, last = b"", [], time.monotonic()
 while True:
     try:
@@ -133,8 +128,12 @@ while True:
     said += block
 os.waitpid(pid, 0)
 assert re.search(rb"nesting .* \d+ %  [\d.]+ % dense, [\d.]+ mm long  0:0\d left", said), said[-300:]
+assert b"stopped by the time limit: the best layout so far was written" in said, said[-300:]
 assert max(gaps) < 3, gaps
 PYTHON
+grep -q '^ "stopped_by": "time_limit",$' out/shown/layout.json || fail "layout.json does not tell of the limit"
+expect_whole out/shown 80
+[[ -s out/shown/layout.png ]] || fail "no picture"
 echo "ok progress"
 
 # Two runs do not mix their files, and a folder that cannot be written is found before a search.
@@ -203,7 +202,7 @@ rm -f out/plates/run.lock out/plates/*.tmp
 [[ $(sums) == "$before" ]] || fail "a run that was killed while it wrote has changed the layout that was there"
 
 # A second signal ends it without the layout, and the one before is as it was.
-start_plates 70 1500 0
+start_plates 100 700 0
 kill -TERM $nesting
 sleep 1.3
 kill -INT $nesting
@@ -212,28 +211,28 @@ expect_word 'unfinished, nothing was written, and an earlier layout is as it was
 [[ $(sums) == "$before" ]] || fail "a second signal leaves something behind"
 
 # What ends a process where there is nothing to save, and several signals at once, end it when all files are there: with
-# a wait for each file they would take a minute.
+# a wait for each file they would take 40 s.
 for signal in HUP XCPU TERM; do
-  start_plates 120 250 0
+  start_plates 80 250 0
   kill -s $signal $nesting
   kill -s INT $nesting
   end_plates 75 8000
-  expect_whole out/plates 120
+  expect_whole out/plates 80
 done
 ! grep -q stopped_by out/plates/layout.json || fail "the search was not stopped"
 
 # The limit has room for the files.
 SECONDS=0
-most_s=20 on_slow_disk 300 0 "$tessera" nest plates.json --sheet 21,16 --effort best --out out/slow --quiet --demand plate=120 \
-  --time-limit 10 &
+most_s=20 on_slow_disk 200 0 "$tessera" nest plates.json --sheet 21,16 --effort best --out out/slow --quiet --demand plate=120 \
+  --time-limit 6 &
 wait $!
 code=$?
 [[ $code -eq 0 || $code -eq 75 ]] || fail "exit code $code within a limit on a slow disk: $(cat errors)"
-((SECONDS <= 11)) || fail "a limit of 10 s took $SECONDS s on a slow disk"
+((SECONDS <= 7)) || fail "a limit of 6 s took $SECONDS s on a slow disk"
 expect_whole out/slow 120
 
 # Pictures appear some at a time, and a signal ends drawing.
-start_plates 40 800 0
+start_plates 40 1300 0
 wait_for 60 test -e out/plates/layout_3.png # the layout is whole, and drawn
 kill -TERM $nesting
 end_plates 75 4000

@@ -77,6 +77,21 @@ TEST(StopSignals, SetAFlagWhereThereIsSomethingToLose) {
   }
 }
 
+TEST(StopSignals, TellOfASecondStopButNotOfSeveralSignalsAtOnce) {
+  const End end = in_child([] {
+    install_stop_handlers();
+    raise(SIGTERM);
+    raise(SIGINT);
+    if (stop_signalled_again()) return 1;
+    usleep(1'050'000);
+    if (stop_signalled_again()) return 2;
+    raise(SIGINT);
+    if (seconds_since_stop() < 1.05) return 4;
+    return stop_signalled_again() ? 7 : 3;
+  });
+  EXPECT_EQ(end.exit_code, 7);
+}
+
 TEST(StopSignals, AHangupThatNohupIgnoresStaysIgnored) {
   const End end = in_child([] {
     signal(SIGHUP, SIG_IGN);

@@ -32,8 +32,7 @@ TEST_F(LargeDrawings, AreRefusedOfManyElements) {
   expect_refused("empty.svgz", {kSvg, "<g/>", 16'000'000, "</svg>"}, "found 100001 elements, allowed: 100000");
   expect_refused("texts.svgz", {kSvg, "<g/>x", 12'000'000, "</svg>"}, "found 100001 elements, allowed: 100000");
   expect_refused("dots.svg", {kSvg, "<path d='M0 0z'/>", 3'900'000, "</svg>"}, "found 100001 elements");
-  expect_refused("endless.svgz", {kSvg, " ", 100'000'000, "</svg>"},
-                 "found more than 64 MiB when decompressed; allowed: 64 or fewer");
+  expect_refused("endless.svgz", {kSvg, " ", 100'000'000, "</svg>"}, "found more than 64 MiB when decompressed");
   expect_refused("deep.svgz", {kSvg, "<g>", 10'000'000, "</svg>"},
                  "found 251 levels of elements in each other, allowed: 250");
   // What is no element takes no memory, and is no shape.
@@ -94,7 +93,7 @@ TEST_F(LargeDrawings, AreRefusedOfDeclarationsAndEncodings) {
   expect_refused("entities.svgz", {"<!DOCTYPE svg [", "<!ENTITY a 'x'>", 4'000'000, "]>" + kSvg + "</svg>"},
                  "found 1001 declarations, allowed: 1000");
   expect_refused("elements.svgz", {"<!DOCTYPE svg [", "<!ELEMENT a ANY>", 4'000'000, "]>" + kSvg + "</svg>"},
-                 "found no closed shape");
+                 "found no closed shape");  // nothing is kept of them
   std::string laughs = "<!DOCTYPE svg [<!ENTITY a '<g/><g/><g/><g/>'>";
   for (char c = 'b'; c < 'z'; ++c) {
     laughs += std::string("<!ENTITY ") + c + " '";

@@ -329,7 +329,7 @@ TEST(NestInstance, BoundsHostileOnes) {
       "a.json: found more than 32 levels of lists and objects in each other; allowed: 32 or fewer";
   EXPECT_EQ(refused(instance(deep)), too_deep);
   EXPECT_EQ(refused(instance(R"({"shape": {"type": "simple_polygon", "data": [[0,0],[3,0],[0,3]]}, "demand": [[]]})")),
-            "a.json: item 0: demand: found a list, allowed: a number from 0.0 to 2000.0");
+            "a.json: item 0: demand: found a list, allowed: a whole number from 0 to 2000");
   std::string holes;
   for (int i = 0; i < 70'000; ++i) holes += std::string(i > 0 ? "," : "") + "[[1,1],[2,1],[1,2]]";
   EXPECT_EQ(refused(instance(R"({"shape": {"type": "polygon", "data": {"outer": [[0,0],[9,0],[0,9]], "inner": [)" +
