@@ -129,7 +129,11 @@ TEST(SkipReasonText, SaysWhatToDo) {
       skip_reason_text(SkipReason::several_large_components),
       "several large parts that do not touch; save each as a file of its own, or join them; a photo is for tessera "
       "library extract");
-  EXPECT_EQ(skip_reason_text(SkipReason::hairlines), "thin lines alone; fill what they enclose, or make them thicker");
+  EXPECT_EQ(skip_reason_text(SkipReason::hairlines),
+            "too much of it is thin lines; fill what they enclose, or make them thicker");
+  EXPECT_EQ(skip_reason_text(SkipReason::faint),
+            "too faint: parts of an opacity below 0.08, or lines too thin, do not count, and the rest makes no shape; "
+            "make them more opaque or thicker, or build with --edge-opacity 0.05");
 }
 
 TEST_F(LibraryBuilder, WritesShapesInTheOrderOfTheFiles) {
@@ -362,13 +366,17 @@ TEST(LeftOutList, has_a_line_a_file_whatever_its_name) {
   report.skipped = {{"/a/x\ty.svg", "not a readable SVG file: line 3:\n no"}, {"/a/b.svg", "hairlines"}};
   report.merged = {{"/a/red.svg", "blue"}};
   report.trimmed = {"/a/deer.svg"};
+  report.faint = {"/a/fly.svg"};
   EXPECT_EQ(
       left_out_list(report),
       "skipped\t/a/x_y.svg\tnot a readable SVG file: line 3:_ no\n"
       "skipped\t/a/b.svg\thairlines\n"
       "merged\t/a/red.svg\tthe silhouette and colour of blue\n"
       "trimmed\t/a/deer.svg\tparts that do not touch the largest one are not in the silhouette; join them to have "
-      "them, or, where a soft shadow joins them, build with --edge-opacity 0.05\n");
+      "them, or, where a soft shadow joins them, build with --edge-opacity 0.05\n"
+      "trimmed\t/a/fly.svg\tparts that are too faint (an opacity below 0.08) or too thin, or a plate behind the "
+      "drawing, "
+      "are not in the silhouette; make them more opaque or thicker to have them, or build with --edge-opacity 0.05\n");
 }
 
 }  // namespace
