@@ -47,6 +47,7 @@ std::variant<ArtworkShape, SkipReason> fake_load(const std::string& path) {
   result.shape.artwork.path = path;
   result.shape.artwork.original.clear();
   result.other_components = content == "7" ? 2 : 0;
+  result.loses_parts = content == "9";
   result.hollowness = content == "8" ? 2.5f : 1;
   std::this_thread::sleep_for(std::chrono::milliseconds(std::stoul(content) * 7 % 5));
   return result;
@@ -161,15 +162,17 @@ TEST_F(LibraryBuilder, SkipsWithReasons) {
   write("b.svg", "hairlines");
   write("c.svg", "unreadable");
   write("e.svg", "7");
+  write("f.svg", "9");
   const LibraryBuildReport report = build();
   EXPECT_TRUE(report.written);
-  EXPECT_EQ(report.files, 4u);
-  EXPECT_EQ(report.shapes, 2u);
+  EXPECT_EQ(report.files, 5u);
+  EXPECT_EQ(report.shapes, 3u);
   ASSERT_EQ(report.skipped.size(), 2u);
   EXPECT_EQ(report.skipped[0].path, folder_.path("in/b.svg"));
   EXPECT_EQ(report.skipped[0].reason, skip_reason_text(SkipReason::hairlines));
   EXPECT_EQ(report.skipped[1].reason, "not a drawing");
   EXPECT_EQ(report.trimmed, std::vector<std::string>{folder_.path("in/e.svg")});
+  EXPECT_EQ(report.faint, std::vector<std::string>{folder_.path("in/f.svg")});
 }
 
 TEST_F(LibraryBuilder, NamesWhatEnclosesMuchUnlessItIsFilled) {
