@@ -57,7 +57,7 @@ double area(const Bytes& file, float edge_opacity = kEdgeOpacity) {
 TEST(SolidCoverage, WingsOfAnyOpacityBelongToTheBody) {
   const double opaque = area(page(wings(1) + kBodyDisc));
   EXPECT_NEAR(opaque, kBody + kBesideBody, 0.01 * opaque);
-  for (const double opacity : {0.09, 0.12, 0.2, 0.25, 0.4, 0.49, 0.5, 0.7, 0.9}) {
+  for (const double opacity : {0.08, 0.12, 0.2, 0.25, 0.4, 0.49, 0.5, 0.7, 0.9}) {
     EXPECT_NEAR(area(page(wings(opacity) + kBodyDisc)), opaque, 0.01 * opaque) << opacity;
     EXPECT_NEAR(area(page(kBodyDisc + wings(opacity))), opaque, 0.01 * opaque) << opacity << ", before the body";
   }
@@ -113,6 +113,31 @@ TEST(SolidCoverage, TranslucentLinesAndSpotsBelongToTheBody) {
   EXPECT_GT(area(page(kBodyDisc + ears)), kBody + 60);
 }
 
+TEST(SolidCoverage, WhiskersOfAnySlopeBelongToTheBody) {
+  for (const double slope : {0., 0.15, 0.3, 0.7, 1.}) {
+    const std::string ends = std::to_string(60 * slope) + "h0";
+    const std::string whisker = "<path d=\"M100 50l60 -" + ends + "M100 50l-60 -" + ends;
+    const double outside = 2 * 2 * (60 * std::hypot(1, slope) - 20);
+    EXPECT_NEAR(area(page(whisker + R"~(" stroke="#000" stroke-width="2" opacity="0.4"/>)~" + kBodyDisc)),
+                kBody + outside, 0.02 * kBody)
+        << slope;
+  }
+}
+
+/// A wing that is less and less opaque ends where its half is reached, if it has no edge there.
+TEST(SolidCoverage, AWingThatFadesAtItsTipCountsToItsHalf) {
+  const auto wing = [](const std::string& tip) {
+    return R"~(<linearGradient id="g"><stop stop-opacity="0.6"/><stop offset="1" stop-opacity=")~" + tip +
+           R"~("/></linearGradient><path d="M100 42h80v16h-80z" fill="url(#g)"/>)~" + kBodyDisc;
+  };
+  const double whole = 61 * 16;
+  EXPECT_NEAR(area(page(wing("0.1"))), kBody + whole, 0.02 * kBody);
+  const double faded = area(page(wing("0")));
+  EXPECT_GT(faded, kBody + 0.4 * whole);
+  EXPECT_LT(faded, kBody + 0.9 * whole);
+  EXPECT_FALSE(shape_of(wing("0")).loses_parts);
+}
+
 TEST(SolidCoverage, ASmallDrawingOnALargePageHasItsWings) {
   const std::string drawing = wings(0.3) + kBodyDisc;
   const Bytes large = test::svg(drawing, R"~(width="4000" height="4000" viewBox="-1000 -1000 4000 4000")~");
@@ -121,7 +146,7 @@ TEST(SolidCoverage, ASmallDrawingOnALargePageHasItsWings) {
 
 TEST(SolidCoverage, WhatIsTooFaintOrTooThinIsTold) {
   EXPECT_FALSE(shape_of(wings(0.4) + kBodyDisc).loses_parts);
-  EXPECT_FALSE(shape_of(wings(0.09) + kBodyDisc).loses_parts);
+  EXPECT_FALSE(shape_of(wings(0.08) + kBodyDisc).loses_parts);
   const ArtworkShape faint = shape_of(wings(0.05) + kBodyDisc);
   EXPECT_TRUE(faint.loses_parts);
   EXPECT_EQ(faint.other_components, 0);

@@ -55,7 +55,7 @@ class Measurement {
         reach_px_(kEdgeWidth_px * unit_px) {
     const cv::Mat smooth = ~edges_of(wide_, unit_px, rules.least_step) & (wide_ >= rules_.clear_alpha) &
                            (alpha >= rules_.clear_alpha) & (alpha < kOpaqueAlpha);
-    found_.regions.resize(std::size_t(cv::connectedComponents(smooth, found_.label, 4, CV_32S)));
+    found_.regions.resize(std::size_t(cv::connectedComponents(smooth, found_.label, rules.has_lines ? 8 : 4, CV_32S)));
     core_ = without_lines(smooth, unit_px);
   }
 

@@ -14,8 +14,8 @@ namespace {
 
 // Of 255.
 constexpr int kHalf = 128;
-constexpr int kBarelyHalf = 153;  // an outline at one half lies inside of the edge
-constexpr int kLeastLevel = 20;   // of a part that counts, and of a pixel of a lost line
+constexpr int kBarelyHalf = 153;      // an outline at one half lies inside of the edge
+constexpr double kLeastLevel = 19.5;  // of a part that counts, and of a pixel of a lost line: 0.08, rounded
 /// Of a region; where thin lines cross each other, alpha is smooth, too.
 constexpr int kLeastPixels = 256;
 constexpr double kFlatPart = 0.7;
@@ -157,7 +157,7 @@ struct SurePixels {
   cv::Mat translucent;
   cv::Mat left_out;
   cv::Mat faint;
-  cv::Mat blurred;           // large regions that fade, and are no shadows
+  cv::Mat fading;            // of regions that fade, and are no shadows
   bool any_matters = false;  // see matters()
 };
 
@@ -172,7 +172,8 @@ SurePixels sure_pixels(const cv::Mat& alpha, const JudgedRegions& regions) {
       if (counts) sure.translucent.at<std::uint8_t>(y, x) = 255;
       if (kind == Kind::shadow) sure.left_out.at<std::uint8_t>(y, x) = 255;
       if (kind == Kind::faint) sure.faint.at<std::uint8_t>(y, x) = 255;
-      if (kind == Kind::as_opaque && !regions.is_edge(y, x)) sure.blurred.at<std::uint8_t>(y, x) = 255;
+      const bool fades = kind == Kind::solid ? !counts : kind == Kind::as_opaque && !regions.is_edge(y, x);
+      if (fades) sure.fading.at<std::uint8_t>(y, x) = 255;
     }
   }
   return sure;
@@ -229,7 +230,7 @@ int remove_loose_parts(cv::Mat& coverage, const cv::Mat& alpha) {
 bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const SurePixels& sure, int unit_px) {
   cv::Mat told;
   const cv::Mat shadow = sure.left_out & (alpha >= kPlainRegions.clear_alpha);
-  cv::dilate((coverage >= kHalf) | sure.blurred | shadow, told, square(kEdgeWidth_px * unit_px));
+  cv::dilate((coverage >= kHalf) | sure.fading | shadow, told, square(kEdgeWidth_px * unit_px));
   const cv::Mat line = (alpha >= kLeastLevel) & ~told;
   return cv::countNonZero(sure.faint | line) >= kLeastPixels * unit_px * unit_px;
 }
