@@ -44,6 +44,7 @@ TEST(BuildSummary, IsEmptyWhereAllIsUsed) {
 TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
   io::LibraryBuildReport report;
   report.trimmed = {"/a/deer.svg"};
+  report.faint = {"/a/fly.svg"};
   report.hollow = {"/a/bicycle.svg", "/a/chair.svg"};
   report.merged = {{"/a/red.svg", "blue"}};
   report.skipped = {{"/a/x.svg", "not a readable SVG file: line 3: no"},
@@ -55,6 +56,7 @@ TEST(BuildSummary, CountsReasonsMostFrequentFirst) {
   EXPECT_EQ(build_summary(report),
             "parts that do not touch the largest one are not in the silhouettes of 1: deer.svg\n"
             "  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n"
+            "parts that are too faint (an opacity below 0.08) or too thin are not in the silhouettes of 1: fly.svg\n"
             "2 enclose twice what they cover or more, which leaves gaps; --fill-holes counts it as theirs: "
             "bicycle.svg, chair.svg\n"
             "merged 1 with the same silhouette and colour:\n"

@@ -113,6 +113,29 @@ TEST(Outline, SkipsWhatIsOfNoUse) {
   EXPECT_EQ(reason([](Vec2 p) { return to_box(p, {150, 150}, {140, 2}); }), SkipReason::hairlines);
 }
 
+/// Of a line thinner than a pixel the pixels catch dashes.
+TEST(Outline, DashesOfAThinLineAreNoPartsSideBySide) {
+  const auto dashes = [](float line) {
+    return [line](Vec2 p) {
+      const float angle = std::atan2(p.y - 150, p.x - 150);
+      return std::max(std::abs(to_disc(p, {150, 150}, 120)) - line / 2, 6 * std::sin(20 * angle));
+    };
+  };
+  EXPECT_EQ(reason(dashes(0.6f)), SkipReason::hairlines);
+  EXPECT_EQ(reason(dashes(8)), SkipReason::several_large_components);
+}
+
+TEST(Outline, ABarWithAPointIsNoPlainRectangle) {
+  const auto bar = [](float point) {
+    return [point](Vec2 p) {
+      const float to_point = (p.x - 290) + std::abs(p.y - 150) * point / 20;
+      return std::max(to_box(p, {150, 150}, {140, 20}), point > 0 ? to_point : -1);
+    };
+  };
+  EXPECT_EQ(reason(bar(0)), SkipReason::plain_rectangle);
+  EXPECT_NO_THROW(traced(bar(15)));
+}
+
 TEST(Outline, ARectangleIsKeptWhereItIsAsked) {
   const auto tile = silhouette([](Vec2 p) { return to_box(p, {150, 150}, {100, 60}); });
   EXPECT_TRUE(std::holds_alternative<TracedOutline>(trace_outline(tile, {}, 0, {.keep_rectangles = true})));

@@ -47,6 +47,7 @@ std::variant<ArtworkShape, SkipReason> fake_load(const std::string& path) {
   result.shape.artwork.path = path;
   result.shape.artwork.original.clear();
   result.other_components = content == "7" ? 2 : 0;
+  result.loses_parts = content == "9";
   result.hollowness = content == "8" ? 2.5f : 1;
   std::this_thread::sleep_for(std::chrono::milliseconds(std::stoul(content) * 7 % 5));
   return result;
@@ -137,7 +138,11 @@ TEST(SkipReasonText, SaysWhatToDo) {
       skip_reason_text(SkipReason::several_large_components),
       "several large parts that do not touch; save each as a file of its own, or join them; a photo is for tessera "
       "library extract");
-  EXPECT_EQ(skip_reason_text(SkipReason::hairlines), "thin lines alone; fill what they enclose, or make them thicker");
+  EXPECT_EQ(skip_reason_text(SkipReason::hairlines),
+            "too much of it is thin lines; fill what they enclose, or make them thicker");
+  EXPECT_EQ(skip_reason_text(SkipReason::faint),
+            "too faint: parts of an opacity below 0.08, or lines too thin, do not count, and the rest makes no shape; "
+            "make them more opaque or thicker, or build with --edge-opacity 0.05");
 }
 
 TEST_F(LibraryBuilder, WritesShapesInTheOrderOfTheFiles) {
@@ -165,15 +170,17 @@ TEST_F(LibraryBuilder, SkipsWithReasons) {
   write("b.svg", "hairlines");
   write("c.svg", "unreadable");
   write("e.svg", "7");
+  write("f.svg", "9");
   const LibraryBuildReport report = build();
   EXPECT_TRUE(report.written);
-  EXPECT_EQ(report.files, 4u);
-  EXPECT_EQ(report.shapes, 2u);
+  EXPECT_EQ(report.files, 5u);
+  EXPECT_EQ(report.shapes, 3u);
   ASSERT_EQ(report.skipped.size(), 2u);
   EXPECT_EQ(report.skipped[0].path, folder_.path("in/b.svg"));
   EXPECT_EQ(report.skipped[0].reason, skip_reason_text(SkipReason::hairlines));
   EXPECT_EQ(report.skipped[1].reason, "not a drawing");
   EXPECT_EQ(report.trimmed, std::vector<std::string>{folder_.path("in/e.svg")});
+  EXPECT_EQ(report.faint, std::vector<std::string>{folder_.path("in/f.svg")});
 }
 
 TEST_F(LibraryBuilder, NamesWhatEnclosesMuchUnlessItIsFilled) {
@@ -370,13 +377,17 @@ TEST(LeftOutList, has_a_line_a_file_whatever_its_name) {
   report.skipped = {{"/a/x\ty.svg", "not a readable SVG file: line 3:\n no"}, {"/a/b.svg", "hairlines"}};
   report.merged = {{"/a/red.svg", "blue"}};
   report.trimmed = {"/a/deer.svg"};
+  report.faint = {"/a/fly.svg"};
   EXPECT_EQ(
       left_out_list(report),
       "skipped\t/a/x_y.svg\tnot a readable SVG file: line 3:_ no\n"
       "skipped\t/a/b.svg\thairlines\n"
       "merged\t/a/red.svg\tthe silhouette and colour of blue\n"
       "trimmed\t/a/deer.svg\tparts that do not touch the largest one are not in the silhouette; join them to have "
-      "them, or, where a soft shadow joins them, build with --edge-opacity 0.05\n");
+      "them, or, where a soft shadow joins them, build with --edge-opacity 0.05\n"
+      "trimmed\t/a/fly.svg\tparts that are too faint (an opacity below 0.08) or too thin, or a plate behind the "
+      "drawing, "
+      "are not in the silhouette; make them more opaque or thicker to have them, or build with --edge-opacity 0.05\n");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ double area(const Bytes& file, float edge_opacity = kEdgeOpacity) {
 TEST(SolidCoverage, WingsOfAnyOpacityBelongToTheBody) {
   const double opaque = area(page(wings(1) + kBodyDisc));
   EXPECT_NEAR(opaque, kBody + kBesideBody, 0.01 * opaque);
-  for (const double opacity : {0.25, 0.4, 0.49, 0.5, 0.7, 0.9}) {
+  for (const double opacity : {0.08, 0.12, 0.2, 0.25, 0.4, 0.49, 0.5, 0.7, 0.9}) {
     EXPECT_NEAR(area(page(wings(opacity) + kBodyDisc)), opaque, 0.01 * opaque) << opacity;
     EXPECT_NEAR(area(page(kBodyDisc + wings(opacity))), opaque, 0.01 * opaque) << opacity << ", before the body";
   }
@@ -79,11 +79,93 @@ TEST(SolidCoverage, WingsMayHaveAnOutlineOrAGradient) {
 TEST(SolidCoverage, ADrawingMayBeTranslucentAsAWhole) {
   const std::string leaf = R"~(<path d="M60 50Q100 10 140 50Q100 90 60 50z" fill="#30a030" opacity=")~";
   const double opaque = area(page(leaf + "1\"/>"));
-  for (const char* opacity : {"0.25", "0.4", "0.8"}) {
+  for (const char* opacity : {"0.09", "0.19", "0.25", "0.4", "0.8"}) {
     EXPECT_NEAR(area(page(leaf + opacity + "\"/>")), opaque, 0.005 * opaque) << opacity;
   }
   const auto plain = traced(page(R"~(<path d="M60 50h80v30h-80z" opacity="0.4"/>)~"));
   EXPECT_EQ(std::get<SkipReason>(plain), SkipReason::plain_rectangle);
+}
+
+ArtworkShape shape_of(const std::string& drawing) { return std::get<ArtworkShape>(traced(page(drawing))); }
+
+/// A disc that is less and less opaque from its middle to its rim, but has a rim.
+std::string ball(double rim_opacity) {
+  return R"~(<radialGradient id="b"><stop stop-opacity="0.9"/><stop offset="1" stop-opacity=")~" +
+         std::to_string(rim_opacity) + R"~("/></radialGradient><circle cx="100" cy="50" r="40" fill="url(#b)"/>)~";
+}
+
+TEST(SolidCoverage, WhatEndsAtAnEdgeCountsToItsEnd) {
+  const double disc = CV_PI * 40 * 40;
+  for (const double rim : {0.1, 0.3, 0.45}) EXPECT_NEAR(area(page(ball(rim))), disc, 0.01 * disc) << rim;
+  const std::string string = R"~(<path d="M137 48h60v4h-60z"/>)~";
+  EXPECT_NEAR(area(page(ball(0.3) + string)), disc + 57 * 4, 0.01 * disc);
+}
+
+TEST(SolidCoverage, TranslucentLinesAndSpotsBelongToTheBody) {
+  for (const char* opacity : {"0.2", "0.35", "0.6"}) {
+    const std::string jellyfish =
+        std::string("<g opacity=\"") + opacity + R"~("><path d="M60 50a40 40 0 0 1 80 0z"/>)~";
+    const double dome = area(page(jellyfish + "</g>"));
+    const std::string arms = R"~(<path d="M70 49v45M100 49v45M130 49v45" stroke="#000" stroke-width="2"/></g>)~";
+    EXPECT_NEAR(area(page(jellyfish + arms)), dome + 3 * 44 * 2, 0.01 * dome) << opacity;
+  }
+  const std::string ears = R"~(<path d="M88 38l-14 -10l16 2zM112 38l14 -10l-16 2z" opacity="0.4"/>)~";
+  EXPECT_GT(area(page(kBodyDisc + ears)), kBody + 60);
+}
+
+TEST(SolidCoverage, WhiskersOfAnySlopeBelongToTheBody) {
+  for (const double slope : {0., 0.15, 0.3, 0.7, 1.}) {
+    const std::string ends = std::to_string(60 * slope) + "h0";
+    const std::string whisker = "<path d=\"M100 50l60 -" + ends + "M100 50l-60 -" + ends;
+    const double outside = 2 * 2 * (60 * std::hypot(1, slope) - 20);
+    EXPECT_NEAR(area(page(whisker + R"~(" stroke="#000" stroke-width="2" opacity="0.4"/>)~" + kBodyDisc)),
+                kBody + outside, 0.02 * kBody)
+        << slope;
+  }
+}
+
+/// A wing that is less and less opaque ends where its half is reached, if it has no edge there.
+TEST(SolidCoverage, AWingThatFadesAtItsTipCountsToItsHalf) {
+  const auto wing = [](const std::string& tip) {
+    return R"~(<linearGradient id="g"><stop stop-opacity="0.6"/><stop offset="1" stop-opacity=")~" + tip +
+           R"~("/></linearGradient><path d="M100 42h80v16h-80z" fill="url(#g)"/>)~" + kBodyDisc;
+  };
+  const double whole = 61 * 16;
+  EXPECT_NEAR(area(page(wing("0.1"))), kBody + whole, 0.02 * kBody);
+  const double faded = area(page(wing("0")));
+  EXPECT_GT(faded, kBody + 0.4 * whole);
+  EXPECT_LT(faded, kBody + 0.9 * whole);
+  EXPECT_FALSE(shape_of(wing("0")).loses_parts);
+}
+
+TEST(SolidCoverage, ASmallDrawingOnALargePageHasItsWings) {
+  const std::string drawing = wings(0.3) + kBodyDisc;
+  const Bytes large = test::svg(drawing, R"~(width="4000" height="4000" viewBox="-1000 -1000 4000 4000")~");
+  EXPECT_NEAR(area(large), area(page(drawing)), 0.03 * area(page(drawing)));
+}
+
+TEST(SolidCoverage, WhatIsTooFaintOrTooThinIsTold) {
+  EXPECT_FALSE(shape_of(wings(0.4) + kBodyDisc).loses_parts);
+  EXPECT_FALSE(shape_of(wings(0.08) + kBodyDisc).loses_parts);
+  const ArtworkShape faint = shape_of(wings(0.05) + kBodyDisc);
+  EXPECT_TRUE(faint.loses_parts);
+  EXPECT_EQ(faint.other_components, 0);
+  const std::string hairs =
+      R"~(<path d="M100 50L20 10M100 50L20 90M100 50L180 10" stroke="#000" stroke-width="0.15"/>)~";
+  EXPECT_TRUE(shape_of(hairs + kBodyDisc).loses_parts);
+  const std::string plate = R"~(<rect x="20" y="5" width="160" height="90" fill="#80a0ff" opacity="0.3"/>)~";
+  EXPECT_TRUE(shape_of(plate + kBodyDisc).loses_parts);
+  EXPECT_FALSE(shape_of(blurred(R"~(ellipse cx="100" cy="74" rx="40" ry="8")~", 4, 0.7) + kBodyDisc).loses_parts)
+      << "soft shadows do not count";
+}
+
+TEST(SolidCoverage, WhereTheFaintPartsMakeTheDrawingTheReasonIsThat) {
+  const std::string ghost = R"~(<path d="M70 90v-50a30 30 0 0 1 60 0v50z" opacity=")~";
+  const std::string eyes = R"~(<circle cx="90" cy="40" r="6"/><circle cx="110" cy="40" r="6"/>)~";
+  EXPECT_EQ(shape_of(ghost + "0.18\"/>" + eyes).other_components, 0);
+  EXPECT_EQ(std::get<SkipReason>(traced(page(ghost + "0.05\"/>" + eyes))), SkipReason::faint);
+  EXPECT_EQ(std::get<SkipReason>(traced(page(ghost + "0.05\"/>"))), SkipReason::faint);
+  EXPECT_EQ(std::get<SkipReason>(traced(page(eyes))), SkipReason::several_large_components);
 }
 
 TEST(SolidCoverage, GlassInAFrameIsNoHole) {
@@ -161,6 +243,8 @@ TEST(SolidCoverage, ATranslucentPlateBehindDoesNotCostTheDrawing) {
 TEST(SolidCoverage, ATranslucentPartBesideTheBodyIsNotOfIt) {
   const std::string far = R"~(<rect x="150" y="20" width="40" height="60" fill-opacity="0.4"/>)~";
   EXPECT_NEAR(area(page(far + kBodyDisc)), kBody, 0.01 * kBody);
+  EXPECT_EQ(shape_of(far + kBodyDisc).other_components, 1);
+  EXPECT_EQ(shape_of(far + R"~(<circle cx="20" cy="50" r="2"/>)~" + kBodyDisc).other_components, 2);
 }
 
 /// To the byte: libraries of such drawings stay what they were.

@@ -14,8 +14,6 @@ namespace {
 /// the range within `kNearEdge_px`. A blur with a standard deviation of 1.3 px or more gives a smaller part.
 constexpr double kEdgePart = 0.6;
 constexpr int kNearEdge_px = 3;
-/// The range of alpha within 1 px of an edge is at least this, of 255.
-constexpr double kLeastStep = 6;
 /// An area that is no wider than this is a line.
 constexpr int kLine_px = 4;
 /// A pixel counts as flat where its alpha differs from its region's mean by at most this part of the mean.
@@ -30,9 +28,9 @@ cv::Mat range_within(const cv::Mat& alpha, int radius_px) {
 }
 
 /// CV_8U, 255 where alpha jumps.
-cv::Mat edges_of(const cv::Mat& alpha, int unit_px) {
+cv::Mat edges_of(const cv::Mat& alpha, int unit_px, double least_step) {
   const cv::Mat step = range_within(alpha, unit_px), way = range_within(alpha, kNearEdge_px * unit_px);
-  return (step >= kLeastStep) & (step >= way * kEdgePart);
+  return (step >= least_step) & (step >= way * kEdgePart);
 }
 
 /// Removes all areas that are no wider than a line. The veins of a wing and the line round it do not tell how opaque
@@ -45,18 +43,19 @@ cv::Mat without_lines(const cv::Mat& alpha, int unit_px) {
 }
 
 /// CV_8U, 255 where clear pixels are connected to the page's edge. A hole in the drawing is not.
-cv::Mat outside_of(const cv::Mat& alpha) { return connected_to_edge(alpha < kClearAlpha); }
+cv::Mat outside_of(const cv::Mat& alpha, int clear_alpha) { return connected_to_edge(alpha < clear_alpha); }
 
 class Measurement {
  public:
-  Measurement(const cv::Mat& alpha, int unit_px, Lines lines)
+  Measurement(const cv::Mat& alpha, int unit_px, const RegionRules& rules)
       : alpha_(alpha),
-        wide_(lines == Lines::kept ? alpha : without_lines(alpha, unit_px)),
-        outside_(outside_of(alpha)),
+        rules_(rules),
+        wide_(rules.has_lines ? alpha : without_lines(alpha, unit_px)),
+        outside_(outside_of(alpha, rules.clear_alpha)),
         reach_px_(kEdgeWidth_px * unit_px) {
-    const cv::Mat smooth =
-        ~edges_of(wide_, unit_px) & (wide_ >= kClearAlpha) & (alpha >= kClearAlpha) & (alpha < kOpaqueAlpha);
-    found_.regions.resize(std::size_t(cv::connectedComponents(smooth, found_.label, 4, CV_32S)));
+    const cv::Mat smooth = ~edges_of(wide_, unit_px, rules.least_step) & (wide_ >= rules_.clear_alpha) &
+                           (alpha >= rules_.clear_alpha) & (alpha < kOpaqueAlpha);
+    found_.regions.resize(std::size_t(cv::connectedComponents(smooth, found_.label, rules.has_lines ? 8 : 4, CV_32S)));
     core_ = without_lines(smooth, unit_px);
   }
 
@@ -103,7 +102,7 @@ class Measurement {
       if (!page.contains(at) || label_at(at) == label_at(from)) return;
       if (i < reach_px_ && in_edge(at)) continue;
       const bool falls = alpha_.at<std::uint8_t>(at) < alpha_.at<std::uint8_t>(from);
-      if (alpha_.at<std::uint8_t>(at) < kClearAlpha && !outside_.at<std::uint8_t>(at)) {
+      if (alpha_.at<std::uint8_t>(at) < rules_.clear_alpha && !outside_.at<std::uint8_t>(at)) {
         if (i == 1) ++region.fading_in_holes;
         return;
       }
@@ -116,10 +115,11 @@ class Measurement {
 
   bool in_edge(cv::Point at) const {
     const int alpha = alpha_.at<std::uint8_t>(at);
-    return label_at(at) == 0 && alpha >= kClearAlpha && alpha < kOpaqueAlpha;
+    return label_at(at) == 0 && alpha >= rules_.clear_alpha && alpha < kOpaqueAlpha;
   }
 
   const cv::Mat& alpha_;
+  const RegionRules& rules_;
   const cv::Mat wide_;
   const cv::Mat outside_;
   cv::Mat core_;  // CV_8U, 255 where a region is wider than a line
@@ -129,8 +129,8 @@ class Measurement {
 
 }  // namespace
 
-AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px, Lines lines) {
-  return Measurement(alpha, unit_px, lines).measured();
+AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px, const RegionRules& rules) {
+  return Measurement(alpha, unit_px, rules).measured();
 }
 
 }  // namespace tessera::io

@@ -8,8 +8,7 @@
 
 namespace tessera::io {
 
-// Alpha, of 255: below the one a pixel is clear, from the other on it is opaque. Neither belongs to a region.
-inline constexpr int kClearAlpha = 8;
+/// Alpha, of 255: from this on a pixel is opaque, and belongs to no region.
 inline constexpr int kOpaqueAlpha = 250;
 /// So wide an edge is at most, in px of the source.
 inline constexpr int kEdgeWidth_px = 4;
@@ -37,11 +36,19 @@ struct AlphaRegions {
   const AlphaRegion& at(int y, int x) const { return regions[std::size_t(label.at<int>(y, x))]; }
 };
 
-/// What becomes of areas that are no wider than a line: dropped, they do not part the regions that they cross; kept,
-/// lines of 4 px and more are regions, too.
-enum class Lines : std::uint8_t { dropped, kept };
+/// Which regions are looked for.
+struct RegionRules {
+  int clear_alpha;    // of 255: below, a pixel is clear, and belongs to no region
+  double least_step;  // of 255: the range of alpha within 1 px of an edge is this at least
+  bool has_lines =
+      false;  // areas no wider than a line are regions, too; if not, they do not part the regions they cross
+};
+inline constexpr RegionRules kPlainRegions{25, 20};
+/// So sensitive, the tail of a shadow may join parts that are regions of their own among the plain ones.
+inline constexpr RegionRules kFaintRegions{8, 6};
+inline constexpr RegionRules kFaintLines{8, 6, true};
 
 /// `alpha`: CV_8U. `unit_px`: size of a pixel of the source, 1 or more.
-AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px, Lines lines);
+AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px, const RegionRules& rules);
 
 }  // namespace tessera::io

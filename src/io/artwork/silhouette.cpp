@@ -38,7 +38,7 @@ bool has_translucent_parts(const cv::Mat& bgra) {
   const cv::Mat alpha = alpha_of(bgra);
   cv::Mat beside_opaque;
   cv::dilate(alpha >= kOpaqueAlpha, beside_opaque, square(kEdge_px));
-  return cv::countNonZero((alpha >= kClearAlpha) & ~beside_opaque) >= kLeastPixels;
+  return cv::countNonZero((alpha >= kFaintRegions.clear_alpha) & ~beside_opaque) >= kLeastPixels;
 }
 
 /// What is drawn on, with a margin; empty where nothing is.

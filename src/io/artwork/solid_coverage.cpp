@@ -14,8 +14,8 @@ namespace {
 
 // Of 255.
 constexpr int kHalf = 128;
-constexpr int kBarelyHalf = 153;  // an outline at one half lies inside of the edge
-constexpr int kLeastLevel = 20;   // of a part that counts, and of a pixel of a lost line
+constexpr int kBarelyHalf = 153;      // an outline at one half lies inside of the edge
+constexpr double kLeastLevel = 19.5;  // of a part that counts, and of a pixel of a lost line: 0.08, rounded
 /// Of a region; where thin lines cross each other, alpha is smooth, too.
 constexpr int kLeastPixels = 256;
 constexpr double kFlatPart = 0.7;
@@ -71,7 +71,8 @@ std::vector<Kind> line_kinds_of(const AlphaRegions& lines, int unit_px) {
   for (std::size_t i = 1; i < kinds.size(); ++i) {
     const AlphaRegion& region = lines.regions[i];
     const bool is_flat = region.flat_part >= kFlatPart && region.pixels >= kLeastLinePixels * unit_px * unit_px;
-    if (is_flat && ends_at_edges(region)) kinds[i] = kind_by_level(region);
+    const bool stands_out = region.falling > 0 && region.falling >= kMostly * region.merging;
+    if (is_flat && stands_out && ends_at_edges(region)) kinds[i] = kind_by_level(region);
   }
   return kinds;
 }
@@ -115,28 +116,36 @@ class JudgedRegions {
  public:
   JudgedRegions(const cv::Mat& alpha, int unit_px)
       : unit_px_(unit_px),
-        wide_(alpha_regions(alpha, unit_px, Lines::dropped)),
-        wide_kinds_(kinds_of(wide_, alpha, unit_px)),
-        lines_(alpha_regions(alpha, unit_px, Lines::kept)),
+        plain_(alpha_regions(alpha, unit_px, kPlainRegions)),
+        plain_kinds_(kinds_of(plain_, alpha, unit_px)),
+        faint_(alpha_regions(alpha, unit_px, kFaintRegions)),
+        faint_kinds_(kinds_of(faint_, alpha, unit_px)),
+        lines_(alpha_regions(alpha, unit_px, kFaintLines)),
         line_kinds_(line_kinds_of(lines_, unit_px)) {}
 
   struct Judged {
     const AlphaRegion& region;
     Kind kind;
   };
-  /// A line or a spot is only where no large region is.
+  /// The faint regions add what ends at edges alone; where no large region is, there may be a line or a spot.
   Judged at(int y, int x) const {
-    const AlphaRegion& wide = wide_.at(y, x);
-    if (is_large(wide, unit_px_)) return {wide, wide_kinds_[std::size_t(wide_.label.at<int>(y, x))]};
-    return {lines_.at(y, x), line_kinds_[std::size_t(lines_.label.at<int>(y, x))]};
+    const Judged faint = judged(faint_, faint_kinds_, y, x), plain = judged(plain_, plain_kinds_, y, x);
+    if (faint.kind == Kind::solid || (faint.kind == Kind::faint && plain.kind == Kind::as_opaque)) return faint;
+    return is_large(plain.region, unit_px_) ? plain : judged(lines_, line_kinds_, y, x);
   }
 
-  bool is_edge(int y, int x) const { return wide_.label.at<int>(y, x) == 0; }
+  bool is_edge(int y, int x) const { return plain_.label.at<int>(y, x) == 0; }
 
  private:
+  static Judged judged(const AlphaRegions& regions, const std::vector<Kind>& kinds, int y, int x) {
+    return {regions.at(y, x), kinds[std::size_t(regions.label.at<int>(y, x))]};
+  }
+
   int unit_px_;
-  AlphaRegions wide_;
-  std::vector<Kind> wide_kinds_;
+  AlphaRegions plain_;
+  std::vector<Kind> plain_kinds_;
+  AlphaRegions faint_;
+  std::vector<Kind> faint_kinds_;
   AlphaRegions lines_;
   std::vector<Kind> line_kinds_;
 };
@@ -148,13 +157,13 @@ struct SurePixels {
   cv::Mat translucent;
   cv::Mat left_out;
   cv::Mat faint;
-  cv::Mat blurred;           // large regions that fade, and are no shadows
+  cv::Mat fading;            // of regions that fade, and are no shadows
   bool any_matters = false;  // see matters()
 };
 
 SurePixels sure_pixels(const cv::Mat& alpha, const JudgedRegions& regions) {
   const auto none = [&] { return cv::Mat(cv::Mat::zeros(alpha.size(), CV_8U)); };
-  SurePixels sure{alpha >= kOpaqueAlpha, none(), alpha < kClearAlpha, none(), none()};
+  SurePixels sure{alpha >= kOpaqueAlpha, none(), alpha < kPlainRegions.clear_alpha, none(), none()};
   for (int y = 0; y < alpha.rows; ++y) {
     for (int x = 0; x < alpha.cols; ++x) {
       const auto [region, kind] = regions.at(y, x);
@@ -163,7 +172,8 @@ SurePixels sure_pixels(const cv::Mat& alpha, const JudgedRegions& regions) {
       if (counts) sure.translucent.at<std::uint8_t>(y, x) = 255;
       if (kind == Kind::shadow) sure.left_out.at<std::uint8_t>(y, x) = 255;
       if (kind == Kind::faint) sure.faint.at<std::uint8_t>(y, x) = 255;
-      if (kind == Kind::as_opaque && !regions.is_edge(y, x)) sure.blurred.at<std::uint8_t>(y, x) = 255;
+      const bool fades = kind == Kind::solid ? !counts : kind == Kind::as_opaque && !regions.is_edge(y, x);
+      if (fades) sure.fading.at<std::uint8_t>(y, x) = 255;
     }
   }
   return sure;
@@ -180,7 +190,8 @@ cv::Mat coverage_of(const cv::Mat& alpha, const JudgedRegions& regions, const Su
       // Where both are near, the lower level: between a wing and its body nothing is left out.
       const double to_translucent_px = translucent.distance_px(y, x), to_opaque_px = opaque.distance_px(y, x);
       const bool by_wing = to_translucent_px <= std::min(reach_px, to_opaque_px + 2 * unit_px);
-      const bool by_shadow = left_out.distance_px(y, x) <= reach_px && left_out.level(y, x) >= kClearAlpha;
+      const bool by_shadow =
+          left_out.distance_px(y, x) <= reach_px && left_out.level(y, x) >= kPlainRegions.clear_alpha;
       if (!by_wing && (!by_shadow || to_opaque_px > reach_px)) continue;
       const int top = by_wing ? translucent.level(y, x) : opaque.level(y, x);
       const int bottom = by_shadow ? std::min(left_out.level(y, x), top - 1) : 0;
@@ -189,7 +200,7 @@ cv::Mat coverage_of(const cv::Mat& alpha, const JudgedRegions& regions, const Su
     }
   }
   coverage.setTo(255, sure.opaque | sure.translucent);
-  coverage.setTo(0, sure.left_out & (alpha >= kClearAlpha));
+  coverage.setTo(0, sure.left_out & (alpha >= kPlainRegions.clear_alpha));
   return coverage;
 }
 
@@ -218,8 +229,8 @@ int remove_loose_parts(cv::Mat& coverage, const cv::Mat& alpha) {
 /// Whether a part is seen that is neither covered nor soft.
 bool loses_parts(const cv::Mat& alpha, const cv::Mat& coverage, const SurePixels& sure, int unit_px) {
   cv::Mat told;
-  const cv::Mat shadow = sure.left_out & (alpha >= kClearAlpha);
-  cv::dilate((coverage >= kHalf) | sure.blurred | shadow, told, square(kEdgeWidth_px * unit_px));
+  const cv::Mat shadow = sure.left_out & (alpha >= kPlainRegions.clear_alpha);
+  cv::dilate((coverage >= kHalf) | sure.fading | shadow, told, square(kEdgeWidth_px * unit_px));
   const cv::Mat line = (alpha >= kLeastLevel) & ~told;
   return cv::countNonZero(sure.faint | line) >= kLeastPixels * unit_px * unit_px;
 }
