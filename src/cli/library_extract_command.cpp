@@ -122,7 +122,10 @@ io::LibraryBuildReport build(const ExtractArguments& arguments, const std::vecto
 /// Of files that may not be there yet.
 bool is_same_path(const std::string& one, const std::string& other) {
   std::error_code error;
-  return std::filesystem::weakly_canonical(one, error) == std::filesystem::weakly_canonical(other, error);
+  const auto whole = [&](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
+  };
+  return whole(one) == whole(other);
 }
 
 bool same_file(const std::string& one, const std::string& other) {

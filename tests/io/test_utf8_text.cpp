@@ -33,7 +33,7 @@ TEST(PrintableUtf8, ReplacesWhatIsNotSeenOrReordersTheTextRoundIt) {
   for (const char* text : {"\U0001d173", "\U000e0041", "\U000e0001", "\U000e0100", "\U0001fffe", "\U0010ffff"})
     EXPECT_EQ(printable_utf8(std::string("a") + text + "b"), "a____b") << text;
   for (const char* text : {"\u2027", "\u202f", "\u00ac", "\u00ae", "\u200a", "\u2010", "\u2070", "\ufffd", "\ufefc",
-                           "\u2764\ufe0f", "\U0001f600", "\U000dffff", "\U000e1000", "שלום"})
+                           "\u2764\ufe0f", "\U0001f600", "\U000dfffd", "\U000e1000", "שלום"})
     EXPECT_EQ(printable_utf8(text), text);
 }
 
