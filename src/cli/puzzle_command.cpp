@@ -130,7 +130,7 @@ std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solve
   if (solved.gaps > kMostPuzzleGaps)
     return "there are narrow gaps between pieces: not all of them belong where they lie";
   if (solved.left_over.empty() && has_frame(arguments) && solved.filled < kLeastFilled)
-    return "the frame is not full: pieces are missing";
+    return "the frame is not full: pieces are missing, or they are smaller than they were cut";
   if (solved.undecided > 0)
     return std::to_string(solved.undecided) + " of " + std::to_string(solved.placed) +
            " pieces have the outline of others, and what is on them does not say for sure where they belong: some may "
@@ -141,6 +141,14 @@ std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solve
 
 std::string erosion_text(double erosion_px) {
   return erosion_px > 0 ? "; they are " + io::fixed(erosion_px, 2) + " px smaller all round than they were cut" : "";
+}
+
+/// How far pieces lie from where they belong: those that are right, and where others are laid, those too.
+std::string off_text(const PuzzleAgreement& agreement) {
+  const std::string right = io::fixed(agreement.worst_px, 2) + " px off at most";
+  if (agreement.right == agreement.laid) return right;
+  return "these " + right + ", the other " + std::to_string(agreement.laid - agreement.right) +
+         " that were laid up to " + io::fixed(agreement.farthest_px, 2) + " px";
 }
 
 void report(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
@@ -156,9 +164,9 @@ void report(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
                solved.height_px, 100 * solved.covered, solved.scale, erosion_text(solved.erosion_px).c_str());
   }
   if (solved.agreement) {  // who asks for it wants to know
-    print_line("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %.2f px off at most",
+    print_line("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %s",
                io::printable_utf8(arguments.request.truth).c_str(), solved.agreement->right, solved.pieces,
-               double(solved.agreement->worst_px));
+               off_text(*solved.agreement).c_str());
   }
   if (arguments.job_only && !arguments.collage.quiet)
     print_line("next: tessera collage %s", shell_word(arguments.request.job).c_str());

@@ -489,12 +489,44 @@ TEST_P(Puzzles, SawnPiecesAreGrownAndFit) {
   }
 }
 
+/// Straight sides do not tell by how much they must grow; a frame of known size does, and without one little is lost.
+TEST_P(Puzzles, ErodedPolygonsAreLaid) {
+  constexpr float kLost = 2.4f;  // a pixel of pieces of 100 px
+  const auto eroded = [&](int pieces, std::uint64_t seed) {
+    Shuffled puzzle = shuffled(cut_puzzle(request_of(pieces, CutStyle::polygons, seed)));
+    for (Polygon& piece : puzzle.input.pieces) piece = grown_polygon(piece, -kLost);
+    return puzzle;
+  };
+  Shuffled puzzle = eroded(12, std::uint64_t(GetParam()));
+  EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle, 12), 12) << "without a frame, where gaps add up";
+  puzzle.input.frame = frame();
+  const PuzzleSolution in_frame = solve_puzzle(puzzle.input);
+  EXPECT_EQ(right(in_frame, puzzle), 12);
+  EXPECT_NEAR(in_frame.erosion, kLost, 0.2);
+  EXPECT_LT(in_frame.gaps, kMostPuzzleGaps);
+  puzzle.input.frame = frame_times(0.98f);
+  puzzle.input.frame_fits = false;
+  EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle, 8), 12) << "in a frame of some size";
+}
+
+TEST_P(Puzzles, WhetherPolygonsAreErodedIsNotToldByTheirBoundaries) {
+  const Shuffled puzzle = shuffled(cut_puzzle(request_of(12, CutStyle::polygons, std::uint64_t(GetParam()))));
+  std::vector<double> areas;
+  for (const Polygon& piece : puzzle.input.pieces) areas.push_back(signed_area(piece));
+  const PuzzleScale scale = PuzzleScale::of(areas);
+  EXPECT_EQ(likely_erosions(puzzle.input.pieces, kWidth_px * kHeight_px, scale, [] {}).front(), 0);
+  const std::vector<float> larger = likely_erosions(puzzle.input.pieces, 1.03 * kWidth_px * kHeight_px, scale, [] {});
+  ASSERT_EQ(larger.size(), 4u) << "what fills the frame, none, and usual ones";
+  EXPECT_GT(larger.front(), 1);
+  EXPECT_EQ(larger[1], 0);
+}
+
 TEST_P(Puzzles, PiecesAsTheyWereCutAreNotGrown) {
   for (const CutStyle style : {CutStyle::tabs, CutStyle::polygons, CutStyle::rectangles}) {
     const Shuffled puzzle = shuffled(cut_puzzle(request_of(18, style, std::uint64_t(GetParam()))));
     std::vector<double> areas;
     for (const Polygon& piece : puzzle.input.pieces) areas.push_back(signed_area(piece));
-    EXPECT_EQ(erosion_of(puzzle.input.pieces, PuzzleScale::of(areas), [] {}), 0);
+    EXPECT_EQ(erosion_of(puzzle.input.pieces, PuzzleScale::of(areas), [] {}).value_or(0), 0);
   }
 }
 
@@ -533,6 +565,9 @@ TEST(Agreement, DoesNotAskWhereThePuzzleLies) {
   EXPECT_NEAR(agreement(found, truth).worst_px, 0, 1e-3);
   found[1]->tx += 2.5f;
   EXPECT_EQ(agreement(found, truth).right, 2) << "too far";
+  EXPECT_EQ(agreement(found, truth).laid, 3);
+  EXPECT_NEAR(agreement(found, truth).worst_px, 0, 1e-3);
+  EXPECT_NEAR(agreement(found, truth).farthest_px, 2.5, 1e-3) << "of all, not of the right ones alone";
   found[1] = followed_by(*truth[1], moved);
   found[1] = Similarity{found[1]->a * 1.02f, found[1]->b * 1.02f, found[1]->tx, found[1]->ty};
   EXPECT_EQ(agreement(found, truth).right, 2) << "too large";

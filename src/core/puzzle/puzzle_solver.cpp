@@ -1,7 +1,9 @@
 #include "core/puzzle/puzzle_solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/geometry/polygon.h"
@@ -26,6 +28,8 @@ constexpr std::size_t kMostBeginnings = 16;
 constexpr int kMostFollowed = 2'000;
 /// Arrangements that are followed at a time at most, and beside pieces that were moved into the frame.
 constexpr int kWidest = 64, kWidestBesideMoved = 8;
+/// The same where pieces may be grown in several ways: what is cheap comes first, for all of them.
+constexpr std::array<int, 3> kWidestInTurn = {1, 8, kWidest};
 /// Places in the frame of what was laid without it that are looked at in full.
 constexpr std::size_t kMostMoves = 4;
 /// Scales less apart are one, as what fills the frame says it better.
@@ -61,10 +65,17 @@ PuzzleScale scale_of(const std::vector<std::vector<Vec2>>& pieces) {
   return PuzzleScale::of(areas);
 }
 
+struct Solved {
+  PuzzleSolution solution = {};
+  bool whole = false;    // PuzzleArranger::whole
+  double coherence = 0;  // PuzzleArranger::coherence
+};
+
 class Solver {
  public:
-  explicit Solver(const PuzzleInput& input)
-      : scale_(scale_of(input.pieces)),
+  Solver(const PuzzleInput& input, int widest)
+      : widest_(widest),
+        scale_(scale_of(input.pieces)),
         watch_(input.watch),
         frame_(input.frame.empty() ? -1 : int(input.pieces.size())),
         arranger_(pieces_, matches_, scale_, frame_, [this](std::size_t laid) { tell_laying(laid); }) {
@@ -80,7 +91,7 @@ class Solver {
 
   /// Pieces among themselves first: what fits a frame's straight edges is found by chance. What pieces alone do not
   /// decide, a frame may.
-  PuzzleSolution solve(const PuzzleInput& input) {
+  Solved solve(const PuzzleInput& input) {
     Arrangement alone = solved_alone();
     if (frame_ < 0 || (arranger_.whole(alone) && fit_into_frame(alone))) return solution_of(std::move(alone));
     if (!input.frame_fits && take_scale(alone, input.frame) && fit_into_frame(alone))
@@ -99,10 +110,10 @@ class Solver {
   /// Without the frame. What matches longest may be strangers that fit each other alone: then what is left over is
   /// tried.
   Arrangement solved_alone() const {
-    Arrangement best = solved({arranger_.beginning(longest_match(std::vector<bool>(pieces_.size())))}, kWidest);
+    Arrangement best = solved({arranger_.beginning(longest_match(std::vector<bool>(pieces_.size())))}, widest_);
     std::vector<bool> tried = best.used;
     for (int k = 1; k < kMostIslands && 2 * arranger_.placed(best) < arranger_.pieces_count(); ++k) {
-      Arrangement other = solved({arranger_.beginning(longest_match(tried))}, kWidest);
+      Arrangement other = solved({arranger_.beginning(longest_match(tried))}, widest_);
       for (std::size_t i = 0; i < tried.size(); ++i) tried[i] = tried[i] || other.used[i];
       if (arranger_.coherence(other) > arranger_.coherence(best)) best = std::move(other);
     }
@@ -245,7 +256,7 @@ class Solver {
       starts.push_back(empty);
       arranger_.lay(place, starts.back());
     }
-    return solved(starts, kWidest);
+    return solved(starts, widest_);
   }
 
   /// The frame filled in any way, or else what there is.
@@ -275,8 +286,9 @@ class Solver {
     return now.undecided;
   }
 
-  PuzzleSolution solution_of(Arrangement best) const {
-    PuzzleSolution solution;
+  Solved solution_of(Arrangement best) const {
+    Solved solved;
+    PuzzleSolution& solution = solved.solution;
     solution.undecided = exchange_alike(best);
     if (frame_ >= 0) keep_within_frame(best, arranger_);
     solution.poses.resize(arranger_.pieces_count());
@@ -286,7 +298,9 @@ class Solver {
     solution.placed = int(arranger_.placed(best));
     solution.scale = times_;
     solution.gaps = arranger_.gaps(best);
-    return solution;
+    solved.whole = arranger_.whole(best);
+    solved.coherence = arranger_.coherence(best);
+    return solved;
   }
 
   std::function<void(std::size_t)> tell_matching() const {
@@ -296,6 +310,7 @@ class Solver {
   /// Of the arrangement that is being laid.
   void tell_laying(std::size_t laid) const { watch_({.laying = true, .done = laid, .of = arranger_.pieces_count()}); }
 
+  const int widest_;  // arrangements that are followed at a time at most
   PuzzleScale scale_;
   const std::function<void(const PuzzleProgress&)>& watch_;
   std::vector<PuzzlePiece> pieces_;
@@ -305,18 +320,32 @@ class Solver {
   PuzzleArranger arranger_;
 };
 
+Solved solved_grown(const PuzzleInput& input, float erosion, int widest) {
+  PuzzleInput grown = input;
+  for (std::vector<Vec2>& polygon : grown.pieces) polygon = grown_polygon(polygon, erosion);
+  Solved solved = Solver(grown, widest).solve(grown);
+  solved.solution.erosion = erosion;
+  return solved;
+}
+
 }  // namespace
 
 PuzzleSolution solve_puzzle(const PuzzleInput& input) {
   if (input.pieces.empty()) return {};
-  PuzzleInput grown = input;
-  const PuzzleScale scale = scale_of(input.pieces);
-  const float erosion =
-      erosion_of(input.pieces, scale, [&] { input.watch({.laying = false, .done = 0, .of = input.pieces.size()}); });
-  for (std::vector<Vec2>& polygon : grown.pieces) polygon = grown_polygon(polygon, erosion);
-  PuzzleSolution solution = Solver(grown).solve(grown);
-  solution.erosion = erosion;
-  return solution;
+  const double frame_area = input.frame_fits && !input.frame.empty() ? signed_area(input.frame) : 0;
+  const std::vector<float> erosions = likely_erosions(input.pieces, frame_area, scale_of(input.pieces), [&] {
+    input.watch({.laying = false, .done = 0, .of = input.pieces.size()});
+  });
+  std::optional<Solved> best;
+  for (const int widest : kWidestInTurn) {
+    if (erosions.size() == 1 && widest < kWidest) continue;
+    for (const float erosion : erosions) {
+      Solved solved = solved_grown(input, erosion, widest);
+      if (solved.whole) return solved.solution;
+      if (!best || solved.coherence > best->coherence) best = std::move(solved);
+    }
+  }
+  return best->solution;
 }
 
 }  // namespace tessera

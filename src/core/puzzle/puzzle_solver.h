@@ -36,7 +36,7 @@ struct PuzzleSolution {
   std::vector<std::optional<Similarity>> poses;  // puzzle_from_piece, of each piece; nothing: no place was found
   int placed = 0;
   double scale = 1;    // of the pieces in the frame: it is frame / scale, in their unit, that they lie in
-  double erosion = 0;  // how much smaller all round pieces are than they were cut (piece_erosion.h)
+  double erosion = 0;  // how much smaller all round pieces are than they were cut (likely_erosions)
   int undecided = 0;   // pieces of one outline that the pictures do not tell apart (piece_exchange.h)
   double gaps = 0;     // part of the boundary of all that is beside a narrow gap: 0 where pieces fit
 };

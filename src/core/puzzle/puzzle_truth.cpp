@@ -30,7 +30,10 @@ PuzzleAgreement agreement(const std::vector<std::optional<Similarity>>& found,
     PuzzleAgreement here;
     for (std::size_t j = 0; j < found.size(); ++j) {
       if (!found[j] || !truth[j]) continue;
-      const std::optional<float> shift = right_by(followed_by(*found[j], truth_from_found), *truth[j]);
+      const Similarity there = followed_by(*found[j], truth_from_found);
+      ++here.laid;
+      here.farthest_px = std::max(here.farthest_px, norm(there.translation() - truth[j]->translation()));
+      const std::optional<float> shift = right_by(there, *truth[j]);
       if (!shift) continue;
       ++here.right;
       here.worst_px = std::max(here.worst_px, *shift);

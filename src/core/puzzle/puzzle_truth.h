@@ -10,8 +10,10 @@ namespace tessera {
 
 /// Poses puzzle_from_shape; a shape's frame has its centre as origin, and its size is the pose's scale.
 struct PuzzleAgreement {
-  int right = 0;       // pieces within kRightShift_px, kRightTurn_rad and kRightScale of the truth
-  float worst_px = 0;  // of these
+  int right = 0;          // pieces within kRightShift_px, kRightTurn_rad and kRightScale of the truth
+  float worst_px = 0;     // of these
+  int laid = 0;           // pieces that have a pose in both
+  float farthest_px = 0;  // of these, from where it belongs
 };
 
 inline constexpr float kRightShift_px = 2;

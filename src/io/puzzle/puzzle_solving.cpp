@@ -186,10 +186,21 @@ std::vector<LaidPuzzlePiece> laid_pieces(const std::vector<Shape>& shapes,
   return laid;
 }
 
+/// Where the shape of the piece as it was cut lies, of which all round `erosion_px` is lost: it is larger, and its
+/// centre is another one where much is lost on one side.
+Similarity canvas_from_whole_shape(const LaidPuzzlePiece& piece, double erosion_px) {
+  const AreaMoment now = area_moment(piece.outline_px);
+  const AreaMoment cut = area_moment(grown_polygon(piece.outline_px, float(erosion_px)));
+  const float times = float(std::sqrt(cut.area / now.area));
+  const Vec2 moved{float(cut.x / cut.area - now.x / now.area), float(cut.y / cut.area - now.y / now.area)};
+  const Similarity& at = piece.canvas_from_shape;
+  return {at.a * times, at.b * times, at.tx + moved.x, at.ty + moved.y};
+}
+
 PuzzleAgreement agreement_with(const std::string& truth, const std::vector<Shape>& shapes,
-                               const std::vector<LaidPuzzlePiece>& laid) {
+                               const std::vector<LaidPuzzlePiece>& laid, double erosion_px) {
   std::map<std::string, Similarity> found, right;
-  for (const LaidPuzzlePiece& piece : laid) found[piece.shape] = piece.canvas_from_shape;
+  for (const LaidPuzzlePiece& piece : laid) found[piece.shape] = canvas_from_whole_shape(piece, erosion_px);
   for (const PlacedPiece& piece : read_placed_pieces(truth)) right[piece.shape] = piece.canvas_from_shape;
   const auto of = [](const std::map<std::string, Similarity>& poses, const std::string& name) {
     const auto at = poses.find(name);
@@ -355,7 +366,7 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
     solved.covered += signed_area(piece.outline_px) / whole_px2;
     solved.filled += signed_area(grown_polygon(piece.outline_px, float(solved.erosion_px))) / whole_px2;
   }
-  if (!request.truth.empty()) solved.agreement = agreement_with(request.truth, shapes, laid);
+  if (!request.truth.empty()) solved.agreement = agreement_with(request.truth, shapes, laid, solved.erosion_px);
   write(request, {{solution_path(request.job), puzzle_geojson(laid)}, {request.job, job_text(request, solved)}});
   return solved;
 }
