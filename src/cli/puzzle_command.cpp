@@ -145,6 +145,7 @@ std::string erosion_text(double erosion_px) {
 
 /// How far pieces lie from where they belong: those that are right, and where others are laid, those too.
 std::string off_text(const PuzzleAgreement& agreement) {
+  if (agreement.laid == 0) return "none of them was laid";
   const std::string right = io::fixed(agreement.worst_px, 2) + " px off at most";
   if (agreement.right == agreement.laid) return right;
   return "these " + right + ", the other " + std::to_string(agreement.laid - agreement.right) +

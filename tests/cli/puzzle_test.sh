@@ -145,6 +145,27 @@ for scale in '--scale 1.33333' ''; do
 done
 echo "ok sawn pieces"
 
+# Polygons, whose straight sides do not tell by how much they must grow: eroded, or traced at three quarters of the size.
+run 0 puzzle make sun.png --pieces 12 --cut polygons --seed 3 --out shards
+"$sawn_pieces" shards/pieces eroded 1 1 || fail "no eroded pieces"
+"$sawn_pieces" shards/pieces smaller 0 0.75 || fail "no smaller pieces"
+run 0 library build eroded -o eroded.h5 --puzzle
+run 0 library build smaller -o smaller.h5 --puzzle
+for solving in 'eroded --scale 1' eroded 'smaller --scale 1.33333' smaller; do
+  read -r -a words <<<"$solving"
+  run 0 puzzle solve "${words[0]}.h5" --size 640,480 "${words[@]:1}" --truth shards/truth --job-only --replace
+  expect_no_warning "a warning of polygons that fit: $solving"
+  grep -q '^by shards/truth: 12 of 12 right' output || fail "polygons are not as they were cut: $solving"
+  within_frame "${words[0]}" 640 480 1 12 || fail "polygons leave the frame: $solving"
+done
+cp other/pieces/piece_001.png eroded/stranger.png
+run 0 library build eroded -o mixed.h5 --puzzle
+run 3 puzzle solve mixed.h5 --size 640,480 --truth shards/truth --job-only
+expect_word '1 of 13 pieces found no place in the frame: stranger'
+grep -q '^by shards/truth: 12 of 13 right' output || fail "a stranger spoils polygons that were eroded"
+within_frame mixed 640 480 1 12 || fail "polygons beside a stranger leave the frame"
+echo "ok eroded polygons"
+
 rm jigsaw/pieces/piece_005.png
 run 0 library build jigsaw/pieces -o gap.h5 --puzzle
 run 0 puzzle solve gap.h5 --size 640,480 --scale 1 --truth jigsaw/truth --job-only

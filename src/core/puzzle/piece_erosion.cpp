@@ -17,8 +17,8 @@ constexpr std::size_t kMostSteps = 12;
 constexpr std::size_t kPatience = 3;
 /// Pieces whose boundaries are followed; they are held against all.
 constexpr std::size_t kSample = 16;
-/// How much better boundaries must run alike before pieces count as eroded: chance brings some per cent; a pixel that was
-/// lost of pieces of 60 to 160 px with tabs brings 45 to 100.
+/// How much better boundaries must run alike before pieces count as eroded: chance brings some per cent; a pixel that
+/// was lost of pieces of 60 to 160 px with tabs brings 45 to 100.
 constexpr double kLeastGain = 1.2;
 /// Boundaries tell only where it is seen when pieces are grown too far: by two steps, with tabs a third is left of what
 /// ran alike. Of polygons three quarters are left, and what is the most came about by chance.

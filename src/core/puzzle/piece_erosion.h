@@ -21,8 +21,8 @@ std::optional<float> erosion_of(const std::vector<std::vector<Vec2>>& pieces, co
                                 const std::function<void()>& watch);
 
 /// Distances to be tried in this order until the pieces fit: the one that boundaries tell, or else first the one by
-/// which pieces fill the frame, then none, then such as are usual. `frame_area`: of a frame that is known to be as large
-/// as that, in the pieces' unit; 0: there is none.
+/// which pieces fill the frame, then none, then such as are usual. `frame_area`: of a frame that is known to be as
+/// large as that, in the pieces' unit; 0: there is none.
 std::vector<float> likely_erosions(const std::vector<std::vector<Vec2>>& pieces, double frame_area,
                                    const PuzzleScale& scale, const std::function<void()>& watch);
 

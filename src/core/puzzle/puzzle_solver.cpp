@@ -29,7 +29,9 @@ constexpr int kMostFollowed = 2'000;
 /// Arrangements that are followed at a time at most, and beside pieces that were moved into the frame.
 constexpr int kWidest = 64, kWidestBesideMoved = 8;
 /// The same where pieces may be grown in several ways: what is cheap comes first, for all of them.
-constexpr std::array<int, 3> kWidestInTurn = {1, 8, kWidest};
+constexpr std::array<int, 2> kWidestInTurn = {1, 8};
+/// Part of a frame that is full, as exact as outlines are; other pieces are foreign.
+constexpr double kFull = 0.985;
 /// Places in the frame of what was laid without it that are looked at in full.
 constexpr std::size_t kMostMoves = 4;
 /// Scales less apart are one, as what fills the frame says it better.
@@ -67,7 +69,7 @@ PuzzleScale scale_of(const std::vector<std::vector<Vec2>>& pieces) {
 
 struct Solved {
   PuzzleSolution solution = {};
-  bool whole = false;    // PuzzleArranger::whole
+  bool done = false;     // nothing is left to be laid, or no room in the frame, and what lies there fits
   double coherence = 0;  // PuzzleArranger::coherence
 };
 
@@ -286,6 +288,13 @@ class Solver {
     return now.undecided;
   }
 
+  bool is_full(const Arrangement& in) const {
+    if (frame_ < 0 || arranger_.gaps(in) > kMostPuzzleGaps) return false;
+    double area = 0;
+    for (const LaidPiece& laid : in.laid) area += arranger_.is_frame(laid) ? 0 : pieces_[std::size_t(laid.piece)].area;
+    return area >= -kFull * pieces_[std::size_t(frame_)].area;
+  }
+
   Solved solution_of(Arrangement best) const {
     Solved solved;
     PuzzleSolution& solution = solved.solution;
@@ -298,7 +307,7 @@ class Solver {
     solution.placed = int(arranger_.placed(best));
     solution.scale = times_;
     solution.gaps = arranger_.gaps(best);
-    solved.whole = arranger_.whole(best);
+    solved.done = arranger_.whole(best) || is_full(best);
     solved.coherence = arranger_.coherence(best);
     return solved;
   }
@@ -336,16 +345,17 @@ PuzzleSolution solve_puzzle(const PuzzleInput& input) {
   const std::vector<float> erosions = likely_erosions(input.pieces, frame_area, scale_of(input.pieces), [&] {
     input.watch({.laying = false, .done = 0, .of = input.pieces.size()});
   });
+  if (erosions.size() == 1) return solved_grown(input, erosions.front(), kWidest).solution;
   std::optional<Solved> best;
   for (const int widest : kWidestInTurn) {
-    if (erosions.size() == 1 && widest < kWidest) continue;
     for (const float erosion : erosions) {
       Solved solved = solved_grown(input, erosion, widest);
-      if (solved.whole) return solved.solution;
+      if (solved.done) return solved.solution;
       if (!best || solved.coherence > best->coherence) best = std::move(solved);
     }
   }
-  return best->solution;
+  const Solved last = solved_grown(input, float(best->solution.erosion), kWidest);
+  return last.done || last.coherence > best->coherence ? last.solution : best->solution;
 }
 
 }  // namespace tessera
