@@ -101,14 +101,23 @@ class Measurement {
       const cv::Point at = from + step * i;
       if (!page.contains(at) || label_at(at) == label_at(from)) return;
       if (i < reach_px_ && in_edge(at)) continue;
-      const bool falls = alpha_.at<std::uint8_t>(at) < alpha_.at<std::uint8_t>(from);
       if (alpha_.at<std::uint8_t>(at) < rules_.clear_alpha && !outside_.at<std::uint8_t>(at)) {
         if (i == 1) ++region.fading_in_holes;
         return;
       }
-      ++(i > 1 ? (falls ? region.falling : region.rising) : (falls ? region.fading : region.merging));
+      const int fall = alpha_.at<std::uint8_t>(from) - alpha_.at<std::uint8_t>(at);
+      if (i == 1) ++(fall > 0 ? region.fading : region.merging);
+      if (i > 1) ++(fall > 0 ? falling_border(region, from, at, step) : region.rising);
       return;
     }
+  }
+
+  /// `at`: the first pixel behind an edge. Where it is clear it may be the edge's own last one.
+  int& falling_border(AlphaRegion& region, cv::Point from, cv::Point at, cv::Point step) const {
+    const cv::Point next = cv::Rect({0, 0}, alpha_.size()).contains(at + step) ? at + step : at;
+    const int behind = std::min(alpha_.at<std::uint8_t>(at), alpha_.at<std::uint8_t>(next));
+    const bool is_slight = alpha_.at<std::uint8_t>(from) - behind < rules_.least_fall;
+    return is_slight ? region.slightly_falling : region.falling;
   }
 
   int label_at(cv::Point at) const { return found_.label.at<int>(at); }

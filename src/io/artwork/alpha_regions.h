@@ -22,11 +22,12 @@ struct AlphaRegion {
   double level = 0;      // the mean
   double flat_part = 0;  // of its pixels: no further from the level than 30 % of it
   // How many of its pixels' sides lie on its border, by what is beyond:
-  int fading = 0;           // clear outside, without an edge between
-  int fading_in_holes = 0;  // the same where the clear pixels lie in a hole
-  int falling = 0;          // an edge, and less alpha behind it
-  int rising = 0;           // an edge, and more alpha behind it
-  int merging = 0;          // opaque, without an edge between
+  int fading = 0;            // clear outside, without an edge between
+  int fading_in_holes = 0;   // the same where the clear pixels lie in a hole
+  int falling = 0;           // an edge, and less alpha behind it
+  int slightly_falling = 0;  // the same, where alpha falls by less than RegionRules::least_fall
+  int rising = 0;            // an edge, and more alpha behind it
+  int merging = 0;           // opaque, without an edge between
 };
 
 struct AlphaRegions {
@@ -36,17 +37,17 @@ struct AlphaRegions {
   const AlphaRegion& at(int y, int x) const { return regions[std::size_t(label.at<int>(y, x))]; }
 };
 
-/// Which regions are looked for.
+/// Which regions are looked for. Alpha is of 255.
 struct RegionRules {
-  int clear_alpha;    // of 255: below, a pixel is clear, and belongs to no region
-  double least_step;  // of 255: the range of alpha within 1 px of an edge is this at least
-  bool has_lines =
-      false;  // areas no wider than a line are regions, too; if not, they do not part the regions they cross
+  int clear_alpha;         // below, a pixel is clear, and belongs to no region
+  double least_step;       // the range of alpha within 1 px of an edge is this at least
+  int least_fall;          // a fall of alpha by less is slight: soft shadows may be made of such steps
+  bool has_lines = false;  // areas no wider than a line are regions, too; if not, they part no region that they cross
 };
-inline constexpr RegionRules kPlainRegions{25, 20};
+inline constexpr RegionRules kPlainRegions{25, 20, 0};
 /// So sensitive, the tail of a shadow may join parts that are regions of their own among the plain ones.
-inline constexpr RegionRules kFaintRegions{8, 6};
-inline constexpr RegionRules kFaintLines{8, 6, true};
+inline constexpr RegionRules kFaintRegions{8, 6, 18};
+inline constexpr RegionRules kFaintLines{8, 6, 18, true};
 
 /// `alpha`: CV_8U. `unit_px`: size of a pixel of the source, 1 or more.
 AlphaRegions alpha_regions(const cv::Mat& alpha, int unit_px, const RegionRules& rules);

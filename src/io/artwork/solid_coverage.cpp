@@ -31,18 +31,25 @@ enum class Kind : std::uint8_t { as_opaque, solid, shadow, faint };
 
 bool is_large(const AlphaRegion& region, int unit_px) { return region.core_pixels >= kLeastPixels * unit_px * unit_px; }
 
+int soft_border(const AlphaRegion& region) { return region.fading + region.slightly_falling; }
+
 /// Where a region fades, what is far less opaque than the rest of it is its end.
 int least_counted(const AlphaRegion& region) {
-  const bool has_edges = region.falling >= kAlmostWholly * (region.fading + region.fading_in_holes);
+  const bool has_edges = region.falling >= kAlmostWholly * (soft_border(region) + region.fading_in_holes);
   return has_edges ? 0 : int(region.level / 2);
 }
 
 bool ends_at_edges(const AlphaRegion& region) {
-  return region.falling >= kMostly * region.fading &&
-         (region.flat_part >= kFlatPart || region.falling >= kMostly * (region.fading + region.fading_in_holes));
+  return region.falling >= kMostly * soft_border(region) &&
+         (region.flat_part >= kFlatPart || region.falling >= kMostly * (soft_border(region) + region.fading_in_holes));
 }
 
-Kind kind_by_level(const AlphaRegion& region) { return region.level >= kLeastLevel ? Kind::solid : Kind::faint; }
+/// Of a region that may be solid. All edges of a faint one are slight.
+Kind kind_by_border(const AlphaRegion& region) {
+  if (region.level >= kLeastLevel) return ends_at_edges(region) ? Kind::solid : Kind::as_opaque;
+  const int edges = region.falling + region.slightly_falling;
+  return edges > 0 && edges >= kMostly * region.fading ? Kind::faint : Kind::as_opaque;
+}
 
 /// Fades out on one side, and ends at edges of what is more opaque on the other, or stands alone.
 bool is_shadow_of_body(const AlphaRegion& region) {
@@ -54,7 +61,7 @@ std::vector<Kind> kinds_of(const AlphaRegions& parts, const cv::Mat& alpha, int 
   std::vector<Kind> kinds(parts.regions.size(), Kind::as_opaque);
   for (std::size_t i = 1; i < kinds.size(); ++i) {
     const AlphaRegion& region = parts.regions[i];
-    if (is_large(region, unit_px) && ends_at_edges(region)) kinds[i] = kind_by_level(region);
+    if (is_large(region, unit_px)) kinds[i] = kind_by_border(region);
   }
   const bool any_body =
       std::count(kinds.begin(), kinds.end(), Kind::solid) > 0 || cv::countNonZero(alpha >= kOpaqueAlpha) > 0;
@@ -72,7 +79,7 @@ std::vector<Kind> line_kinds_of(const AlphaRegions& lines, int unit_px) {
     const AlphaRegion& region = lines.regions[i];
     const bool is_flat = region.flat_part >= kFlatPart && region.pixels >= kLeastLinePixels * unit_px * unit_px;
     const bool stands_out = region.falling > 0 && region.falling >= kMostly * region.merging;
-    if (is_flat && stands_out && ends_at_edges(region)) kinds[i] = kind_by_level(region);
+    if (is_flat && stands_out) kinds[i] = kind_by_border(region);
   }
   return kinds;
 }
