@@ -120,10 +120,10 @@ class TemporaryFiles {
 
   void add(const std::string& name, std::span<const std::uint8_t> bytes) {
     between_(names_.size(), all_);
-    names_.push_back(name);
     TemporaryFile file((folder_ / name).string());
     file.write(bytes);
     file.leave();
+    names_.push_back(name);  // what could not be written is not there
   }
   void add(const std::string& name, std::string_view text) { add(name, bytes_of(text)); }
 
