@@ -290,11 +290,11 @@ grep -qE 'warning: [0-9]+ of 15 pieces have the outline of others, and what is o
   fail "no doubt of pieces without a picture"
 echo "ok pictures on the pieces"
 
-# Without them there is much to try: signals and the limit end it, and nothing is written.
+# Without them, in a frame that they do not fill, there is much to try: signals and the limit end it, and nothing is written.
 for ranks in 1 2; do
   launch=()
   [[ $ranks -eq 1 ]] || launch=("$mpirun" --oversubscribe -n "$ranks")
-  "${launch[@]}" "$tessera" puzzle solve grid.h5 --outlines-only --size 902,600 --job many.toml >output 2>errors &
+  "${launch[@]}" "$tessera" puzzle solve grid.h5 --outlines-only --size 902,650 --job many.toml >output 2>errors &
   solving=$!
   sleep 2
   kill -0 $solving 2>/dev/null || fail "it ended before it was interrupted"
@@ -308,7 +308,7 @@ for ranks in 1 2; do
   expect_word 'unfinished, nothing was written: the same command starts again'
   [[ ! -e many.toml && ! -e many_pieces.geojson && ! -e out/many ]] || fail "left something behind"
 done
-run 75 puzzle solve grid.h5 --outlines-only --size 902,600 --job many.toml --time-limit 4
+run 75 puzzle solve grid.h5 --outlines-only --size 902,650 --job many.toml --time-limit 4
 expect_word 'unfinished, nothing was written'
 [[ ! -e many.toml ]] || fail "left a job behind"
 echo "ok interruption"
