@@ -34,7 +34,8 @@ constexpr const char* kExamples =
 
 using Benchmark = std::function<bench::Report(const bench::Setting&)>;
 
-/// What is there already may be a library or a picture.
+/// A report replaces only another report: throws InputError where the file is there and is no JSON, as a library or a
+/// picture is.
 void check_is_report(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return;

@@ -31,8 +31,8 @@ std::string campaign_folder(const CampaignArguments& arguments) {
   return "out/" + std::filesystem::path(arguments.job).stem().string() + "-campaign";
 }
 
-/// Of a collage that is computed and drawn; else nothing. Throws InputError where the folder holds the finished result
-/// of another job, which would be lost.
+/// How the run in this folder ended, if its collage is computed and drawn. Throws InputError where the folder holds the
+/// finished result of another job, which would be lost.
 std::optional<CollageEnd> earlier_end(const std::string& folder, const io::Job& job) {
   const io::EarlierResult earlier = io::find_earlier_result(folder);
   if (!io::is_finished_result_of(earlier, job) || !earlier.whole->drawn) return {};

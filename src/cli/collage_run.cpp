@@ -106,7 +106,8 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
 
 bool relaxes(const CollageArguments& arguments) { return arguments.refined && arguments.refined->relaxes; }
 
-/// What a result's job says was told when it was run; of one that is refined, what it says now and did not say then.
+/// The warning of keys that do nothing in this job. A result that is refined was warned of its keys when it was run: the
+/// warning is empty unless it says something else now.
 std::string idle_keys_warning_of(const CollageArguments& arguments, const io::Job& job) {
   const std::string warning = idle_keys_warning(job);
   if (arguments.refined && warning == idle_keys_warning(arguments.refined->whole.job)) return "";

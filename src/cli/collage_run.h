@@ -38,7 +38,7 @@ enum class CollageEnd {
   not_begun,       // ended before the first round; what was in the folder is there still
 };
 
-/// Nothing is left to compute or to draw.
+/// Whether the run has nothing left to compute or to draw.
 inline bool is_finished(CollageEnd end) { return end == CollageEnd::finished || end == CollageEnd::incomplete; }
 
 /// That of a result that was finished before.

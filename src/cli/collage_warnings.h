@@ -25,7 +25,7 @@ const char* limit_that_ended(const RunStatistics& run);
 std::string empty_result_warning(const std::string& folder, const io::Job& job, const master::CollageResult& result,
                                  const std::vector<std::string>& what_to_try);
 
-/// What a finished result lacks. Empty where it lacks nothing.
+/// The warning that names the pieces which a finished result lacks. Empty where it lacks none.
 std::string incomplete_warning(const std::string& folder, const io::ResultManifest& manifest);
 
 /// Which of the pieces that stand from the start lie in zones that are kept out of; and of those of start.pieces, which

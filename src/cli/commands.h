@@ -16,7 +16,7 @@ namespace tessera::cli {
 struct Command {
   std::function<int()> run = {};  // on rank 0 alone
   std::function<int(comm::Communicator&)> run_on_all_ranks = {};
-  /// What --time-limit was given, for those who wait before the command runs.
+  /// The value of --time-limit, where it is given: MPI's start must keep to it before the command runs.
   std::optional<std::string> time_limit = {};
 };
 

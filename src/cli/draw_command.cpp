@@ -90,7 +90,7 @@ std::string idle_keys_warning(io::Job job, const std::vector<std::string>& keys)
                           job.colour.shift == before.colour.shift ? "" : idle_shift_warning(job)});
 }
 
-/// What is wrong with the palette is said of the option, whatever key it stands for.
+/// Throws InputError that names --palette, not the job key that the option sets, where the palette cannot be read.
 void check_palette(io::Job job, const std::vector<std::string>& keys, const std::string& palette) {
   io::set_drawing_keys(job, keys);
   io::load_palette(job, "--palette " + palette);

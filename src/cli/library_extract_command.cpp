@@ -119,7 +119,7 @@ io::LibraryBuildReport build(const ExtractArguments& arguments, const std::vecto
                            progress);
 }
 
-/// Of files that may not be there yet.
+/// Whether both names lead to one file, which need not be there yet.
 bool is_same_path(const std::string& one, const std::string& other) {
   std::error_code error;
   const auto whole = [&](const std::string& path) {

@@ -145,8 +145,8 @@ void add_commands(CLI::App& app, Command& selected) {
   add_bench_command(app, selected);
 }
 
-/// What the command line asks for. What is wrong with it is told when the command is run, as are --help and --version,
-/// which CLI11 takes for errors too.
+/// The command that the command line asks for. Mistakes in the line become a command that reports them when it is run, and
+/// so do --help and --version, which CLI11 takes for errors, too.
 Command parsed_command(int argc, char** argv) {
   CLI::App app("Collages of shapes, on one machine or a cluster.", "tessera");
   Command selected;

@@ -96,7 +96,7 @@ NestLayout layout_of(Taker in) {
   return layout;
 }
 
-/// What the chains of this rank find and how far they are, by whichever thread: one at a time is let in.
+/// The best layout and the progress of this rank's chains. Several threads may call it: a mutex lets one in at a time.
 class Findings {
  public:
   /// `looked` is called for every piece that is moved.

@@ -27,9 +27,9 @@ sys.exit(not float(sys.argv[2]) <= 100 * fraction <= float(sys.argv[3]))
 PYTHON
 }
 
-[[ $document == *'In all that is 0.2 to 0.5 % of the canvas with pieces of 20 px and more.'* ]] || fail "another sentence"
+[[ $document == *'In all that is 0.15 to 0.5 % of the canvas with pieces of 20 px and more.'* ]] || fail "another sentence"
 expect_overlap 20 0.15 0.5
 [[ $document == *'about 0.8 % with pieces from 8 px, 1 to 2 % from 4 px'* ]] || fail "another sentence"
-expect_overlap 8 0.5 1
+expect_overlap 8 0.6 1
 expect_overlap 4 1 2.2
 echo "ok overlap by size"
