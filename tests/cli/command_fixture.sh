@@ -20,6 +20,7 @@ run_on_ranks() { run_program "$2" "${on_ranks[@]}" "$1" "$tessera" "${@:3}"; } #
 run_program() { # CODES PROGRAM ARGUMENT...
   timeout "$most_s" "${@:2}" >output 2>errors
   code=$?
+  without_launcher_warnings errors
   [[ " $1 " == *" $code "* ]] || fail "exit code $code, not $1: ${*:2}"
 }
 

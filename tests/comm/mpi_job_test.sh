@@ -21,6 +21,7 @@ start() { timeout 60 "${on_ranks[@]}" 3 "$job" "$1" "$folder/$1" 2>"$folder/erro
 expect() {
   start "$1"
   local code=$?
+  without_launcher_warnings "$folder/errors"
   [[ $code == "$2" ]] || fail "$1: exit code $code, not $2"
   if [[ -z $3 ]]; then
     [[ ! -s $folder/errors ]] || fail "$1: errors"

@@ -107,15 +107,22 @@ TEST(Restart, InTheMiddleOfATrialGivesTheSameCollage) {
   CountQuestions count;
   const CollageResult whole = run(improved(), {}, count);
   ASSERT_GT(count.questions, 2 * whole.statistics.trials) << "asked within trials, too";
+  std::size_t runs = 0;
+  std::size_t finished = 0;
   EXPECT_TRUE(rc::check([&] {
     KeepLatest keeper;
     StopAtQuestion stop(*rc::gen::inRange<std::size_t>(1, count.questions));
     const CollageResult interrupted = run(improved(), {}, stop, {nullptr, &keeper});
-    RC_ASSERT(interrupted.unfinished);
+    ++runs;
+    if (!interrupted.unfinished) {  // replacing asks once a millisecond: a faster run asks fewer times than `count`
+      ++finished;
+      return expect_same(interrupted, whole);
+    }
     RC_ASSERT(interrupted.statistics.stopped_by == "signal");
     SilentObserver silent;
     expect_same(run(improved(), {4}, silent, {&keeper.latest, nullptr}), whole);
   }));
+  EXPECT_LT(4 * finished, runs) << "most runs were interrupted";
 }
 
 /// Where hardly anything fits, much of the pool is tried before a piece is chosen.
