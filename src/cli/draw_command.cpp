@@ -160,7 +160,9 @@ bool is_colour(std::string_view text) {
 }
 
 std::string not_a_colour(const std::string& text) {
-  return is_colour(text) || text == io::kNoColour ? "" : "found " + text + ", allowed: #rrggbb or none";
+  return is_colour(text) || text == io::kNoColour || text == io::kImageBackground
+             ? ""
+             : "found " + text + ", allowed: #rrggbb, none or image";
 }
 
 /// A name or a path is for load_palette to judge.
@@ -188,7 +190,8 @@ void add_draw_command(CLI::App& app, Command& selected) {
   draw->add_flag("--png", arguments->request.png, "Draw collage.png");
   draw->add_flag("--pdf", arguments->request.pdf, "Draw collage.pdf");
   draw->add_flag("--tiff", arguments->request.tiff, "Draw collage.tiff: the PNG's picture in tiles and at all sizes");
-  draw->add_option("--background", arguments->background, "Of the canvas, or none; default: output.background")
+  draw->add_option("--background", arguments->background,
+                   "Of the canvas, none, or image: what the pieces show; default: output.background")
       ->type_name("#RRGGBB")
       ->check(not_a_colour);
   draw->add_option("--palette", arguments->palette,

@@ -53,6 +53,8 @@ struct StartSpec {
 
 /// What "none" says of a colour.
 inline constexpr const char* kNoColour = "none";
+/// OutputSpec::background: the picture that the pieces show (colour.image).
+inline constexpr const char* kImageBackground = "image";
 
 /// OutputSpec::clip of artwork that is drawn whole.
 inline constexpr const char* kNoClip = "none";
@@ -69,6 +71,7 @@ struct OutputSpec {
   double width_mm = 0;                 // of the canvas on paper; 0 = the pictures have no physical size
   double dpi = 300;                    // px of collage.png per inch of width_mm
   std::string background = "#f3f0ec";  // of the canvas region, outside it is white; kNoColour: both are transparent
+  double background_light = 0.8;       // what the colours of kImageBackground are multiplied by
   double outline_px = 0;               // width of a line round every piece, px of the canvas; 0 = none
   std::string outline_colour = "#000000";
   double shadow_strength = 0;               // 0 = none, 1 = black

@@ -383,9 +383,13 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
   keys.push_back(with_number({"output", "dpi", number, "px per inch", 1, 4800, {},
                               "with `width_mm`: how finely collage.png is drawn"},
                              FIELD(output.dpi)));
-  keys.push_back(with_text({"output", "background", colour, "", 0, 0, {kNoColour},
-                            "colour of the canvas, outside it is white; `none`: transparent, the outside too"},
+  keys.push_back(with_text({"output", "background", colour, "", 0, 0, {kNoColour, kImageBackground},
+                            "colour of the canvas, outside it is white; `none`: transparent, the outside too; `image`: "
+                            "the picture in `colour.image`"},
                            FIELD(output.background)));
+  keys.push_back(with_number({"output", "background_light", number, "", 0, 1, {},
+                              "with `image`: what its colours are multiplied by; below 1 pieces stand out from it"},
+                             FIELD(output.background_light)));
   keys.push_back(with_text({"output", "ground", file, "", 0, 0, {},
                             "SVG or image, laid over the background in tiles, below the pieces; empty = none"},
                            FIELD(output.ground)));

@@ -277,8 +277,16 @@ void check_start_lists(const Job& job) {
   }
 }
 
+void check_background(const Job& job) {
+  if (job.output.background != kImageBackground) return;
+  const std::string found = job.path + ": output.background: found \"" + kImageBackground + "\"";
+  if (job.colour.image.empty()) throw InputError(found + ", needed with it: colour.image");
+  if (!job.output.ground.empty()) throw InputError(found + " with output.ground, allowed: one of them");
+}
+
 /// What keys say together.
 void check_together(const Job& job) {
+  check_background(job);
   if (job.canvas.keep_out_rectangles.size() > kMostZones) {
     throw InputError(job.path + ": found " + std::to_string(job.canvas.keep_out_rectangles.size()) +
                      " [[keep_out]], allowed: " + std::to_string(kMostZones) + "; canvas.keep_out may show any number");
@@ -340,6 +348,7 @@ bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
   }
   entries.apply_all_but_mm(job);
   entries.apply_mm(job);
+  check_background(job);
   return of_colour;
 }
 

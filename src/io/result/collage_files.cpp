@@ -14,6 +14,7 @@
 #include "io/result/card_output.h"
 #include "io/result/geojson_output.h"
 #include "io/result/result_manifest.h"
+#include "io/result/shown_picture.h"
 
 namespace tessera::io {
 namespace {
@@ -38,6 +39,7 @@ void remove_file(const std::string& path) {
 /// The result of the run before is none any more.
 void withdraw(const std::string& dir) {
   remove_file(in_directory(dir, kManifestName));
+  remove_file(in_directory(dir, kShownPictureName));
   for (const char* picture : kPictureNames) {
     remove_file(in_directory(dir, picture));
     remove_file(temporary_path(in_directory(dir, picture)));
@@ -95,8 +97,8 @@ void prepare_output_directory(const std::string& dir) {
 }
 
 void check_can_be_published(const std::string& dir) {
-  std::vector<const char*> names = {kManifestName,   "pieces.geojson",        "job.toml", "card.json", "card.txt",
-                                    "checkpoint.h5", "checkpoint.previous.h5"};
+  std::vector<const char*> names = {kManifestName, "pieces.geojson",  "job.toml",      "card.json",
+                                    "card.txt",    kShownPictureName, "checkpoint.h5", "checkpoint.previous.h5"};
   names.insert(names.end(), std::begin(kPictureNames), std::end(kPictureNames));
   for (const char* name : names) check_can_be_written(in_directory(dir, name));
 }
@@ -112,7 +114,7 @@ void check_nothing_foreign_is_replaced(const std::string& dir, const std::string
   }
   constexpr const char* kOurs[] = {kManifestName, "run.log", "card.json", "checkpoint.h5", "checkpoint.previous.h5"};
   if (std::any_of(std::begin(kOurs), std::end(kOurs), is_there)) return;
-  std::vector<const char*> names = {"pieces.geojson", "card.txt", "job.toml"};
+  std::vector<const char*> names = {"pieces.geojson", "card.txt", "job.toml", kShownPictureName};
   names.insert(names.end(), std::begin(kPictureNames), std::end(kPictureNames));
   for (const char* name : names) {
     if (!is_there(name)) continue;
@@ -128,6 +130,9 @@ std::string publish_result(const std::string& dir, const CollageReport& report, 
   const std::string job = to_toml(*report.job);
   write_file_atomically(in_directory(dir, "pieces.geojson"), pieces);
   write_file_atomically(in_directory(dir, "job.toml"), job);
+  if (const auto& target = report.job->settings.colour.target) {
+    write_file_atomically(in_directory(dir, kShownPictureName), shown_picture_png(*target, *report.canvas));
+  }
   const ResultManifest manifest = manifest_of(report, origin, finished, pieces, job);
   if (!finished) {
     for (const char* card : {"card.json", "card.txt"}) remove_file(in_directory(dir, card));

@@ -22,18 +22,24 @@ cv::Mat as_in_picture(const cv::Mat& page, cv::Size2d tile_px) {
 
 GroundStrips::GroundStrips(const GroundTile& tile, double picture_px, cv::Size picture) {
   if (tile.page.empty()) return;
+  repeats_ = tile.repeats;
   const cv::Size2d tile_px(tile.size_px.width * picture_px, tile.size_px.height * picture_px);
   tile_ = as_in_picture(tile.page, tile_px);
   height_px_ = tile_px.height;
   for (int x = 0; x < picture.width; ++x) columns_.push_back(place_of(x, tile_px.width, tile_.cols));
 }
 
-GroundStrips::Place GroundStrips::place_of(int at, double tile_px, int tile_cells) {
+GroundStrips::Place GroundStrips::place_of(int at, double tile_px, int tile_cells) const {
   const double tiles = (at + 0.5) / tile_px;
   const double cell = (tiles - std::floor(tiles)) * tile_cells - 0.5;
   const double before = std::floor(cell);
+  const int second_share = int(std::lround((cell - before) * 256));
+  if (!repeats_) {
+    const int last = tile_cells - 1;
+    return {std::clamp(int(before), 0, last), std::clamp(int(before) + 1, 0, last), second_share};
+  }
   const int first = (int(before) + tile_cells) % tile_cells;
-  return {first, (first + 1) % tile_cells, int(std::lround((cell - before) * 256))};
+  return {first, (first + 1) % tile_cells, second_share};
 }
 
 cv::Mat GroundStrips::rows(int top, int count) const {

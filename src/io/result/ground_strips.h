@@ -28,8 +28,9 @@ class GroundStrips {
     int second_share = 0;
   };
 
-  static Place place_of(int at, double tile_px, int tile_cells);
+  Place place_of(int at, double tile_px, int tile_cells) const;
 
+  bool repeats_ = true;
   cv::Mat tile_;          // premultiplied BGRA, as large as in the picture or smaller
   double height_px_ = 0;  // of a tile, px of the picture
   std::vector<Place> columns_;

@@ -1,4 +1,5 @@
-// The picture in output.ground, which pictures show in tiles below the pieces: mortar, sand, cloth.
+// What pictures show below the pieces: the picture in output.ground in tiles (mortar, sand, cloth), or the one that the
+// pieces show (shown_picture.h).
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,9 +12,10 @@
 namespace tessera::io {
 
 struct GroundTile {
-  cv::Mat page;        // premultiplied BGRA; empty: there is none
-  cv::Size2d size_px;  // of a tile, px of the canvas; the first one lies in its upper left corner
-  std::string svg;     // the same as an SVG element, its page as large as svg_size in units of its own
+  cv::Mat page;         // premultiplied BGRA; empty: there is none
+  cv::Size2d size_px;   // of a tile, px of the canvas; the first one lies in its upper left corner
+  bool repeats = true;  // else it covers the canvas, and its edges do not meet
+  std::string svg;      // the same as an SVG element, its page as large as svg_size in units of its own
   cv::Size2d svg_size;
 };
 

@@ -17,6 +17,7 @@
 #include "io/result/keep_out_strips.h"
 #include "io/result/piece_drawing.h"
 #include "io/result/shadow.h"
+#include "io/result/shown_picture.h"
 #include "io/result/sprite_cache.h"
 
 namespace tessera::io {
@@ -85,7 +86,7 @@ class PictureBands {
         size_(picture_size_px(report.job->output, *report.canvas)),
         picture_px_(double(size_.width) / report.canvas->width_px),
         opaque_(report.job->output.background != kNoColour),
-        background_(opaque_ ? bgr_of(report.job->output.background) : cv::Vec3b()),
+        background_(opaque_ ? bgr_of(flat_background(report.job->output)) : cv::Vec3b()),
         line_colour_(bgr_of(report.job->output.outline_colour)),
         ground_(report.ground, picture_px_, size_),
         keep_out_(report.keep_out, picture_px_, size_),

@@ -33,6 +33,7 @@
 #include "io/result/result_file.h"
 #include "io/result/result_manifest.h"
 #include "io/result/run_record.h"
+#include "io/result/shown_picture.h"
 #include "io/result/svg_output.h"
 #include "io/result/tiff_pyramid.h"
 #include "io/result/tone_shift.h"
@@ -295,7 +296,8 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   report.canvas = &canvas.canvas;
   report.canvas_edge = std::move(canvas.drawing.edge);
   report.keep_out = std::move(canvas.drawing.keep_out);
-  report.ground = std::move(canvas.drawing.ground);
+  report.ground = job.output.background == kImageBackground ? image_background(dir, job.output, canvas.canvas)
+                                                            : std::move(canvas.drawing.ground);
   report.placements = placements_of(dir, manifest, library.size());
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
   report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });

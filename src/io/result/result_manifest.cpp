@@ -62,6 +62,7 @@ Json to_json(const DrawnPicture& picture) {
             {"keep_out", output.keep_out},
             {"ground", output.ground},
             {"ground_px", output.ground_px}};
+  if (output.background == kImageBackground) json["background_light"] = output.background_light;
   if (picture.shift > 0) json["shift"] = picture.shift;
   if (picture.harmony) {
     json["harmony"] = {{"template", letter_of(picture.harmony->form)}, {"angle_deg", picture.harmony->angle_deg}};
@@ -81,6 +82,7 @@ OutputSpec output_from_json(const ReadJson& picture) {
   output.width_mm = picture.value("width_mm", output.width_mm);
   output.dpi = picture.value("dpi", output.dpi);
   output.background = picture.at("background");
+  output.background_light = picture.value("background_light", output.background_light);
   output.outline_px = picture.value("outline_px", output.outline_px);
   output.outline_colour = picture.value("outline_colour", output.outline_colour);
   output.shadow_strength = picture.value("shadow_strength", output.shadow_strength);

@@ -11,6 +11,7 @@
 #include "io/parallel_for.h"
 #include "io/result/artwork_original.h"
 #include "io/result/drawn_pieces.h"
+#include "io/result/shown_picture.h"
 #include "io/result/svg_layers.h"
 #include "io/result/svg_path.h"
 #include "io/utf8_text.h"
@@ -64,7 +65,7 @@ constexpr const char* kGroundId = "ground";
 
 /// What the canvas is filled with.
 std::string canvas_fill(const CollageReport& report) {
-  return report.ground.svg.empty() ? report.job->output.background : std::string("url(#") + kGroundId + ")";
+  return report.ground.svg.empty() ? flat_background(report.job->output) : std::string("url(#") + kGroundId + ")";
 }
 
 /// Tiles of the ground, on the background.
@@ -74,7 +75,7 @@ void write_ground_pattern(const CollageReport& report, XmlWriter& svg) {
   const std::string width = fixed(ground.size_px.width, 7), height = fixed(ground.size_px.height, 7);
   svg.raw("\n").start("pattern").attribute("id", kGroundId).attribute("patternUnits", "userSpaceOnUse");
   svg.attribute("width", width).attribute("height", height);
-  const std::string& background = report.job->output.background;
+  const std::string background = flat_background(report.job->output);
   if (background != kNoColour) {
     svg.start("rect").attribute("width", width).attribute("height", height).attribute("fill", background).end();
   }

@@ -1,0 +1,79 @@
+#include "io/result/shown_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <span>
+
+#include "core/base/error.h"
+#include "io/artwork/png_picture.h"
+#include "io/elements/cut_outs.h"
+#include "io/result/result_file.h"
+#include "io/result/svg_image.h"
+
+namespace tessera::io {
+namespace {
+
+constexpr int kLongestSide_px = 1024;
+/// Of such a PNG, and far more.
+constexpr std::size_t kMostBytes = std::size_t(16) << 20;
+constexpr const char* kId = "shown-picture";
+
+/// Lightness, a and b, CV_32FC3.
+cv::Mat lab_picture(const ColourTarget& target, const Canvas& canvas, cv::Size size) {
+  const float width_px = float(canvas.width_px) / float(size.width);
+  const float height_px = float(canvas.height_px) / float(size.height);
+  const int level = target.level_for(std::max(width_px, height_px));
+  cv::Mat lab(size, CV_32FC3);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const Texel texel = target.at(level, {(float(x) + 0.5f) * width_px, (float(y) + 0.5f) * height_px});
+      lab.at<cv::Vec3f>(y, x) = {texel.lightness + 100 * (1 - texel.weight), texel.a, texel.b};
+    }
+  }
+  return lab;
+}
+
+cv::Size size_for(const Canvas& canvas) {
+  const double scale = std::min(1., double(kLongestSide_px) / std::max(canvas.width_px, canvas.height_px));
+  return {std::max(1, cvRound(canvas.width_px * scale)), std::max(1, cvRound(canvas.height_px * scale))};
+}
+
+std::vector<std::uint8_t> kept_picture(const std::string& dir) {
+  if (!is_in_result(dir, kShownPictureName)) {
+    throw InputError("output.background: found \"" + std::string(kImageBackground) + "\", but " +
+                     path_in_result(dir, kShownPictureName) + " is missing; needed: the result of a job with " +
+                     "colour.image, made by this version or a later one");
+  }
+  const std::string text = read_result_file(dir, kShownPictureName, kMostBytes);
+  return {text.begin(), text.end()};
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> shown_picture_png(const ColourTarget& target, const Canvas& canvas) {
+  cv::Mat picture;
+  cv::cvtColor(lab_picture(target, canvas, size_for(canvas)), picture, cv::COLOR_Lab2BGR);
+  picture.convertTo(picture, CV_8U, 255);
+  return png_of(picture);
+}
+
+std::string flat_background(const OutputSpec& output) {
+  return output.background == kImageBackground ? "#ffffff" : output.background;
+}
+
+GroundTile image_background(const std::string& dir, const OutputSpec& output, const Canvas& canvas) {
+  const cv::Mat kept = png_picture(kept_picture(dir), path_in_result(dir, kShownPictureName), kLongestSide_px);
+  cv::Mat bgr;
+  cv::cvtColor(kept, bgr, cv::COLOR_BGRA2BGR);
+  bgr.convertTo(bgr, CV_8U, output.background_light);
+  GroundTile tile;
+  cv::cvtColor(bgr, tile.page, cv::COLOR_BGR2BGRA);  // opaque, so that it is premultiplied, too
+  tile.size_px = cv::Size2d(canvas.width_px, canvas.height_px);
+  tile.repeats = false;
+  tile.svg = svg_image(tile.page, kId);
+  tile.svg_size = tile.page.size();
+  return tile;
+}
+
+}  // namespace tessera::io

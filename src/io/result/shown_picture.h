@@ -1,0 +1,30 @@
+// The picture that a result's pieces show together (colour.image): as the result keeps it, and as what lies between the
+// pieces (output.background = "image"). Gaps in the picture's own colours do not grey it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/colour/colour_target.h"
+#include "core/field/canvas.h"
+#include "io/job/job_file.h"
+#include "io/result/ground_tile.h"
+
+namespace tessera::io {
+
+/// In the folder of a result that shows a picture, so that `tessera draw` does not need the job's own file.
+inline constexpr const char* kShownPictureName = "image.png";
+
+/// The picture over the whole canvas as a PNG, its longest side 1024 px or that of the canvas, whichever is less. What
+/// is transparent in it is white.
+std::vector<std::uint8_t> shown_picture_png(const ColourTarget& target, const Canvas& canvas);
+
+/// Of the canvas, beneath all else: "#rrggbb" or kNoColour. White below a picture, which hides it.
+std::string flat_background(const OutputSpec& output);
+
+/// The picture in the folder `dir`, its colours times output.background_light, as a tile that covers the canvas and does
+/// not repeat. Throws InputError where the folder has none, or where it is damaged.
+GroundTile image_background(const std::string& dir, const OutputSpec& output, const Canvas& canvas);
+
+}  // namespace tessera::io
