@@ -116,7 +116,7 @@ run 1 puzzle solve jigsaw.h5 --out sun.png/result --job huge.toml
 expect_word 'cannot write into the folder sun.png/result: Not a directory'
 [[ ! -e huge.toml ]] || fail "it was solved before the result's folder was tried"
 run 1 puzzle solve jigsaw.h5 --job nowhere/huge.toml --job-only
-expect_word 'cannot write nowhere/huge.toml.lock'
+expect_word 'cannot write nowhere/huge.toml: the folder nowhere: No such file or directory'
 echo "ok without a frame"
 
 # within_frame JOB WIDTH HEIGHT PX PIECES: of what lies, nothing reaches farther beyond the frame.
