@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/count_text.h"
 #include "io/number_text.h"
 #include "io/result/card_lines.h"
 #include "io/result/deformation_table.h"
@@ -232,7 +233,7 @@ std::string missing_lines(const std::vector<MissingShape>& missing) {
   constexpr std::size_t kNameBytes = 32;
   if (missing.empty()) return "";
   std::string text = "Missing\n" + card_line("pieces", grouped(pieces_of(missing)) + " of " + grouped(missing.size()) +
-                                                           (missing.size() == 1 ? " shape" : " shapes"));
+                                                           " " + by_count(missing.size(), "shape", "shapes"));
   for (std::size_t i = 0; i < std::min(missing.size(), kShapes); ++i) {
     MissingShape shown = missing[i];
     shown.name = cut_utf8(shown.name, kNameBytes);
