@@ -196,12 +196,12 @@ expect_word ' pieces found no place in the frame: piece_'
 # All pieces fit each other: it is the frame that has another shape.
 expect_word '; without a frame all of them fit each other: the frame of 420 x 480 px has another shape or size than the puzzle, which takes '
 grep -qE 'takes (639|640|641) x (479|480|481) px|takes (479|480|481) x (639|640|641) px' errors || fail "not the puzzle's size"
-run 3 puzzle solve jigsaw.h5 --size 640,640 --job square.toml --job-only
-expect_word 'the frame of 640 x 640 px has another shape or size than the puzzle'
-! grep -q -- '--scale' errors || fail "advises --scale where the frame has another shape"
 placed=$(sed -n 's/^small.toml: \([0-9]*\) of 12 pieces on 420 x 480 px.*/\1/p' output)
 ((placed >= 6)) || fail "$placed pieces in a frame that has room for eight"
 within_frame small 420 480 2 "$placed" || fail "pieces leave a frame that is too small"
+run 3 puzzle solve jigsaw.h5 --size 640,640 --job square.toml --job-only
+expect_word 'the frame of 640 x 640 px has another shape or size than the puzzle'
+! grep -q -- '--scale' errors || fail "advises --scale where the frame has another shape"
 echo "ok pieces missing or foreign"
 
 # A shape is cut along its outline, in its colours; it is the frame, too, at any size.
