@@ -50,6 +50,10 @@ std::string idle_shift_warning(const io::Job& job);
 /// in it; or they are few.
 std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool one_colour);
 
+/// Where canvas.file, or the file of canvas.keep_out, draws an outline alone (io/job/canvas_enclosure.h): only its line
+/// counts. Empty else, and where regions are told by their colours.
+std::string outline_alone_warning(const io::Job& job, const Canvas& canvas);
+
 /// Where pieces are to be relaxed and will not: why. Empty where they will.
 std::string idle_relaxing_warning(const io::Job& job);
 
