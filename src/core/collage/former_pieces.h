@@ -22,8 +22,8 @@ struct TakenOut {
 
 /// Of each of `pieces` whether something else may come in for it, beside the given pieces of the settings: a shape of
 /// another silhouette, by weights, regions and uses. Not where its own least uses want it again: all others wait
-/// then. `silhouettes`, `drawings`: for each shape of the library the first one that looks like it, and the one that it is the
-/// mirror image of.
+/// then. `silhouettes`, `drawings`: for each shape of the library the first one that looks like it, and the one that it
+/// is the mirror image of.
 std::vector<bool> others_may_come_in(const std::vector<TakenOut>& pieces, const CollageSettings& settings,
                                      const std::vector<std::uint32_t>& silhouettes,
                                      const std::vector<std::uint32_t>& drawings);
