@@ -175,6 +175,8 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   journal->warn(used_up_warning(input.job, input.canvas, result));
   if (relaxes(arguments)) journal->warn(nothing_gained_warning(input.job, result));
   journal->warn(empty_room_warning(input.job, result));
+  if (!input.job.start.removed.empty())
+    journal->warn(come_back_warning(input.job, input.canvas, result, input.library.variant_of()));
   journal->keep_warning(checkpoints.warning());
   const io::RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
   if (leaves_older_result(input, result)) {

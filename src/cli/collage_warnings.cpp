@@ -8,6 +8,7 @@
 #include "cli/key_text.h"
 #include "cli/terminal.h"
 #include "core/base/count_text.h"
+#include "core/collage/former_pieces.h"
 #include "core/collage/standing_check.h"
 #include "io/job/canvas_enclosure.h"
 #include "io/job/job_keys.h"
@@ -214,6 +215,24 @@ std::string empty_room_warning(const io::Job& job, const master::CollageResult& 
   if (removed == 0 || result.unfinished || result.placements.size() > job.settings.wishes.given.size()) return "";
   return "nothing came in for the " + count_text(removed, "piece") +
          " of start.remove: no shape that may stand there fits, or a limit of [stop] was reached";
+}
+
+std::string come_back_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result,
+                              const std::vector<std::uint32_t>& silhouettes) {
+  if (result.unfinished) return "";
+  const std::size_t standing = std::min(job.settings.wishes.given.size(), result.placements.size());
+  const std::vector<GivenPiece>& removed = job.start.removed;
+  const auto back = std::count_if(removed.begin(), removed.end(), [&](const GivenPiece& piece) {
+    return std::any_of(result.placements.begin() + std::ptrdiff_t(standing), result.placements.end(),
+                       [&](const Placement& p) {
+                         return silhouettes[index_of(p.shape)] == silhouettes[index_of(piece.shape)] &&
+                                lies_where_it_lay(piece.canvas_from_shape, p.canvas_from_shape, canvas.period);
+                       });
+  });
+  if (back == 0) return "";
+  return std::to_string(back) + " of " + count_text(removed.size(), "piece") +
+         " that went came back to where they lay: no other drawing may come in for them, by the library, " +
+         "[[shapes]] and pieces.uses";
 }
 
 std::string nothing_gained_warning(const io::Job& job, const master::CollageResult& result) {

@@ -163,6 +163,15 @@ void remove_stale_lock(const std::string& path) {
   }
 }
 
+std::string holder_of_lock(const std::string& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  struct flock whole_file = {};
+  whole_file.l_type = F_WRLCK;
+  whole_file.l_whence = SEEK_SET;
+  const bool held = file.is_open() && fcntl(file.number(), F_GETLK, &whole_file) == 0 && whole_file.l_type != F_UNLCK;
+  return held ? description(read_holder(file.number())) : "";
+}
+
 std::string folder_lock_path(const std::string& folder) { return std::filesystem::path(folder) / "run.lock"; }
 
 }  // namespace tessera::io
