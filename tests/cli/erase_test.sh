@@ -176,7 +176,7 @@ run 0 library build alone -o alone.h5
 sed "s/own.h5/alone.h5/; /^\[\[given/,/^rotation_deg/d" job.toml >alone.toml
 run 0 collage alone.toml --out beans --quiet
 same_on_3_ranks beans_erased refine beans --pieces 0 --quiet
-expect_word 'warning: 1 of 1 pieces that went came back to where they lay: no other drawing may come in for them'
+expect_word 'warning: 1 of 1 piece that went came back to where they lay: no other drawing may come in for them'
 echo "ok not back"
 
 # Each knows the bytes of what it began from.
