@@ -11,6 +11,7 @@
 #include "bench/line_plot.h"
 #include "bench/program_run.h"
 #include "bench/scaling_case.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/number_text.h"
@@ -226,10 +227,9 @@ std::string case_rows(const std::vector<Compared>& series, bool weak) {
     const double growth = weak ? c.more_workers() : 1;  // of the work
     const double speed_up = growth * loop_s(*c.base) / loop_s(*c.run);
     const double quiet_speed_up = growth * undisturbed_s(*c.base) / undisturbed_s(*c.run);
-    table.add({std::to_string(c.run->workers) + (c.run->workers == 1 ? " worker" : " workers"),
-               std::to_string(c.run->shapes), io::fixed(loop_s(*c.run), 3), io::fixed(speed_up, 2),
-               io::fixed(speed_up / c.more_workers(), 2), io::fixed(undisturbed_s(*c.run), 3),
-               io::fixed(quiet_speed_up, 2), io::fixed(master_percent(*c.run), 1),
+    table.add({count_text(std::size_t(c.run->workers), "worker"), std::to_string(c.run->shapes),
+               io::fixed(loop_s(*c.run), 3), io::fixed(speed_up, 2), io::fixed(speed_up / c.more_workers(), 2),
+               io::fixed(undisturbed_s(*c.run), 3), io::fixed(quiet_speed_up, 2), io::fixed(master_percent(*c.run), 1),
                io::fixed(undisturbed_master_percent(*c.run), 1)});
   }
   return table.text();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "core/base/count_text.h"
 #include "core/base/split_text.h"
 #include "io/utf8_text.h"
 
@@ -74,9 +75,9 @@ std::string build_summary(const io::LibraryBuildReport& report) {
             std::to_string(report.faint.size()) + ": " + first_names(report.faint) + "\n";
   }
   if (!report.hollow.empty()) {
-    text += std::to_string(report.hollow.size()) +
-            " enclose twice what they cover or more, which leaves gaps; --fill-holes counts it as theirs: " +
-            first_names(report.hollow) + "\n";
+    text += count_text(report.hollow.size(), "encloses twice what it covers", "enclose twice what they cover") +
+            " or more, which leaves gaps; --fill-holes counts it as " +
+            by_count(report.hollow.size(), "its own", "theirs") + ": " + first_names(report.hollow) + "\n";
   }
   if (!report.merged.empty()) text += merged_lines(report.merged);
   if (!report.skipped.empty()) text += skipped_lines(report.skipped);
@@ -84,8 +85,7 @@ std::string build_summary(const io::LibraryBuildReport& report) {
 }
 
 std::string build_counts(const io::LibraryBuildReport& report) {
-  std::string text = std::to_string(report.files) + (report.files == 1 ? " file" : " files") + ": " +
-                     std::to_string(report.shapes) + (report.shapes == 1 ? " shape" : " shapes");
+  std::string text = count_text(report.files, "file") + ": " + count_text(report.shapes, "shape");
   if (!report.merged.empty()) text += ", " + std::to_string(report.merged.size()) + " merged with these";
   if (!report.skipped.empty()) text += ", " + std::to_string(report.skipped.size()) + " skipped";
   return text;

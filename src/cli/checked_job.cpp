@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/collage/former_pieces.h"
+#include "core/collage/region_below.h"
 #include "core/field/room.h"
 #include "core/matching/sized_settings.h"
 #include "io/job/canvas_file.h"
@@ -15,16 +17,43 @@
 
 namespace tessera::cli {
 
-double limit_to_room(const io::ShapeLibrary& library, const io::Job& job, Canvas& canvas) {
-  if (job.start.removed.empty()) return 1;
+namespace {
+
+std::map<ShapeId, Outline> outlines_of(const std::vector<GivenPiece>& pieces, const io::ShapeLibrary& library) {
   constexpr io::LibraryParts kOutlines{.outline = true, .field = false, .levels = 0, .artwork = false};
   std::map<ShapeId, Outline> outlines;
-  std::vector<PieceThatLay> lay;
-  for (const GivenPiece& piece : job.start.removed) {
+  for (const GivenPiece& piece : pieces) {
     const auto [at, is_new] = outlines.try_emplace(piece.shape);
     const std::uint32_t i = index_of(piece.shape);
     if (is_new) at->second = std::move(library.read(i, i + 1, kOutlines).front().outline);
-    lay.push_back({&at->second, piece.canvas_from_shape});
+  }
+  return outlines;
+}
+
+}  // namespace
+
+void keep_removed_from_coming_back(const io::ShapeLibrary& library, const Canvas& canvas, io::Job& job) {
+  const std::vector<GivenPiece>& removed = job.start.removed;
+  if (removed.empty()) return;
+  const std::map<ShapeId, Outline> outlines = outlines_of(removed, library);
+  std::vector<TakenOut> pieces;
+  for (const GivenPiece& piece : removed) {
+    const bool one_region = canvas.regions.size() < 2;
+    const Outline& outline = outlines.at(piece.shape);
+    pieces.push_back({piece.shape, one_region ? 0 : region_below(canvas, outline, piece.canvas_from_shape)});
+  }
+  const std::vector<bool> others = others_may_come_in(pieces, job.settings, library.variant_of(), library.drawings());
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    if (others[i]) job.settings.wishes.not_back.push_back({removed[i].shape, removed[i].canvas_from_shape});
+  }
+}
+
+double limit_to_room(const io::ShapeLibrary& library, const io::Job& job, Canvas& canvas) {
+  if (job.start.removed.empty()) return 1;
+  const std::map<ShapeId, Outline> outlines = outlines_of(job.start.removed, library);
+  std::vector<PieceThatLay> lay;
+  for (const GivenPiece& piece : job.start.removed) {
+    lay.push_back({&outlines.at(piece.shape), piece.canvas_from_shape});
   }
   fill_only_where_they_lay(lay, job.settings.pieces.min_scale_px, canvas);
   double area_px2 = 0;

@@ -60,6 +60,7 @@ CollageInput::CollageInput(const CollageArguments& arguments)
       canvas(checked_canvas(library, job)),
       origin(checked_origin(arguments, job, library, canvas)),
       lock(locked_folder(folder), folder) {
+  keep_removed_from_coming_back(library, canvas, job);
   room_part = limit_to_room(library, job, canvas);
   io::check_start_is_elsewhere(job, folder);
   io::check_nothing_foreign_is_replaced(folder, arguments.job);

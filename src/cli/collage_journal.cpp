@@ -1,6 +1,7 @@
 #include "cli/collage_journal.h"
 
 #include "cli/collage_warnings.h"
+#include "core/base/count_text.h"
 #include "io/utc_time.h"
 
 namespace tessera::cli {
@@ -26,7 +27,7 @@ void CollageJournal::ranks_are(std::vector<RankSite> sites) {
 void CollageJournal::resumed(const CheckpointState& from) {
   record_.resumed_from = from.name;
   record_.resumed_pieces = from.placements.size();
-  log_.info("going on from " + record_.resumed_from + ", " + std::to_string(record_.resumed_pieces) + " pieces");
+  log_.info("going on from " + record_.resumed_from + ", " + count_text(record_.resumed_pieces, "piece"));
 }
 
 void CollageJournal::warn(const std::string& warning) {
@@ -42,7 +43,7 @@ void CollageJournal::keep_warning(const std::string& warning) {
 
 const io::RunRecord& CollageJournal::ended(const std::string& stopped_by, std::size_t pieces) {
   record_.ended_utc = io::utc_now();
-  log_.info("end: stopped by " + stopped_by + ", " + std::to_string(pieces) + " pieces");
+  log_.info("end: stopped by " + stopped_by + ", " + count_text(pieces, "piece"));
   return record_;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "comm/stop_signals.h"
+#include "core/base/count_text.h"
 
 namespace tessera::cli {
 namespace {
@@ -32,7 +33,7 @@ const char* CollageProgress::stop_requested() {
 
 std::string progress_note(const master::Progress& progress) {
   char text[120];
-  const std::string pieces = std::to_string(progress.pieces) + (progress.pieces == 1 ? " piece" : " pieces");
+  const std::string pieces = count_text(std::size_t(progress.pieces), "piece");
   if (progress.trials > 0) {
     std::snprintf(text, sizeof text, "%s, %.1f %% covered, trial %llu", pieces.c_str(), 100 * progress.coverage,
                   static_cast<unsigned long long>(progress.trials));

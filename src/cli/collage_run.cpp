@@ -25,6 +25,7 @@
 #include "comm/replacer_team.h"
 #include "comm/stop_signals.h"
 #include "comm/worker_team.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/base/version.h"
@@ -95,7 +96,7 @@ master::CollageResult run_loop(const CollageArguments& arguments, const CollageI
                                Matcher& matcher, Replacer& replacer, ShapeSource& shapes,
                                CollageCheckpoints& checkpoints) {
   const CheckpointState* from = input.from ? &*input.from : nullptr;
-  if (from) say(arguments, "going on from " + from->name + ", " + std::to_string(from->placements.size()) + " pieces");
+  if (from) say(arguments, "going on from " + from->name + ", " + count_text(from->placements.size(), "piece"));
   const CollageSettings settings = settings_of(input);
   CollageProgress progress(settings, arguments.quiet, limit);
   master::CollageResult result =
@@ -131,6 +132,12 @@ std::string unable_library_warning_of(const CollageArguments& arguments, const C
   return unable_library_warning(input.job, input.library.size(), io::is_of_one_colour(input.library));
 }
 
+/// A canvas of which only the room of removed pieces is filled says nothing of the drawing; the result that is refined
+/// was warned.
+std::string outline_alone_warning_of(const CollageArguments& arguments, const CollageInput& input) {
+  return arguments.refined || input.room_part < 1 ? "" : outline_alone_warning(input.job, input.canvas);
+}
+
 /// From the empty canvas or a checkpoint to the result without its pictures.
 CollageEnd compute(const CollageArguments& arguments, const CollageInput& input, const TimeLimit& limit,
                    comm::Communicator& ranks, const std::shared_ptr<CollageJournal>& journal) {
@@ -138,6 +145,7 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   journal->warn(replaced_result_warning(input.earlier, input.job));
   journal->warn(idle_keys_warning_of(arguments, input.job));
   journal->warn(unable_library_warning_of(arguments, input));
+  journal->warn(outline_alone_warning_of(arguments, input));
   if (!arguments.refined) journal->warn(standing_warning_of(input));  // a result's pieces lie as it put them
   if (relaxes(arguments)) journal->warn(idle_relaxing_warning(input.job));
   journal->warn(short_limit_warning(limit.seconds(), leaving_s(ranks)));
@@ -167,6 +175,8 @@ CollageEnd compute(const CollageArguments& arguments, const CollageInput& input,
   journal->warn(used_up_warning(input.job, input.canvas, result));
   if (relaxes(arguments)) journal->warn(nothing_gained_warning(input.job, result));
   journal->warn(empty_room_warning(input.job, result));
+  if (!input.job.start.removed.empty())
+    journal->warn(come_back_warning(input.job, input.canvas, result, input.library.variant_of()));
   journal->keep_warning(checkpoints.warning());
   const io::RunRecord& record = journal->ended(result.statistics.stopped_by, result.placements.size());
   if (leaves_older_result(input, result)) {

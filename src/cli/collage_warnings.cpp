@@ -7,10 +7,14 @@
 
 #include "cli/key_text.h"
 #include "cli/terminal.h"
+#include "core/base/count_text.h"
+#include "core/collage/former_pieces.h"
 #include "core/collage/standing_check.h"
+#include "io/job/canvas_enclosure.h"
 #include "io/job/job_keys.h"
 #include "io/job/job_tables.h"
 #include "io/job/job_value.h"
+#include "io/number_text.h"
 #include "master/relaxing.h"
 #include "master/replacing.h"
 
@@ -32,8 +36,8 @@ std::string those_that_lie(const std::vector<std::size_t>& found, std::size_t be
   const auto first = std::lower_bound(found.begin(), found.end(), begin);
   const auto last = std::lower_bound(found.begin(), found.end(), end);
   if (first == last) return "";
-  return std::to_string(last - first) + " lie " + where + ", the first is number " + std::to_string(*first - begin) +
-         ", \"" + name(*first) + "\"";
+  return count_text(std::size_t(last - first), "lies", "lie") + " " + where + ", the first is number " +
+         std::to_string(*first - begin) + ", \"" + name(*first) + "\"";
 }
 
 std::string text_of(master::NoRelaxing reason, const io::Job& job) {
@@ -51,6 +55,14 @@ std::string text_of(master::NoRelaxing reason, const io::Job& job) {
       "sizes from %g to %g px are allowed (pieces.scale_px), and for that the largest is %g times the smallest at most",
       double(pieces.min_scale_px), double(pieces.max_scale_px), double(master::kMostRelaxedSizeRatio));
   return text;
+}
+
+/// `covered`: part of what the drawing encloses; `used`: what is done with it. Empty where it is no outline alone.
+std::string outline_text(const std::string& key, const std::string& file, double covered, const std::string& used) {
+  if (covered >= io::kOutlineAlone) return "";
+  const std::string percent = covered < 0.01 ? "less than 1" : io::fixed(100 * covered, 0);
+  return key + ": " + file + ": the drawing covers " + percent + " % of what it encloses, so that only its lines are " +
+         used + "; fill its path in the drawing (in an SVG fill=\"black\" instead of \"none\") if the whole was meant";
 }
 
 std::string idle_deform_warning(const io::Job& job) {
@@ -99,8 +111,7 @@ std::string empty_result_warning(const std::string& folder, const io::Job& job, 
 std::string incomplete_warning(const std::string& folder, const io::ResultManifest& manifest) {
   if (manifest.complete()) return "";
   if (manifest.shapes.empty()) return folder + ": the collage is empty; run.log says why";
-  return folder + ": " + std::to_string(manifest.missing) + (manifest.missing == 1 ? " piece is" : " pieces are") +
-         " missing; card.txt names them";
+  return folder + ": " + count_text(manifest.missing, "piece is", "pieces are") + " missing; card.txt names them";
 }
 
 std::string used_up_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result) {
@@ -180,8 +191,18 @@ std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool 
            "\"palette\" draws them in the colours of the palette that are nearest to it";
   }
   if (shapes >= kFew || job.colour.pieces == "palette") return "";
-  return "a library of " + std::to_string(shapes) +
-         " shapes has few colours to show colour.image; photos take 500 and more";
+  return "a library of " + count_text(shapes, "shape") +
+         " has few colours to show colour.image; photos take 500 and more";
+}
+
+std::string outline_alone_warning(const io::Job& job, const Canvas& canvas) {
+  const io::CanvasSpec& spec = job.canvas;
+  std::vector<std::string> warnings;
+  if (!spec.file.empty() && spec.region_colours.empty())
+    warnings.push_back(outline_text("canvas.file", spec.file, io::covered_part_of_enclosed(canvas), "filled"));
+  if (!spec.keep_out.empty() && spec.keep_out_rectangles.empty())
+    warnings.push_back(outline_text("canvas.keep_out", spec.keep_out, io::zones_part_of_enclosed(canvas), "kept free"));
+  return joined_warnings(warnings);
 }
 
 std::string idle_relaxing_warning(const io::Job& job) {
@@ -192,8 +213,26 @@ std::string idle_relaxing_warning(const io::Job& job) {
 std::string empty_room_warning(const io::Job& job, const master::CollageResult& result) {
   const std::size_t removed = job.start.removed.size();
   if (removed == 0 || result.unfinished || result.placements.size() > job.settings.wishes.given.size()) return "";
-  return "nothing came in for the " + std::to_string(removed) + (removed == 1 ? " piece" : " pieces") +
+  return "nothing came in for the " + count_text(removed, "piece") +
          " of start.remove: no shape that may stand there fits, or a limit of [stop] was reached";
+}
+
+std::string come_back_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result,
+                              const std::vector<std::uint32_t>& silhouettes) {
+  if (result.unfinished) return "";
+  const std::size_t standing = std::min(job.settings.wishes.given.size(), result.placements.size());
+  const std::vector<GivenPiece>& removed = job.start.removed;
+  const auto back = std::count_if(removed.begin(), removed.end(), [&](const GivenPiece& piece) {
+    return std::any_of(result.placements.begin() + std::ptrdiff_t(standing), result.placements.end(),
+                       [&](const Placement& p) {
+                         return silhouettes[index_of(p.shape)] == silhouettes[index_of(piece.shape)] &&
+                                lies_where_it_lay(piece.canvas_from_shape, p.canvas_from_shape, canvas.period);
+                       });
+  });
+  if (back == 0) return "";
+  return std::to_string(back) + " of " + count_text(removed.size(), "piece") +
+         " that went came back to where they lay: no other drawing may come in for them, by the library, " +
+         "[[shapes]] and pieces.uses";
 }
 
 std::string nothing_gained_warning(const io::Job& job, const master::CollageResult& result) {

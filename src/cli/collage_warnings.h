@@ -50,6 +50,10 @@ std::string idle_shift_warning(const io::Job& job);
 /// in it; or they are few.
 std::string unable_library_warning(const io::Job& job, std::size_t shapes, bool one_colour);
 
+/// Where canvas.file, or the file of canvas.keep_out, draws an outline alone (io/job/canvas_enclosure.h): only its line
+/// counts. Empty else, and where regions are told by their colours.
+std::string outline_alone_warning(const io::Job& job, const Canvas& canvas);
+
 /// Where pieces are to be relaxed and will not: why. Empty where they will.
 std::string idle_relaxing_warning(const io::Job& job);
 
@@ -58,6 +62,11 @@ std::string nothing_gained_warning(const io::Job& job, const master::CollageResu
 
 /// Where pieces were removed and none came in for them. Empty else, and where the run may still go on.
 std::string empty_room_warning(const io::Job& job, const master::CollageResult& result);
+
+/// Of pieces of start.remove that came back to where they lay, as nothing else may come in. `silhouettes`: for each
+/// shape of the library the first one that looks like it.
+std::string come_back_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result,
+                              const std::vector<std::uint32_t>& silhouettes);
 
 /// Those that say something, with semicolons between them.
 std::string joined_warnings(const std::vector<std::string>& warnings);

@@ -76,7 +76,7 @@ io::Job job_of_result(const std::string& folder) {
   try {
     return io::read_result(folder).job;
   } catch (const InputError& error) {
-    if (!io::CheckpointFolder(folder).has_any()) throw;
+    if (!io::CheckpointFolder(folder).has_any() || !io::holder_of_lock(io::folder_lock_path(folder)).empty()) throw;
     throw InputError(std::string(error.what()) +
                      "; a checkpoint is there: tessera collage with --resume makes the result");
   }

@@ -40,15 +40,33 @@ std::vector<int> loose(const std::string& option, std::vector<int> pieces, const
                    ", needed: one at least that is not locked");
 }
 
-std::vector<int> in_box(const std::vector<float>& px, const std::vector<io::PlacedPiece>& all) {
-  return io::pieces_in({{px[0], px[1]}, {px[0] + px[2], px[1] + px[3]}}, all);
+std::vector<int> in_box(const std::string& option, const std::vector<float>& px, const io::Job& job,
+                        const std::vector<io::PlacedPiece>& all) {
+  const std::vector<int> found = io::pieces_in({{px[0], px[1]}, {px[0] + px[2], px[1] + px[3]}}, all);
+  if (!found.empty()) return loose(option, found, all);
+  const Canvas canvas = io::canvas_of(job);
+  throw InputError(
+      option + ": found no piece with its centre in it; the canvas is " + std::to_string(canvas.width_px) + " x " +
+      std::to_string(canvas.height_px) +
+      " px, and X,Y,W,H are px of the canvas, not of collage.png: \"x_px\" and \"y_px\" in pieces.geojson");
 }
 
 std::vector<int> under_mask(const std::string& mask, const std::string& folder, const io::Job& job) {
+  constexpr double kWholly = 0.5;     // of a piece
+  constexpr double kNearlyAll = 0.9;  // of the pieces
   const Canvas canvas = io::canvas_of(job);
-  const Grid<float> marked = io::erasing_mask(mask, "--erase", canvas);
+  const io::ErasingMask marked = io::erasing_mask(mask, "--erase", canvas, io::path_in_result(folder, "collage.png"));
   const std::string file = io::path_in_result(folder, "pieces.geojson");
-  return io::pieces_under(marked, io::read_polygon_pieces(file, canvas), canvas);
+  const std::vector<JudgedPiece> pieces = io::read_polygon_pieces(file, canvas);
+  const std::vector<int> touched = io::pieces_under(marked.cells, pieces, canvas);
+  const std::size_t covered = io::pieces_under(marked.cells, pieces, canvas, kWholly).size();
+  if (marked.is_opaque && covered > 1 && double(covered) >= kNearlyAll * double(pieces.size())) {
+    throw InputError("--erase " + mask + ": an opaque picture that covers " + std::to_string(covered) + " of " +
+                     std::to_string(pieces.size()) +
+                     " pieces; needed: what is drawn over the pieces that are to go, alone on a transparent or plain " +
+                     "page, or painted over a copy of collage.png");
+  }
+  return touched;
 }
 
 }  // namespace
@@ -70,7 +88,7 @@ std::vector<int> erased_pieces(const EraseArguments& arguments, const std::strin
   if (!arguments.pieces.empty()) return numbered("--pieces", arguments.pieces, all);
   if (!arguments.swapped.empty()) return numbered("--swap", arguments.swapped, all);
   if (!arguments.box_px.empty()) {
-    return loose("--box " + text_of(arguments.box_px), in_box(arguments.box_px, all), all);
+    return in_box("--box " + text_of(arguments.box_px), arguments.box_px, job, all);
   }
   return loose("--erase " + arguments.mask, under_mask(arguments.mask, folder, job), all);
 }

@@ -13,6 +13,7 @@
 #include "cli/progress_bar.h"
 #include "cli/terminal.h"
 #include "comm/stop_signals.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/available_cores.h"
@@ -44,7 +45,7 @@ struct BuildArguments {
 io::LibraryBuildReport build_with_progress(const BuildArguments& arguments, const io::ArtworkFiles& files) {
   ProgressBar bar("library", files.paths.size());
   const io::BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
-    bar.update(done, std::to_string(shapes) + " shapes");
+    bar.update(done, count_text(shapes, "shape"));
   };
   io::Drawers drawers({.processes = arguments.settings.files_at_a_time});
   const io::LibraryBuildReport report = io::build_library(

@@ -13,6 +13,7 @@
 #include "cli/library_output.h"
 #include "cli/progress_bar.h"
 #include "cli/terminal.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/available_cores.h"
@@ -52,7 +53,7 @@ struct ExtractArguments {
 std::string counts_text(const io::Extraction& extraction, const io::ExtractionSettings& settings) {
   const io::FoundElements& found = extraction.found;
   const std::size_t count = found.elements.size();
-  std::string text = std::to_string(count) + (count == 1 ? " element" : " elements");
+  std::string text = count_text(count, "element");
   const auto add = [&](std::size_t left_out, const char* why) {
     if (left_out > 0) text += ", " + std::to_string(left_out) + " " + why;
   };
@@ -108,7 +109,7 @@ io::LibraryBuildReport build(const ExtractArguments& arguments, const std::vecto
                              io::Drawers& drawers) {
   ProgressBar bar("library", cut_outs.size());
   const io::BuildProgress progress = [&](std::size_t done, std::size_t shapes) {
-    bar.update(done, std::to_string(shapes) + " shapes");
+    bar.update(done, count_text(shapes, "shape"));
   };
   io::LibraryBuildSettings settings;
   settings.files_at_a_time = io::available_cores();
@@ -235,7 +236,7 @@ int run(ExtractArguments arguments) {
   const io::LibraryBuildReport report = build(arguments, cut_outs, drawers);
   print_lines(build_summary(report));
   if (!report.written) throw InputError(arguments.output + " was not written: no element has a usable silhouette");
-  print_line("%s, %zu shapes, %.1f MB", arguments.output.c_str(), report.shapes,
+  print_line("%s, %s, %.1f MB", arguments.output.c_str(), count_text(report.shapes, "shape").c_str(),
              double(std::filesystem::file_size(arguments.output)) * 1e-6);
   return 0;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/terminal.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/library/contact_sheet.h"
@@ -36,7 +37,7 @@ void print_counts(const io::LibraryFile& library, const io::LibrarySummary& summ
   const PadParameters pad = library.pad_parameters();
   print_line("library         %s", library.path().c_str());
   print_line("shapes          %zu", summary.shapes);
-  print_line("curves          %zu (%zu holes)", summary.curves, summary.curves - summary.shapes);
+  print_line("curves          %zu (%s)", summary.curves, count_text(summary.curves - summary.shapes, "hole").c_str());
   print_line("outline points  %zu", summary.outline_points);
   print_line("samples         %zu (%zu a shape)", summary.shapes * samples_per_shape(), samples_per_shape());
   print_line("PAD             n = %d, delta_tau = %g rad", pad.levels, double(pad.delta_tau));
@@ -88,7 +89,7 @@ int run(const InfoArguments& arguments) {
   if (arguments.sheet.empty()) return 0;
   const std::size_t shown = io::write_contact_sheet(library, arguments.sheet);
   print_lines("\n");
-  print_line("%s: %zu shapes", arguments.sheet.c_str(), shown);
+  print_line("%s: %s", arguments.sheet.c_str(), count_text(shown, "shape").c_str());
   return 0;
 }
 

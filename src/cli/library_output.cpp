@@ -6,6 +6,7 @@
 #include "cli/progress_bar.h"
 #include "cli/terminal.h"
 #include "comm/stop_signals.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/atomic_file.h"
 #include "io/library/left_out_list.h"
@@ -73,8 +74,8 @@ void copy_to_library(const io::LibraryChoice& choice, const std::string& output)
   io::write_left_out_list(output, report);
   print_lines(build_summary(report));
   if (!report.merged.empty()) print_line("all that was left out: %s", io::left_out_path(output).c_str());
-  print_line("%s, %.1f MB, %zu %s", output.c_str(), double(std::filesystem::file_size(output)) * 1e-6, report.shapes,
-             report.shapes == 1 ? "shape" : "shapes");
+  print_line("%s, %.1f MB, %s", output.c_str(), double(std::filesystem::file_size(output)) * 1e-6,
+             count_text(report.shapes, "shape").c_str());
 }
 
 }  // namespace tessera::cli

@@ -9,6 +9,7 @@
 
 #include "cli/library_info_command.h"
 #include "cli/terminal.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/style/style_groups.h"
 #include "io/library/library_file.h"
@@ -96,7 +97,7 @@ int run(const StylesArguments& arguments) {
   if (arguments.sheet.empty()) return 0;
   const std::size_t shown = io::write_style_sheet(library, groups, arguments.sheet);
   print_lines("\n");
-  print_line("%s: %zu shapes", arguments.sheet.c_str(), shown);
+  print_line("%s: %s", arguments.sheet.c_str(), count_text(shown, "shape").c_str());
   return 0;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/job_output.h"
 #include "cli/terminal.h"
 #include "comm/stop_signals.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/elements/photo_extraction.h"
 #include "io/job/job_file.h"
@@ -69,12 +70,12 @@ void write_job(const MosaicArguments& arguments) {
   write_checked(arguments, mosaic);
   const io::MosaicPlan& plan = mosaic.plan;
   if (arguments.collage.quiet) return;
-  const std::string regions =
-      mosaic.regions > 0 ? "; " + std::to_string(mosaic.regions) + " regions: " + io::region_picture_path(request.job)
-                         : "";
-  print_line("%s: %d x %d px, about %d pieces of %g to %g px out of %zu shapes; sizes: %s%s", request.job.c_str(),
+  const std::string regions = mosaic.regions > 0 ? "; " + count_text(std::size_t(mosaic.regions), "region") + ": " +
+                                                       io::region_picture_path(request.job)
+                                                 : "";
+  print_line("%s: %d x %d px, about %d pieces of %g to %g px out of %s; sizes: %s%s", request.job.c_str(),
              plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
-             library.size(), io::size_map_path(request.job).c_str(), regions.c_str());
+             count_text(library.size(), "shape").c_str(), io::size_map_path(request.job).c_str(), regions.c_str());
   if (arguments.job_only) print_line("next: tessera collage %s", request.job.c_str());
   print_now();
 }

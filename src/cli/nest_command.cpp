@@ -16,7 +16,10 @@ constexpr const char* kExamples =
     "  tessera nest animals.h5 --sheet 420,297                 and a job that tessera collage draws\n"
     "INPUT: an instance of sparrow or jagua-rs (.json), an SVG, a DXF, a folder of these two, or a library. Pieces "
     "keep\n"
-    "their sizes; each closed outline is one, with the holes in it. DIR has layout.svg and .dxf in mm for the cutter,\n"
+    "their sizes; each closed outline is one, with the holes in it. Where an SVG or DXF names no unit, a warning says\n"
+    "what 1 unit was taken as: 1/96 inch, 1 mm. --demand finds a piece by its id, or by its file's name where it is "
+    "alone "
+    "there.\nDIR has layout.svg and .dxf in mm for the cutter,\n"
     "layout.png to look at, layout.json, card.txt. Pieces that find no place are named, and the exit code is 3. After\n"
     "--time-limit, Ctrl-C, SIGTERM or a lost rank the best layout so far is written: then it depends on time which one "
     "that is.";

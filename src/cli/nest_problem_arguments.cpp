@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/nesting/nest_check.h"
 #include "core/nesting/nesting.h"
@@ -90,8 +91,8 @@ NestProblem problem_of(const NestArguments& arguments, const io::NestInput& inpu
     points += source.drawing.outline.size() * problem.items.back().angles_deg.size();
   }
   if (pieces < 1 || pieces > kMostNestedPieces) {
-    throw InputError(io::printable_utf8(arguments.input) + ": found " + std::to_string(pieces) +
-                     " pieces in all, allowed: 1 to " + std::to_string(kMostNestedPieces));
+    throw InputError(io::printable_utf8(arguments.input) + ": found " + count_text(pieces, "piece") +
+                     " in all, allowed: 1 to " + std::to_string(kMostNestedPieces));
   }
   if (points > kMostTurnedPoints) {
     throw InputError(io::printable_utf8(arguments.input) + ": found " + std::to_string(points) +

@@ -15,6 +15,7 @@
 #include "cli/progress_bar.h"
 #include "cli/terminal.h"
 #include "comm/stop_signals.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/base/stopwatch.h"
@@ -73,7 +74,7 @@ class SearchProgress {
   std::string note(const NestLayout& best) const {
     char text[80];
     if (std::isfinite(problem_.length))
-      std::snprintf(text, sizeof text, "%d sheets", best.sheets);
+      std::snprintf(text, sizeof text, "%s", count_text(std::size_t(best.sheets), "sheet").c_str());
     else
       std::snprintf(text, sizeof text, "%.1f %% dense, %.6g mm long",
                     100 * area_ / (problem_.height * best.used_length), best.used_length);
@@ -100,7 +101,7 @@ class FileProgress {
   void show(std::size_t done, std::size_t all) {
     if (quiet_) return;
     if (!bar_) bar_.emplace(what_, all);
-    bar_->update(done, std::to_string(done) + " of " + std::to_string(all) + " files");
+    bar_->update(done, std::to_string(done) + " of " + count_text(all, "file"));
   }
 
  private:
@@ -135,8 +136,8 @@ void warn_of_left_over(const io::NestRun& run) {
     if (run.layout.left_over[i] > 0) names += (names.empty() ? "" : ", ") + run.input.sources[i].drawing.name;
   }
   if (names.empty()) return;
-  print_warning(std::to_string(left_over(run)) + " of " + std::to_string(io::wanted_pieces(run)) +
-                " pieces found no place: " + io::cut_utf8(names, 200));
+  print_warning(std::to_string(left_over(run)) + " of " + count_text(std::size_t(io::wanted_pieces(run)), "piece") +
+                " found no place: " + io::cut_utf8(names, 200));
 }
 
 /// `drawn`: so many sheets have their picture. The last line on stderr says how to go on.
@@ -144,8 +145,8 @@ void report(const NestArguments& arguments, const io::NestRun& run, int drawn) {
   warn_of_left_over(run);
   if (drawn < run.layout.sheets) {
     print_warning(shown_folder(arguments) + ": drew " + std::to_string(drawn) + " of " +
-                  std::to_string(run.layout.sheets) +
-                  " layout pictures (.png); all other files are there; the same command starts again");
+                  count_text(std::size_t(run.layout.sheets), "layout picture") +
+                  " (.png); all other files are there; the same command starts again");
   }
   if (run.stopped_by) {
     print_warning("stopped by " + io::stopped_by_text(run) +

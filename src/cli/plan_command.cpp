@@ -41,6 +41,7 @@ PlanInput plan_input(const PlanArguments& arguments) {
   const io::LibraryView library = checked_library(job);
   Canvas canvas = checked_canvas(library, job);
   const double room_part = limit_to_room(library, job, canvas);
+  if (room_part >= 1) print_warning(outline_alone_warning(job, canvas));
   io::load_palette(job);  // what is wrong with it shows before the queue, too
   const io::OutputSpec output = io::on_paper(job.output, job.canvas, canvas);
   const CollageSettings settings = with_sizes_times(job.size_factor, job.settings);

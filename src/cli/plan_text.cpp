@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/count_text.h"
 #include "core/base/kept_memory.h"
 #include "io/number_text.h"
 
@@ -32,9 +33,9 @@ std::string time_text(double seconds) {
 
 std::string ranks_text(const PlanInput& input, const PlanEstimate& plan) {
   if (input.ranks == 1) return "1 rank, master and worker in one";
-  std::string text = std::to_string(input.ranks) + " ranks, a master and " + std::to_string(plan.workers) +
-                     (plan.workers == 1 ? " worker" : " workers");
-  if (input.nodes > 1) text += ", on " + std::to_string(input.nodes) + " nodes";
+  std::string text = count_text(std::size_t(input.ranks), "rank") + ", a master and " +
+                     count_text(std::size_t(plan.workers), "worker");
+  if (input.nodes > 1) text += ", on " + count_text(std::size_t(input.nodes), "node");
   return text;
 }
 
@@ -44,7 +45,8 @@ std::string memory_text(const PlanInput& input, const PlanEstimate& plan) {
   if (input.ranks == 1) return line("memory", megabytes(plan.master_bytes)) + device;
   return line("memory of the master", megabytes(plan.master_bytes)) +
          line("memory of a worker", megabytes(plan.worker_bytes)) + device +
-         line("memory of a node", megabytes(plan.node_bytes) + ", " + std::to_string(plan.ranks_per_node) + " ranks");
+         line("memory of a node",
+              megabytes(plan.node_bytes) + ", " + count_text(std::size_t(plan.ranks_per_node), "rank"));
 }
 
 }  // namespace
@@ -58,9 +60,10 @@ std::string slurm_time(double seconds) {
 
 std::string plan_text(const PlanInput& input, const PlanEstimate& plan) {
   return "Estimates for " + ranks_text(input, plan) + "\n" +
-         line("library", std::to_string(input.shapes) + " shapes, " + std::to_string(plan.levels) +
-                             " smoothing levels, " + std::to_string(plan.pads_per_shape) + " PADs a shape; " +
-                             std::to_string(plan.shapes_per_worker) + " shapes a worker") +
+         line("library", count_text(input.shapes, "shape") + ", " +
+                             count_text(std::size_t(plan.levels), "smoothing level") + ", " +
+                             count_text(std::size_t(plan.pads_per_shape), "PAD") + " a shape; " +
+                             count_text(std::size_t(plan.shapes_per_worker), "shape") + " a worker") +
          line("pieces", "about " + io::fixed(plan.pieces, 0)) + memory_text(input, plan) +
          line("time", "about " + time_text(plan.total_s) + ": matching " + time_text(plan.matching_s) + " / " +
                           std::to_string(plan.workers) + ", master " + time_text(plan.master_s)) +
@@ -77,8 +80,9 @@ std::string plan_text(const PlanInput& input, const PlanEstimate& plan) {
 
 std::string idle_workers_warning(const PlanInput& input, const PlanEstimate& plan) {
   if (std::size_t(plan.workers) <= input.shapes) return "";
-  return "--ranks " + std::to_string(input.ranks) + ": " + std::to_string(plan.workers) + " workers divide " +
-         std::to_string(input.shapes) + " shapes, so that some have none; --ranks " + std::to_string(input.shapes + 1) +
+  return "--ranks " + std::to_string(input.ranks) + ": " +
+         count_text(std::size_t(plan.workers), "worker divides", "workers divide") + " " +
+         count_text(input.shapes, "shape") + ", so that some have none; --ranks " + std::to_string(input.shapes + 1) +
          " is as good";
 }
 

@@ -21,6 +21,7 @@
 #include "cli/terminal.h"
 #include "cli/time_limit.h"
 #include "comm/stop_signals.h"
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
 #include "core/puzzle/puzzle_solver.h"
@@ -37,7 +38,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  tessera puzzle make photo.jpg --pieces 36 --out jigsaw      jigsaw/pieces/piece_001.png ..., jigsaw/truth\n"
     "  tessera library build jigsaw/pieces -o jigsaw.h5 --puzzle\n"
-    "  tessera puzzle solve jigsaw.h5 --size 1200,900              out/jigsaw: where they belong";
+    "  tessera puzzle solve jigsaw.h5 --size 600,400               out/jigsaw: where they belong, a photo of 3:2";
 
 constexpr const char* kMakeExamples =
     "Examples:\n"
@@ -50,11 +51,12 @@ constexpr const char* kMakeExamples =
 
 constexpr const char* kSolveExamples =
     "Examples:\n"
-    "  tessera puzzle solve jigsaw.h5 --size 1200,900              pieces of any scale fill a frame of that size\n"
-    "  tessera puzzle solve jigsaw.h5 --size 1200,900 --scale 1    they are known to be as large as they were drawn\n"
+    "  tessera puzzle solve jigsaw.h5 --size 600,400               pieces of any scale fill a frame, of the photo's "
+    "shape\n"
+    "  tessera puzzle solve jigsaw.h5 --size 600,400 --scale 1     they are known to be as large as they were drawn\n"
     "  tessera puzzle solve heart.h5 --frame heart.svg             a frame of any outline\n"
     "  tessera puzzle solve jigsaw.h5                              no frame: the canvas is as large as what comes out\n"
-    "  tessera puzzle solve jigsaw.h5 --size 1200,900 --truth jigsaw/truth     how far from it\n"
+    "  tessera puzzle solve jigsaw.h5 --size 600,400 --truth jigsaw/truth      how far from it\n"
     "LIB.h5 holds the pieces, each once, in one scale among themselves: as large as their pictures. What fits is\n"
     "found by outlines and by what is on both sides of them; pieces need corners. A frame may come out upside down. "
     "jigsaw_pieces.geojson\n"
@@ -90,7 +92,8 @@ int make(MakeArguments arguments) {
     if (!new_folder.write(made.files, comm::stop_signalled)) return kUnfinishedExitCode;
   }
   const std::string folder = io::printable_utf8(out);
-  print_line("%s: %d pieces of a picture of %d x %d px", folder.c_str(), made.pieces, made.width_px, made.height_px);
+  print_line("%s: %s of a picture of %d x %d px", folder.c_str(), count_text(std::size_t(made.pieces), "piece").c_str(),
+             made.width_px, made.height_px);
   const std::string library = shell_word(out + ".h5");
   const std::string frame = made.frame.empty() ? "" : " --frame " + shell_word(out + "/" + made.frame);
   print_line("next: tessera library build %s -o %s --puzzle", shell_word(out + "/pieces").c_str(), library.c_str());
@@ -110,18 +113,34 @@ std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i)
     text += (i > 0 ? ", " : "") + io::printable_utf8(names[i]);
-  return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " others" : text;
+  return names.size() > kMost ? text + " and " + count_text(names.size() - kMost, "other") : text;
 }
 
 bool has_frame(const SolveArguments& arguments) {
   return arguments.request.frame_px || !arguments.request.frame_file.empty();
 }
 
+/// The size of all pieces together, and the option that gives the frame that size.
+std::string loose_size(const io::SolvedPuzzle& solved) {
+  const std::string width = std::to_string(solved.loose_width_px), height = std::to_string(solved.loose_height_px);
+  return width + " x " + height + " px (--size " + width + "," + height + ", or the same turned)";
+}
+
+/// How to go on where all pieces fit each other, but not in the frame.
+std::string shape_advice(const io::SolvedPuzzle& solved) {
+  return "; without a frame all of them fit each other: the frame of " + std::to_string(solved.width_px) + " x " +
+         std::to_string(solved.height_px) + " px has another shape or size than the puzzle, which takes " +
+         loose_size(solved);
+}
+
 /// How to go on where pieces found no place, by what was given.
-std::string advice(const SolveArguments& arguments) {
+std::string advice(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
   if (!has_frame(arguments)) return "";
-  if (!arguments.request.scale) return "; where pieces are missing or foreign, --scale says how large the others are";
-  return "; without --size and --frame all that fits together is laid";
+  if (solved.loose_width_px > 0) return shape_advice(solved);
+  const std::string shape =
+      "; the frame may have another shape than the puzzle: without --size and --frame all that fits together is laid";
+  if (arguments.request.scale) return shape;
+  return shape + "; where pieces are missing or foreign, --scale says how large the others are";
 }
 
 /// What is not as it should be, beside pieces that are left over.
@@ -130,10 +149,12 @@ std::string doubt(const SolveArguments& arguments, const io::SolvedPuzzle& solve
   if (solved.gaps > kMostPuzzleGaps)
     return "there are narrow gaps between pieces: not all of them belong where they lie";
   if (solved.left_over.empty() && has_frame(arguments) && solved.filled < kLeastFilled)
-    return "the frame is not full: pieces are missing, or they are smaller than they were cut";
+    return "the frame is not full: pieces are missing, they are smaller than they were cut, or the frame has another "
+           "shape than the puzzle" +
+           (solved.loose_width_px > 0 ? ": all pieces together take " + loose_size(solved) : "");
   if (solved.undecided > 0)
-    return std::to_string(solved.undecided) + " of " + std::to_string(solved.placed) +
-           " pieces have the outline of others, and what is on them does not say for sure where they belong: some may "
+    return std::to_string(solved.undecided) + " of " + count_text(solved.placed, "piece") +
+           " have the outline of others, and what is on them does not say for sure where they belong: some may "
            "lie "
            "wrongly";
   return "";
@@ -154,15 +175,16 @@ std::string off_text(const PuzzleAgreement& agreement) {
 
 void report(const SolveArguments& arguments, const io::SolvedPuzzle& solved) {
   if (!solved.left_over.empty()) {
-    print_warning(std::to_string(solved.left_over.size()) + " of " + std::to_string(solved.pieces) +
-                  " pieces found no place" + (has_frame(arguments) ? " in the frame" : "") + ": " +
-                  listed(solved.left_over) + advice(arguments));
+    print_warning(std::to_string(solved.left_over.size()) + " of " + count_text(solved.pieces, "piece") +
+                  " found no place" + (has_frame(arguments) ? " in the frame" : "") + ": " + listed(solved.left_over) +
+                  advice(arguments, solved));
   }
   print_warning(doubt(arguments, solved));
   if (!arguments.collage.quiet) {
-    print_line("%s: %zu of %zu pieces on %d x %d px, %.2f %% of it covered, scale %.4g%s",
-               io::printable_utf8(arguments.request.job).c_str(), solved.placed, solved.pieces, solved.width_px,
-               solved.height_px, 100 * solved.covered, solved.scale, erosion_text(solved.erosion_px).c_str());
+    print_line("%s: %zu of %s on %d x %d px, %.2f %% of it covered, scale %.4g%s",
+               io::printable_utf8(arguments.request.job).c_str(), solved.placed,
+               count_text(solved.pieces, "piece").c_str(), solved.width_px, solved.height_px, 100 * solved.covered,
+               solved.scale, erosion_text(solved.erosion_px).c_str());
   }
   if (solved.agreement) {  // who asks for it wants to know
     print_line("by %s: %d of %zu right (within 2 px, 1 degree, 1 %%), %s",
@@ -192,7 +214,7 @@ class SolvingWatch {
     if (quiet_) return;
     if (!bar_ || at.laying != laying_) bar_.emplace(at.laying ? "laying" : "matching", at.of);
     laying_ = at.laying;
-    bar_->update(at.done, at.laying ? std::to_string(at.done) + " pieces" : "", std::nullopt);
+    bar_->update(at.done, at.laying ? count_text(at.done, "piece") : "", std::nullopt);
   }
 
  private:

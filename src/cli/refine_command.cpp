@@ -30,7 +30,8 @@ constexpr const char* kExamples =
     "  tessera refine out/animals --deform                gaps close: out/animals-deformed; limits: [deform] of a job\n"
     "  tessera refine out/animals --pieces 3,17           these two go, others come in: out/animals-erased\n"
     "  tessera refine out/animals --box 200,300,150,100   all pieces with their centre in it\n"
-    "  tessera refine out/animals --erase scribble.png    all that it touches, drawn over collage.png\n"
+    "  tessera refine out/animals --erase scribble.png    all that it touches: drawn on a transparent page over\n"
+    "                                                     collage.png, or painted over a copy of that\n"
     "  tessera refine out/animals --swap 12 --set seed=7  another drawing: out/animals-swapped\n"
     "  tessera refine out/animals --box 200,300,150,100 --variants 8\n"
     "                                                     out/animals-variants/seed_1 and so on, and a sheet of them\n"
@@ -39,7 +40,9 @@ constexpr const char* kExamples =
     "output.labels draws a map of them. Those that were locked ([[given]], --lock) stay where they are.\n"
     "Where pieces go, all others stay exactly where they are, and only the room where these lay is filled; another "
     "seed\n"
-    "gives another filling. It is improved by the part of improve.trials that the room is of the canvas.\n"
+    "gives another filling. No drawing that went comes back to the place where it lay, unless nothing else may come "
+    "in,\n"
+    "which is told. It is improved by the part of improve.trials that the room is of the canvas.\n"
     "--relax: the job is run again from the pieces, which may move. What still fits is placed before and after, so "
     "there\n"
     "may be more pieces; a job with a limit of\n"
@@ -87,6 +90,9 @@ Action action_of(const RefineArguments& arguments, const std::string& job, Refin
   check_can_be_erased(result, all);
   const EraseArguments& erase = arguments.erase;
   result.erased = erased_pieces(erase, result.folder, io::load_job(job, arguments.collage.overrides), all);
+  if (!arguments.collage.quiet) {
+    print_line("%zu of %zu %s", result.erased.size(), all.size(), all.size() == 1 ? "piece goes" : "pieces go");
+  }
   if (!erase.swapped.empty()) result.not_anew = names_of(result.erased, all);
   return {erase.swapped.empty() ? "-erased" : "-swapped", erasing_keys()};
 }
@@ -170,9 +176,10 @@ void add_actions(CLI::App& refine, RefineArguments& arguments) {
   const ListOption pieces{.type_name = "N,N.."};
   add_list_option(*actions, "--pieces", arguments.erase.pieces, "These go, and the room where they lay is filled anew",
                   pieces);
-  add_list_option(*actions, "--box", arguments.erase.box_px,
-                  "Pieces whose centre lies in this rectangle go, px of the canvas",
-                  {.type_name = "X,Y,W,H", .count = 4});
+  add_list_option(
+      *actions, "--box", arguments.erase.box_px,
+      "Pieces whose centre lies in this rectangle go, px of the canvas (canvas.size_px), not of collage.png",
+      {.type_name = "X,Y,W,H", .count = 4});
   actions
       ->add_option("--erase", arguments.erase.mask,
                    "Pieces go that this drawing touches, which is laid over the canvas: SVG, or an image")

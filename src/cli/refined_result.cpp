@@ -7,6 +7,7 @@
 #include "io/checkpoint/checkpoint_folder.h"
 #include "io/job/job_tables.h"
 #include "io/job/toml_text.h"
+#include "io/output_lock.h"
 
 namespace tessera::cli {
 namespace {
@@ -14,6 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail_unfinished(const std::string& folder) {
+  const std::string holder = io::holder_of_lock(io::folder_lock_path(folder));
+  if (!holder.empty()) {
+    throw InputError(folder + ": found unfinished work, allowed: a finished result; a run is at work here: " + holder +
+                     "; wait for its end");
+  }
   throw InputError(folder + ": found unfinished work, allowed: a finished result; the command that made it finishes " +
                    "it with --resume");
 }

@@ -7,6 +7,7 @@
 #include "cli/collage_warnings.h"
 #include "cli/key_text.h"
 #include "cli/place_advice.h"
+#include "core/base/count_text.h"
 #include "core/collage/missing_pieces.h"
 #include "core/matching/sized_settings.h"
 #include "core/matching/stances.h"
@@ -89,8 +90,8 @@ std::string missing_warning(const CollageInput& input, const master::CollageResu
                             const std::vector<io::MissingShape>& missing, const RefinedResult* refined) {
   const io::Job& job = input.job;
   const std::uint64_t pieces = io::pieces_of(missing);
-  const std::string what = (pieces == 1 ? "1 piece is missing: " : std::to_string(pieces) + " pieces are missing: ") +
-                           io::missing_text(missing, kNamesTold) + "; ";
+  const std::string what =
+      count_text(pieces, "piece is", "pieces are") + " missing: " + io::missing_text(missing, kNamesTold) + "; ";
   if (const char* limit = limit_that_ended(result.statistics)) {
     if (keeps_number_of_pieces(job, refined, limit))
       return what + refined->folder + " lacks them, too, and refining it so lets no piece more come in";
@@ -123,7 +124,7 @@ std::string never_fitting_text(const CollageInput& input, const std::vector<Shap
       keys_that_keep_out(input.job, smallest_sizes(input.job), input.library, input.canvas, shapes);
   if (keys.empty()) return "";
   const std::size_t first = index_of(shapes.front());
-  const std::string others = shapes.size() == 1 ? " fits" : " and " + std::to_string(shapes.size() - 1) + " others fit";
+  const std::string others = shapes.size() == 1 ? " fits" : " and " + count_text(shapes.size() - 1, "other") + " fit";
   return '"' + input.library.read(first, first + 1, kNamesOnly).front().name + '"' + others +
          " nowhere on the canvas; try " + joined_warnings(keys);
 }

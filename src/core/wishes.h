@@ -68,12 +68,21 @@ struct GivenPiece {
   friend bool operator==(const GivenPiece&, const GivenPiece&) = default;
 };
 
+/// Stood in the collage that this one begins from, and was taken out of it.
+struct FormerPiece {
+  ShapeId shape{};
+  Similarity canvas_from_shape;
+
+  friend bool operator==(const FormerPiece&, const FormerPiece&) = default;
+};
+
 struct Wishes {
   std::vector<ShapeWish> classes;             // empty: one class, without wishes
   std::vector<std::uint32_t> class_of_shape;  // per shape of the library; empty: all of class 0
   std::vector<RegionWish> regions;            // of the canvas, in the order in which they are filled; empty: one
 
-  std::vector<GivenPiece> given;  // the locked ones first
+  std::vector<GivenPiece> given;      // the locked ones first
+  std::vector<FormerPiece> not_back;  // nothing of such a piece's silhouette comes in where it lay (former_pieces.h)
 
   /// So many of the given pieces stand to the end.
   std::size_t locked() const {

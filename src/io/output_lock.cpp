@@ -122,11 +122,21 @@ void take(int file, const std::string& path, const std::string& output, Locking 
   throw EnvironmentError("cannot write " + path + ": " + std::generic_category().message(reason));
 }
 
+/// Messages name the output and its folder: nobody asked for the lock.
+FileDescriptor opened(const std::string& path, const std::string& output) {
+  const std::string parent = std::filesystem::path(path).parent_path();
+  const std::string folder = parent.empty() ? "." : parent;
+  if (access(folder.c_str(), W_OK | X_OK) == 0) return open_own_file(path, O_RDWR);
+  const int reason = errno;
+  throw EnvironmentError("cannot write " + output + ": the folder " + folder + ": " +
+                         std::generic_category().message(reason) + "; give another output");
+}
+
 }  // namespace
 
 OutputLock::OutputLock(const std::string& path, const std::string& output)
     : path_(path),
-      file_(open_own_file(path, O_RDWR)),
+      file_(opened(path, output)),
       owner_(getpid()) {
   Locking locking = try_to_lock(file_.number());
   // The lock may be that of a file that its holder has just removed.
@@ -151,6 +161,15 @@ void remove_stale_lock(const std::string& path) {
   } catch (const InputError&) {
   } catch (const EnvironmentError&) {
   }
+}
+
+std::string holder_of_lock(const std::string& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  struct flock whole_file = {};
+  whole_file.l_type = F_WRLCK;
+  whole_file.l_whence = SEEK_SET;
+  const bool held = file.is_open() && fcntl(file.number(), F_GETLK, &whole_file) == 0 && whole_file.l_type != F_UNLCK;
+  return held ? description(read_holder(file.number())) : "";
 }
 
 std::string folder_lock_path(const std::string& folder) { return std::filesystem::path(folder) / "run.lock"; }

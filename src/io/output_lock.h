@@ -34,6 +34,10 @@ class OutputLock {
 /// Removes the file of a lock whose process is gone. Nothing where there is none, or where its run may still be at work.
 void remove_stale_lock(const std::string& path);
 
+/// "process 71 on node7", which holds the lock of this file; empty where none does. Not for who may hold it itself: the
+/// system takes a process' lock back as soon as it closes the file once.
+std::string holder_of_lock(const std::string& path);
+
 /// The file of the lock of a result's folder, or of a campaign's.
 std::string folder_lock_path(const std::string& folder);
 

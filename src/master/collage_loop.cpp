@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/count_text.h"
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "core/base/interrupted.h"
@@ -204,8 +205,9 @@ class Run {
     moving_ = from.moving;
     replaced_ = from.replaced;
     if (!filling().restore_empty_passes(from.empty_passes)) {
-      throw InputError(from.name + ": not a checkpoint of this job: " + std::to_string(from.empty_passes) +
-                       " passes without a piece; --restart removes it and starts again");
+      throw InputError(from.name + ": not a checkpoint of this job: " +
+                       count_text(std::size_t(from.empty_passes), "pass", "passes") +
+                       " without a piece; --restart removes it and starts again");
     }
   }
 

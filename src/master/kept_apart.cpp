@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/collage/former_pieces.h"
+
 namespace tessera::master {
 namespace {
 
@@ -27,10 +29,13 @@ bool any_kept_apart(const CollageSettings& settings) {
 
 KeptApart::KeptApart(const CollageSettings& settings, ShapeSource& shapes, const Period& period)
     : job_distance_px_(settings.pieces.apart_px),
-      matters_(any_kept_apart(settings)),
+      matters_(any_kept_apart(settings) || !settings.wishes.not_back.empty()),
       wishes_(settings.wishes),
       shapes_(shapes),
-      period_(period) {}
+      period_(period) {
+  for (const FormerPiece& piece : wishes_.not_back)
+    not_back_[shapes.silhouette(piece.shape)].push_back(piece.canvas_from_shape);
+}
 
 KeptApart::Company KeptApart::company_of(ShapeId shape) const {
   if (!wishes_.class_of_shape.empty()) {
@@ -56,7 +61,15 @@ void KeptApart::add(const Placement& placement) {
   placed_[company_of(placement.shape).key()].push_back(boundary_of(placement.shape, placement.canvas_from_shape));
 }
 
+bool KeptApart::comes_back(ShapeId shape, const Similarity& canvas_from_shape) const {
+  const auto lay = not_back_.find(shapes_.silhouette(shape));
+  return lay != not_back_.end() && std::any_of(lay->second.begin(), lay->second.end(), [&](const Similarity& then) {
+           return lies_where_it_lay(then, canvas_from_shape, period_);
+         });
+}
+
 bool KeptApart::may_stand(ShapeId shape, const Similarity& canvas_from_shape, float radius) {
+  if (comes_back(shape, canvas_from_shape)) return false;
   const Company company = company_of(shape);
   const auto like = placed_.find(company.key());
   if (company.distance_px == 0 || like == placed_.end()) return true;
@@ -110,7 +123,7 @@ std::vector<Placement> without_too_near(const std::vector<Placement>& placements
   std::vector<Placement> kept;
   for (std::size_t i = 0; i < placements.size(); ++i) {
     const auto& [shape, pose, score, matched_px] = placements[i];
-    if (i >= given && apart.concerns(shape) && !apart.may_stand(shape, pose, shapes.model(shape).radius)) continue;
+    if (i >= given && !apart.may_stand(shape, pose, shapes.model(shape).radius)) continue;
     apart.add(placements[i]);
     kept.push_back(placements[i]);
   }

@@ -1,5 +1,5 @@
 // Pieces that keep a distance from their like: those of one silhouette (pieces.apart_px), or those that a wish names
-// together.
+// together. And those that keep away from where their like lay before it was taken out.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ class KeptApart {
   /// `shapes` outlives it. `period` is that of the canvas: across a seam the distance is kept, too.
   KeptApart(const CollageSettings& settings, ShapeSource& shapes, const Period& period);
 
-  /// Whether pieces of any shape keep a distance.
+  /// Whether pieces of any shape keep a distance, or do not come back to where they lay.
   bool matters() const { return matters_; }
   /// Whether pieces of this shape keep a distance at all.
   bool concerns(ShapeId shape) const { return company_of(shape).distance_px > 0; }
@@ -37,8 +37,8 @@ class KeptApart {
   void add(const Placement& placement);
   void forget_placements() { placed_.clear(); }
 
-  /// Whether a piece may stand there beside those that were added. Only near its like the shape is looked at; `radius`:
-  /// its own, shape units.
+  /// Whether a piece may stand there beside those that were added, and does not come back to where its like lay
+  /// (Wishes::not_back). Only near its like the shape is looked at; `radius`: its own, shape units.
   bool may_stand(ShapeId shape, const Similarity& canvas_from_shape, float radius);
 
   /// Says whether something holds of any point of a boundary, canvas px; mostly it is asked about few of them.
@@ -63,6 +63,7 @@ class KeptApart {
     std::vector<Vec2> points_px;
   };
 
+  bool comes_back(ShapeId shape, const Similarity& canvas_from_shape) const;
   Company company_of(ShapeId shape) const;
   Boundary boundary_of(ShapeId shape, const Similarity& canvas_from_shape);
   bool any_beyond(float distance_px, const std::vector<Boundary>& pieces, const AnyPoint& any_point) const;
@@ -72,11 +73,12 @@ class KeptApart {
   Wishes wishes_;
   ShapeSource& shapes_;
   Period period_;
+  std::map<ShapeId, std::vector<Similarity>> not_back_;                     // where they lay, by silhouette
   std::map<std::pair<bool, std::uint32_t>, std::vector<Boundary>> placed_;  // by company
 };
 
-/// Those of the placements that keep the distances from their like among those before them, and the first `given`,
-/// which stand in any case. `period` is that of the canvas.
+/// Those of the placements that keep the distances from their like among those before them and do not come back to
+/// where their like lay, and the first `given`, which stand in any case. `period` is that of the canvas.
 std::vector<Placement> without_too_near(const std::vector<Placement>& placements, std::size_t given,
                                         const CollageSettings& settings, ShapeSource& shapes, const Period& period);
 

@@ -162,6 +162,23 @@ std::vector<IncomingShape> Replacing::drawn_shapes(std::uint64_t random) const {
   return all;
 }
 
+/// But for what lay there and is not to come back: what comes in is not asked where exactly it lies, until it is
+/// settled. Where too few would be left, all.
+std::vector<IncomingShape> Replacing::let_into(const Box& box, const std::vector<IncomingShape>& incoming) const {
+  const Vec2 middle = (box.low + box.high) * 0.5f;
+  std::set<ShapeId> lay_there;
+  for (const FormerPiece& piece : settings_.wishes.not_back) {
+    const Vec2 at = free_.grid().period().nearest(piece.canvas_from_shape.translation(), middle);
+    if (within_reach(box, {at, at}, 0.5f * piece.canvas_from_shape.scale()))
+      lay_there.insert(shapes_.silhouette(piece.shape));
+  }
+  std::vector<IncomingShape> let_in;
+  for (const IncomingShape& in : incoming) {
+    if (!lay_there.contains(in.drawing)) let_in.push_back(in);
+  }
+  return 2 * let_in.size() < incoming.size() ? incoming : let_in;
+}
+
 /// What the drawings of the window cover, of all that each covers.
 std::vector<DrawingArea> Replacing::drawn_in(const ReplacementWindow& window,
                                              const std::map<ShapeId, double>& all_px2) const {
@@ -301,7 +318,7 @@ std::vector<ReplacementOutcome> Replacing::asked(std::vector<Cut>& cuts, const s
       look();
       ReplacementWindow window = std::move(cuts[i].window);
       complete(window);
-      window.incoming = incoming;
+      window.incoming = let_into(window.box, incoming);
       window.drawn = drawn_in(window, covered_px2);
       windows.push_back(std::move(window));
     }

@@ -81,6 +81,7 @@ class Replacing {
                                         const std::vector<IncomingShape>& incoming, const std::function<void()>& look);
   EdgeField edge_around(const Box& box) const;
   std::vector<IncomingShape> drawn_shapes(std::uint64_t random) const;
+  std::vector<IncomingShape> let_into(const Box& box, const std::vector<IncomingShape>& incoming) const;
   std::vector<DrawingArea> drawn_in(const ReplacementWindow& window, const std::map<ShapeId, double>& all_px2) const;
   void plan(std::vector<Cut>& cuts, ReplacementProgress& progress) const;
   std::vector<Placement> joined(const std::vector<Placement>& placements, const std::vector<Cut>& cuts,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/base/count_text.h"
 #include "core/base/kept_memory.h"
 #include "worker/opencl_devices.h"
 
@@ -21,7 +22,7 @@ std::string device_line(std::size_t number, const cl::Device& device) {
   const std::string missing = missing_arithmetic(device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>());
   if (!missing.empty()) state += ", NOT USABLE: no " + missing;
   return "  " + std::to_string(number) + ": " + d.kind + " \"" + d.name + "\", driver " + d.driver + ", " +
-         std::to_string(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()) + " compute units, " +
+         count_text(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>(), "compute unit") + ", " +
          gigabytes(device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>()) + " of memory, " +
          gigabytes(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) + " in one buffer" + state + "\n";
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/ranks/partition.h"
 #include "worker/opencl_matcher.h"
@@ -33,8 +34,8 @@ std::string gigabytes(std::uint64_t bytes) {
              gigabytes(rooms[i].memory_bytes) + " for this rank, " + gigabytes(rooms[i].buffer_bytes) +
              " in one buffer)";
   }
-  throw EnvironmentError("OpenCL devices: " + std::to_string(shapes) +
-                         " shapes of the library do not fit, room is for " + found +
+  throw EnvironmentError("OpenCL devices: " + count_text(shapes, "shape") + " of the library " +
+                         by_count(shapes, "does", "do") + " not fit, room is for " + found +
                          "; give the job more ranks, nodes or devices");
 }
 

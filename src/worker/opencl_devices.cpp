@@ -5,6 +5,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/base/count_text.h"
 #include "core/base/process_limits.h"
 #include "core/base/split_text.h"
 #include "worker/opencl_runtime.h"
@@ -130,9 +131,10 @@ std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& sha
   const std::size_t first = share.per_worker > 0 ? count * std::size_t(share.worker) : 0;
   const std::size_t wanted = share.per_worker > 0 ? count * std::size_t(share.workers) : devices;
   if (wanted > devices) {
-    throw InputError("devices.per_worker = " + std::to_string(share.per_worker) + ": " + std::to_string(share.workers) +
-                     " workers of this node need " + std::to_string(wanted) + " devices, and it has " +
-                     std::to_string(devices) +
+    throw InputError("devices.per_worker = " + std::to_string(share.per_worker) + ": " +
+                     count_text(std::size_t(share.workers), "worker") + " of this node " +
+                     by_count(std::size_t(share.workers), "needs", "need") + " " + count_text(wanted, "device") +
+                     ", and it has " + std::to_string(devices) +
                      "; allowed: fewer ranks on a node (--ntasks-per-node, mpirun -N), or devices.per_worker = 0, "
                      "where all workers share all devices");
   }

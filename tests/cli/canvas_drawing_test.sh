@@ -38,6 +38,27 @@ echo "ok what can never be drawn"
 run 0 collage job.toml --out kept_out --quiet --set canvas.keep_out=heavy.svg --set output.keep_out=none
 run 0 collage job.toml --out disc --quiet --set canvas.file=disc.svg
 [[ -s disc/collage.png && -s disc/collage.svg ]] || fail "no pictures on a plain canvas"
+
+# A canvas that is the outline of a figure is filled along its line alone, which is told before.
+heart='M50 88 12 45C0 25 20 5 35 10c8 3 12 8 15 14 3-6 7-11 15-14 15-5 35 15 23 35z'
+page="<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'>"
+echo "$page<path d='$heart' fill='none' stroke='black' stroke-width='2'/></svg>" >line.svg
+echo "$page<path d='$heart'/></svg>" >heart.svg
+echo "$page<circle cx='50' cy='50' r='40' fill='none' stroke='black' stroke-width='8'/></svg>" >ring.svg
+outline="line.svg: the drawing covers [0-9]+ % of what it encloses, so that only its lines are"
+few=(--quiet --set 'canvas.size_px=[150, 150]')
+run "0 3" collage job.toml --out line "${few[@]}" --set canvas.file=line.svg
+grep -qE "warning: canvas.file: $PWD/$outline filled; fill its path" errors || fail "no warning of an outline"
+grep -qE "$outline filled" line/run.log || fail "the warning is not in run.log"
+run 0 plan job.toml --set canvas.file=line.svg
+grep -qE "$outline filled" errors || fail "tessera plan does not warn of an outline"
+run "0 3" collage job.toml --out frame "${few[@]}" --set canvas.keep_out=line.svg
+grep -qE "warning: canvas.keep_out: $PWD/$outline kept free" errors || fail "no warning of an outline as a zone"
+for canvas in heart ring; do
+  run "0 3" collage job.toml --out plain "${few[@]}" --restart --set canvas.file=$canvas.svg --set canvas.keep_out=disc.svg
+  ! grep -q encloses errors || fail "a warning of an outline for $canvas.svg"
+done
+echo "ok outlines"
 echo "ok what need not be drawn, and what can be"
 
 TESSERA_DRAWER=$PWD/missing run 1 collage job.toml --out none --quiet

@@ -7,8 +7,11 @@ source "$(dirname "${BASH_SOURCE[0]}")/../support/drawings.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/../support/ranks.sh"
 unset SLURM_JOB_END_TIME
 
+# What a test has started in the background ends with it.
 fail() {
   echo "FAILED $*"
+  # shellcheck disable=SC2046
+  kill $(jobs -p) 2>/dev/null
   head -c 2000 output errors ./*.left_out.txt 2>/dev/null
   exit 1
 }

@@ -48,6 +48,20 @@ expect_all_but() {
     awk "BEGIN {exit !($low_x >= $x0 - 21 && $low_y >= $y0 - 21 && $high_x <= $x1 + 21 && $high_y <= $y1 + 21)}" ||
       fail "$after: a new piece at $low_x,$low_y,$high_x,$high_y outside of $(cat room)"
   done || exit 1
+  expect_not_back "$before" "${@:3}"
+}
+# expect_not_back BEFORE INDEX...: none of the new pieces is one of these, nearer to where it lay than half its size.
+places() {
+  sed -n 's/.*"shape":"\([^"]*\)".*"scale":\([0-9.]*\),.*"x_px":\([-0-9.]*\),"y_px":\([-0-9.]*\),.*/\1 \2 \3 \4/p'
+}
+expect_not_back() {
+  local index shape scale x y
+  for index in "${@:2}"; do
+    read -r shape scale x y < <(features "$1" | grep "\"properties\":{\"index\":$index," | places)
+    [[ -n $y ]] || fail "the test's own place of $index"
+    places <new | awk -v shape="$shape" -v s="$scale" -v x="$x" -v y="$y" \
+      '$1 == shape && ($3 - x) ^ 2 + ($4 - y) ^ 2 < (s / 2) ^ 2 {exit 1}' || fail "$1: $index, $shape, came back"
+  done
 }
 # Of each piece's polygon, a line each: lowest and highest x and y.
 boxes() {
@@ -72,8 +86,9 @@ expect_all_but first erased 3 5
 [[ $(features erased | grep -c '"locked":true') == 1 ]] || fail "others are locked than the given one"
 run 0 refine first --pieces 5,3,5 --quiet
 cmp erased/pieces.geojson first-erased/pieces.geojson || fail "the order of the numbers counts"
-run 0 refine first --pieces 3,5 --set seed=99 --set improve.trials=600 --out another --quiet
+run 0 refine first --pieces 3,5 --set seed=99 --set improve.trials=600 --out another
 expect_all_but first another 3 5
+grep -qxF "2 of $(count first) pieces go" output || fail "does not say how many go: $(cat output)"
 cmp -s erased/pieces.geojson another/pieces.geojson && fail "another seed fills as the first did"
 planned() { sed -n 's/^  pieces  *about //p' output; }
 run 0 plan first/job.toml
@@ -147,6 +162,23 @@ run 0 refine swapped --box 0,0,240,180 --out all_anew --quiet
 features all_anew | names_of | grep -qxF "${shapes[3]}" || fail "${shapes[3]} never comes in again"
 echo "ok swap"
 
+# What fits a hole best is what lay in it: each of the pieces alone, with two seeds.
+for ((i = 1; i < 5; ++i)); do
+  for seed in 1 2; do
+    run 0 refine first --pieces "$i" --set "seed=$seed" --out one --restart --quiet
+    expect_all_but first one "$i"
+  done
+done
+# Unless it is all that there is.
+mkdir alone
+draw_svg alone/bean "M10 50 C10 10 90 10 90 50 C90 80 60 60 50 60 C40 60 10 90 10 50Z"
+run 0 library build alone -o alone.h5
+sed "s/own.h5/alone.h5/; /^\[\[given/,/^rotation_deg/d" job.toml >alone.toml
+run 0 collage alone.toml --out beans --quiet
+same_on_3_ranks beans_erased refine beans --pieces 0 --quiet
+expect_word 'warning: 1 of 1 piece that went came back to where they lay: no other drawing may come in for them'
+echo "ok not back"
+
 # Each knows the bytes of what it began from.
 pieces_digest() { grep -o '"pieces":{"digest":"[0-9a-f]*"' "$1/manifest.json" | grep -o '[0-9a-f]\{16\}'; }
 start_digest() { grep -o '"start":{[^}]*}' "$1/manifest.json" | grep -o '[0-9a-f]\{16\}'; }
@@ -178,7 +210,13 @@ refused '--pieces: found 0, "star", which is locked' --pieces 2,0
 refused '--swap: found 0, "star", which is locked' --swap 0
 refused '--box 95.0,85.0,10.0,10.0: found locked pieces only, needed: one at least that is not locked' \
   --box 95,85,10,10
-refused '--box 900.0,0.0,10.0,10.0: found no piece' --box 900,0,10,10
+refused '--box 900.0,0.0,10.0,10.0: found no piece with its centre in it; the canvas is 240 x 180 px' --box 900,0,10,10
+cat >photo.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="240" height="180"><linearGradient id="g"><stop stop-color="#fff"/>
+<stop offset="1" stop-color="#a00"/></linearGradient><rect width="240" height="180" fill="url(#g)"/></svg>
+END
+refused " of $(count first) pieces; needed: what is drawn over the pieces that are to go, alone" --erase photo.svg
+expect_word "--erase photo.svg: an opaque picture that covers "
 sed 's/height="360"/height="480"/' scribble.svg >tall.svg
 refused '--erase tall.svg: found another aspect: fitted into the canvas it has 180 x 180 px, needed: 240 x 180' \
   --erase tall.svg

@@ -37,6 +37,8 @@ grep -qx 'shift = 7' small.toml || fail "--shift is not in the job"
 grep -qx 'size_map = "small_sizes.png"' small.toml || fail "the map has not the job's name"
 echo "ok files"
 
+run 2 mosaic drawings/leaf.svg own.h5 --job-only
+expect_word 'found an SVG, needed: a picture of pixels; rsvg-convert -w 2000 FILE.svg -o FILE.png draws one'
 run 2 mosaic none.png own.h5 --job-only
 expect_word 'none.png: '
 run 2 mosaic sun.png none.h5 --job-only --job none.toml

@@ -59,7 +59,9 @@ cat >plates.svg <<'SVG'
 </svg>
 SVG
 run 0 nest plates.svg --sheet 60,40 --demand plate=3 --demand 'r*=2' --spacing 1 --effort draft
-expect_word 'plates.svg: left out 1 open paths'
+expect_word 'plates.svg: left out 1 open path: it encloses nothing'
+! grep -q 'says no unit' errors || fail "a unit that is said is missed"
+grep -q '^  unit            mm$' output || fail "the card does not name the unit"
 grep -q '^  pieces          6 of 6$' output || fail "not six pieces"
 grep -q '^  sheets          1 of 60.000 x 40.000 mm$' output || fail "not one sheet"
 [[ $(grep -o '<path' out/plates/layout.svg | wc -l) -eq 6 ]] || fail "not six paths"
@@ -129,6 +131,48 @@ run 0 nest two.h5 --sheet 420,297 --effort draft --quiet --out out/a3
 [[ $(grep -A2 '^\[canvas\]' out/a3/layout.toml | tr '\n' ' ') == '[canvas] size_mm = [420.000, 297.000] size_px = [1960, 1386] ' ]] ||
   fail "the job has not the size of the sheet"
 echo "ok library"
+
+# What an input without a unit is taken for is told, with the size that comes of it.
+echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300"><path d="M0 0h80v40z"/></svg>' >moon.svg
+run 0 nest moon.svg --strip 40 --effort draft --quiet
+[[ $(cat errors) == 'tessera: warning: moon.svg says no unit: 1 unit is taken as 1/96 inch, its page is 105.8 x 79.4 mm; width and height in mm in the SVG set it' ]] ||
+  fail "not what the unit is taken for"
+grep -q '^  unit            mm; 1 unit of the input is taken as 1/96 inch$' out/moon/card.txt || fail "the card does not name the unit"
+sed 's/viewBox/width="400" height="200" viewBox/' moon.svg >numbers.svg
+run 0 nest numbers.svg --strip 40 --effort draft --quiet
+expect_word 'numbers.svg says no unit: 1 unit is taken as 1/96 inch, its page is 105.8 x 52.9 mm'
+sed 's/viewBox="[^"]*"/width="100%"/' moon.svg >bare.svg
+run 0 nest bare.svg --strip 40 --effort draft --quiet
+expect_word 'bare.svg says no unit: 1 unit is taken as 1/96 inch, its shapes take 21.2 x 10.6 mm'
+for unit in mm cm in pt pc px; do
+  sed "s/viewBox/width='4$unit' viewBox/" moon.svg >said.svg
+  run 0 nest said.svg --strip 400 --effort draft --quiet
+  expect_silence "a unit that is said is missed: $unit"
+done
+sed -z 's/9\n[$]INSUNITS\n *70\n *4\n//' out/plates/layout.dxf >plain.dxf
+run 0 nest plain.dxf --strip 40 --effort draft --quiet
+expect_word 'plain.dxf says no unit: 1 unit is taken as 1 mm, its shapes take '
+expect_word "; \$INSUNITS in the DXF sets it"
+mkdir unitless && cp moon.svg bare.svg plain.dxf plates.svg unitless
+run 0 nest unitless --strip 40 --effort draft --quiet
+expect_word 'unitless: 2 files say no unit, as unitless/bare.svg: 1 unit is taken as 1/96 inch'
+expect_word 'unitless/plain.dxf says no unit: 1 unit is taken as 1 mm'
+run 0 nest parts.json --effort draft --out out/parts
+grep -q '^  unit            mm; 1 unit of the input is taken as 1 mm$' output || fail "the card does not name an instance's unit"
+echo "ok units"
+
+# A piece that is alone in its file is found by the file's name and by its own, in a folder or not.
+sed 's/<path/<path id="crescent"/' moon.svg >named.svg
+mkdir alone && cp moon.svg named.svg alone
+for demand in 'moon.svg moon' 'moon.svg path1' 'moon.svg mo*' 'named.svg named' 'named.svg crescent' 'alone named' 'alone crescent'; do
+  run 0 nest "${demand% *}" --strip 40 --demand "${demand#* }=5" --effort draft
+  grep -qE '^  pieces          (5 of 5|6 of 6)$' output || fail "another demand: $demand"
+done
+run 2 nest moon.svg --strip 40 --demand sun=5
+expect_word '--demand sun: fits no name of a shape; allowed: patterns of path1 or moon'
+run 2 nest alone --strip 40 --demand sun=5
+expect_word 'allowed: patterns of moon or path1, named or crescent'
+echo "ok names"
 
 run 2 nest plates.svg
 expect_word 'plates.svg: how large is the material? allowed: --strip H, or --sheet W,H, in mm'

@@ -116,7 +116,7 @@ run 1 puzzle solve jigsaw.h5 --out sun.png/result --job huge.toml
 expect_word 'cannot write into the folder sun.png/result: Not a directory'
 [[ ! -e huge.toml ]] || fail "it was solved before the result's folder was tried"
 run 1 puzzle solve jigsaw.h5 --job nowhere/huge.toml --job-only
-expect_word 'cannot write nowhere/huge.toml.lock'
+expect_word 'cannot write nowhere/huge.toml: the folder nowhere: No such file or directory'
 echo "ok without a frame"
 
 # within_frame JOB WIDTH HEIGHT PX PIECES: of what lies, nothing reaches farther beyond the frame.
@@ -169,22 +169,23 @@ echo "ok eroded polygons"
 rm jigsaw/pieces/piece_005.png
 run 0 library build jigsaw/pieces -o gap.h5 --puzzle
 run 0 puzzle solve gap.h5 --size 640,480 --scale 1 --truth jigsaw/truth --job-only
-expect_word 'the frame is not full: pieces are missing'
+expect_word 'the frame is not full: pieces are missing, they are smaller than they were cut, or the frame has another shape'
 grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "the others are not where they belong"
 run 0 puzzle solve gap.h5 --size 640,480 --truth jigsaw/truth --job unknown.toml --job-only
-expect_word 'the frame is not full: pieces are missing'
+expect_word 'the frame is not full: pieces are missing, they are smaller than they were cut, or the frame has another shape'
 grep -q '^by jigsaw/truth: 11 of 11 right' output || fail "a missing piece hides how large the others are"
 within_frame unknown 640 480 1 11 || fail "they leave the frame"
 cp other/pieces/piece_001.png jigsaw/pieces/stranger.png
 run 0 library build jigsaw/pieces -o stranger.h5 --puzzle
 # What finds no place is named, and the advice is for what was given; the collage is made, and exit code 3 says it.
 run 3 puzzle solve stranger.h5 --size 640,480 --scale 1 --truth jigsaw/truth
-expect_word '1 of 12 pieces found no place in the frame: stranger; without --size and --frame all that fits together is laid'
+expect_word '1 of 12 pieces found no place in the frame: stranger; the frame may have another shape than the puzzle: without --size and --frame all that fits together is laid'
 ! grep -q -- '--scale' errors || fail "advises --scale, which was given"
 grep -q '^by jigsaw/truth: 11 of 12 right' output || fail "a stranger spoils what fits"
 [[ -s out/stranger/collage.png ]] || fail "no picture"
 run 3 puzzle solve stranger.h5 --size 640,480 --job unscaled.toml --job-only
-expect_word '1 of 12 pieces found no place in the frame: stranger; where pieces are missing or foreign, --scale says'
+expect_word '1 of 12 pieces found no place in the frame: stranger; the frame may have another shape than the puzzle: '
+expect_word '; where pieces are missing or foreign, --scale says'
 within_frame unscaled 640 480 1 11 || fail "they leave the frame"
 run_on_ranks 2 3 puzzle solve stranger.h5 --job ranks.toml --quiet
 expect_word '1 of 12 pieces found no place: stranger'
@@ -192,9 +193,15 @@ expect_word '1 of 12 pieces found no place: stranger'
 # A frame that is too small for them, and known to be so.
 run 3 puzzle solve jigsaw.h5 --size 420,480 --scale 1 --job small.toml --job-only
 expect_word ' pieces found no place in the frame: piece_'
+# All pieces fit each other: it is the frame that has another shape.
+expect_word '; without a frame all of them fit each other: the frame of 420 x 480 px has another shape or size than the puzzle, which takes '
+grep -qE 'takes (639|640|641) x (479|480|481) px|takes (479|480|481) x (639|640|641) px' errors || fail "not the puzzle's size"
 placed=$(sed -n 's/^small.toml: \([0-9]*\) of 12 pieces on 420 x 480 px.*/\1/p' output)
 ((placed >= 6)) || fail "$placed pieces in a frame that has room for eight"
 within_frame small 420 480 2 "$placed" || fail "pieces leave a frame that is too small"
+run 3 puzzle solve jigsaw.h5 --size 640,640 --job square.toml --job-only
+expect_word 'the frame of 640 x 640 px has another shape or size than the puzzle'
+! grep -q -- '--scale' errors || fail "advises --scale where the frame has another shape"
 echo "ok pieces missing or foreign"
 
 # A shape is cut along its outline, in its colours; it is the frame, too, at any size.

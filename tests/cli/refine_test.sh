@@ -102,6 +102,16 @@ refused '--set start.keep=locked: allowed: any key but those of [start] other th
 refused '--trials: found 1, allowed: 2 or more, one for each of the [[regions]]' parts --relax --trials 1
 refused 'first: made from something else; canvas.size_px: then [240, 180], now [400, 300]' first --relax \
   --set 'canvas.size_px=[400, 300]'
+"$tessera" collage job.toml --set improve.trials=1000000 --out busy --quiet >output 2>errors &
+started=$!
+until [[ -s busy/run.lock ]] || ! kill -0 "$started" 2>/dev/null; do sleep 0.01; done
+refused "busy: no whole result is there yet: a run is at work here: process $started on" busy --relax
+run 2 draw busy
+expect_word "busy: no whole result is there yet: a run is at work here: process $started on"
+run 2 collage job.toml --set start.pieces=busy --out from_busy
+expect_word "busy: found a folder without pieces.geojson; a run is at work here: process $started on"
+kill -s INT "$started"
+wait "$started"
 cp -r first unfinished
 touch unfinished/checkpoint.h5
 refused 'unfinished: found unfinished work, allowed: a finished result; the command that made it finishes it with' \

@@ -36,6 +36,8 @@ run 0 library subset many.h5 --style-like 'l*f' --style-within 0.5 -o flat.h5
 run 0 library info flat.h5 --names
 [[ $(tr '\n' , <output) == 'corner,drop,leaf,' ]] || fail "others than the three flat ones"
 run 0 library styles flat.h5 # knows styles, too
+run 2 library subset many.h5 --style-like startle --closest 2 -o none.h5
+expect_word 'style-like: no shape of the library has a name like "startle"; near it are: star'
 run 2 library subset many.h5 --style-like star -o none.h5
 expect_word '--style-like: found alone; needed: --closest or --style-within'
 run 2 library subset many.h5 --style-like stra --closest 2 -o none.h5

@@ -208,14 +208,14 @@ TEST(CollageWarnings, PiecesThatStandBadlyAreTold) {
   io::Job job;
   job.tables["given"].resize(3);
   job.settings.wishes.given = {piece(0), piece(10), piece(200)};
-  EXPECT_EQ(
-      standing_warning(job, canvas, shape),
-      "of [[given]] 1 lie in a zone that pieces keep out of, the first is number 2, \"square\"; they stand as they are")
+  EXPECT_EQ(standing_warning(job, canvas, shape),
+            "of [[given]] 1 lies in a zone that pieces keep out of, the first is number 2, \"square\"; they stand as "
+            "they are")
       << "elsewhere they may lie";
   job.settings.wishes.given = {piece(60), piece(100), piece(140), piece(300), piece(310), piece(390), piece(315)};
   EXPECT_EQ(
       standing_warning(job, canvas, shape),
-      "of start.pieces 1 lie outside the canvas, the first is number 2, \"square\"; 2 lie on pieces before them, the "
+      "of start.pieces 1 lies outside the canvas, the first is number 2, \"square\"; 2 lie on pieces before them, the "
       "first is number 1, \"square\"; they stand as they are");
   job.settings.wishes.given.resize(4);
   EXPECT_EQ(standing_warning(job, canvas, shape), "");

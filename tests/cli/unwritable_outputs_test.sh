@@ -41,6 +41,8 @@ before_work "cannot write free.toml: free.toml.tmp $in_the_way" mosaic sun.png o
 before_work "cannot write taken.json$is_folder" bench pairs --out taken.json
 before_work "cannot write free.json: free.json.tmp $in_the_way" bench pairs --out free.json
 before_work 'cannot write into the folder file: Not a directory' rank result --out file
+before_work 'cannot write nowhere/new.h5: the folder nowhere: No such file or directory; give another output' \
+  library build drawings -o nowhere/new.h5
 before_work 'cannot create the output directory file' draw result --to file
 for name in collage.svg collage.png collage.pdf collage.tiff; do
   mkdir -p "elsewhere/$name"

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
 #include "scratch_folder.h"
 #include "support/input_error.h"
 
@@ -57,7 +61,7 @@ TEST(ErasedPieces, AMaskIsLaidOverTheCanvasWhateverItsSize) {
   const test::ScratchFolder folder;
   const std::string file = folder.write("mask.svg", svg(400, 200, "<rect x='100' y='50' width='40' height='20'/>"));
   const Canvas canvas = make_rectangle_canvas(200, 100);
-  const Grid<float> mask = erasing_mask(file, "--erase", canvas);
+  const Grid<float> mask = erasing_mask(file, "--erase", canvas).cells;
   ASSERT_EQ(mask.width(), 400);
   ASSERT_EQ(mask.height(), 200);
   EXPECT_GE(mask(120, 60), 0.5f);
@@ -70,9 +74,82 @@ TEST(ErasedPieces, AMaskMayBeAsSmallAsACollagesPicture) {
   const test::ScratchFolder folder;
   const std::string file = folder.write("mask.svg", svg(100, 70, "<rect x='10' y='5' width='40' height='20'/>"));
   const Canvas canvas = make_rectangle_canvas(2000, 1401);
-  const Grid<float> mask = erasing_mask(file, "--erase", canvas);
+  const Grid<float> mask = erasing_mask(file, "--erase", canvas).cells;
   const std::vector<JudgedPiece> pieces = {square_at(500, 300, 50), square_at(1500, 1000, 50)};
   EXPECT_EQ(pieces_under(mask, pieces, canvas), std::vector<int>{0});
+}
+
+/// A picture as a collage has it: squares of many colours, up to its edge, on white.
+cv::Mat collage_picture() {
+  cv::Mat picture(150, 300, CV_8UC3, cv::Scalar::all(255));
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 10; ++x) {
+      const cv::Rect square(30 * x, 30 * y, 27, 27);
+      picture(square).setTo(cv::Scalar(double(25 * x), double(50 * y), double(200 - 20 * x)));
+    }
+  }
+  return picture;
+}
+
+class PaintedOverTest : public testing::Test {
+ protected:
+  PaintedOverTest() { cv::imwrite(picture_, collage_picture()); }
+
+  ErasingMask mask_of(const std::string& name, const cv::Mat& painted) const {
+    cv::imwrite(folder_.path(name), painted);
+    return erasing_mask(folder_.path(name), "--erase", canvas_, picture_);
+  }
+  static float marked_part(const ErasingMask& mask) {
+    const std::vector<float>& cells = mask.cells.data();
+    return float(std::count_if(cells.begin(), cells.end(), [](float c) { return c >= 0.5f; })) / float(cells.size());
+  }
+
+  test::ScratchFolder folder_;
+  std::string picture_ = folder_.path("collage.png");
+  Canvas canvas_ = make_rectangle_canvas(300, 150);
+};
+
+/// As PNG and with the noise of JPEG.
+TEST_F(PaintedOverTest, OfACopyThatWasPaintedOverThePaintIsMeant) {
+  for (const char* name : {"painted.png", "painted.jpg"}) {
+    SCOPED_TRACE(name);
+    cv::Mat painted = collage_picture();
+    cv::line(painted, {40, 75}, {110, 75}, cv::Scalar(0, 255, 0), 6);
+    const ErasingMask mask = mask_of(name, painted);
+    EXPECT_TRUE(mask.is_opaque);
+    EXPECT_GE(mask.cells(mask.cells.width() * 65 / 300, mask.cells.height() / 2), 0.5f);
+    EXPECT_NEAR(marked_part(mask), 70.f * 6 / (300 * 150), 0.006f);
+  }
+}
+
+/// Not the copy of another picture, nor a scribble on a page of its own.
+TEST_F(PaintedOverTest, OfAnotherPictureNothingIsTakenForPaint) {
+  cv::Mat other(150, 300, CV_8UC3);
+  cv::randu(other, cv::Scalar::all(0), cv::Scalar::all(255));
+  EXPECT_NE(test::message_of([&] { mask_of("other.png", other); }).find("that is no copy of collage.png"),
+            std::string::npos);
+  cv::Mat page(150, 300, CV_8UC3, cv::Scalar::all(255));
+  cv::line(page, {40, 75}, {110, 75}, cv::Scalar(0, 255, 0), 6);
+  EXPECT_NEAR(marked_part(mask_of("page.png", page)), 70.f * 6 / (300 * 150), 0.006f);
+}
+
+/// Whose silhouette is cut out as that of any drawing.
+TEST_F(PaintedOverTest, OfACopyOnAPlainGroundThePaintIsMeantToo) {
+  cv::Mat picture(150, 300, CV_8UC3, cv::Scalar::all(255));
+  collage_picture()(cv::Rect(0, 0, 200, 100)).copyTo(picture(cv::Rect(50, 25, 200, 100)));
+  cv::imwrite(picture_, picture);
+  cv::line(picture, {100, 75}, {170, 75}, cv::Scalar(0, 255, 0), 6);
+  EXPECT_NEAR(marked_part(mask_of("painted.png", picture)), 70.f * 6 / (300 * 150), 0.006f);
+}
+
+TEST_F(PaintedOverTest, WithoutPaintNothingIsMeant) {
+  EXPECT_NE(test::message_of([&] { mask_of("same.png", collage_picture()); }).find("shows nothing"), std::string::npos);
+}
+
+TEST(ErasedPieces, WhatIsCoveredForTheMostPart) {
+  const Canvas canvas = make_rectangle_canvas(200, 100);
+  const std::vector<JudgedPiece> pieces = {square_at(30, 50, 40), square_at(80, 50, 40)};
+  EXPECT_EQ(pieces_under(marked(10, 30, 70, 70), pieces, canvas, 0.5), std::vector<int>{0});
 }
 
 TEST(ErasedPieces, MasksThatCannotBeMeantAreErrors) {

@@ -87,7 +87,7 @@ TEST(PieceDeformation, RefusesPolygonsOfOtherPieces) {
   far_off.insert(far_off.find("[[[") + 3, "9");
   EXPECT_NE(refused(far_off).find("far from"), std::string::npos) << refused(far_off);
   std::string fewer = text.substr(0, text.rfind(",\n{")) + "\n]}\n";
-  EXPECT_NE(refused(fewer).find("1 polygons"), std::string::npos) << refused(fewer);
+  EXPECT_NE(refused(fewer).find("1 polygon,"), std::string::npos) << refused(fewer);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "artwork_samples.h"
 #include "drawn_collage.h"
 #include "io/available_cores.h"
+#include "io/result/artwork_original.h"
 #include "io/result/drawing_notes.h"
 #include "io/result/png_stream.h"
 #include "io/result/tiff_pyramid.h"
@@ -236,7 +237,7 @@ TEST(Png, LostOriginalsGiveWayToTheThumbnail) {
   const DrawingNotes notes = drawn.artworks.notes();
   ASSERT_EQ(notes.notes.size(), 1u);
   EXPECT_EQ(notes.notes[0].from, DrawnFrom::thumbnail);
-  EXPECT_EQ(drawing_warning(notes), "1 piece drawn from thumbnails: original missing");
+  EXPECT_EQ(drawing_warning(notes), std::string("1 piece drawn from thumbnails: ") + kOriginalMissing);
 }
 
 TEST(Png, ABadOriginalCostsItsDrawingAndIsNamed) {

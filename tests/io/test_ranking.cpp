@@ -73,6 +73,18 @@ TEST(Ranking, a_wrong_weight_is_named_with_what_is_allowed) {
   EXPECT_NE(message_of([] { ranking_weights({"overlap=nan"}); }), "");
 }
 
+TEST(Ranking, its_picture_marks_what_is_unfinished) {
+  const RankingWeights weights = ranking_weights({});
+  const auto picture = [&](const std::string& stopped_by) {
+    ResultCard one = card("a", 0.9);
+    one.stopped_by = stopped_by;
+    return ranking_files(ranked({one}, weights), weights).png;
+  };
+  EXPECT_EQ(picture("full"), picture("seconds"));  // a limit of the job
+  EXPECT_NE(picture("full"), picture("time_limit"));
+  EXPECT_EQ(picture("signal"), picture("time_limit"));
+}
+
 ResultCard seen_card(const std::string& folder, double balance, double dwarfs, double copies_apart, double alone) {
   ResultCard result = card(folder, 0.9);
   result.quality.balance = SizeBalance{balance, dwarfs};

@@ -156,8 +156,8 @@ TEST(Silhouette, APhotoThatFillsItsFrameIsRefused) {
       FAIL();
     } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()),
-                "wall: a photo without a plain background; cut out what it shows, or let tessera library extract find "
-                "the elements in it");
+                "wall: a photo without a plain background; cut out what it shows (a library of the elements in it: "
+                "tessera library extract)");
     }
   }
 }

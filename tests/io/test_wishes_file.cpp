@@ -157,7 +157,7 @@ TEST_F(WishesFile, SaysWhereAndWhatIsWrong) {
             "job.toml: library.wishes: wishes.csv:1: the column names is missing; needed: patterns "
             "of names, as in library.include");
   EXPECT_EQ(mistake("names,uses\ncat\n"),
-            "job.toml: library.wishes: wishes.csv:2: found 1 cells, allowed: 2, as many as the first row has");
+            "job.toml: library.wishes: wishes.csv:2: found 1 cell, allowed: 2, as many as the first row has");
   EXPECT_EQ(mistake("names,uses\n,2\n"),
             "job.toml: library.wishes: wishes.csv:2: names is missing in [[shapes]]; needed: "
             "patterns of names, as in library.include");

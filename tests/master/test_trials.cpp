@@ -268,6 +268,17 @@ TEST_F(ApartTest, OfPiecesTooNearToTheirLikeTheFirstStays) {
             (std::vector<Placement>{given[0], given[1], other, far}));
 }
 
+/// Neither as large as it was nor smaller; given ones stand all the same.
+TEST_F(ApartTest, WhatWasTakenOutDoesNotComeBackToWhereItLay) {
+  CollageSettings s = settings();
+  s.wishes.not_back = {{ShapeId{0}, {0, 40, 100, 70}}};
+  const Placement back = piece(0, 10, {110, 80});
+  const Placement other = piece(1, 40, {100, 70});
+  const Placement beside = piece(0, 40, {121, 70});
+  EXPECT_EQ(without_too_near({back, other, beside, back}, 1, s, shapes_, Period{}),
+            (std::vector<Placement>{back, other, beside}));
+}
+
 /// Nothing else hinders them from growing.
 TEST_F(ApartTest, OfPiecesThatGrewTooNearToTheirLikeTheFirstStays) {
   Relaxing relaxing(collage_.free(), apart(), shapes_, [](const Placement&) { return PoseRange{20, 90, {}}; });

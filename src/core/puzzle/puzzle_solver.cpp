@@ -98,7 +98,10 @@ class Solver {
     if (frame_ < 0 || (arranger_.whole(alone) && fit_into_frame(alone))) return solution_of(std::move(alone));
     if (!input.frame_fits && take_scale(alone, input.frame) && fit_into_frame(alone))
       return solution_of(std::move(alone));
-    return solution_of(solved_in_frame(alone));
+    Solved solved = solution_of(solved_in_frame(alone));
+    if (arranger_.whole(alone) && solved.solution.placed < int(arranger_.pieces_count()))
+      solved.solution.without_frame = poses_of_pieces(alone);
+    return solved;
   }
 
  private:
@@ -134,6 +137,12 @@ class Solver {
       }
     }
     return longest;
+  }
+
+  std::vector<Similarity> poses_of_pieces(const Arrangement& in) const {
+    std::vector<Similarity> poses(arranger_.pieces_count());
+    for (const LaidPiece& laid : in.laid) poses[std::size_t(laid.piece)] = laid.pose;
+    return poses;
   }
 
   /// Each beginning alone, then more and more arrangements at a time, until one is whole.

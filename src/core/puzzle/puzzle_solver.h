@@ -34,6 +34,8 @@ inline constexpr double kMostPuzzleGaps = 0.02;
 
 struct PuzzleSolution {
   std::vector<std::optional<Similarity>> poses;  // puzzle_from_piece, of each piece; nothing: no place was found
+  /// puzzle_from_piece of all pieces where they fit each other, but not all of them in the frame; empty else.
+  std::vector<Similarity> without_frame = {};
   int placed = 0;
   double scale = 1;    // of the pieces in the frame: it is frame / scale, in their unit, that they lie in
   double erosion = 0;  // how much smaller all round pieces are than they were cut (likely_erosions)

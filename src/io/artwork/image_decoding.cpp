@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "io/artwork/image_header.h"
+#include "io/artwork/svg_page.h"
 #include "io/artwork/unread_format.h"
 
 namespace tessera::io {
@@ -13,6 +14,10 @@ namespace {
 void check_header(std::span<const std::uint8_t> bytes, const std::string& path) {
   const std::optional<cv::Size2d> size = image_size_from_header(bytes);
   const std::string unread = unread_format(bytes);
+  if (looks_like_svg(bytes)) {
+    throw InputError(path + ": found an SVG, needed: a picture of pixels; rsvg-convert -w 2000 FILE.svg -o FILE.png " +
+                     "draws one");
+  }
   if (!unread.empty()) throw InputError(path + ": " + unread_format_reason(unread));
   if (!size) throw InputError(path + ": neither SVG nor a readable PNG, WebP, TIFF, BMP or JPEG image");
   if (size->area() > kMaxImagePixels) {

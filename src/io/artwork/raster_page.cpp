@@ -41,8 +41,8 @@ cv::Mat with_silhouette(const cv::Mat& image, const std::string& path, Backgroun
   if (background == Background::kept) return opaque_page(bgr);
   if (!has_plain_edge(bgr)) {
     throw InputError(path +
-                     ": a photo without a plain background; cut out what it shows, or let tessera library "
-                     "extract find the elements in it");
+                     ": a photo without a plain background; cut out what it shows (a library of the elements in it: "
+                     "tessera library extract)");
   }
   return cut_from_background(bgr);
 }

@@ -15,6 +15,7 @@
 #include "io/job/job_keys.h"
 #include "io/nearest_name.h"
 #include "io/number_text.h"
+#include "io/output_lock.h"
 #include "io/pose.h"
 
 namespace tessera::io {
@@ -216,7 +217,9 @@ void check_is_there(const std::string& given, const std::string& file) {
   std::error_code error;
   if (!fs::exists(given, error) && !error) throw InputError(given + ": no such file or folder" + kAllowed);
   if (fs::is_directory(given, error) && !fs::exists(file, error) && !error) {
-    throw InputError(given + ": found a folder without pieces.geojson" + kAllowed);
+    const std::string holder = holder_of_lock(folder_lock_path(given));
+    throw InputError(given + ": found a folder without pieces.geojson" +
+                     (holder.empty() ? kAllowed : "; a run is at work here: " + holder + "; wait for its end"));
   }
 }
 

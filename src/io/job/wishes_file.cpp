@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/split_text.h"
 #include "io/csv_text.h"
@@ -136,8 +137,8 @@ class WishesFile {
   void check_width(const CsvRow& row, const CsvRow& header) const {
     if (row.cells.size() == header.cells.size()) return;
     const bool more = row.cells.size() > header.cells.size();
-    throw InputError(place(row) + ": found " + std::to_string(row.cells.size()) +
-                     " cells, allowed: " + std::to_string(header.cells.size()) + ", as many as the first row has" +
+    throw InputError(place(row) + ": found " + count_text(row.cells.size(), "cell") +
+                     ", allowed: " + std::to_string(header.cells.size()) + ", as many as the first row has" +
                      (more ? "; a list needs quotes, \"[20, 80]\", and a number has a point, 0.5, not a comma" : ""));
   }
 

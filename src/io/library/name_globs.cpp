@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/count_text.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -106,7 +107,7 @@ std::vector<std::uint32_t> chosen_names(const NameIndex& names, const NameGlobs&
   std::set_difference(included.begin(), included.end(), excluded.begin(), excluded.end(), std::back_inserter(chosen));
   if (chosen.empty()) {
     throw NamesNotFound("exclude",
-                        "nothing is left of the " + std::to_string(names.names().size()) + " shapes of " + library);
+                        "nothing is left of the " + count_text(names.names().size(), "shape") + " of " + library);
   }
   return chosen;
 }

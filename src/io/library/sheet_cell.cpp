@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <span>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/artwork/alpha.h"
 #include "io/utf8_text.h"
@@ -100,7 +101,7 @@ void draw_on_sheet(cairo_t* cairo, Drawers& drawers, const Shape& shape, const S
 
 std::string sheet_title(const LibraryFile& library, std::size_t shown) {
   std::string title = printable_utf8(std::filesystem::path(library.path()).filename()) + "  ·  ";
-  title += std::to_string(library.size()) + " shapes";
+  title += count_text(library.size(), "shape");
   if (shown < library.size()) title += ", " + std::to_string(shown) + " shown";
   return title;
 }

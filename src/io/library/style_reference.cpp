@@ -6,11 +6,22 @@
 #include "io/library/name_globs.h"
 
 namespace tessera::io {
+namespace {
+
+std::vector<std::uint32_t> chosen_like(const NameIndex& names, const std::vector<std::string>& like) {
+  try {
+    return chosen_names(names, {like, {}}, "the library");
+  } catch (const NamesNotFound& error) {
+    throw NamesNotFound("style-like", error.reason());
+  }
+}
+
+}  // namespace
 
 StylePlace style_reference(const NameIndex& names, const std::vector<StylePlace>& places,
                            const std::vector<std::string>& like) {
   if (like == std::vector<std::string>{kPrevailingStyle}) return places[prevailing_style(places)];
-  const std::vector<std::uint32_t> chosen = chosen_names(names, {like, {}}, "the library");
+  const std::vector<std::uint32_t> chosen = chosen_like(names, like);
   std::array<double, kStyleNumbers> sum{};
   for (const std::uint32_t shape : chosen) {
     for (std::size_t k = 0; k < kStyleNumbers; ++k) sum[k] += double(places[shape][k]);

@@ -186,6 +186,7 @@ class Reader {
 
   std::vector<NestRing> rings;  // closed where the last point is the first
   int unread = 0;
+  bool says_unit = false;
 
  private:
   void begin(const Pair& pair) {
@@ -240,6 +241,7 @@ class Reader {
       in_.fail(pair.line + 1,
                "$INSUNITS: found " + std::string(pair.value.substr(0, 20)) + ", allowed: a whole number from 0 to 20");
     mm_ = kMmOfUnit[std::size_t(unit)];
+    says_unit = unit > 0;
   }
 
   void polyline_value(const Pair& pair) {
@@ -287,6 +289,7 @@ DxfDrawings dxf_drawings(std::string_view text, const std::string& path, const s
   reader.read();
   DxfDrawings found;
   found.unread_entities = reader.unread;
+  found.says_unit = reader.says_unit;
   if (reader.rings.size() > kMostLines)
     throw InputError(path + ": found " + std::to_string(reader.rings.size()) +
                      " lines and arcs, allowed: " + std::to_string(kMostLines));

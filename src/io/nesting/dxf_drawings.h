@@ -13,6 +13,7 @@ struct DxfDrawings {
   std::vector<NestDrawing> drawings;  // NAME-1, NAME-2, ...
   int open_chains = 0;                // left out, as are those that enclose nothing
   int unread_entities = 0;            // of other kinds, left out: splines, blocks, texts
+  bool says_unit = false;             // $INSUNITS names one
 };
 
 /// ASCII DXF, R12 or later: LWPOLYLINE, POLYLINE, LINE, ARC and CIRCLE of the model. Lines, arcs and open polylines whose

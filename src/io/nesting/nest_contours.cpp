@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/nesting/ring_rows.h"
 #include "io/utf8_text.h"
@@ -12,7 +13,7 @@ namespace tessera::io {
 
 void check_contour(const NestRing& contour, const std::string& what) {
   if (contour.size() < 3)
-    throw InputError(what + ": found a contour of " + std::to_string(contour.size()) + " points, allowed: 3 or more");
+    throw InputError(what + ": found a contour of " + count_text(contour.size(), "point") + ", allowed: 3 or more");
   if (contour.size() > kMostContourPoints) {
     throw InputError(what + ": found a contour of " + std::to_string(contour.size()) +
                      " points, allowed: " + std::to_string(kMostContourPoints) + " or fewer");

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/nesting/search_outline.h"
 #include "io/library/library_view.h"
@@ -11,6 +13,7 @@
 #include "io/nesting/dxf_drawings.h"
 #include "io/nesting/nest_instance.h"
 #include "io/nesting/svg_drawings.h"
+#include "io/nesting/unknown_units.h"
 #include "io/regular_file.h"
 #include "io/too_many.h"
 #include "io/utf8_text.h"
@@ -45,23 +48,28 @@ void add(std::vector<NestDrawing> drawings, NestInput& input) {
   }
 }
 
-void note(int count, const std::string& what, const fs::path& path, NestInput& input) {
-  if (count > 0) input.notes.push_back(shown(path) + ": left out " + std::to_string(count) + " " + what);
+/// `one`, `several`: what was left out and why, in the singular and in the plural.
+void note(int count, const char* one, const char* several, const fs::path& path, NestInput& input) {
+  if (count > 0) input.notes.push_back(shown(path) + ": left out " + count_text(std::size_t(count), one, several));
 }
 
-void add_file(const fs::path& path, NestInput& input) {
+void add_file(const fs::path& path, NestInput& input, UnknownUnits& units) {
   const std::vector<std::uint8_t> bytes = read_regular_file(path.string(), kMostFileBytes);
   if (kind_of(path) == Kind::svg) {
     SvgDrawings found = svg_drawings(bytes, shown(path));
-    note(found.open_paths, "open paths: they enclose nothing", path, input);
-    note(found.unread_elements, "elements that are no shapes: use, image or text", path, input);
+    note(found.open_paths, "open path: it encloses nothing", "open paths: they enclose nothing", path, input);
+    note(found.unread_elements, "element that is no shape: use, image or text",
+         "elements that are no shapes: use, image or text", path, input);
+    if (!found.says_unit) units.add_svg(shown(path), found);
     add(std::move(found.drawings), input);
     return;
   }
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   DxfDrawings found = dxf_drawings(text, shown(path), printable_utf8(path.stem().string()));
-  note(found.open_chains, "chains of lines that do not close", path, input);
-  note(found.unread_entities, "entities that are no lines, arcs, circles or polylines", path, input);
+  note(found.open_chains, "chain of lines that does not close", "chains of lines that do not close", path, input);
+  note(found.unread_entities, "entity that is no line, arc, circle or polyline",
+       "entities that are no lines, arcs, circles or polylines", path, input);
+  if (!found.says_unit) units.add_dxf(shown(path), found);
   add(std::move(found.drawings), input);
 }
 
@@ -87,6 +95,23 @@ FolderFiles drawings_in(const fs::path& folder) {
   return files;
 }
 
+/// A drawing that is alone in its file is found by the file's name, too.
+void answer_to_file(const fs::path& file, NestInput& input) {
+  const std::string stem = printable_utf8(file.stem().string());
+  if (input.sources.size() == 1 && input.sources.front().drawing.name != stem) input.sources.front().other_name = stem;
+}
+
+/// The drawings of a file in a folder have its name: a single one that alone, several before their own.
+void name_by_file(const fs::path& file, std::size_t first, NestInput& input) {
+  const std::string stem = printable_utf8(file.stem().string());
+  const bool one = input.sources.size() == first + 1;
+  for (std::size_t i = first; i < input.sources.size(); ++i) {
+    std::string& name = input.sources[i].drawing.name;
+    if (one && name != stem) input.sources[i].other_name = std::exchange(name, stem);
+    if (!one && !name.starts_with(stem)) name = stem + "." + name;
+  }
+}
+
 std::string joined(const std::set<std::string>& names) {
   constexpr std::size_t kMostBytes = 200;
   std::string text;
@@ -97,19 +122,19 @@ std::string joined(const std::set<std::string>& names) {
   return cut_utf8(text, kMostBytes);
 }
 
-void add_folder(const fs::path& folder, NestInput& input) {
+void add_folder(const fs::path& folder, NestInput& input, UnknownUnits& units) {
   const auto [files, others] = drawings_in(folder);
-  note(int(others.size()), "names that are no regular files: " + joined(others), folder, input);
+  if (!others.empty()) {
+    input.notes.push_back(
+        shown(folder) + ": left out " +
+        count_text(others.size(), "name that is no regular file: ", "names that are no regular files: ") +
+        joined(others));
+  }
   std::size_t points = 0;
   for (const fs::path& file : files) {
     const std::size_t before = input.sources.size();
-    add_file(file, input);
-    const std::string stem = printable_utf8(file.stem().string());
-    const bool one = input.sources.size() == before + 1;
-    for (std::size_t i = before; i < input.sources.size(); ++i) {
-      std::string& name = input.sources[i].drawing.name;
-      if (!name.starts_with(stem)) name = one ? stem : stem + "." + name;
-    }
+    add_file(file, input, units);
+    name_by_file(file, before, input);
     if (input.sources.size() > kMostDrawings) {
       throw InputError(shown(folder) + ": found " + std::to_string(input.sources.size()) +
                        " shapes or more, allowed: " + std::to_string(kMostDrawings));
@@ -183,16 +208,20 @@ std::size_t points_to_cut(const NestInput& input) {
 
 NestInput read_nest_input(const std::string& path) {
   NestInput input;
+  UnknownUnits units;
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
-    add_folder(path, input);
+    add_folder(path, input, units);
   } else if (const Kind kind = kind_of(path); kind == Kind::instance) {
     const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostFileBytes);
     input = nest_instance({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, printable_utf8(path));
+    input.unit = "1 mm";
   } else if (kind == Kind::library) {
     add_library(path, input);
+    input.unit = "1/96 inch";
   } else if (kind != Kind::other) {
-    add_file(path, input);
+    add_file(path, input, units);
+    answer_to_file(path, input);
   } else {
     throw InputError(printable_utf8(path) +
                      ": allowed: an instance (.json), .svg, .svgz, .dxf, a library (.h5), or a folder");
@@ -205,6 +234,7 @@ NestInput read_nest_input(const std::string& path) {
   for (std::size_t i = 0; i < input.sources.size(); ++i) input.sources[i].number = int(i);
   make_names_unique(input);
   remove_spikes(path, input);
+  units.tell(printable_utf8(path), input);
   return input;
 }
 
@@ -216,6 +246,7 @@ std::string names_of(const NestInput& input) {
   std::string names;
   for (const NestSource& source : input.sources) {
     names += (names.empty() ? "" : ", ") + printable_utf8(source.drawing.name);
+    if (!source.other_name.empty()) names += " or " + printable_utf8(source.other_name);
     if (names.size() > kMostBytes) break;
   }
   return cut_utf8(names, kMostBytes);
@@ -224,11 +255,21 @@ std::string names_of(const NestInput& input) {
 }  // namespace
 
 void set_demands(NestInput& input, const std::vector<std::pair<std::string, int>>& demands) {
-  std::vector<std::string> names;
-  for (const NestSource& source : input.sources) names.push_back(source.drawing.name);
-  const NameIndex index(std::move(names));
+  std::vector<std::string> names, other_names;
+  std::vector<std::uint32_t> place_of_other;
+  for (const NestSource& source : input.sources) {
+    if (!source.other_name.empty()) {
+      place_of_other.push_back(std::uint32_t(names.size()));
+      other_names.push_back(source.other_name);
+    }
+    names.push_back(source.drawing.name);
+  }
+  const NameIndex index(std::move(names)), others(std::move(other_names));
   for (const auto& [pattern, demand] : demands) {
-    const std::vector<std::uint32_t> places = index.matching(pattern);
+    std::vector<std::uint32_t> places = index.matching(pattern);
+    if (places.empty()) {
+      for (const std::uint32_t other : others.matching(pattern)) places.push_back(place_of_other[other]);
+    }
     for (const std::uint32_t place : places) input.sources[place].demand = demand;
     if (places.empty())
       throw InputError("--demand " + printable_utf8(pattern) + ": fits no name of a shape; allowed: patterns of " +

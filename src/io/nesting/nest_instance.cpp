@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/nesting/nesting.h"
 #include "io/json_bounds.h"
@@ -51,8 +52,7 @@ int whole_number_in(const json& value, int least, int most, const std::string& w
 
 NestRing ring_of(const json& points, const std::string& where) {
   if (!points.is_array() || points.size() > kMostContourPoints + 1) {
-    throw InputError(where + ": found " +
-                     (points.is_array() ? std::to_string(points.size()) + " points" : shown(points)) +
+    throw InputError(where + ": found " + (points.is_array() ? count_text(points.size(), "point") : shown(points)) +
                      ", allowed: a list of points, " + std::to_string(kMostContourPoints) + " or fewer");
   }
   NestRing ring;
@@ -128,8 +128,7 @@ NestInput nest_instance(std::string_view text, const std::string& path) {
   if (instance.is_discarded()) throw InputError(path + ": not a readable JSON file");
   const json& items = member(instance, "items", path);
   if (!items.is_array() || items.empty() || items.size() > kMostDrawings) {
-    throw InputError(path + ": items: found " +
-                     (items.is_array() ? std::to_string(items.size()) + " items" : shown(items)) +
+    throw InputError(path + ": items: found " + (items.is_array() ? count_text(items.size(), "item") : shown(items)) +
                      ", allowed: a list of 1 to " + std::to_string(kMostDrawings));
   }
   NestInput input;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/base/count_text.h"
 #include "io/job/toml_text.h"
 #include "io/nesting/nest_sheets.h"
 #include "io/number_text.h"
@@ -64,7 +65,7 @@ NestJob nest_job(const NestRun& run, int sheet, const std::string& folder, const
   const std::string library = fs::absolute(run.input.library).lexically_normal().lexically_relative(from).string();
   const std::string size_px = std::to_string(canvas.width) + ", " + std::to_string(canvas.height);
   const std::string size_mm = fixed(size.width_mm, 3) + ", " + fixed(size.height_mm, 3);
-  const std::string toml = "# Nested by tessera nest: " + std::to_string(pieces.size()) + " pieces, " +
+  const std::string toml = "# Nested by tessera nest: " + count_text(pieces.size(), "piece") + ", " +
                            fixed(size.width_mm, 1) + " x " + fixed(size.height_mm, 1) +
                            " mm.\n"
                            "# Every key of a job: docs/job-format.md\n\n"

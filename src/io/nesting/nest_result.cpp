@@ -99,6 +99,7 @@ std::string nest_card_text(const NestRun& run) {
                                fixed(run.problem.height, 3) + " mm");
     text += line("last sheet", length + " of its length used");
   }
+  text += line("unit", run.input.unit.empty() ? "mm" : "mm; 1 unit of the input is taken as " + run.input.unit);
   text += line("spacing", fixed(run.problem.spacing, 3) + " mm");
   text += line("did not fit", left_over_text(run));
   text += line("effort", run.effort + ", seed " + std::to_string(run.seed));

@@ -61,11 +61,22 @@ std::optional<double> length_px(std::string_view text) {
   return std::nullopt;
 }
 
-/// mm of the page from user units: width and height against the viewBox, as "xMidYMid meet" or "none" have it; where the
-/// page lies does not matter.
-SvgMatrix mm_from_user(xmlNode* root, const std::string& path) {
+/// Whether the text is a length that names its unit.
+bool has_unit(const std::optional<std::string>& text) {
+  return text && length_px(*text) && text->find_first_of("mcipx") != std::string::npos;
+}
+
+/// Width or height of the page as its attribute says it, px; nothing: it has none, or none that says a length.
+std::optional<double> page_side_px(xmlNode* root, const char* name) {
+  const std::optional<std::string> text = attribute(root, name);
+  const std::optional<double> px = text ? length_px(*text) : std::nullopt;
+  return px && *px > 0 ? px : std::nullopt;
+}
+
+/// The last two numbers of the viewBox; nothing: there is none.
+std::optional<NestPoint> view_box(xmlNode* root, const std::string& path) {
   const std::optional<std::string> box = attribute(root, "viewBox");
-  if (!box) return {kMm_px, 0, 0, kMm_px, 0, 0};
+  if (!box) return std::nullopt;
   std::vector<double> view;
   try {
     view = svg_numbers(*box);
@@ -74,15 +85,26 @@ SvgMatrix mm_from_user(xmlNode* root, const std::string& path) {
   if (view.size() != 4 || !(view[2] > 0 && view[3] > 0))
     throw InputError(path + ": viewBox: found \"" + printable_utf8(box->substr(0, 40)) +
                      "\", allowed: four numbers, the last two above 0");
-  const auto side = [&](const char* name, double user) {
-    const std::optional<std::string> text = attribute(root, name);
-    const std::optional<double> px = text ? length_px(*text) : std::nullopt;
-    return px && *px > 0 ? std::optional<double>(*px / user) : std::nullopt;
-  };
-  const std::optional<double> x = side("width", view[2]), y = side("height", view[3]);
-  double scale_x = x ? *x : y ? *y : 1, scale_y = y ? *y : scale_x;
+  return NestPoint{view[2], view[3]};
+}
+
+/// mm of the page from user units: width and height against the viewBox, as "xMidYMid meet" or "none" have it; where the
+/// page lies does not matter.
+SvgMatrix mm_from_user(xmlNode* root, const std::optional<NestPoint>& view) {
+  if (!view) return {kMm_px, 0, 0, kMm_px, 0, 0};
+  const std::optional<double> width = page_side_px(root, "width"), height = page_side_px(root, "height");
+  double scale_x = width ? *width / view->x : height ? *height / view->y : 1;
+  double scale_y = height ? *height / view->y : scale_x;
   if (attribute(root, "preserveAspectRatio").value_or("") != "none") scale_x = scale_y = std::min(scale_x, scale_y);
   return {scale_x * kMm_px, 0, 0, scale_y * kMm_px, 0, 0};
+}
+
+/// What the file says of its unit and its page.
+void read_page(xmlNode* root, const std::optional<NestPoint>& view, const SvgMatrix& mm, SvgDrawings& found) {
+  const std::optional<double> width = page_side_px(root, "width"), height = page_side_px(root, "height");
+  found.says_unit = has_unit(attribute(root, "width")) || has_unit(attribute(root, "height"));
+  found.page_width_mm = width ? *width * kMm_px : view ? mm.a * view->x : 0;
+  found.page_height_mm = height ? *height * kMm_px : view ? mm.d * view->y : 0;
 }
 
 double number_of(xmlNode* node, const char* name) {
@@ -168,7 +190,10 @@ class Reader {
 
   void read(xmlNode* root) {
     try {
-      children(root, mm_from_user(root, path_));
+      const std::optional<NestPoint> view = view_box(root, path_);
+      const SvgMatrix mm = mm_from_user(root, view);
+      read_page(root, view, mm, found_);
+      children(root, mm);
     } catch (const InputError& error) {
       const std::string text = error.what();
       throw InputError(text.starts_with(path_) ? text : path_ + ": " + text);

@@ -15,8 +15,10 @@ namespace tessera::io {
 
 struct SvgDrawings {
   std::vector<NestDrawing> drawings;
-  int open_paths = 0;       // left out, as lines are
-  int unread_elements = 0;  // of other kinds, left out: use, image, text
+  int open_paths = 0;                            // left out, as lines are
+  int unread_elements = 0;                       // of other kinds, left out: use, image, text
+  bool says_unit = false;                        // width or height has a unit of length
+  double page_width_mm = 0, page_height_mm = 0;  // 0: the file does not say how large its page is
 };
 
 /// Each path, rect, circle, ellipse, polygon or polyline that is no definition and not hidden, by its id or a number;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/nesting/nest_contours.h"
 #include "io/too_many.h"
@@ -234,8 +235,8 @@ SvgMatrix one_transform(std::string_view name, const std::vector<double>& v) {
   }
   if (name == "skewX" && n == 1) return {1, 0, std::tan(v[0] * kPi / 180), 1, 0, 0};
   if (name == "skewY" && n == 1) return {1, std::tan(v[0] * kPi / 180), 0, 1, 0, 0};
-  throw InputError("transform: found " + printable_utf8(std::string(name.substr(0, 20))) + " of " + std::to_string(n) +
-                   " numbers, allowed: SVG's matrix, translate, scale, rotate, skewX, skewY");
+  throw InputError("transform: found " + printable_utf8(std::string(name.substr(0, 20))) + " of " +
+                   count_text(n, "number") + ", allowed: SVG's matrix, translate, scale, rotate, skewX, skewY");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string_view>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/geometry/closed_curve.h"
 #include "core/geometry/polygon.h"
@@ -148,15 +149,18 @@ Similarity upright(const std::vector<cv::Point2f>& points, cv::Size2f& size) {
   return {turn.a, turn.b, size.width / 2 - centre.x, size.height / 2 - centre.y};
 }
 
+void add_points(const std::vector<Vec2>& polygon, const Similarity& pose, std::vector<cv::Point2f>& points) {
+  for (const Vec2 p : polygon) {
+    const Vec2 q = pose.apply(p);
+    points.emplace_back(q.x, q.y);
+  }
+}
+
 /// Poses of what was found for a canvas as large as it.
 void stand_upright(PuzzleSolution& solution, const std::vector<std::vector<Vec2>>& polygons, SolvedPuzzle& solved) {
   std::vector<cv::Point2f> points;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    if (!solution.poses[i]) continue;
-    for (const Vec2 p : polygons[i]) {
-      const Vec2 q = solution.poses[i]->apply(p);
-      points.emplace_back(q.x, q.y);
-    }
+    if (solution.poses[i]) add_points(polygons[i], *solution.poses[i], points);
   }
   cv::Size2f size;
   const Similarity turned = upright(points, size);
@@ -166,6 +170,22 @@ void stand_upright(PuzzleSolution& solution, const std::vector<std::vector<Vec2>
   constexpr double kMost = 1e9;  // more is refused, too
   solved.width_px = int(std::min(kMost, std::ceil(size.width * solved.scale)));
   solved.height_px = int(std::min(kMost, std::ceil(size.height * solved.scale)));
+}
+
+/// How large all pieces are together, `scale` px of the canvas for one px of the pieces, where they fit each other in the
+/// frame or without it.
+void measure_together(const PuzzleSolution& solution, const std::vector<std::vector<Vec2>>& polygons, double scale,
+                      SolvedPuzzle& solved) {
+  const bool in_frame = solution.without_frame.empty();
+  std::vector<cv::Point2f> points;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (in_frame && !solution.poses[i]) return;
+    add_points(polygons[i], in_frame ? *solution.poses[i] : solution.without_frame[i], points);
+  }
+  cv::Size2f size;
+  upright(points, size);
+  solved.loose_width_px = int(std::lround((size.width + 2 * solution.erosion) * scale));
+  solved.loose_height_px = int(std::lround((size.height + 2 * solution.erosion) * scale));
 }
 
 std::vector<LaidPuzzlePiece> laid_pieces(const std::vector<Shape>& shapes,
@@ -220,8 +240,8 @@ std::string job_text(const SolvingRequest& request, const SolvedPuzzle& solved) 
     return toml_text(fs::absolute(path).lexically_normal().lexically_relative(folder).string());
   };
   const std::string canvas_file = request.frame_file.empty() ? "" : "file = " + beside(request.frame_file) + "\n";
-  return std::string(kJobMark) + ": " + std::to_string(solved.placed) + " of " + std::to_string(solved.pieces) +
-         " pieces.\n"
+  return std::string(kJobMark) + ": " + std::to_string(solved.placed) + " of " + count_text(solved.pieces, "piece") +
+         ".\n"
          "# Every key of a job: docs/job-format.md\n"
          "\n"
          "[library]\n"
@@ -350,7 +370,10 @@ SolvedPuzzle write_solved_puzzle(const SolvingRequest& request) {
   PuzzleSolution solution = solve_puzzle(input);
   if (solution.placed < 2) throw_nothing_fits(request, frame);
   solved.scale *= solution.scale;
-  if (frame.outline.empty()) stand_upright(solution, polygons, solved);
+  if (frame.outline.empty())
+    stand_upright(solution, polygons, solved);
+  else
+    measure_together(solution, polygons, wished_scale, solved);
   check_canvas(request, solved);
   const std::vector<LaidPuzzlePiece> laid = laid_pieces(shapes, polygons, solution, solved.scale);
   solved.placed = laid.size();

@@ -30,7 +30,11 @@ struct SolvedPuzzle {
   double scale = 1;
   std::size_t pieces = 0;
   std::size_t placed = 0;
-  std::vector<std::string> left_over;        // names
+  std::vector<std::string> left_over;  // names
+  /// Of the smallest rectangle round all pieces as they fit each other, at the scale that was given, or 1; 0 where there
+  /// is no frame, or where they do not all fit each other.
+  int loose_width_px = 0;
+  int loose_height_px = 0;
   int undecided = 0;                         // PuzzleSolution::undecided
   double gaps = 0;                           // PuzzleSolution::gaps
   double covered = 0;                        // area of the placed pieces, parts of the frame or the canvas

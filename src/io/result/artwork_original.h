@@ -16,7 +16,8 @@ struct ArtworkOriginal {
 };
 
 /// Why a drawing is not made from its original.
-inline constexpr char kOriginalMissing[] = "original missing";
+inline constexpr char kOriginalMissing[] =
+    "original missing; put the drawings back where they were or beside the library, or build the library again";
 inline constexpr char kOriginalChanged[] = "original changed since the library was built";
 inline constexpr char kOriginalNoFile[] = "original is no regular file, not readable or too large";
 inline constexpr char kOriginalUnknown[] = "library made by an older version: build it again";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/count_text.h"
 #include "io/number_text.h"
 #include "io/result/card_lines.h"
 #include "io/result/deformation_table.h"
@@ -191,15 +192,17 @@ std::string last_tenth_text(const RunStatistics& run) {
 std::string improvement_text(const RunStatistics& run) {
   if (run.trials == 0) return "";
   return card_line("  of it improving", fixed(run.improve_s, 1) + " s, " + grouped(run.trials_kept) + " of " +
-                                            grouped(run.trials) + " trials kept");
+                                            grouped(run.trials) + by_count(run.trials, " trial kept", " trials kept"));
 }
 
 /// "full", "full, then 12 of 12 trials" or "coverage after 3 of 12 trials": improving begins when the canvas is full.
 std::string end_text(const RunStatistics& run, const ImproveSettings& improve) {
   if (run.trials == 0) return run.stopped_by;
-  const std::string limit = improve.trials > 0 ? " of " + grouped(std::uint64_t(improve.trials)) : "";
+  const std::uint64_t most = improve.trials > 0 ? std::uint64_t(improve.trials) : run.trials;
+  const std::string limit = improve.trials > 0 ? " of " + grouped(most) : "";
   const bool then = run.stopped_by == "full" || run.stopped_by == "used_up";
-  return run.stopped_by + (then ? ", then " : " after ") + grouped(run.trials) + limit + " trials";
+  return run.stopped_by + (then ? ", then " : " after ") + grouped(run.trials) + limit +
+         by_count(most, " trial", " trials");
 }
 
 std::string run_text(const RunStatistics& run, const ImproveSettings& improve) {
@@ -232,7 +235,7 @@ std::string missing_lines(const std::vector<MissingShape>& missing) {
   constexpr std::size_t kNameBytes = 32;
   if (missing.empty()) return "";
   std::string text = "Missing\n" + card_line("pieces", grouped(pieces_of(missing)) + " of " + grouped(missing.size()) +
-                                                           (missing.size() == 1 ? " shape" : " shapes"));
+                                                           " " + by_count(missing.size(), "shape", "shapes"));
   for (std::size_t i = 0; i < std::min(missing.size(), kShapes); ++i) {
     MissingShape shown = missing[i];
     shown.name = cut_utf8(shown.name, kNameBytes);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/artwork/alpha.h"
 #include "io/drawing/drawers.h"
@@ -67,7 +68,7 @@ std::string measures(const Quality& q) {
 }
 
 std::string title(const std::vector<RankedResult>& results, std::size_t shown) {
-  std::string text = std::to_string(results.size()) + " collages, best first";
+  std::string text = count_text(results.size(), "collage") + ", best first";
   if (shown < results.size()) text += ", " + std::to_string(shown) + " shown";
   return text;
 }
@@ -88,8 +89,8 @@ std::vector<std::uint8_t> collage_sheet(const std::vector<RankedResult>& results
     const RankedResult& result = results[k];
     if (!pictures[k].empty()) draw_picture(sheet, k, pictures[k]);
     sheet.caption(k, 0,
-                  std::to_string(result.rank) + ". " + printable_utf8(last_name(result.card.folder)) + ": " +
-                      fixed(result.score, 2));
+                  std::to_string(result.rank) + ". " + printable_utf8(last_name(result.card.folder)) +
+                      (is_unfinished(result.card) ? " (unfinished): " : ": ") + fixed(result.score, 2));
     sheet.caption(k, 1, measures(result.card.quality));
   }
   return sheet.png(path);

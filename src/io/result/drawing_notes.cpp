@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/count_text.h"
 #include "io/number_text.h"
 #include "io/utf8_text.h"
 
@@ -25,8 +26,6 @@ std::size_t pieces_of(const DrawingNotes& notes, DrawnFrom from) {
   for (const DrawingNote& note : notes.notes) pieces += note.from == from ? note.pieces : 0;
   return pieces;
 }
-
-std::string counted(std::size_t pieces) { return std::to_string(pieces) + (pieces == 1 ? " piece" : " pieces"); }
 
 /// UTF-8, with an ellipsis where something is missing.
 std::string cut(std::string text, std::size_t most_bytes) {
@@ -65,11 +64,11 @@ std::string drawing_json(const DrawingNotes& notes) {
 std::string drawing_text(const DrawingNotes& notes) {
   std::string text = kDrawingHeading + line("drawing time", fixed(notes.seconds, 1) + " s");
   for (const auto& [reason, pieces] : by_reason(notes, DrawnFrom::thumbnail)) {
-    text += line("drawn from thumbnail", counted(pieces) + ": " + reason);
+    text += line("drawn from thumbnail", count_text(pieces, "piece") + ": " + reason);
   }
   for (const DrawingNote& note : notes.notes) {
     if (note.from != DrawnFrom::silhouette) continue;
-    text += line("drawn as silhouette", counted(note.pieces) + " of " + note.shape + ": " + note.reason);
+    text += line("drawn as silhouette", count_text(note.pieces, "piece") + " of " + note.shape + ": " + note.reason);
   }
   return text;
 }
@@ -77,10 +76,10 @@ std::string drawing_text(const DrawingNotes& notes) {
 std::string drawing_warning(const DrawingNotes& notes) {
   std::string text;
   for (const auto& [reason, pieces] : by_reason(notes, DrawnFrom::thumbnail)) {
-    text += (text.empty() ? "" : "; ") + counted(pieces) + " drawn from thumbnails: " + reason;
+    text += (text.empty() ? "" : "; ") + count_text(pieces, "piece") + " drawn from thumbnails: " + reason;
   }
   for (const auto& [reason, pieces] : by_reason(notes, DrawnFrom::silhouette)) {
-    text += (text.empty() ? "" : "; ") + counted(pieces) + " drawn as silhouettes: " + reason;
+    text += (text.empty() ? "" : "; ") + count_text(pieces, "piece") + " drawn as silhouettes: " + reason;
   }
   for (const std::string& problem : notes.cards) {
     text += (text.empty() ? "" : "; ") + std::string("drawn without a word in the card: ") + problem;

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "io/job/job_difference.h"
+#include "io/output_lock.h"
 #include "io/result/result_file.h"
 
 namespace tessera::io {
@@ -19,9 +20,7 @@ bool has_picture(const std::string& dir, const ResultManifest& manifest, const c
          is_in_result(dir, name);
 }
 
-}  // namespace
-
-WholeResult read_result(const std::string& dir) {
+WholeResult whole_result_in(const std::string& dir) {
   WholeResult result;
   result.manifest = read_manifest(dir);
   result.job = job_from_toml(read_result_file(dir, "job.toml"), path_in_result(dir, "job.toml"));
@@ -29,12 +28,24 @@ WholeResult read_result(const std::string& dir) {
   return result;
 }
 
+}  // namespace
+
+WholeResult read_result(const std::string& dir) {
+  try {
+    return whole_result_in(dir);
+  } catch (const InputError&) {
+    const std::string holder = holder_of_lock(folder_lock_path(dir));
+    if (holder.empty()) throw;
+    throw InputError(dir + ": no whole result is there yet: a run is at work here: " + holder + "; wait for its end");
+  }
+}
+
 EarlierResult find_earlier_result(const std::string& dir) {
   EarlierResult earlier;
   earlier.folder = dir;
   if (!is_in_result(dir, kManifestName)) return earlier;
   try {
-    earlier.whole = read_result(dir);
+    earlier.whole = whole_result_in(dir);
   } catch (const InputError& error) {
     earlier.damage = error.what();
   }

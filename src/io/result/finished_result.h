@@ -19,7 +19,8 @@ struct WholeResult {
 };
 
 /// Throws InputError that names the file that is missing or differs, also where this version of the program cannot read
-/// the job. Throws EnvironmentError where a file is there and cannot be read. All who ask for a result ask here, so
+/// the job; where a run is at work in the folder, that is said instead. Throws EnvironmentError where a file is there
+/// and cannot be read. All who ask for a result ask here, so
 /// that none takes for one what another refuses.
 WholeResult read_result(const std::string& dir);
 

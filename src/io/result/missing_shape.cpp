@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/count_text.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -15,7 +16,7 @@ std::string missing_text(const std::vector<MissingShape>& missing, std::size_t m
   }
   if (missing.size() <= most) return text;
   const std::size_t more = missing.size() - most;
-  return text + " and " + std::to_string(more) + (more == 1 ? " more shape" : " more shapes");
+  return text + " and " + count_text(more, "more shape");
 }
 
 }  // namespace tessera::io

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/collage/placed_outlines.h"
@@ -201,8 +202,8 @@ void take_up_deformed_pieces(const std::string& dir, CollageReport& report, cons
   const std::vector<Outline> written = written_outlines(dir);
   const std::size_t count = report.placements.size();
   if (written.size() != count) {
-    throw InputError(path_in_result(dir, "pieces.geojson") + ": found " + std::to_string(written.size()) +
-                     " polygons, allowed: one for each piece");
+    throw InputError(path_in_result(dir, "pieces.geojson") + ": found " + count_text(written.size(), "polygon") +
+                     ", allowed: one for each piece");
   }
   std::vector<Outline> outlines(count);
   std::vector<Warp> warps(count);

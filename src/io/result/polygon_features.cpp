@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "io/job/job_entry.h"
 #include "io/number_text.h"
@@ -24,8 +25,6 @@ constexpr const char* kGeometryTypes = "\"Polygon\" or \"MultiPolygon\"";
 std::string found_text(const json& value) {
   return printable(value.dump(-1, ' ', false, json::error_handler_t::replace));
 }
-
-std::string plural(std::size_t count, const char* what) { return std::to_string(count) + " " + what; }
 
 /// geometry.coordinates while they are read: lists of numbers, whose depth says whose they are.
 class Coordinates {
@@ -77,7 +76,7 @@ class Coordinates {
     const int needed = type == "Polygon" ? 3 : 4;
     if (position_depth_ == 0) fail(kCoordinates, "nothing", "a list of rings");
     if (position_depth_ != needed) {
-      fail(kCoordinates, "positions " + plural(std::size_t(position_depth_), "lists deep"),
+      fail(kCoordinates, "positions " + count_text(std::size_t(position_depth_), "list") + " deep",
            std::to_string(needed) + " of a " + type);
     }
     return std::move(polygons_);
@@ -231,7 +230,8 @@ class FeatureReader : public json::json_sax_t {
     if (!v.is_string()) check_is_no_shape(found_text(v));
     feature_.shape = v.get<std::string>();
     if (feature_.shape.size() > kMostShapeNameBytes) {
-      fail("shape", "a text of " + plural(feature_.shape.size(), "bytes"), plural(kMostShapeNameBytes, "or fewer"));
+      fail("shape", "a text of " + count_text(feature_.shape.size(), "byte"),
+           std::to_string(kMostShapeNameBytes) + " or fewer");
     }
   }
 
@@ -243,7 +243,7 @@ class FeatureReader : public json::json_sax_t {
   }
 
   void begin_feature() {
-    if (features_ == kMostFeatures) throw InputError("more than " + plural(kMostFeatures, "features"));
+    if (features_ == kMostFeatures) throw InputError("more than " + count_text(kMostFeatures, "feature"));
     feature_ = {};
     begin_geometry();
   }

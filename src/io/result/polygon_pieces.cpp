@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/count_text.h"
 #include "core/base/error.h"
 #include "core/geometry/winding.h"
 #include "io/number_text.h"
@@ -28,8 +29,7 @@ std::string position_text(Vec2 p) { return "[" + fixed(p.x, 3) + ", " + fixed(p.
 /// Without the position that closes it, and in the direction that an outer boundary or a hole has.
 std::vector<Vec2> curve_of(Ring ring, bool is_hole) {
   if (ring.size() < 4) {
-    throw InputError("geometry.coordinates: found a ring of " + std::to_string(ring.size()) +
-                     (ring.size() == 1 ? " position" : " positions") +
+    throw InputError("geometry.coordinates: found a ring of " + count_text(ring.size(), "position") +
                      ", allowed: 4 or more, the last one the first again");
   }
   if (ring.front() != ring.back()) {

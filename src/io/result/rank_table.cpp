@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/base/count_text.h"
 #include "io/number_text.h"
 
 namespace tessera::io {
@@ -120,10 +121,9 @@ Json master_json(const MasterTimes& master) {
 
 std::string ranks_text(const RankStatistics& ranks) {
   if (ranks.workers.empty()) return "";
-  return "Ranks: a master and " + std::to_string(ranks.workers.size()) + " worker" +
-         (ranks.workers.size() == 1 ? "" : "s") +
+  return "Ranks: a master and " + count_text(ranks.workers.size(), "worker") +
          (std::size_t(ranks.asked) < ranks.workers.size() ? ", " + std::to_string(ranks.asked) + " asked by it" : "") +
-         ", " + std::to_string(ranks.rounds) + " rounds, " + fixed(ranks.master.loop_s, 3) + " s\n" +
+         ", " + count_text(std::size_t(ranks.rounds), "round") + ", " + fixed(ranks.master.loop_s, 3) + " s\n" +
          row("", {"min s", "average s", "max s", "share", "imbalance"}) + worker_rows(ranks) +
          master_rows(ranks.master) + message_rows(ranks);
 }

@@ -3,6 +3,8 @@
 #include <cinttypes>
 #include <cstdio>
 
+#include "core/base/count_text.h"
+
 namespace tessera::io {
 
 std::string digest_text(std::uint64_t digest) {
@@ -17,7 +19,7 @@ std::string devices_text(const std::vector<DeviceDescription>& devices) {
   for (const DeviceDescription& device : devices) {
     if (!text.empty()) text += ", ";
     text += device.kind + " \"" + device.name + "\" of " + device.platform + ", driver " + device.driver + ": " +
-            std::to_string(device.shapes) + " shapes";
+            count_text(std::size_t(device.shapes), "shape");
   }
   return text;
 }

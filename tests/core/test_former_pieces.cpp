@@ -1,0 +1,82 @@
+// Who may come in for pieces that were taken out of a collage, and what is the same place.
+#include "core/collage/former_pieces.h"
+
+#include <gtest/gtest.h>
+
+namespace tessera {
+namespace {
+
+constexpr TakenOut kFirst{ShapeId{0}, 0};
+const std::vector<std::uint32_t> kOwn = {0, 1, 2};
+
+bool others(const CollageSettings& settings, const TakenOut& piece = kFirst,
+            const std::vector<std::uint32_t>& silhouettes = kOwn, const std::vector<std::uint32_t>& drawings = kOwn) {
+  return others_may_come_in({piece}, settings, silhouettes, drawings).front();
+}
+
+/// Two classes: the first shape's, and that of the two others.
+CollageSettings with_classes(const ShapeWish& first, const ShapeWish& others) {
+  CollageSettings s;
+  s.wishes.classes = {first, others};
+  s.wishes.class_of_shape = {0, 1, 1};
+  return s;
+}
+
+TEST(FormerPieces, LieWithinHalfTheSizeWhereTheyLay) {
+  const Similarity then{0, 40, 100, 50};
+  EXPECT_TRUE(lies_where_it_lay(then, {3, 0, 119, 50}, {}));
+  EXPECT_FALSE(lies_where_it_lay(then, {3, 0, 121, 50}, {}));
+  EXPECT_FALSE(lies_where_it_lay(then, {60, 0, 100, 71}, {}));
+}
+
+TEST(FormerPieces, LieWhereTheyLayAcrossASeam) {
+  const Period period{200, 0};
+  EXPECT_TRUE(lies_where_it_lay({40, 0, 195, 50}, {40, 0, 4, 50}, period));
+  EXPECT_FALSE(lies_where_it_lay({40, 0, 195, 50}, {40, 0, 4, 50}, {}));
+}
+
+TEST(FormerPieces, OthersComeInFromALibraryOfSeveral) { EXPECT_TRUE(others({})); }
+
+TEST(FormerPieces, NoOthersComeInWhereAllLookAlike) {
+  EXPECT_FALSE(others({}, kFirst, {0, 0, 0}));
+  EXPECT_FALSE(others({}, kFirst, {0, 0}, {0, 0}));
+}
+
+TEST(FormerPieces, NoOthersComeInThatMayNotStand) {
+  ShapeWish never;
+  never.weight = 0;
+  EXPECT_FALSE(others(with_classes({}, never)));
+  EXPECT_TRUE(others(with_classes(never, {})));
+}
+
+TEST(FormerPieces, NoOthersComeInThatAreUsedUp) {
+  CollageSettings s;
+  s.pieces.uses = 1;
+  s.wishes.given = {{ShapeId{1}, {}}};
+  EXPECT_TRUE(others(s));
+  s.wishes.given.push_back({ShapeId{2}, {}});
+  EXPECT_FALSE(others(s));
+  EXPECT_TRUE(others_may_come_in({{ShapeId{1}, 0}}, s, kOwn, kOwn).front()) << "the first one may";
+}
+
+/// Its mirror image counts for it.
+TEST(FormerPieces, NoOthersComeInForWhatMustStandAgain) {
+  CollageSettings s;
+  s.pieces.least_uses = 1;
+  EXPECT_FALSE(others(s));
+  s.wishes.given = {{ShapeId{2}, {}}};
+  EXPECT_FALSE(others(s));
+  EXPECT_TRUE(others(s, kFirst, {0, 1, 0}, {0, 1, 0}));
+}
+
+TEST(FormerPieces, OthersOfItsRegionComeIn) {
+  ShapeWish right;
+  right.in_region = {0, 1};
+  CollageSettings s = with_classes({}, right);
+  s.wishes.regions.resize(2);
+  EXPECT_FALSE(others(s, {ShapeId{0}, 0}));
+  EXPECT_TRUE(others(s, {ShapeId{0}, 1}));
+}
+
+}  // namespace
+}  // namespace tessera
