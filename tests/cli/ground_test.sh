@@ -59,3 +59,31 @@ run 0 draw paper --quiet --png --width 2835
 run 2 draw plain --quiet --set output.ground=lost.png
 expect_word "tessera: output.ground: $PWD/lost.png: "
 echo "ok draw"
+
+# The picture that the pieces show is kept with the result, and may lie between them.
+sed 's/^\[output\]/[colour]\nimage = "sand.png"\n[output]\nbackground = "image"/' job.toml >shown.toml
+run 2 collage job.toml --out none --set output.background=image
+expect_word 'output.background: found "image", needed with it: colour.image'
+run 2 collage shown.toml --out none --set output.ground=sand.png
+expect_word 'output.background: found "image" with output.ground, allowed: one of them'
+run 2 draw plain --quiet --background image
+expect_word 'output.background: found "image", needed with it: colour.image'
+run 0 collage shown.toml --out shown --quiet
+run 0 collage shown.toml --out grey --quiet --set output.background=#808080
+cmp shown/pieces.geojson grey/pieces.geojson || fail "the background changed the pieces"
+cmp shown/image.png grey/image.png || fail "the picture is not kept with every result"
+grep -q '"background_light":0.8' shown/manifest.json || fail "no background_light in the manifest"
+rsvg-convert -w 120 shown/collage.svg -o page.png
+awk "BEGIN {exit !($("$difference" page.png shown/collage.png) < 5)}" || fail "collage.svg has another background"
+cp shown/collage.png before.png
+mv sand.png moved.png
+run 0 draw shown --quiet --png
+cmp shown/collage.png before.png || fail "another picture without the job's image"
+run 0 draw shown --quiet --png --set output.background_light=1
+cmp -s shown/collage.png before.png && fail "background_light changes nothing"
+run 0 draw grey --quiet --png --background image
+cmp grey/collage.png before.png || fail "another picture where it is asked for afterwards"
+rm shown/image.png
+run 2 draw shown --quiet --png
+expect_word 'shown/image.png is missing; needed: the result of a job with colour.image'
+echo "ok image as background"

@@ -30,7 +30,7 @@ std::string bytes_of(const std::string& path) {
 
 TEST(MosaicJob, SaysWhatWasPlanned) {
   const MosaicFiles files{.image = "a \"b\"\\c.png", .libraries = {"t.h5"}, .size_map = "ä_sizes.png", .regions = {}};
-  const toml::table job = toml::parse(mosaic_job(files, mosaic_plan({300, 200}, 500), 2.5, "#102030"));
+  const toml::table job = toml::parse(mosaic_job(files, mosaic_plan({300, 200}, 500), 2.5));
   EXPECT_EQ(job["library"]["file"].value<std::string>(), "t.h5");
   EXPECT_EQ(job["canvas"]["size_px"][0].value<int>(), 924);
   EXPECT_EQ(job["canvas"]["size_px"][1].value<int>(), 616);
@@ -39,20 +39,21 @@ TEST(MosaicJob, SaysWhatWasPlanned) {
   EXPECT_EQ(job["pieces"]["scale_px"][0].value<int>(), 16);
   EXPECT_EQ(job["pieces"]["scale_px"][1].value<int>(), 64);
   EXPECT_EQ(job["pieces"]["size_map"].value<std::string>(), files.size_map);
-  EXPECT_EQ(job["output"]["background"].value<std::string>(), "#102030");
+  EXPECT_EQ(job["output"]["background"].value<std::string>(), "image");
+  EXPECT_EQ(job["output"]["background_light"].value<double>(), 0.8);
   EXPECT_EQ(job["output"]["width_px"].value<int>(), 1848);
 }
 
 TEST(MosaicJob, NamesSeveralLibraries) {
   const toml::table job =
-      toml::parse(mosaic_job({"i.png", {"a.h5", "b.h5"}, "s.png", ""}, mosaic_plan({1, 1}, 500), 0, "#102030"));
+      toml::parse(mosaic_job({"i.png", {"a.h5", "b.h5"}, "s.png", ""}, mosaic_plan({1, 1}, 500), 0));
   EXPECT_FALSE(job["library"]["file"]);
   EXPECT_EQ(job["library"]["files"][1].value<std::string>(), "b.h5");
 }
 
 TEST(MosaicJob, KeepsThePictureOfAHugeCanvasWithinWhatAScreenShows) {
   const toml::table job =
-      toml::parse(mosaic_job({"i.png", {"a.h5"}, "s.png", ""}, mosaic_plan({8, 1}, kMostMosaicPieces), 0, "#102030"));
+      toml::parse(mosaic_job({"i.png", {"a.h5"}, "s.png", ""}, mosaic_plan({8, 1}, kMostMosaicPieces), 0));
   EXPECT_EQ(job["output"]["width_px"].value<int>(), 12'000);
 }
 

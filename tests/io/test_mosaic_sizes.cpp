@@ -5,7 +5,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
-#include "io/mosaic/joint_colour.h"
 #include "io/mosaic/mosaic_plan.h"
 #include "io/mosaic/size_gradation.h"
 #include "io/mosaic/size_map.h"
@@ -164,13 +163,6 @@ TEST(LargestSizes, GrowByAPxForAPxOfTheCanvas) {
   detail.colRange(100, 200) = 0.5;
   const cv::Mat sizes = largest_sizes(detail, plan);
   EXPECT_NEAR(sizes.at<float>(50, 103) - sizes.at<float>(50, 99), 4 * kSizeMapPixel_px, 0.01);
-}
-
-TEST(JointColour, IsThatOfTheLightHalfAsBright) {
-  cv::Mat image(10, 10, CV_8UC3, cv::Scalar(0, 0, 0));
-  image.colRange(0, 5) = cv::Scalar(255, 255, 255);
-  EXPECT_EQ(joint_colour(image), cv::Vec3b(0x5e, 0x5e, 0x5e));
-  EXPECT_EQ(joint_colour(cv::Mat(3, 3, CV_8UC3, cv::Scalar(4, 2, 250))), cv::Vec3b(0x02, 0x01, 0x7d));
 }
 
 }  // namespace

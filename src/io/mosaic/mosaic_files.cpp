@@ -11,7 +11,6 @@
 #include "io/atomic_file.h"
 #include "io/elements/cut_outs.h"
 #include "io/elements/photo_extraction.h"
-#include "io/mosaic/joint_colour.h"
 #include "io/mosaic/mosaic_job.h"
 #include "io/mosaic/segmentation.h"
 #include "io/mosaic/size_map.h"
@@ -100,13 +99,6 @@ void check_regions(int regions) {
                    std::to_string(kMostMosaicRegions));
 }
 
-std::vector<MosaicRegion> region_tables(const Segmentation& found) {
-  std::vector<MosaicRegion> tables;
-  for (std::size_t i = 0; i < found.colours.size(); ++i)
-    tables.push_back({hex_of(found.colours[i]), hex_of(found.joints[i])});
-  return tables;
-}
-
 }  // namespace
 
 std::string size_map_path(const std::string& job) { return path_beside(job, "_sizes.png"); }
@@ -128,13 +120,13 @@ Mosaic make_mosaic(const MosaicRequest& request, Drawers& drawers) {
   const cv::Mat image = read_image(request.image, drawers);
   const MosaicPlan plan = plan_for(request, image);
   Mosaic mosaic{.plan = plan, .regions = 0, .files = {{map_path, png_of(size_map(image, plan))}}};
-  std::vector<MosaicRegion> regions;
+  std::vector<std::string> regions;
   if (const Segmentation found = segmentation(image, plan, request.regions); found.colours.size() > 1) {
-    regions = region_tables(found);
+    for (const cv::Vec3b& colour : found.colours) regions.push_back(hex_of(colour));
     files.regions = fs::path(picture_path).filename().string();
     mosaic.files.push_back({picture_path, png_of(region_picture(found, plan))});
   }
-  const std::string text = mosaic_job(files, plan, request.shift, hex_of(joint_colour(image)), regions);
+  const std::string text = mosaic_job(files, plan, request.shift, regions);
   mosaic.files.push_back({request.job, Bytes(text.begin(), text.end())});
   for (const MosaicFile& file : mosaic.files) check_replaceable(file.path, file.bytes, request);
   mosaic.regions = int(regions.size());

@@ -36,19 +36,19 @@ std::string canvas_file_lines(const std::string& regions) {
          toml_text(regions) + "\n";
 }
 
-std::string region_lines(const std::vector<MosaicRegion>& regions) {
+std::string region_lines(const std::vector<std::string>& regions) {
   std::string text;
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    text += "\n[[regions]]\nname = \"" + std::to_string(i + 1) + "\"\ncolour = " + toml_text(regions[i].colour) +
-            "  # in the picture of the regions\nbackground = " + toml_text(regions[i].joints) + "\n";
+    text += "\n[[regions]]\nname = \"" + std::to_string(i + 1) + "\"\ncolour = " + toml_text(regions[i]) +
+            "  # in the picture of the regions\n";
   }
   return text;
 }
 
 }  // namespace
 
-std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift, const std::string& background,
-                       const std::vector<MosaicRegion>& regions) {
+std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift,
+                       const std::vector<std::string>& regions) {
   const int width_px = std::min(kPictureScale * plan.canvas_px.width, kWidestPicture_px);
   return std::string(kMosaicJobMark) + ": about " + std::to_string(plan.pieces) +
          " pieces. Change what you like, then: tessera collage THIS_FILE\n"
@@ -94,10 +94,11 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          "\n"
          "\n"
          "[output]\n"
-         "# Between the pieces: the image's mean colour, half as bright, as joints are. tessera draw changes it.\n"
-         "background = " +
-         toml_text(background) +
-         "\n"
+         "# Between the pieces: the image itself, a little darker, so that they stand out. 1 = as bright as it is; "
+         "tessera\n"
+         "# draw changes it.\n"
+         "background = \"image\"\n"
+         "background_light = 0.8\n"
          "width_px = " +
          std::to_string(width_px) + "\n" + region_lines(regions);
 }

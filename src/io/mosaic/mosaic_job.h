@@ -8,12 +8,6 @@
 
 namespace tessera::io {
 
-/// Of a table of [[regions]]; colours are "#rrggbb".
-struct MosaicRegion {
-  std::string colour;
-  std::string joints;
-};
-
 struct MosaicFiles {
   std::string image;
   std::vector<std::string> libraries;  // one at least
@@ -24,9 +18,8 @@ struct MosaicFiles {
 /// How every job of mosaic_job begins, which tells it from files of other kinds.
 inline constexpr const char* kMosaicJobMark = "# A mosaic by tessera mosaic";
 
-/// Paths are written as they are in `files`. `shift`: CIEDE2000. `background`: "#rrggbb". `regions`: those of
-/// files.regions.
-std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift, const std::string& background,
-                       const std::vector<MosaicRegion>& regions = {});
+/// Paths are written as they are in `files`. `shift`: CIEDE2000. `regions`: their colours in files.regions, "#rrggbb".
+std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift,
+                       const std::vector<std::string>& regions = {});
 
 }  // namespace tessera::io

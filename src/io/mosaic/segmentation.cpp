@@ -7,7 +7,6 @@
 
 #include "io/elements/boundary_map.h"
 #include "io/elements/colour_clusters.h"
-#include "io/mosaic/joint_colour.h"
 #include "io/mosaic/size_map.h"
 
 namespace tessera::io {
@@ -143,16 +142,6 @@ cv::Vec3b bgr_of_lab(const cv::Vec3f& lab) {
   return bytes.at<cv::Vec3b>(0, 0);
 }
 
-cv::Vec3b joint_of(const cv::Mat& picture, const Labels& labels, int label) {
-  cv::Mat pixels(0, 1, CV_8UC3);
-  for (int y = 0; y < picture.rows; ++y) {
-    for (int x = 0; x < picture.cols; ++x) {
-      if (labels(y, x) == label) pixels.push_back(picture.at<cv::Vec3b>(y, x));
-    }
-  }
-  return joint_colour(pixels);
-}
-
 cv::Size picture_size(const MosaicPlan& plan) {
   const cv::Size2d whole(2. * plan.canvas_px.width, 2. * plan.canvas_px.height);
   const double scale = std::min(
@@ -212,11 +201,10 @@ Segmentation segmentation(const cv::Mat& image_bgr, const MosaicPlan& plan, int 
 
   const std::vector<int> names = names_of_those_there(labels);
   relabel(labels, names);
-  Segmentation result{.labels = labels, .colours = {}, .joints = {}};
+  Segmentation result{.labels = labels, .colours = {}};
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] < 0) continue;
     result.colours.push_back(bgr_of_lab(means[i]));
-    result.joints.push_back(joint_of(picture, labels, names[i]));
   }
   return result;
 }

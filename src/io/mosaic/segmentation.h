@@ -13,7 +13,6 @@ inline constexpr int kMostMosaicRegions = 8;
 struct Segmentation {
   cv::Mat labels;                  // CV_8U, 0..n-1, one px for kSizeMapPixel_px of the canvas
   std::vector<cv::Vec3b> colours;  // BGR, of each label: the mean of the pixels that made it; no two alike
-  std::vector<cv::Vec3b> joints;   // BGR, of each label: see joint_colour.h, of all its pixels
 };
 
 /// `image_bgr`: CV_8UC3 of any size, laid over the whole canvas. At most `regions` (1..kMostMosaicRegions) labels, by
