@@ -51,9 +51,11 @@ test::Bytes png(std::uint8_t bits, std::uint8_t colour_type, int bits_per_pixel,
   return file;
 }
 
-/// `draw` says what is wrong, of the file's process and of its drawer.
+/// `draw` says what is wrong, of the file's process and of its drawer. Memory is bounded here, not time: with sanitizers
+/// the drawer is slow.
 template <class Draw>
-void expect_bounded(const std::string& name, const test::Bytes& file, const DrawerSettings& settings, Draw draw) {
+void expect_bounded(const std::string& name, const test::Bytes& file, DrawerSettings settings, Draw draw) {
+  settings.seconds_per_drawing = 200;
   const test::ChildReport report = test::in_child([&]() -> std::string {
     try {
       Drawers drawers(settings);
