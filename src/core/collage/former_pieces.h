@@ -22,8 +22,8 @@ struct TakenOut {
 
 /// Says for each of `pieces` whether a shape of another silhouette may come in for it, by weights, regions and uses,
 /// beside the given pieces of the settings. False also where the piece's own least uses want it again, as all others
-/// wait then. `silhouettes`, `drawings`: for each shape of the library the first one that looks like it, and the one that it
-/// is the mirror image of.
+/// wait then. `silhouettes`, `drawings`: for each shape of the library the first one that looks like it, and the one
+/// that it is the mirror image of.
 std::vector<bool> others_may_come_in(const std::vector<TakenOut>& pieces, const CollageSettings& settings,
                                      const std::vector<std::uint32_t>& silhouettes,
                                      const std::vector<std::uint32_t>& drawings);

@@ -1,4 +1,4 @@
-// The parts of an alpha channel: regions in which it changes little by little, with edges, where it jumps, between them.
+// The parts of an alpha channel: regions in which it changes little by little. Between them are edges, where it jumps.
 #pragma once
 
 #include <cstddef>
