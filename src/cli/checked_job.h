@@ -14,8 +14,8 @@ io::LibraryView checked_library(io::Job& job);
 /// The canvas, of the job from checked_library. The factor of the sizes, which goes by its area, is set in the job.
 Canvas checked_canvas(const io::ShapeLibrary& library, io::Job& job);
 
-/// What is removed (start.remove) does not come back to where it lay, unless nothing else may come in for it. Before
-/// limit_to_room().
+/// Adds to the job's wishes that no piece of start.remove comes back to where it lay, unless nothing else may come in
+/// for it. This goes by the whole canvas, so that it is called before limit_to_room().
 void keep_removed_from_coming_back(const io::ShapeLibrary& library, const Canvas& canvas, io::Job& job);
 
 /// Where pieces are removed (start.remove) only their room is filled, and as far round it as a gap may be that nothing

@@ -63,8 +63,9 @@ std::string nothing_gained_warning(const io::Job& job, const master::CollageResu
 /// Where pieces were removed and none came in for them. Empty else, and where the run may still go on.
 std::string empty_room_warning(const io::Job& job, const master::CollageResult& result);
 
-/// Of pieces of start.remove that came back to where they lay, as nothing else may come in. `silhouettes`: for each
-/// shape of the library the first one that looks like it.
+/// Says how many pieces of start.remove came back to where they lay, as nothing else may come in for them. Empty where
+/// none did, and where the run may still go on. `silhouettes`: for each shape of the library the first one that looks
+/// like it.
 std::string come_back_warning(const io::Job& job, const Canvas& canvas, const master::CollageResult& result,
                               const std::vector<std::uint32_t>& silhouettes);
 

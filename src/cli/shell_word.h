@@ -5,11 +5,12 @@
 
 namespace tessera::cli {
 
-/// As bash reads it, in quotes where it must be. Of what is not to be printed (printable_utf8) the bytes are escaped:
-/// $'a\033'.
+/// The text as a word of a command that bash reads back as it was, in quotes where it must be. Bytes that are not to be
+/// printed (printable_utf8) are escaped: $'a\033'.
 std::string shell_word(const std::string& text);
 
-/// As it is, where all of it can be printed and it does not begin as what is escaped; else as shell_word.
+/// The text for a table that people read: unchanged where all of it can be printed and it does not look like an escaped
+/// word; else what shell_word makes of it.
 std::string shell_cell(const std::string& text);
 
 }  // namespace tessera::cli

@@ -106,7 +106,8 @@ std::string missing_warning(const CollageInput& input, const master::CollageResu
   return what + tried + "; try " + joined_warnings(what_to_try(input, shapes));
 }
 
-/// By class: whether none of its shapes stands, though some size of its own is wished for and none is counted.
+/// Says for each class of shapes whether none of them stands, though the job wishes for a size of their own and counts
+/// none of them.
 std::vector<bool> absent_classes(const CollageInput& input, const master::CollageResult& result) {
   const Wishes& wishes = input.job.settings.wishes;
   const UseLimits uses(input.job.settings.pieces, wishes);

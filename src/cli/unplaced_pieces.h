@@ -19,8 +19,9 @@ std::vector<io::MissingShape> missing_shapes(const CollageInput& input, const ma
 std::string unplaced_warning(const CollageInput& input, const master::CollageResult& result,
                              const std::vector<io::MissingShape>& missing, const RefinedResult* refined);
 
-/// Which shapes with sizes of their own ([[shapes]] scale_px, or as drawn) fit nowhere on the canvas, so that none of them
-/// stands though nothing counts them, and what helps. Empty where there are none, and of an empty collage.
+/// Names the shapes that fit nowhere on the canvas in a size of their own ([[shapes]] scale_px, or as drawn), so that
+/// none of them stands, and says what helps; those that the job counts are told elsewhere. Empty where there are no
+/// such shapes, and for an empty collage.
 std::string never_fitting_warning(const CollageInput& input, const master::CollageResult& result);
 
 }  // namespace tessera::cli

@@ -20,10 +20,10 @@ struct TakenOut {
   std::uint32_t region = 0;  // in which it lay
 };
 
-/// Of each of `pieces` whether something else may come in for it, beside the given pieces of the settings: a shape of
-/// another silhouette, by weights, regions and uses. Not where its own least uses want it again: all others wait
-/// then. `silhouettes`, `drawings`: for each shape of the library the first one that looks like it, and the one that it
-/// is the mirror image of.
+/// Says for each of `pieces` whether a shape of another silhouette may come in for it, by weights, regions and uses,
+/// beside the given pieces of the settings. False also where the piece's own least uses want it again, as all others
+/// wait then. `silhouettes`, `drawings`: for each shape of the library the first one that looks like it, and the one
+/// that it is the mirror image of.
 std::vector<bool> others_may_come_in(const std::vector<TakenOut>& pieces, const CollageSettings& settings,
                                      const std::vector<std::uint32_t>& silhouettes,
                                      const std::vector<std::uint32_t>& drawings);

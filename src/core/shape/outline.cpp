@@ -105,7 +105,8 @@ double length_of(const std::vector<Vec2>& closed) {
   return length;
 }
 
-/// Of lines thinner than a pixel the pixels catch fragments alone, which only seem to be parts side by side.
+/// Why a drawing of several parts is skipped. A line that is thinner than a pixel falls into fragments when it is drawn
+/// in pixels; they look like parts, but the line is too thin.
 SkipReason reason_for_parts(const Outline& parts, float source_px) {
   double length = 0;
   for (const std::vector<Vec2>& curve : parts.curves) length += length_of(curve);

@@ -93,8 +93,8 @@ class Measurement {
     }
   }
 
-  /// What lies beside a pixel of the region, behind an edge if there is one. The page's end says nothing, nor do edges
-  /// of holes.
+  /// Counts, for a pixel of the region, what lies beside it in one direction, behind an edge if there is one. The
+  /// page's end counts as nothing, and so do edges of holes.
   void look_beyond(AlphaRegion& region, cv::Point from, cv::Point step) const {
     const cv::Rect page({0, 0}, alpha_.size());
     for (int i = 1; i <= reach_px_; ++i) {

@@ -1,4 +1,4 @@
-// The parts of an alpha channel: regions in which it changes little by little, with edges, where it jumps, between them.
+// The parts of an alpha channel: regions in which it changes little by little. Between them are edges, where it jumps.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ struct AlphaRegions {
   const AlphaRegion& at(int y, int x) const { return regions[std::size_t(label.at<int>(y, x))]; }
 };
 
-/// Which regions are looked for. Alpha is of 255.
+/// What makes pixels of an alpha channel one region. Values of alpha are 0 to 255.
 struct RegionRules {
   int clear_alpha;         // below, a pixel is clear, and belongs to no region
   double least_step;       // the range of alpha within 1 px of an edge is this at least

@@ -9,9 +9,8 @@ namespace tessera::io {
 /// line is thinner than 1/15 of its diameter; letters and frames cover more.
 inline constexpr double kOutlineAlone = 0.25;
 
-/// The area of the canvas in parts of all that it encloses, above 0; nearly 1 where it has no holes, as
-/// a line between nodes counts as closed. Zones that pieces keep out
-/// of count as covered.
+/// The area of the canvas as a part of all that its outer edge encloses, above 0 up to 1: nearly 1 without holes (a
+/// line between two nodes of the grid counts as closed). Zones that pieces keep out of count as covered.
 double covered_part_of_enclosed(const Canvas& canvas);
 
 /// The same of the zones themselves (canvas.keep_out); 1 where there are none.
