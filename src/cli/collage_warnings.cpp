@@ -163,6 +163,11 @@ std::string idle_shift_warning(const io::Job& job) {
   return with_value(job, "colour", "shift") + " means nothing without colour.image";
 }
 
+std::string idle_light_warning(const io::Job& job) {
+  if (is_default(job, "output", "background_light") || job.output.background == io::kImageBackground) return "";
+  return with_value(job, "output", "background_light") + " means nothing without output.background = \"image\"";
+}
+
 std::string idle_keys_warning(const io::Job& job) {
   std::vector<std::string> warnings = {idle_dpi_warning(job)};
   if (job.settings.pieces.padding_px > 0 && !is_default(job, "pieces", "overlap_px")) {
@@ -179,6 +184,7 @@ std::string idle_keys_warning(const io::Job& job) {
     warnings.push_back(with_value(job, "colour", "weight") + " means nothing without colour.image");
   }
   warnings.push_back(idle_shift_warning(job));
+  warnings.push_back(idle_light_warning(job));
   warnings.push_back(idle_deform_warning(job));
   return joined_warnings(warnings);
 }

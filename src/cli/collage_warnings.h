@@ -45,6 +45,8 @@ std::string idle_keys_warning(const io::Job& job);
 std::string idle_dpi_warning(const io::Job& job);
 /// Where a colour.shift is given, and no picture to shift to.
 std::string idle_shift_warning(const io::Job& job);
+/// The same of output.background_light.
+std::string idle_light_warning(const io::Job& job);
 
 /// Where the pieces are to show an image and will not: `one_colour`, nearly all shapes are of the same colour and drawn
 /// in it; or they are few.

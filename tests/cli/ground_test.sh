@@ -71,19 +71,26 @@ expect_word 'output.background: found "image", needed with it: colour.image'
 run 0 collage shown.toml --out shown --quiet
 run 0 collage shown.toml --out grey --quiet --set output.background=#808080
 cmp shown/pieces.geojson grey/pieces.geojson || fail "the background changed the pieces"
-cmp shown/image.png grey/image.png || fail "the picture is not kept with every result"
+cmp shown/shown.png grey/shown.png || fail "the picture is not kept with every result"
 grep -q '"background_light":0.8' shown/manifest.json || fail "no background_light in the manifest"
 rsvg-convert -w 120 shown/collage.svg -o page.png
 awk "BEGIN {exit !($("$difference" page.png shown/collage.png) < 5)}" || fail "collage.svg has another background"
+run 0 draw shown --quiet --pdf
+pdftocairo -png -singlefile -scale-to-x 120 -scale-to-y 90 shown/collage.pdf page
+awk "BEGIN {exit !($("$difference" page.png shown/collage.png) < 5)}" || fail "collage.pdf has another background"
 cp shown/collage.png before.png
 mv sand.png moved.png
+mv shown elsewhere && mkdir shown && mv elsewhere shown/moved
+run 0 draw shown/moved --quiet --png
+cmp shown/moved/collage.png before.png || fail "another picture of a folder that was moved"
+mv shown/moved elsewhere && rmdir shown && mv elsewhere shown
 run 0 draw shown --quiet --png
 cmp shown/collage.png before.png || fail "another picture without the job's image"
 run 0 draw shown --quiet --png --set output.background_light=1
 cmp -s shown/collage.png before.png && fail "background_light changes nothing"
 run 0 draw grey --quiet --png --background image
 cmp grey/collage.png before.png || fail "another picture where it is asked for afterwards"
-rm shown/image.png
+rm shown/shown.png
 run 2 draw shown --quiet --png
-expect_word 'shown/image.png is missing; needed: the result of a job with colour.image'
+expect_word 'shown/shown.png is missing; needed: the result of a job with colour.image'
 echo "ok image as background"

@@ -92,6 +92,16 @@ TEST(CollageWarnings, KeysThatMeanNothingAreTold) {
   EXPECT_EQ(idle_keys_warning(job), "");
 }
 
+TEST(CollageWarnings, AFactorOfABackgroundThatIsNoPictureIsTold) {
+  io::Job job;
+  job.output.background_light = 0.5;
+  EXPECT_EQ(idle_keys_warning(job),
+            "output.background_light (now 0.5) means nothing without output.background = \"image\"");
+  EXPECT_EQ(idle_keys_warning(job), idle_light_warning(job));
+  job.output.background = io::kImageBackground;
+  EXPECT_EQ(idle_keys_warning(job), "");
+}
+
 TEST(CollageWarnings, KeysOfColourThatMeanNothingAreTold) {
   io::Job job;
   job.library_colours_within = 30;

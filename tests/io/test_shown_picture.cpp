@@ -107,9 +107,9 @@ TEST(ImageBackground, NeedsThePictureOfTheResult) {
   OnPicture collage;
   const auto message = [&] { return message_of([&] { collage.drawn_at(200); }); };
   EXPECT_NE(message().find("output.background: found \"image\", but "), std::string::npos) << message();
-  EXPECT_NE(message().find("image.png is missing; needed: the result of a job with colour.image"), std::string::npos);
+  EXPECT_NE(message().find("shown.png is missing; needed: the result of a job with colour.image"), std::string::npos);
   collage.folder.write(kShownPictureName, "no picture");
-  EXPECT_NE(message().find("image.png: not a PNG file"), std::string::npos) << message();
+  EXPECT_NE(message().find("shown.png: not a PNG file"), std::string::npos) << message();
 }
 
 TEST(ImageBackground, OtherBackgroundsAreColours) {

@@ -14,7 +14,7 @@
 namespace tessera::io {
 
 /// In the folder of a result that shows a picture, so that `tessera draw` does not need the job's own file.
-inline constexpr const char* kShownPictureName = "image.png";
+inline constexpr const char* kShownPictureName = "shown.png";
 
 /// The picture over the whole canvas as a PNG, its longest side 1024 px or that of the canvas, whichever is less. What
 /// is transparent in it is white.
