@@ -86,9 +86,10 @@ io::Job job_of_result(const std::string& folder) {
 std::string idle_keys_warning(io::Job job, const std::vector<std::string>& keys) {
   const io::Job before = job;
   io::set_drawing_keys(job, keys);
-  return joined_warnings({job.output.dpi == before.output.dpi ? "" : idle_dpi_warning(job),
-                          job.colour.shift == before.colour.shift ? "" : idle_shift_warning(job),
-                          job.output.background_light == before.output.background_light ? "" : idle_light_warning(job)});
+  return joined_warnings(
+      {job.output.dpi == before.output.dpi ? "" : idle_dpi_warning(job),
+       job.colour.shift == before.colour.shift ? "" : idle_shift_warning(job),
+       job.output.background_light == before.output.background_light ? "" : idle_light_warning(job)});
 }
 
 /// Throws InputError that names --palette, not the job key that the option sets, where the palette cannot be read.
