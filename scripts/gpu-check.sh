@@ -28,6 +28,7 @@ logs=$work/logs
 mkdir -p "$logs"
 cd "$work" || exit 1
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 RC_PARAMS=seed=2016
+[[ $minutes =~ ^[0-9]+$ ]] || usage
 ends=$((SECONDS + minutes * 60))
 table=() failed=0
 

@@ -25,8 +25,8 @@ export LD_LIBRARY_PATH=$bundle/lib$driver_folders${LD_LIBRARY_PATH:+:$LD_LIBRARY
 vendors=${TMPDIR:-/tmp}/tessera-vendors.$UID.$$
 mkdir -p "$vendors"
 if [[ ${BUNDLE_POCL-} == 1 ]]; then
-  echo "$bundle/pocl/lib/libpocl.so.2" >"$vendors/pocl.icd"
-  export LD_LIBRARY_PATH=$LD_LIBRARY_PATH:$bundle/pocl/lib PATH=$PATH:$bundle/pocl/bin
+  echo "$bundle/pocl/lib/x86_64-linux-gnu/libpocl.so.2" >"$vendors/pocl.icd"
+  export LD_LIBRARY_PATH=$LD_LIBRARY_PATH:$bundle/pocl/lib/x86_64-linux-gnu PATH=$PATH:$bundle/pocl/bin
 else
   for library in $(vendor_opencl); do
     echo "$library" >"$vendors/$(basename "$library").icd"

@@ -64,7 +64,7 @@ void add_products_and_sums(Probes& probes) {
 
 /// The number whose product with the odd `factor` is 1 modulo 2^32.
 std::uint32_t inverse(std::uint32_t factor) {
-  std::uint32_t found = factor;                                 // right in three bits
+  std::uint32_t found = factor;                             // right in three bits
   for (int i = 0; i < 4; ++i) found *= 2 - factor * found;  // twice as many each time
   return found;
 }
@@ -101,10 +101,10 @@ void add_roots(Probes& probes) {
   constexpr std::uint64_t kModulus = std::uint64_t(1) << 26;
   constexpr std::uint64_t kLeast = std::uint64_t(1) << 24;
   int found = 0;
-  for (std::int64_t r = 1; found < kProbesOfAKind; r = r > 0 ? -r - 6 : -r + 2) {  // 1, -7, 9, -15, 17 ...
+  for (std::int64_t r = 1; found<kProbesOfAKind; r = r> 0 ? -r - 6 : -r + 2) {  // 1, -7, 9, -15, 17 ...
     const std::uint64_t root = root_modulo(std::uint64_t(r) % kModulus) % kModulus;
-    for (const std::uint64_t s : {root, kModulus - root, (root + kModulus / 2) % kModulus,
-                                  (kModulus / 2 + kModulus - root) % kModulus}) {
+    for (const std::uint64_t s :
+         {root, kModulus - root, (root + kModulus / 2) % kModulus, (kModulus / 2 + kModulus - root) % kModulus}) {
       if (s < kLeast || s >= 2 * kLeast) continue;
       const std::uint64_t x = (s * s - std::uint64_t(r)) / kModulus;
       if (x >= kLeast) continue;  // 25 bits: no float
