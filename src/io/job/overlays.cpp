@@ -83,19 +83,6 @@ Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
   return texels;
 }
 
-std::shared_ptr<const ColourTarget> colour_target_of(const Canvas& canvas, const Job& job) {
-  if (job.colour.image.empty()) return nullptr;
-  refuse_seamless(job, "colour.image");
-  const float px_per_texel = px_per_cell(job, kTexelsPerPiece);
-  const cv::Size size = cells_of(canvas, px_per_texel);
-  const Grid<Texel> finest = texels_from(picture_for(job, job.colour.image, "colour.image", canvas, size), size);
-  if (std::none_of(finest.data().begin(), finest.data().end(),
-                   [](const Texel& texel) { return texel.weight >= kLeastColourWeight; })) {
-    throw InputError(job.path + ": colour.image: " + job.colour.image + " is transparent all over");
-  }
-  return std::make_shared<const ColourTarget>(finest, px_per_texel);
-}
-
 /// By lightness as it is stored; transparent places are white.
 std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job) {
   if (job.size_map.empty()) return nullptr;
@@ -146,8 +133,22 @@ void add_colour_grids(const ShapeLibrary& library, const Job& job, Digest& diges
 
 }  // namespace
 
+ColourImage read_colour_image(const Canvas& canvas, const Job& job) {
+  if (job.colour.image.empty()) return {};
+  refuse_seamless(job, "colour.image");
+  const float px_per_texel = px_per_cell(job, kTexelsPerPiece);
+  const cv::Size size = cells_of(canvas, px_per_texel);
+  const cv::Mat picture = picture_for(job, job.colour.image, "colour.image", canvas, size);
+  const Grid<Texel> finest = texels_from(picture, size);
+  if (std::none_of(finest.data().begin(), finest.data().end(),
+                   [](const Texel& texel) { return texel.weight >= kLeastColourWeight; })) {
+    throw InputError(job.path + ": colour.image: " + job.colour.image + " is transparent all over");
+  }
+  return {picture, std::make_shared<const ColourTarget>(finest, px_per_texel)};
+}
+
 Overlays read_overlays(const Canvas& canvas, const Job& job) {
-  return {colour_target_of(canvas, job), size_map_of(canvas, job)};
+  return {read_colour_image(canvas, job).target, size_map_of(canvas, job)};
 }
 
 void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& job) {

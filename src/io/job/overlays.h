@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <opencv2/core.hpp>
 
 #include "core/colour/colour_target.h"
 #include "core/field/canvas.h"
@@ -11,6 +12,15 @@
 #include "io/library/shape_library.h"
 
 namespace tessera::io {
+
+/// colour.image over the canvas: the pixels, and the colours that pieces are matched with.
+struct ColourImage {
+  cv::Mat bgra;  // straight, CV_8UC4; its edges are the canvas' (overlay.h)
+  std::shared_ptr<const ColourTarget> target;
+};
+
+/// Empty where the job has none. Errors as read_overlays.
+ColourImage read_colour_image(const Canvas& canvas, const Job& job);
 
 /// What is empty is not there.
 struct Overlays {
