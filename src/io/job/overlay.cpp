@@ -21,9 +21,13 @@ cv::Mat page_of(const std::vector<std::uint8_t>& bytes, const std::string& path,
 
 }  // namespace
 
-cv::Mat overlay_picture(const std::string& path, const char* key, const Canvas& canvas, int side_px) {
+cv::Mat whole_overlay(const std::string& path, const char* key, int side_px) {
   const std::vector<std::uint8_t> bytes = read_canvas_file(path, key);
-  const cv::Mat page = page_of(bytes, path, key, std::clamp(side_px, 1, kMaxArtworkSide_px));
+  return page_of(bytes, path, key, std::clamp(side_px, 1, kMaxArtworkSide_px));
+}
+
+cv::Mat overlay_picture(const std::string& path, const char* key, const Canvas& canvas, int side_px) {
+  const cv::Mat page = whole_overlay(path, key, side_px);
   const double fit = std::min(double(page.cols) / canvas.width_px, double(page.rows) / canvas.height_px);
   const cv::Size part(std::max(1, int(canvas.width_px * fit)), std::max(1, int(canvas.height_px * fit)));
   return page(cv::Rect({(page.cols - part.width) / 2, (page.rows - part.height) / 2}, part));

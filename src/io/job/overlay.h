@@ -8,9 +8,12 @@
 
 namespace tessera::io {
 
-/// The file's middle with the canvas' aspect, as large as it can be: it covers the canvas, its middle on the canvas'
-/// middle. Straight BGRA, CV_8UC4; an SVG is drawn with a longest side of `side_px`. Throws InputError, which begins
-/// with the key where the file cannot be read, as Drawers::whole_picture does otherwise.
+/// The whole picture as straight BGRA, CV_8UC4; an SVG is drawn with a longest side of `side_px`. Throws InputError, which
+/// begins with the key where the file cannot be read, as Drawers::whole_picture does otherwise.
+cv::Mat whole_overlay(const std::string& path, const char* key, int side_px);
+
+/// The picture's middle with the canvas' aspect, as large as it can be: it covers the canvas, its middle on the canvas'
+/// middle. Pixels and errors as of whole_overlay.
 cv::Mat overlay_picture(const std::string& path, const char* key, const Canvas& canvas, int side_px);
 
 }  // namespace tessera::io
