@@ -83,8 +83,9 @@ void check(const MosaicOptions& options) {
 
 /// Opaque BGR, as tessera mosaic sees it.
 cv::Mat image_of(const std::string& path) {
+  io::Drawers drawers(io::photo_drawer_settings(1));
   cv::Mat bgr;
-  cv::cvtColor(io::whole_overlay(path, "--image", 1024), bgr, cv::COLOR_BGRA2BGR);
+  cv::cvtColor(io::whole_overlay(path, "--image", 1024, drawers), bgr, cv::COLOR_BGRA2BGR);
   return bgr;
 }
 

@@ -115,7 +115,7 @@ class Measured : public testing::Test {
   }
 
   AfarNote note(const cv::Mat& drawn) {
-    AfarMeasure measure(sample_.report);
+    AfarMeasure measure(sample_.report, drawers_);
     measure.rows().write(drawn);
     measure.rows().finish();
     return measure.note();
@@ -123,6 +123,7 @@ class Measured : public testing::Test {
 
   const cv::Mat picture_ = gradient({600, 300});
   const test::ScratchFolder folder_;
+  Drawers drawers_{photo_drawer_settings(1)};
   test::SampleCollage sample_;  // of two pieces on 200 x 100 px, drawn 400 px wide
 };
 
@@ -144,7 +145,8 @@ TEST_F(Measured, ALostPictureIsSaidWithoutItsPath) {
 }
 
 TEST_F(Measured, AnotherPictureThanThatOfTheCollageIsNotMeasured) {
-  sample_.report.covered = covered_colours(sample_.report, *read_colour_image(sample_.canvas, sample_.job).target);
+  sample_.report.covered =
+      covered_colours(sample_.report, *read_colour_image(sample_.canvas, sample_.job, drawers_).target);
   EXPECT_TRUE(note(without_alpha(gradient({400, 200}))).seen);
   sample_.report.covered.back() = "#123456";
   EXPECT_EQ(note(without_alpha(gradient({400, 200}))).not_measured, "colour.image has changed since the collage");

@@ -8,6 +8,7 @@
 #include "core/colour/colour_target.h"
 #include "core/field/canvas.h"
 #include "core/field/size_map.h"
+#include "io/drawing/drawers.h"
 #include "io/job/job_file.h"
 #include "io/library/shape_library.h"
 
@@ -19,8 +20,8 @@ struct ColourImage {
   std::shared_ptr<const ColourTarget> target;
 };
 
-/// Empty where the job has none. Errors as read_overlays.
-ColourImage read_colour_image(const Canvas& canvas, const Job& job);
+/// Empty where the job has none. Errors as read_overlays, and as overlay_picture where `drawers` are stopped.
+ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& drawers);
 
 /// What is empty is not there.
 struct Overlays {

@@ -20,12 +20,12 @@ bool is_of_collage(const ColourImage& image, const CollageReport& report) {
 
 }  // namespace
 
-AfarMeasure::AfarMeasure(const CollageReport& report)
+AfarMeasure::AfarMeasure(const CollageReport& report, Drawers& drawers)
     : canvas_(*report.canvas),
       pieces_(report.placements.size()),
       mosaic_(picture_size_px(report.job->output, *report.canvas)) {
   try {
-    const ColourImage image = read_colour_image(*report.canvas, *report.job);
+    const ColourImage image = read_colour_image(*report.canvas, *report.job, drawers);
     if (!is_of_collage(image, report)) {
       not_measured_ = kAnother;
       return;

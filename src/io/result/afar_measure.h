@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "io/drawing/drawers.h"
 #include "io/result/afar_section.h"
 #include "io/result/collage_files.h"
 #include "io/result/picture_cells.h"
@@ -13,8 +14,8 @@ class AfarMeasure {
  public:
   /// Reads colour.image of the report's job, which has one. The report has the pieces as they were placed, not yet
   /// deformed. Where the picture cannot be had, or is another than when the collage was made, the note says so: drawing
-  /// does not need it. Throws EnvironmentError where it cannot be decoded for want of processes.
-  explicit AfarMeasure(const CollageReport& report);
+  /// does not need it. Throws EnvironmentError where it cannot be decoded for want of processes, DrawingStopped.
+  AfarMeasure(const CollageReport& report, Drawers& drawers);
 
   /// Takes the picture's rows, beside the files that are written.
   PictureFile& rows() { return mosaic_; }

@@ -19,9 +19,8 @@ namespace {
 constexpr double kMostStretch = 1.05;
 constexpr std::size_t kMostFileBytes = std::size_t(4 * kMaxImagePixels);  // as many as the pixels have
 
-cv::Mat read_mosaic(const std::string& path) {
+cv::Mat read_mosaic(const std::string& path, Drawers& drawers) {
   const std::vector<std::uint8_t> bytes = read_regular_file(path, kMostFileBytes);
-  Drawers drawers(photo_drawer_settings(1));
   return drawers.whole_picture(bytes, path, kMaxArtworkSide_px);
 }
 
@@ -55,12 +54,13 @@ int longest_side(const cv::Mat& mosaic) {
 }  // namespace
 
 SeenFromAfar mosaic_from_afar(const std::string& path, const ShownImage& image, std::size_t pieces) {
-  const cv::Mat mosaic = read_mosaic(path);
+  Drawers drawers(photo_drawer_settings(1));
+  const cv::Mat mosaic = read_mosaic(path, drawers);
   if (mosaic.cols < kAfarWidth_px) {
     throw InputError(path + ": found " + size_text(mosaic.cols, mosaic.rows) +
                      " px, allowed: " + std::to_string(kAfarWidth_px) + " px wide or more");
   }
-  const cv::Mat picture = whole_overlay(image.path, image.key, longest_side(mosaic));
+  const cv::Mat picture = whole_overlay(image.path, image.key, longest_side(mosaic), drawers);
   check_aspect(path, mosaic, picture.size(), image.path);
   const double in_width = std::sqrt(double(pieces) * mosaic.cols / mosaic.rows);
   return compared(mosaic, picture, image, nullptr, in_width);
@@ -68,9 +68,10 @@ SeenFromAfar mosaic_from_afar(const std::string& path, const ShownImage& image, 
 
 SeenFromAfar mosaic_from_afar(const std::string& path, const ShownImage& image, const Canvas& canvas,
                               std::size_t pieces) {
-  const cv::Mat mosaic = read_mosaic(path);
+  Drawers drawers(photo_drawer_settings(1));
+  const cv::Mat mosaic = read_mosaic(path, drawers);
   check_aspect(path, mosaic, {canvas.width_px, canvas.height_px}, "the canvas");
-  const cv::Mat picture = overlay_picture(image.path, image.key, canvas, longest_side(mosaic));
+  const cv::Mat picture = overlay_picture(image.path, image.key, canvas, longest_side(mosaic), drawers);
   return compared(mosaic, picture, image, &canvas, width_in_pieces(canvas, pieces));
 }
 

@@ -320,8 +320,12 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   const bool is_result = request.to.empty();
   const bool pixels = request.png || request.tiff;
   std::optional<AfarMeasure> measure;
-  if (is_result && pixels && !job.colour.image.empty()) measure.emplace(report);
-  stop.check();
+  if (is_result && pixels && !job.colour.image.empty()) {
+    Drawers photo_drawer(photo_drawer_settings(1));
+    const StopWatcher photo_stop(observer, photo_drawer);
+    measure.emplace(report, photo_drawer);
+    photo_stop.check();
+  }
   if (manifest.deformed) take_up_deformed_pieces(dir, report, [&] { stop.check(); });
   ResultPictures pictures({folder, is_result}, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
