@@ -18,8 +18,8 @@ struct Tiles {
   std::size_t count = 0;  // of the drawings
 };
 
-/// Writes the library's drawings (their thumbnails) on this ground, "#rrggbb", into the folder, which is there and empty.
-/// Throws InputError where there are none, EnvironmentError.
+/// Writes the library's drawings (their thumbnails) on this ground, "#rrggbb", into the folder, which is there and
+/// empty. Throws InputError where there are none, EnvironmentError.
 Tiles write_tiles(const io::LibraryFile& library, const std::string& ground, const std::string& folder);
 
 /// How an image is divided into tiles, so that about so many of them come out.
@@ -34,8 +34,8 @@ TileGrid tile_grid(cv::Size image_px, std::size_t pieces);
 /// path. It is what the mosaic shows. Throws EnvironmentError.
 std::string write_tiled_image(const cv::Mat& image_bgr, const TileGrid& grid, const Tiles& tiles);
 
-/// Prepares the tiles and makes the mosaic of that image: the file `mosaic`. A drawing stands two tiles away from itself,
-/// nearer where drawings are few. Throws EnvironmentError where metapixel fails.
+/// Prepares the tiles and makes the mosaic of that image: the file `mosaic`. A drawing stands two tiles away from
+/// itself, nearer where drawings are few. Throws EnvironmentError where metapixel fails.
 void make_metapixel_mosaic(const Tiles& tiles, const std::string& image, const TileGrid& grid,
                            const std::string& mosaic);
 

@@ -107,8 +107,8 @@ CardArguments of_folder(CardArguments arguments) {
   return arguments;
 }
 
-/// How collage.png in the folder of a result shows the picture of its job, or of --image. Nothing where the job has none, or
-/// where the result is held against another canvas.
+/// How collage.png in the folder of a result shows the picture of its job, or of --image. Nothing where the job has
+/// none, or where the result is held against another canvas.
 std::optional<io::AfarNote> seen_in_folder(const CardArguments& folder, const Canvas& canvas, std::size_t pieces) {
   const std::string of_job = io::load_job(in_folder(folder, "job.toml"), {}).colour.image;
   if (!folder.image.empty())

@@ -53,8 +53,8 @@ struct Published {
   float difference;
 };
 
-/// The 34 pairs of Sharma, Wu and Dalal's table but for two (10 and 14): where hues are exactly opposite either of two hues is
-/// their middle, and ours is another one.
+/// The 34 pairs of Sharma, Wu and Dalal's table but for two (10 and 14): where hues are exactly opposite either of two
+/// hues is their middle, and ours is another one.
 TEST(Ciede2000, GivesPublishedDifferences) {
   const Published table[] = {{{50, 2.6772f, -79.7751f}, {50, 0, -82.7485f}, 2.0425f},
                              {{50, 3.1571f, -77.2803f}, {50, 0, -82.7485f}, 2.8615f},

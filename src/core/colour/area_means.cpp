@@ -7,7 +7,8 @@ namespace tessera {
 namespace {
 
 /// Calls `take(cell, length)` for each of `cells` cells that pixel `at` of `pixels` lies in; the length is that of the
-/// common part, the cell having 1. Whole numbers tell the parts, so that no rounding lets a pixel slip into the next cell.
+/// common part, the cell having 1. Whole numbers tell the parts, so that no rounding lets a pixel slip into the next
+/// cell.
 template <class Take>
 void for_each_part(int at, int pixels, int cells, Take take) {
   // Both ends of the pixel and of the cells in units in which a pixel is `cells` long and a cell `pixels`.

@@ -1,5 +1,5 @@
-// How well a mosaic shows its picture to whoever stands far off and sees no single piece: both are reduced to few pixels,
-// then compared by colour and by structure.
+// How well a mosaic shows its picture to whoever stands far off and sees no single piece: both are reduced to few
+// pixels, then compared by colour and by structure.
 #pragma once
 
 #include <optional>

@@ -13,8 +13,8 @@ struct Srgb {
   friend bool operator==(const Srgb&, const Srgb&) = default;
 };
 
-/// CIELAB with D65 as white. It is for measures alone: the powers in it differ in the last bits from machine to machine,
-/// and nothing that places a piece may follow from them.
+/// CIELAB with D65 as white. It is for measures alone: the powers in it differ in the last bits from machine to
+/// machine, and nothing that places a piece may follow from them.
 Lab lab_from_srgb(const Srgb& colour);
 
 /// Luma of ITU-R BT.601, 0 to 255: what image programs mean by grey.

@@ -1,5 +1,5 @@
-// The pictures that a job lays over its canvas: colour.image, whose colours the pieces are to show, and pieces.size_map,
-// how large they may be from place to place.
+// The pictures that a job lays over its canvas: colour.image, whose colours the pieces are to show, and
+// pieces.size_map, how large they may be from place to place.
 #pragma once
 
 #include <memory>

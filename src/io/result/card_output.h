@@ -29,8 +29,8 @@ std::string card_text(const Quality& quality, const RunStatistics& run, const Co
                       const std::optional<DeformationFigures>& deformation = {},
                       const std::vector<MissingShape>& missing = {});
 
-/// Of what nobody says how it was made: the sections quality, of pieces, and from_afar, of a picture, as far as they are
-/// known. distinct_shapes is null where shapes have no names.
+/// Of what nobody says how it was made: the sections quality, of pieces, and from_afar, of a picture, as far as they
+/// are known. distinct_shapes is null where shapes have no names.
 std::string score_json(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar = {});
 std::string score_text(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar = {});
 

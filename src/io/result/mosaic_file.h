@@ -15,10 +15,10 @@ struct ShownImage {
   const char* key = "--image";  // messages begin with it
 };
 
-/// `pieces`: how many the mosaic has; 0: nobody says, and at_piece_size is missing. The image is stretched over the mosaic,
-/// which has its aspect to 5 %: makers of mosaics round to whole tiles. The mosaic is 100 px wide or more and as
-/// Drawers::whole_picture reads it: 8192 px each way and 50 million px at most. Throws InputError that says what was found
-/// and what is allowed, EnvironmentError.
+/// `pieces`: how many the mosaic has; 0: nobody says, and at_piece_size is missing. The image is stretched over the
+/// mosaic, which has its aspect to 5 %: makers of mosaics round to whole tiles. The mosaic is 100 px wide or more and
+/// as Drawers::whole_picture reads it: 8192 px each way and 50 million px at most. Throws InputError that says what was
+/// found and what is allowed, EnvironmentError.
 SeenFromAfar mosaic_from_afar(const std::string& mosaic, const ShownImage& image, std::size_t pieces);
 
 /// The same on a canvas: only what lies on it counts, and the image covers it as colour.image does. The mosaic has the

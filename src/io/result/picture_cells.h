@@ -35,7 +35,8 @@ Grid<WeightedColour> cells_of_picture(const cv::Mat& straight_bgra, cv::Size cel
 /// opaque. Both have the same cells, which cover the canvas' box.
 PicturePair picture_pair(const Grid<Srgb>& mosaic, const Grid<WeightedColour>& picture, const Canvas* canvas);
 
-/// How many times as wide as a piece of mean size the canvas is: with pieces that fill it evenly, their number in a row.
+/// How many times as wide as a piece of mean size the canvas is: with pieces that fill it evenly, their number in a
+/// row.
 double width_in_pieces(const Canvas& canvas, std::size_t pieces);
 
 }  // namespace tessera::io
