@@ -13,22 +13,6 @@ enum IndexSizes {
   kPlaceNumbers = kLowNumbers + 3
 };
 
-// One byte for each lane, 0 or 1.
-typedef union LaneBytes {
-  uchar byte[kFilterLanes];
-  ulong word[kFilterLanes / 8];
-} LaneBytes;
-
-INLINE ulong lane_bits(const LaneBytes* lanes) {
-  ulong any = 0;
-  for (int k = 0; k < kFilterLanes / 8; ++k) any |= lanes->word[k];
-  if (any == 0) return 0;
-  ulong bits = 0;
-  // The product gathers the lowest bits of eight bytes in its highest byte.
-  for (int k = 0; k < kFilterLanes / 8; ++k) bits |= (lanes->word[k] * 0x0102040810204080ul >> 56) << (8 * k);
-  return bits;
-}
-
 // Bytes that a pair of a target sample has, inclusive (core/pad/pad_filter.h).
 typedef struct Bounds {
   uchar low[kPadElements];
@@ -62,8 +46,70 @@ Bounds all_bytes() {
   return bounds;
 }
 
-// Bit i is set where box i may hold a pair.
-INLINE ulong boxes_met(global const uchar* rows, const Bounds* bounds) {
+#if kLanesAreItems
+
+// For GPUs: 16 work items have four of the 64 boxes or PADs each, as the bytes of one number. So neighbours read
+// neighbouring numbers, and each goes on by itself with what its four leave.
+enum { kSearchItems = 64, kItemsOfBlock = kFilterLanes / 4, kBlocksAtOnce = kSearchItems / kItemsOfBlock };
+#define SEARCH_KERNEL kernel __attribute__((reqd_work_group_size(kSearchItems, 1, 1)))
+
+typedef uint Met;  // the highest bit of each byte
+
+INLINE uint in_all_bytes(uint byte) { return byte * 0x01010101u; }
+
+// The highest bit of each byte is set where the byte of `a` is that of `b` or more.
+INLINE Met at_least(uint a, uint b) {
+  const uint low_bits = (a | 0x80808080u) - (b & 0x7f7f7f7fu);
+  return ((a & ~b) | (~(a ^ b) & low_bits)) & 0x80808080u;
+}
+
+INLINE Met any_bit(uint bytes, uint bits) { return ((bytes & in_all_bytes(bits)) + 0x7f7f7f7fu) & 0x80808080u; }
+
+// This item's four of a row's bytes.
+INLINE uint row_part(global const uchar* rows, int row) {
+  return ((global const uint*)rows)[row * kItemsOfBlock + (int)get_local_id(0) % kItemsOfBlock];
+}
+
+INLINE Met boxes_met(global const uchar* rows, const Bounds* bounds) {
+  Met met = at_least(in_all_bytes(bounds->scale_high), row_part(rows, 2 * kPadElements)) &
+            at_least(row_part(rows, 2 * kPadElements + 1), in_all_bytes(bounds->scale_low)) &
+            any_bit(row_part(rows, 2 * kPadElements + 2), bounds->signs);
+#pragma unroll
+  for (int e = 0; e < kPadElements; ++e) {
+    met &= at_least(in_all_bytes(bounds->high[e]), row_part(rows, e)) &
+           at_least(row_part(rows, kPadElements + e), in_all_bytes(bounds->low[e]));
+  }
+  return met;
+}
+
+INLINE uint next_lane(Met met) {
+  return (uint)(get_local_id(0) % kItemsOfBlock) * 4 + (31 - (uint)clz(met & -met)) / 8;
+}
+
+#else
+
+#define SEARCH_KERNEL kernel
+enum { kItemsOfBlock = 1, kBlocksAtOnce = 1 };
+
+typedef ulong Met;  // a bit for each of the 64
+
+// One byte for each lane, 0 or 1.
+typedef union LaneBytes {
+  uchar byte[kFilterLanes];
+  ulong word[kFilterLanes / 8];
+} LaneBytes;
+
+INLINE Met lane_bits(const LaneBytes* lanes) {
+  ulong any = 0;
+  for (int k = 0; k < kFilterLanes / 8; ++k) any |= lanes->word[k];
+  if (any == 0) return 0;
+  ulong bits = 0;
+  // The product gathers the lowest bits of eight bytes in its highest byte.
+  for (int k = 0; k < kFilterLanes / 8; ++k) bits |= (lanes->word[k] * 0x0102040810204080ul >> 56) << (8 * k);
+  return bits;
+}
+
+INLINE Met boxes_met(global const uchar* rows, const Bounds* bounds) {
   LaneBytes met;
   for (int i = 0; i < kFilterLanes; ++i) {
     global const uchar* low = rows + i;
@@ -80,28 +126,51 @@ INLINE ulong boxes_met(global const uchar* rows, const Bounds* bounds) {
   return lane_bits(&met);
 }
 
-// Work item: (target sample, root). The blocks that may hold pairs within the sample's reach, in no
-// particular order; of more than `capacity` the rest is lost, but counted. Where `look_at_boxes` is 0, all blocks.
-// Segments whose number is no multiple of `segment_stride` are left out.
-kernel void find_blocks(global const RootRecord* roots, global const uchar* node_boxes,
-                        global const uchar* block_boxes, uint look_at_boxes, uint segment_stride,
-                        global const SampleRecord* samples,
-                        uint sample_count, uint capacity, global uint* block_count,
-                        global BlockRecord* blocks) {
-  const uint t = get_global_id(0);
-  if (t >= sample_count || samples[t].reach == 0) return;
+INLINE uint next_lane(Met met) { return 63 - (uint)clz(met & -met); }
+
+#endif
+
+// The boxes of a root that are met: those of all items of the sample together.
+INLINE ulong nodes_met(global const uchar* rows, const Bounds* bounds, local uint* shared) {
+#if kLanesAreItems
+  local uint* halves = shared + 2 * (get_local_id(0) / kItemsOfBlock);
+  const uint item = (uint)get_local_id(0) % kItemsOfBlock;
+  if (item < 2) halves[item] = 0;
+  barrier(CLK_LOCAL_MEM_FENCE);
+  uint bits = 0;
+  for (Met met = boxes_met(rows, bounds); met != 0; met &= met - 1) bits |= 1u << (next_lane(met) % 32);
+  if (bits != 0) atomic_or(halves + item / 8, bits);
+  barrier(CLK_LOCAL_MEM_FENCE);
+  return (ulong)halves[1] << 32 | halves[0];
+#else
+  return boxes_met(rows, bounds);
+#endif
+}
+
+// Work item: (target sample, root), or the 16 of a sample together. The blocks that may hold pairs within the sample's
+// reach, in no particular order; of more than `capacity` the rest is lost, but counted. Where `look_at_boxes` is 0, all
+// blocks. Segments whose number is no multiple of `segment_stride` are left out.
+SEARCH_KERNEL void find_blocks(global const RootRecord* roots, global const uchar* node_boxes,
+                               global const uchar* block_boxes, uint look_at_boxes, uint segment_stride,
+                               global const SampleRecord* samples, uint sample_count, uint capacity,
+                               global uint* block_count, global BlockRecord* blocks) {
+  local uint shared[2 * kBlocksAtOnce];
   const RootRecord root = roots[get_global_id(1)];
-  if (root.segment % segment_stride != 0) return;
-  Bounds bounds = bounds_of(samples + t, root.level);
+  if (root.segment % segment_stride != 0) return;  // for all items of a group
+  const uint t = (uint)get_global_id(0) / kItemsOfBlock;
+  const bool is_asked = t < sample_count && samples[min(t, sample_count - 1)].reach != 0;
+  Bounds bounds = bounds_of(samples + min(t, sample_count - 1), root.level);
   if (!look_at_boxes) bounds = all_bytes();
   global const uchar* root_rows = node_boxes + get_global_id(1) * (kBoxRows * kFilterLanes);
-  for (ulong nodes = boxes_met(root_rows, &bounds); nodes != 0; nodes &= nodes - 1) {
+  ulong nodes = nodes_met(root_rows, &bounds, shared);
+  if (!is_asked) return;
+  for (; nodes != 0; nodes &= nodes - 1) {
     const uint node = root.first_node + 63 - (uint)clz(nodes & -nodes);
-    const ulong met = boxes_met(block_boxes + (size_t)node * (kBoxRows * kFilterLanes), &bounds);
+    const Met met = boxes_met(block_boxes + (size_t)node * (kBoxRows * kFilterLanes), &bounds);
     if (met == 0) continue;
     uint place = claim_places(block_count, (uint)popcount(met));
-    for (ulong left = met; left != 0 && place < capacity; left &= left - 1) {
-      const BlockRecord block = {t, node * kFilterLanes + 63 - (uint)clz(left & -left), root.level};
+    for (Met left = met; left != 0 && place < capacity; left &= left - 1) {
+      const BlockRecord block = {t, node * kFilterLanes + next_lane(left), root.level};
       blocks[place++] = block;
     }
   }

@@ -7,10 +7,13 @@
 
 enum { kMostBlocksAtATime = 256 };  // of a work group
 
-// Of `count` blocks: as many as give each work group four portions, so that all are at work; one for each of its items at
-// least.
+// Those of a work group that look at a block each: items, or 16 of them together.
+uint searchers(void) { return (uint)get_local_size(0) / kItemsOfBlock; }
+
+// Of `count` blocks: as many as give each work group four portions, so that all are at work; one for each of its
+// searchers at least.
 uint blocks_at_a_time(uint count) {
-  const uint items = (uint)get_local_size(0);
+  const uint items = searchers();
   const uint of_an_item = count / (4 * (uint)get_num_groups(0) * items);
   return items * clamp(of_an_item, 1u, max(1u, kMostBlocksAtATime / items));
 }
@@ -32,8 +35,19 @@ Target load_target(global const SampleRecord* sample) {
   return target;
 }
 
-// Bit i is set where PAD i of the block may be near.
-INLINE ulong filter_block(global const uchar* rows, const Bounds* bounds) {
+// Which of the PADs of a block may be near.
+INLINE Met filter_block(global const uchar* rows, const Bounds* bounds) {
+#if kLanesAreItems
+  const uint scales = row_part(rows, kPadElements);
+  Met passes = at_least(scales, in_all_bytes(bounds->scale_low)) & at_least(in_all_bytes(bounds->scale_high), scales) &
+               any_bit(row_part(rows, kPadElements + 1), bounds->signs);
+#pragma unroll
+  for (int e = 0; e < kPadElements; ++e) {
+    const uint bytes = row_part(rows, e);
+    passes &= at_least(bytes, in_all_bytes(bounds->low[e])) & at_least(in_all_bytes(bounds->high[e]), bytes);
+  }
+  return passes;
+#else
   LaneBytes passes;
   for (int i = 0; i < kFilterLanes; ++i) {
     global const uchar* row = rows + i;
@@ -48,6 +62,7 @@ INLINE ulong filter_block(global const uchar* rows, const Bounds* bounds) {
     passes.byte[i] = pass;
   }
   return lane_bits(&passes);
+#endif
 }
 
 // `chord`: of the PAD; it is not looked at where every rotation is allowed.
@@ -89,37 +104,38 @@ INLINE void ask_for_rows(global const uchar* rows) {
 #endif
 }
 
-// Work group: portions of the blocks that were found, its items in turns. All work groups are of one launch. A portion's
+// Work group: portions of the blocks that were found, its searchers in turns. All work groups are of one launch. A portion's
 // blocks are neighbours in the list, and so most of them in the index: what one sample looks at, the next ones find in a
 // CPU's cache.
 // `index_rows`: of each block a row for each element, then one for the scales and one for the signs; `index_places`:
 // what a PAD's exact test needs; `index_chords`: what a test of its rotation needs.
 // `pairs`, in no particular order: those nearer than their sample's reach; of more than `capacity` the rest is lost,
 // but counted.
-kernel void find_pairs(constant MatchRecord* match, global const StanceRecord* stances,
-                       global const StanceListRecord* stance_lists, global const uint* shape_class,
-                       global const uchar* index_rows, global const ushort* index_places,
-                       global const ChordRecord* index_chords, constant ColourRecord* colour,
-                       global const uint* near_bits, global const SampleRecord* samples,
-                       global const uint* block_count, uint block_capacity, global const BlockRecord* blocks,
-                       uint capacity, global uint* pair_count, global PairRecord* pairs) {
+SEARCH_KERNEL void find_pairs(constant MatchRecord* match, global const StanceRecord* stances,
+                              global const StanceListRecord* stance_lists, global const uint* shape_class,
+                              global const uchar* index_rows, global const ushort* index_places,
+                              global const ChordRecord* index_chords, constant ColourRecord* colour,
+                              global const uint* near_bits, global const SampleRecord* samples,
+                              global const uint* block_count, uint block_capacity, global const BlockRecord* blocks,
+                              uint capacity, global uint* pair_count, global PairRecord* pairs) {
   const uint count = min(*block_count, block_capacity);
   const uint portion = blocks_at_a_time(count);
+  const uint searcher = (uint)get_local_id(0) / kItemsOfBlock;
   for (uint first = get_group_id(0) * portion; first < count; first += get_num_groups(0) * portion) {
     const uint end = min(first + portion, count);
-    for (uint i = first + get_local_id(0); i < end; i += get_local_size(0)) {
+    for (uint i = first + searcher; i < end; i += searchers()) {
       const BlockRecord block = blocks[i];
-      uint next = i + get_local_size(0);
-      if (next >= end) next = first + get_num_groups(0) * portion + get_local_id(0);
+      uint next = i + searchers();
+      if (next >= end) next = first + get_num_groups(0) * portion + searcher;
       if (next < count) ask_for_rows(index_rows + (size_t)blocks[next].block * kFilterRows * kFilterLanes);
       global const SampleRecord* sample = samples + block.sample;
       global const uchar* rows = index_rows + (size_t)block.block * kFilterRows * kFilterLanes;
       const Bounds bounds = bounds_of(sample, block.level);
-      ulong left = filter_block(rows, &bounds);
+      Met left = filter_block(rows, &bounds);
       if (left == 0) continue;
       const Target target = load_target(sample);
       for (; left != 0; left &= left - 1) {
-        const uint lane = 63 - (uint)clz(left & -left);
+        const uint lane = next_lane(left);
         const size_t pad = (size_t)block.block * kFilterLanes + lane;
         global const ushort* place = index_places + pad * kPlaceNumbers;
         const uint distance = pad_distance(rows, lane, place, &target);

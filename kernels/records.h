@@ -225,6 +225,28 @@ typedef struct RefinedRecord {
   u32 feasible;
 } RefinedRecord;
 
+// The operations whose results are compared with IEEE 754's.
+enum ProbeOperation {
+  kProbeProductAndSum,
+  kProbeProductAndDifference,
+  kProbeProduct,
+  kProbeQuotient,
+  kProbeRoot,
+  kProbeSum,
+  kProbeFromInt,
+  kProbeFromUint,
+  kProbeToInt,
+  kProbeFloor
+};
+
+// An operation and the bits of its operands.
+typedef struct ProbeRecord {
+  u32 operation;
+  u32 a;
+  u32 b;
+  u32 c;
+} ProbeRecord;
+
 #ifndef __OPENCL_VERSION__
 }  // namespace tessera::worker
 #endif

@@ -77,6 +77,18 @@ struct VarietyOptions {
 /// What more shapes, and more pairs docked, bring to a collage.
 Report bench_variety(const Setting& setting, const SquareJob& job, const VarietyOptions& options);
 
+struct MosaicOptions {
+  std::string library;
+  std::vector<std::string> images;    // as tessera mosaic takes them
+  int pieces = 2000;                  // that tessera mosaic is asked for; the peer gets as many tiles as it lays
+  std::vector<std::string> grounds;   // "#rrggbb", of the peer's tiles; none: a light and a dark one
+  std::vector<std::string> settings;  // "KEY=VALUE" of our jobs
+  std::string program;                // tessera itself
+};
+/// Mosaics of images beside those that metapixel makes of the same drawings: how well they show the images from afar.
+/// The pictures lie in the folder of the report's name; also writes CSV. Without metapixel ours alone are measured.
+Report bench_mosaic(const Setting& setting, const MosaicOptions& options);
+
 struct ScalingOptions {
   std::string library;
   std::uint32_t shapes = 0;         // for the most workers; beyond the library's, varied ones; 0 = the library's

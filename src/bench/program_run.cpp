@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -22,6 +24,7 @@ class SpawnActions {
   SpawnActions(const SpawnActions&) = delete;
   SpawnActions& operator=(const SpawnActions&) = delete;
 
+  void write_nothing() { posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0); }
   void read_nothing() { posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0); }
   const posix_spawn_file_actions_t* get() const { return &actions_; }
 
@@ -38,12 +41,13 @@ int wait_for(pid_t process) {
 
 }  // namespace
 
-void run_program(const std::vector<std::string>& command) {
+void run_program(const std::vector<std::string>& command, Talk talk) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));  // C's old interface
   arguments.push_back(nullptr);
   SpawnActions actions;
   actions.read_nothing();
+  if (talk == Talk::no) actions.write_nothing();
   pid_t process = 0;
   const int error = posix_spawnp(&process, arguments[0], actions.get(), nullptr, arguments.data(), environ);
   if (error != 0) throw EnvironmentError("cannot start " + command[0] + ": " + std::strerror(error));
@@ -52,6 +56,17 @@ void run_program(const std::vector<std::string>& command) {
   const std::string how = WIFEXITED(status) ? "exit code " + std::to_string(WEXITSTATUS(status))
                                             : "signal " + std::to_string(WTERMSIG(status));
   throw EnvironmentError("ended with " + how + ": " + joined(command, " "));
+}
+
+bool is_in_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string file = folder + "/" + program;
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error) && access(file.c_str(), X_OK) == 0) return true;
+  }
+  return false;
 }
 
 std::vector<std::string> words_of(const std::string& text) {

@@ -29,6 +29,7 @@ constexpr const char* kExamples =
     "  tessera bench replacing --library out/animals.h5 --scale-px 60,120 --size 10000\n"
     "  tessera bench library --library out/animals.h5 --sizes 100,1000,10000\n"
     "  tessera bench variety --library out/animals.h5 --sizes 100,1000 --pairs 0,100\n"
+    "  tessera bench mosaic --library out/openclipart.h5 --image cup.jpg --image rocket.jpg --pieces 2000\n"
     "  tessera bench scaling --library out/animals.h5 --shapes 10000 --ranks 2,3\n"
     "Each prints a table and writes the same figures as JSON, by default to out/bench_NAME.json.";
 
@@ -184,6 +185,32 @@ void add_variety(CLI::App& bench, Command& selected) {
   add_models_option(*sub, options->models);
 }
 
+void add_mosaic(CLI::App& bench, Command& selected) {
+  const auto options = std::make_shared<bench::MosaicOptions>();
+  CLI::App* sub = add_benchmark(bench, selected, "mosaic",
+                                "tessera mosaic beside metapixel, on the same drawings: what is seen from afar",
+                                [options](const bench::Setting& s) {
+                                  options->program = io::own_program();
+                                  return bench::bench_mosaic(s, *options);
+                                });
+  add_library_option(*sub, options->library);
+  sub->add_option("--image", options->images, "What the mosaics show, JPEG, PNG, TIFF, WebP or BMP; may be repeated")
+      ->required()
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->take_all();
+  sub->add_option("--pieces", options->pieces, "About so many pieces; metapixel gets as many tiles as we lay")
+      ->type_name("N")
+      ->capture_default_str();
+  add_list_option(*sub, "--grounds", options->grounds, "What metapixel's tiles are laid on, a mosaic for each",
+                  {.type_name = "#RRGGBB,.."})
+      ->default_str("#f3f0ec,#404040");
+  sub->add_option("--set", options->settings, "A key of our jobs, as of tessera mosaic; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
 void add_scaling(CLI::App& bench, Command& selected) {
   const auto options = std::make_shared<bench::ScalingOptions>();
   CLI::App* sub = add_benchmark(bench, selected, "scaling", "Speed-up with more workers; starts mpirun itself",
@@ -222,6 +249,7 @@ void add_bench_command(CLI::App& app, Command& selected) {
   add_replacing(*bench, selected);
   add_library(*bench, selected);
   add_variety(*bench, selected);
+  add_mosaic(*bench, selected);
   add_scaling(*bench, selected);
 }
 

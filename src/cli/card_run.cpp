@@ -14,6 +14,7 @@
 #include "io/job/wished_sizes.h"
 #include "io/number_text.h"
 #include "io/result/card_output.h"
+#include "io/result/mosaic_file.h"
 #include "io/result/polygon_pieces.h"
 
 namespace tessera::cli {
@@ -88,26 +89,95 @@ SizeRange checked_sizes(const std::vector<double>& sizes_px) {
                    ", allowed: MIN,MAX from " + io::fixed(kSmallest_px, 2) + " to " + io::fixed(scale.max, 0) + " px");
 }
 
+bool is_folder(const CardArguments& arguments) {
+  std::error_code error;
+  return std::filesystem::is_directory(arguments.pieces, error);
+}
+
+bool has_canvas(const CardArguments& arguments) { return !arguments.canvas.empty() || !arguments.size_px.empty(); }
+
+std::string in_folder(const CardArguments& folder, const char* name) {
+  return (std::filesystem::path(folder.pieces) / name).string();
+}
+
 /// The folder of a result says what was to be filled, too.
 CardArguments of_folder(CardArguments arguments) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path folder = arguments.pieces;
-  if (!fs::is_directory(folder, error)) return arguments;
-  arguments.pieces = (folder / "pieces.geojson").string();
-  if (arguments.canvas.empty() && arguments.size_px.empty()) arguments.canvas = (folder / "job.toml").string();
+  if (!has_canvas(arguments)) arguments.canvas = in_folder(arguments, "job.toml");
+  arguments.pieces = in_folder(arguments, "pieces.geojson");
   return arguments;
+}
+
+/// How collage.png in the folder of a result shows the picture of its job, or of --image. Nothing where the job has
+/// none, or where the result is held against another canvas.
+std::optional<io::AfarNote> seen_in_folder(const CardArguments& folder, const Canvas& canvas, std::size_t pieces) {
+  const std::string of_job = io::load_job(in_folder(folder, "job.toml"), {}).colour.image;
+  if (!folder.image.empty())
+    return io::AfarNote{io::mosaic_from_afar(in_folder(folder, "collage.png"), {folder.image}, canvas, pieces), {}};
+  if (of_job.empty()) return {};
+  try {
+    return io::AfarNote{
+        io::mosaic_from_afar(in_folder(folder, "collage.png"), {of_job, "colour.image"}, canvas, pieces), {}};
+  } catch (const InputError& error) {  // pieces are measured all the same
+    return io::AfarNote{{}, error.what()};
+  }
+}
+
+struct Card {
+  std::optional<Quality> quality;
+  std::optional<io::AfarNote> afar;
+};
+
+Card card_of_pieces(const CardArguments& given) {
+  const bool folder = is_folder(given);
+  const CardArguments arguments = folder ? of_folder(given) : given;
+  Frame frame = frame_of(arguments);
+  if (!arguments.sizes_px.empty()) frame.sizes = checked_sizes(arguments.sizes_px);
+  const std::vector<JudgedPiece> pieces = io::read_polygon_pieces(arguments.pieces, frame.canvas);
+  Card card;
+  card.quality = measure_quality(frame.canvas, pieces, frame.sizes);
+  if (folder && !has_canvas(given)) card.afar = seen_in_folder(given, frame.canvas, pieces.size());
+  return card;
+}
+
+/// Of a picture that shows another one.
+Card card_of_picture(const CardArguments& arguments) {
+  if (!arguments.sizes_px.empty()) throw InputError("--sizes: found beside --image, allowed: with pieces as polygons");
+  if (!arguments.size_px.empty() && arguments.canvas.empty()) {
+    throw InputError("--size: found beside --image, allowed: with --canvas FILE; else the picture has its size");
+  }
+  const io::ShownImage image{arguments.image};
+  const auto pieces = std::size_t(arguments.shown_pieces);
+  Card card;
+  card.afar.emplace();
+  card.afar->seen = arguments.canvas.empty()
+                        ? io::mosaic_from_afar(arguments.pieces, image, pieces)
+                        : io::mosaic_from_afar(arguments.pieces, image, frame_of(arguments).canvas, pieces);
+  return card;
+}
+
+/// What goes with another kind of RESULT alone.
+void check_kind(const CardArguments& arguments) {
+  const bool picture = !is_folder(arguments) && !arguments.image.empty();
+  if (arguments.shown_pieces > 0 && !picture) {
+    throw InputError("--pieces: found without --image, allowed: with a picture; polygons are counted");
+  }
+  if (is_folder(arguments) && !arguments.image.empty() && has_canvas(arguments)) {
+    throw InputError("--image: found beside --canvas or --size and a folder, allowed: in the canvas of its job");
+  }
+  if (arguments.image.empty() && io::looks_like_picture(arguments.pieces)) {
+    throw InputError(arguments.pieces +
+                     ": found a picture, allowed: polygons; with --image FILE, the picture that it " +
+                     "shows, it is measured from afar");
+  }
 }
 
 }  // namespace
 
-int run_card(const CardArguments& given) {
-  const CardArguments arguments = of_folder(given);
-  Frame frame = frame_of(arguments);
-  if (!arguments.sizes_px.empty()) frame.sizes = checked_sizes(arguments.sizes_px);
-  const std::vector<JudgedPiece> pieces = io::read_polygon_pieces(arguments.pieces, frame.canvas);
-  const Quality quality = measure_quality(frame.canvas, pieces, frame.sizes);
-  print_lines(arguments.json ? io::score_json(quality) : io::score_text(quality));
+int run_card(const CardArguments& arguments) {
+  check_kind(arguments);
+  const bool pieces = arguments.image.empty() || is_folder(arguments);
+  const Card card = pieces ? card_of_pieces(arguments) : card_of_picture(arguments);
+  print_lines(arguments.json ? io::score_json(card.quality, card.afar) : io::score_text(card.quality, card.afar));
   return 0;
 }
 

@@ -1,5 +1,7 @@
 #include "cli/ranking_run.h"
 
+#include <algorithm>
+
 #include "cli/collage_warnings.h"
 #include "cli/terminal.h"
 #include "comm/stop_signals.h"
@@ -32,18 +34,38 @@ std::vector<io::ResultCard> cards_of(const std::vector<std::string>& arguments) 
 }
 
 std::string table_text(const std::vector<io::RankedResult>& results) {
-  io::TextTable table({"result", "rank", "score", "coverage %", "overlap %", "outside %", "shared %", "pieces",
-                       "shapes", "by area", "gap px", "balance", "dwarfs %", "copy px", "alone %", "time s"});
+  std::vector<std::string> head = {"result",   "rank",    "score",   "coverage %", "overlap %", "outside %",
+                                   "shared %", "pieces",  "shapes",  "by area",    "gap px",    "balance",
+                                   "dwarfs %", "copy px", "alone %", "time s"};
+  const bool show_a_picture =
+      std::any_of(results.begin(), results.end(), [](const io::RankedResult& r) { return r.card.afar.has_value(); });
+  if (show_a_picture) head.insert(head.end(), {"CIEDE2000", "SSIM"});
+  io::TextTable table(head);
   for (const io::RankedResult& result : results) {
     const Quality& q = result.card.quality;
     const auto percent = [](double fraction, int decimals) { return io::fixed(100 * fraction, decimals); };
-    table.add({result.card.folder + (io::is_unfinished(result.card) ? " (unfinished)" : ""),
-               std::to_string(result.rank), io::fixed(result.score, 2), percent(q.coverage, 2), percent(q.overlap, 3),
-               percent(q.outside, 3), percent(q.shared_boundary, 1), std::to_string(q.pieces),
-               std::to_string(q.distinct_shapes), q.effective_shapes ? io::fixed(*q.effective_shapes, 1) : "-",
-               io::fixed(q.largest_gap_px, 1), q.balance ? io::fixed(q.balance->evenness, 2) : "-",
-               q.balance ? percent(q.balance->dwarfs, 1) : "-", q.copies_px ? io::fixed(*q.copies_px, 0) : "-",
-               result.card.age < io::CardAge::picture ? "-" : percent(q.alone, 1), io::fixed(result.card.total_s, 1)});
+    std::vector<std::string> row = {result.card.folder + (io::is_unfinished(result.card) ? " (unfinished)" : ""),
+                                    std::to_string(result.rank),
+                                    io::fixed(result.score, 2),
+                                    percent(q.coverage, 2),
+                                    percent(q.overlap, 3),
+                                    percent(q.outside, 3),
+                                    percent(q.shared_boundary, 1),
+                                    std::to_string(q.pieces),
+                                    std::to_string(q.distinct_shapes),
+                                    q.effective_shapes ? io::fixed(*q.effective_shapes, 1) : "-",
+                                    io::fixed(q.largest_gap_px, 1),
+                                    q.balance ? io::fixed(q.balance->evenness, 2) : "-",
+                                    q.balance ? percent(q.balance->dwarfs, 1) : "-",
+                                    q.copies_px ? io::fixed(*q.copies_px, 0) : "-",
+                                    result.card.age < io::CardAge::picture ? "-" : percent(q.alone, 1),
+                                    io::fixed(result.card.total_s, 1)};
+    if (show_a_picture) {
+      const std::optional<SeenFromAfar>& afar = result.card.afar;
+      row.push_back(afar ? io::fixed(afar->at_100_px.colour_difference, 2) : "-");
+      row.push_back(afar ? io::fixed(afar->at_100_px.structure, 3) : "-");
+    }
+    table.add(row);
   }
   return table.text();
 }

@@ -5,6 +5,7 @@
 
 #include "cli/collage_warnings.h"
 #include "cli/progress_bar.h"
+#include "cli/terminal.h"
 #include "io/drawing/drawers.h"
 #include "io/result/run_log.h"
 
@@ -54,6 +55,7 @@ bool draw(const std::string& folder, const io::PictureRequest& request, bool qui
     const io::DrawingNotes notes = io::draw_result(folder, request, progress);
     warn(pictures, io::drawing_warning(notes), log);
     tell_layers(pictures, notes.layers, log);
+    if (!quiet && notes.afar) print_lines(io::afar_text(*notes.afar));
     log.info("drawn");
     return true;
   } catch (const io::DrawingStopped&) {

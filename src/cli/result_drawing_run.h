@@ -12,9 +12,9 @@ namespace tessera::cli {
 /// Writes into the log which layers around the drawers do not hold; where one failed it is a warning, on stderr, too.
 void tell_layers(const std::string& folder, const io::DrawerLayers& layers, io::RunLog& log);
 
-/// Draws what the result in `folder` is to have, with a line in the run.log beside the pictures; a line on stderr
-/// counts the pieces that are not drawn from their originals. False where `stop` ended it (asked from any thread):
-/// drawing again goes on. Errors as io::draw_result.
+/// Draws what the result in `folder` is to have, with a line in the run.log beside the pictures. Prints how well the
+/// pieces show colour.image from afar, unless `quiet`; a line on stderr counts the pieces that are not drawn from their
+/// originals. False where `stop` ended it (asked from any thread): drawing again goes on. Errors as io::draw_result.
 bool draw(const std::string& folder, const io::PictureRequest& request, bool quiet, std::function<bool()> stop);
 
 }  // namespace tessera::cli

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/launch_policy.h"
+#include "worker/arithmetic_probe.h"
 #include "worker/opencl_devices.h"
 
 namespace tessera::worker {
@@ -38,6 +39,7 @@ DeviceLibrary::DeviceLibrary(const cl::Device& device, const MatchingContext& co
       context_(context),
       stances_(session_),
       colours_(session_, context) {
+  check_arithmetic(session_);
   stances_.write(all_stances_, shapes);
   load(between_launches);
 }

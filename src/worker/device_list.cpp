@@ -5,6 +5,7 @@
 
 #include "core/base/count_text.h"
 #include "core/base/kept_memory.h"
+#include "worker/arithmetic_probe.h"
 #include "worker/opencl_devices.h"
 
 namespace tessera::worker {
@@ -16,15 +17,23 @@ std::string gigabytes(cl_ulong bytes) {
   return text;
 }
 
+/// What keeps a job from using the device: its compiler, or what it computes. Empty where nothing does.
+std::string hindrance(const cl::Device& device) {
+  if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return ", NOT AVAILABLE";
+  try {
+    check_arithmetic(DeviceSession(device, kernel_source, kernel_options(PadParameters().levels, lanes_for(device))));
+  } catch (const EnvironmentError& error) {
+    return ", NOT USABLE: " + std::string(error.what());
+  }
+  return "";
+}
+
 std::string device_line(std::size_t number, const cl::Device& device) {
   const DeviceDescription d = describe(device);
-  std::string state = device.getInfo<CL_DEVICE_AVAILABLE>() ? "" : ", NOT AVAILABLE";
-  const std::string missing = missing_arithmetic(device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>());
-  if (!missing.empty()) state += ", NOT USABLE: no " + missing;
   return "  " + std::to_string(number) + ": " + d.kind + " \"" + d.name + "\", driver " + d.driver + ", " +
          count_text(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>(), "compute unit") + ", " +
          gigabytes(device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>()) + " of memory, " +
-         gigabytes(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) + " in one buffer" + state + "\n";
+         gigabytes(device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) + " in one buffer" + hindrance(device) + "\n";
 }
 
 std::string platform_line(const cl::Platform& platform) {

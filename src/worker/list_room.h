@@ -22,8 +22,9 @@ inline std::uint32_t room_in(std::size_t bytes, std::size_t record_bytes) {
 inline std::uint32_t grown_room(std::uint32_t room, std::uint32_t needed) {
   if (needed <= room) return room;
   if (needed >= kMostCounted) {
-    throw EnvironmentError("more pairs or dockings than a device can count: lower match.beta, match.top_percent or "
-                           "match.most_pairs, or give the job more ranks");
+    throw EnvironmentError(
+        "more pairs or dockings than a device can count: lower match.beta, match.top_percent or "
+        "match.most_pairs, or give the job more ranks");
   }
   return std::bit_ceil(needed);
 }

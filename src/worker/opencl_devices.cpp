@@ -143,26 +143,6 @@ std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& sha
   return own;
 }
 
-std::string missing_arithmetic(cl_device_fp_config single_precision) {
-  std::string missing;
-  const auto need = [&](cl_device_fp_config bit, const char* what) {
-    if (!(single_precision & bit)) missing += (missing.empty() ? "" : ", ") + std::string(what);
-  };
-  need(CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT, "correctly rounded divisions and square roots");
-  need(CL_FP_ROUND_TO_NEAREST, "rounding to nearest");
-  need(CL_FP_DENORM, "denormal numbers");
-  return missing;
-}
-
-void check_arithmetic(const std::string& device, cl_device_fp_config single_precision, const std::string& all,
-                      const std::string& key) {
-  const std::string missing = missing_arithmetic(single_precision);
-  if (missing.empty()) return;
-  throw EnvironmentError("OpenCL device \"" + device + "\" has no " + missing +
-                         ": a collage would have other bytes there than elsewhere; choose others by " + key + ": " +
-                         all);
-}
-
 std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share, const std::string& option) {
   const std::vector<cl::Device> all = opencl_devices();
   const std::string request = request_text(use, option);
@@ -170,11 +150,7 @@ std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare
                                         : use == "cpu" || use == "gpu" ? devices_of_kind(all, use, request)
                                                                        : devices_by_index(all, use, request);
   std::vector<cl::Device> own;
-  for (const std::size_t i : own_devices(named.size(), share)) {
-    check_arithmetic(named[i].getInfo<CL_DEVICE_NAME>(), named[i].getInfo<CL_DEVICE_SINGLE_FP_CONFIG>(), listed(all),
-                     option.empty() ? "devices.use" : option);
-    own.push_back(named[i]);
-  }
+  for (const std::size_t i : own_devices(named.size(), share)) own.push_back(named[i]);
   return own;
 }
 

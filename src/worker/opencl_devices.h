@@ -30,18 +30,9 @@ struct DeviceShare {
 /// Which of the node's `devices` are this worker's. Throws InputError where there are too few.
 std::vector<std::size_t> own_devices(std::size_t devices, const DeviceShare& share);
 
-/// What a device that rounds floats in this way cannot do of IEEE 754, as the same bytes on all devices need it; empty
-/// where it can do all of it.
-std::string missing_arithmetic(cl_device_fp_config single_precision);
-/// Throws EnvironmentError where any of it is missing. `all`: the devices to choose from, and `key`: by what, for the
-/// message.
-void check_arithmetic(const std::string& device, cl_device_fp_config single_precision, const std::string& all,
-                      const std::string& key = "devices.use");
-
 /// `use`: "all", "cpu", "gpu" or indices into opencl_devices() like "0,2"; of these devices the worker's share. Throws
-/// EnvironmentError where the machine has no device of that kind or one of the chosen ones computes differently
-/// (missing_arithmetic), InputError for anything else that does not fit; all say which devices there are. `option`:
-/// what `use` was given to, for the messages; empty: the job key devices.use.
+/// EnvironmentError where the machine has no device of that kind, InputError for anything else that does not fit; both
+/// say which devices there are. `option`: what `use` was given to, for the messages; empty: the job key devices.use.
 std::vector<cl::Device> chosen_devices(const std::string& use, const DeviceShare& share = {},
                                        const std::string& option = {});
 

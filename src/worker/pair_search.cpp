@@ -7,9 +7,17 @@
 namespace tessera::worker {
 namespace {
 
-constexpr std::size_t kSamplesPerGroup = 16;  // they share a root's boxes in a cache
-constexpr std::uint32_t kBlocksPerGroup = 16;
 constexpr std::uint32_t kGroupsPerUnit = 16;
+
+/// Work items of a sample in find_blocks, and of a block in find_pairs; and those of a group (kernels/pad_index.cl).
+struct SearchItems {
+  std::size_t together = 1;
+  std::size_t group = 16;  // they share a root's boxes in a cache
+};
+
+SearchItems search_items(DockingLanes lanes) {
+  return lanes == DockingLanes::items ? SearchItems{16, 64} : SearchItems{};
+}
 
 }  // namespace
 
@@ -36,14 +44,15 @@ void PairSearch::post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t c
   const DeviceIndex& index = library_->index();
   const DeviceStances& stances = library_->stances();
   const DeviceColours& colours = library_->colours();
-  launch(library_->session(), find_blocks_, {count, index.root_count(), kSamplesPerGroup}, index.roots(),
+  const SearchItems search = search_items(library_->lanes());
+  launch(library_->session(), find_blocks_, {count * search.together, index.root_count(), search.group}, index.roots(),
          index.node_boxes(), index.block_boxes(), look_at_boxes_, segment_stride, samples, count, block_room_,
          block_count_, blocks_);
   // How many blocks there are is known on the device alone: as many work groups as keep it busy share them, all in one
   // launch.
   const std::size_t items =
-      std::min(std::size_t(library_->session().compute_units()) * kGroupsPerUnit * kBlocksPerGroup, kMostWorkItems / 2);
-  launch(library_->session(), find_pairs_, {items, 1, kBlocksPerGroup}, library_->match_buffer(), stances.stances(),
+      std::min(std::size_t(library_->session().compute_units()) * kGroupsPerUnit * search.group, kMostWorkItems / 2);
+  launch(library_->session(), find_pairs_, {items, 1, search.group}, library_->match_buffer(), stances.stances(),
          stances.lists(), stances.shape_class(), index.rows(), index.places(), index.chords(), colours.record(),
          colours.near_bits(), samples, block_count_, block_room_, blocks_, pair_room_, pair_count_, pairs_);
   library_->session().flush();

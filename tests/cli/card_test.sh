@@ -95,3 +95,58 @@ expect_refusal 'job.toml, allowed: nothing, as the job says it' theirs.geojson -
 expect_refusal 'job file none.toml: not found' theirs.geojson --canvas none.toml
 expect_refusal 'theirs.geojson' theirs.geojson --canvas theirs.geojson
 echo "ok refusals"
+
+# A mosaic of any maker: a picture and what it shows, whatever their sizes and kinds of pixels.
+scene() { # WIDTH HEIGHT FILE: a picture, at this size
+  echo "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 300 200'><rect width='300' height='200' fill='#48c'/>
+    <circle cx='90' cy='100' r='60' fill='#fc4'/><path d='M150 200L300 90V200Z' fill='#264'/></svg>" >scene.svg
+  rsvg-convert -w "$1" -h "$2" scene.svg -o "$3"
+}
+scene 300 200 photo.png
+scene 640 432 theirs.png # whole tiles: a little higher than the photo
+run 0 card theirs.png --image photo.png --pieces 600
+grep -qE '^  100 px wide  +colour 0\.[0-9]+ \(CIEDE2000\), structure (1\.000|0\.9[0-9]+) \(SSIM\)$' output ||
+  fail "not the picture itself: $(cat output)"
+grep -q '^  30 px wide  *colour ' output || fail "not a px for each piece: $(cat output)"
+run 0 card theirs.png --image scene.svg
+[[ $(grep -c 'px wide' output) == 1 ]] || fail "a number of pieces that nobody said"
+run 0 card theirs.png --image photo.png --pieces 600 --json
+tr -d ' \n' <output | grep -q '"at_piece_size":{"width_px":30,"height_px":20,"ciede2000":0\.' || fail "no JSON: $(cat output)"
+rsvg-convert -w 300 -h 200 half.svg -o black.png # transparent, white below
+run 0 card black.png --image photo.png
+! grep -qE 'colour [0-9]\.' output || fail "another picture is like it: $(cat output)"
+echo '<svg xmlns="http://www.w3.org/2000/svg" width="300" height="200"><rect width="150" height="200"/></svg>' >left.svg
+run 0 card theirs.png --image photo.png --canvas left.svg
+grep -q '^  100 px wide' output || fail "not on a canvas: $(cat output)"
+
+# A result that shows a picture: as its own card says.
+run 0 collage job.toml --out shows --quiet --set stop.pieces=12 --set colour.image=photo.png
+run 0 card shows
+grep -A3 '^Seen from afar$' output >by_folder
+grep -A3 '^Seen from afar$' shows/card.txt | cmp - by_folder || fail "other figures than on its card: $(cat output)"
+mv photo.png moved.png
+run 0 card shows
+grep -q '^  not measured  *colour.image: .*photo.png: not a readable file' output || fail "no word of the lost picture"
+run 0 card shows --image moved.png
+grep -A3 '^Seen from afar$' output | cmp - by_folder || fail "other figures of the picture that was moved"
+rm shows/collage.png
+run 0 card shows
+grep -q '^  not measured ' output || fail "figures without a picture"
+echo "ok mosaics"
+
+scene 90 60 small.png
+scene 200 300 turned.png
+expect_refusal 'found a picture, allowed: polygons; with --image FILE' theirs.png --size 100,80
+expect_refusal 'small.png: found 90 x 60 px, allowed: 100 px wide or more' small.png --image moved.png
+expect_refusal 'turned.png: found 200 x 300 px, allowed: the aspect of moved.png, 300 x 200, to 5 %' turned.png \
+  --image moved.png
+expect_refusal '--image: none.png: not a readable file' theirs.png --image none.png
+expect_refusal 'pipe: not a readable file: found a pipe' pipe --image moved.png
+expect_refusal '--image: theirs.geojson: neither SVG nor a readable PNG' theirs.png --image theirs.geojson
+expect_refusal 'scene.svg: found an SVG, needed: a picture of pixels' scene.svg --image moved.png
+expect_refusal '--pieces: found without --image' theirs.geojson --size 100,80 --pieces 3
+expect_refusal '--size: found beside --image' theirs.png --image moved.png --size 100,80
+expect_refusal '--sizes: found beside --image' theirs.png --image moved.png --sizes 20,160
+expect_refusal '--image: found beside --canvas' result --image moved.png --canvas half.svg
+expect_refusal 'the aspect of the canvas, 120 x 90' theirs.png --image moved.png --canvas result/job.toml
+echo "ok refusals of mosaics"

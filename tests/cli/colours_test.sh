@@ -66,6 +66,23 @@ expect_end 0 "the same picture again"
 expect_result other
 echo "ok another picture"
 
+# What is seen from afar: the same on three ranks; an SVG does not change it, another background does.
+afar() { tr -d ' \n' <"$1/card.json" | grep -o '"from_afar":{.*}}' | sed 's/"drawing".*//'; }
+[[ $(afar expected) == *'"at_100_px":{"width_px":100,"height_px":75,"ciede2000":'*'"at_piece_size":{'* ]] ||
+  fail "no figures from afar: $(afar expected)"
+[[ $(afar expected) == "$(afar expected_on_3)" ]] || fail "other figures on three ranks"
+grep -qE '^  100 px wide +colour [0-9.]+ \(CIEDE2000\), structure [0-9.]+ \(SSIM\)$' expected/card.txt ||
+  fail "no figures in the text: $(tail expected/card.txt)"
+cp -r expected drawn
+run 0 draw drawn --svg
+[[ $(afar drawn) == "$(afar expected)" ]] || fail "an SVG changes the figures"
+run 0 draw drawn --png --background '#000000'
+grep -q '^Seen from afar$' output || fail "nothing is said of it: $(cat output)"
+[[ $(afar drawn) != "$(afar expected)" ]] || fail "what lies between the pieces does not count"
+run 0 rank expected drawn --weight colour_from_afar=-1 --out ranks
+grep -q '^score = .* - colour_from_afar, in percent$' output || fail "not weighed: $(cat output)"
+echo "ok seen from afar"
+
 rm picture.svg
 run 2 plan job.toml
 grep -q 'colour.image' errors || fail "a plan without the picture: $(cat errors)"
@@ -74,6 +91,8 @@ echo "ok plan"
 cp expected/collage.png before.png
 run 0 draw expected --png --quiet
 cmp -s before.png expected/collage.png || fail "drawn again, the picture differs"
+expect_silence "a warning, though drawing needs no picture"
+grep -q '"not_measured": "colour.image cannot be read any more"' expected/card.json || fail "figures without the picture"
 echo "ok drawn again without the picture"
 
 # Tones: red drawings on a red that is a little lighter.

@@ -66,7 +66,7 @@ TEST(Ranking, a_wrong_weight_is_named_with_what_is_allowed) {
   EXPECT_EQ(
       message_of([] { ranking_weights({"cover=2"}); }),
       "--weight cover=2: allowed: NAME=NUMBER with a name of coverage, overlap, outside, shared_boundary, variety, "
-      "balance, dwarfs, copies_apart, alone");
+      "balance, dwarfs, copies_apart, alone, colour_from_afar, structure_from_afar");
   EXPECT_EQ(message_of([] { ranking_weights({"overlap=much"}); }),
             "--weight overlap=much: found \"much\", allowed: a number from -1000 to 1000");
   EXPECT_NE(message_of([] { ranking_weights({"overlap"}); }), "");
@@ -129,12 +129,13 @@ TEST(Ranking, older_cards_count_nothing_of_what_they_lack_and_it_is_said) {
   const RankingWeights weights = ranking_weights({"alone=0.1", "copies_apart=1"});
   const auto results = ranked({older, seen_card("new", 0.9, 0.5, 0.1, 0)}, weights);
   EXPECT_EQ(order_of(results), (std::vector<std::string>{"new", "older"}));
-  EXPECT_EQ(
-      lacking_measures(results, weights),
-      std::vector<std::string>{"older/card.json: from before there was variety, copies_apart, alone: counts as 0"});
+  EXPECT_EQ(lacking_measures(results, weights),
+            std::vector<std::string>{
+                "older/card.json: lacks variety (counts as 0 %), copies_apart (counts as 0 %), alone (counts as "
+                "0 %)"});
   EXPECT_TRUE(lacking_measures(results, ranking_weights({"variety=0"})).empty());
   EXPECT_TRUE(nlohmann::json::parse(ranking_json(results, weights))["ranking"][1]["alone_fraction"].is_null());
-  EXPECT_NE(ranking_csv(results).find(",0.000,,,,,,,,0.000,full\n"), std::string::npos) << ranking_csv(results);
+  EXPECT_NE(ranking_csv(results).find(",0.000,,,,,,,,,,0.000,full\n"), std::string::npos) << ranking_csv(results);
 }
 
 TEST(Ranking, of_what_a_card_lacks_only_that_counts_nothing) {
@@ -144,7 +145,32 @@ TEST(Ranking, of_what_a_card_lacks_only_that_counts_nothing) {
   const auto results = ranked({mid}, weights);
   EXPECT_NEAR(results[0].score, 90 + 90, 1e-9) << "no variety";
   EXPECT_EQ(lacking_measures(results, weights),
-            std::vector<std::string>{"mid/card.json: from before there was variety: counts as 0"});
+            std::vector<std::string>{"mid/card.json: lacks variety (counts as 0 %)"});
+}
+
+ResultCard shown_card(const std::string& folder, double colour_difference, double structure) {
+  ResultCard result = card(folder, 0.9);
+  result.afar = SeenFromAfar{{100, 75, colour_difference, structure}, {}};
+  return result;
+}
+
+TEST(Ranking, mosaics_are_weighed_by_what_is_seen_from_afar) {
+  const ResultCard near = shown_card("near", 5, 0.4), like = shown_card("like", 8, 0.7), none = card("a_none", 0.9);
+  const auto order = [&](const std::string& weight) {
+    return order_of(ranked({none, near, like}, ranking_weights({"coverage=0", weight})));
+  };
+  EXPECT_EQ(order("colour_from_afar=-1"), (std::vector<std::string>{"near", "like", "a_none"}));
+  EXPECT_EQ(order("structure_from_afar=1"), (std::vector<std::string>{"like", "near", "a_none"}));
+  const RankingWeights weights = ranking_weights({"colour_from_afar=-2", "structure_from_afar=0.5"});
+  const auto results = ranked({near, none}, weights);
+  EXPECT_NEAR(results[0].score, 90 + 0.1 * 25 - 2 * 5 + 0.5 * 40, 1e-9);
+  EXPECT_EQ(lacking_measures(results, weights),
+            std::vector<std::string>{"a_none/card.json: lacks colour_from_afar (counts as 100 %), structure_from_afar "
+                                     "(counts as 0 %)"});
+  EXPECT_NE(ranking_csv(results).find(",alone_fraction,from_afar_ciede2000,from_afar_ssim,total_s,"),
+            std::string::npos);
+  EXPECT_NE(ranking_csv(results).find(",5.000,0.400,0.000,full\n"), std::string::npos) << ranking_csv(results);
+  EXPECT_TRUE(nlohmann::json::parse(ranking_json(results, weights))["ranking"][1]["from_afar_ssim"].is_null());
 }
 
 TEST(Ranking, a_tenth_of_variety_by_area_speaks_between_collages_that_cover_alike) {

@@ -65,6 +65,12 @@ TEST(ResultFormat, has_every_key_of_the_drawing) {
   for (const char* list : {"from_thumbnails", "as_silhouettes"}) expect_all_named(section[list][0], text);
 }
 
+TEST(ResultFormat, has_every_key_of_what_is_seen_from_afar) {
+  const std::string text = documented_section("### from_afar");
+  expect_all_named(json::parse(afar_json({SeenFromAfar{{}, AfarFigures{}}, {}})), text);
+  expect_all_named(json::parse(afar_json({{}, "why"})), text);
+}
+
 TEST(ResultFormat, has_every_key_of_the_manifest) {
   const test::ScratchFolder folder;
   ResultManifest manifest;

@@ -50,29 +50,6 @@ TEST(ChosenDevices, ByKind) {
   }
 }
 
-/// The same bytes everywhere need the same rounding everywhere: what lacks any of it is named.
-TEST(MissingArithmetic, IsNamed) {
-  const cl_device_fp_config all = CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT | CL_FP_ROUND_TO_NEAREST | CL_FP_DENORM;
-  EXPECT_EQ(missing_arithmetic(all | CL_FP_FMA | CL_FP_INF_NAN), "");
-  EXPECT_EQ(missing_arithmetic(all & ~cl_device_fp_config(CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT)),
-            "correctly rounded divisions and square roots");
-  EXPECT_EQ(missing_arithmetic(all & ~cl_device_fp_config(CL_FP_ROUND_TO_NEAREST)), "rounding to nearest");
-  EXPECT_EQ(missing_arithmetic(CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT), "rounding to nearest, denormal numbers");
-  EXPECT_EQ(missing_arithmetic(opencl_devices().front().getInfo<CL_DEVICE_SINGLE_FP_CONFIG>()), "");
-}
-
-TEST(MissingArithmetic, RefusesTheDevice) {
-  const cl_device_fp_config all = CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT | CL_FP_ROUND_TO_NEAREST | CL_FP_DENORM;
-  EXPECT_NO_THROW(check_arithmetic("good", all, ""));
-  try {
-    check_arithmetic("fast one", CL_FP_ROUND_TO_NEAREST | CL_FP_DENORM, "0: gpu \"fast one\"");
-    ADD_FAILURE() << "it was accepted";
-  } catch (const EnvironmentError& error) {
-    EXPECT_TRUE(has(error.what(), "\"fast one\" has no correctly rounded divisions")) << error.what();
-    EXPECT_TRUE(has(error.what(), "devices.use")) << error.what();
-  }
-}
-
 TEST(OwnDevices, AllOfThemUnlessSharesAreAskedFor) {
   EXPECT_EQ(own_devices(3, {}), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_EQ(own_devices(3, {1, 2, 0}), (std::vector<std::size_t>{0, 1, 2}));

@@ -38,9 +38,10 @@ cv::Size cells_of(const Canvas& canvas, float px_per_cell) {
 }
 
 /// SVGs are drawn twice as fine.
-cv::Mat picture_for(const Job& job, const std::string& path, const char* key, const Canvas& canvas, cv::Size cells) {
+cv::Mat picture_for(const Job& job, const std::string& path, const char* key, const Canvas& canvas, cv::Size cells,
+                    Drawers& drawers) {
   try {
-    return overlay_picture(path, key, canvas, 2 * std::max(cells.width, cells.height));
+    return overlay_picture(path, key, canvas, 2 * std::max(cells.width, cells.height), drawers);
   } catch (const InputError& error) {
     throw InputError(job.path + ": " + error.what());
   }
@@ -83,26 +84,13 @@ Grid<Texel> texels_from(const cv::Mat& straight_bgra, cv::Size size) {
   return texels;
 }
 
-std::shared_ptr<const ColourTarget> colour_target_of(const Canvas& canvas, const Job& job) {
-  if (job.colour.image.empty()) return nullptr;
-  refuse_seamless(job, "colour.image");
-  const float px_per_texel = px_per_cell(job, kTexelsPerPiece);
-  const cv::Size size = cells_of(canvas, px_per_texel);
-  const Grid<Texel> finest = texels_from(picture_for(job, job.colour.image, "colour.image", canvas, size), size);
-  if (std::none_of(finest.data().begin(), finest.data().end(),
-                   [](const Texel& texel) { return texel.weight >= kLeastColourWeight; })) {
-    throw InputError(job.path + ": colour.image: " + job.colour.image + " is transparent all over");
-  }
-  return std::make_shared<const ColourTarget>(finest, px_per_texel);
-}
-
 /// By lightness as it is stored; transparent places are white.
-std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job) {
+std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job, Drawers& drawers) {
   if (job.size_map.empty()) return nullptr;
   refuse_seamless(job, "pieces.size_map");
   const float cell_px = px_per_cell(job, kSizesPerPiece);
   const cv::Size size = cells_of(canvas, cell_px);
-  const cv::Mat bgra = picture_for(job, job.size_map, "pieces.size_map", canvas, size);
+  const cv::Mat bgra = picture_for(job, job.size_map, "pieces.size_map", canvas, size, drawers);
   cv::Mat grey, alpha, cells;
   cv::cvtColor(bgra, grey, cv::COLOR_BGRA2GRAY);
   cv::extractChannel(bgra, alpha, 3);
@@ -146,8 +134,23 @@ void add_colour_grids(const ShapeLibrary& library, const Job& job, Digest& diges
 
 }  // namespace
 
+ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& drawers) {
+  if (job.colour.image.empty()) return {};
+  refuse_seamless(job, "colour.image");
+  const float px_per_texel = px_per_cell(job, kTexelsPerPiece);
+  const cv::Size size = cells_of(canvas, px_per_texel);
+  const cv::Mat picture = picture_for(job, job.colour.image, "colour.image", canvas, size, drawers);
+  const Grid<Texel> finest = texels_from(picture, size);
+  if (std::none_of(finest.data().begin(), finest.data().end(),
+                   [](const Texel& texel) { return texel.weight >= kLeastColourWeight; })) {
+    throw InputError(job.path + ": colour.image: " + job.colour.image + " is transparent all over");
+  }
+  return {picture, std::make_shared<const ColourTarget>(finest, px_per_texel)};
+}
+
 Overlays read_overlays(const Canvas& canvas, const Job& job) {
-  return {colour_target_of(canvas, job), size_map_of(canvas, job)};
+  Drawers drawers(photo_drawer_settings(1));
+  return {read_colour_image(canvas, job, drawers).target, size_map_of(canvas, job, drawers)};
 }
 
 void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& job) {

@@ -1,16 +1,27 @@
-// The pictures that a job lays over its canvas: colour.image, whose colours the pieces are to show, and pieces.size_map,
-// how large they may be from place to place.
+// The pictures that a job lays over its canvas: colour.image, whose colours the pieces are to show, and
+// pieces.size_map, how large they may be from place to place.
 #pragma once
 
 #include <memory>
+#include <opencv2/core.hpp>
 
 #include "core/colour/colour_target.h"
 #include "core/field/canvas.h"
 #include "core/field/size_map.h"
+#include "io/drawing/drawers.h"
 #include "io/job/job_file.h"
 #include "io/library/shape_library.h"
 
 namespace tessera::io {
+
+/// colour.image over the canvas: the pixels, and the colours that pieces are matched with.
+struct ColourImage {
+  cv::Mat bgra;  // straight, CV_8UC4; its edges are the canvas' (overlay.h)
+  std::shared_ptr<const ColourTarget> target;
+};
+
+/// Empty where the job has none. Errors as read_overlays, and as overlay_picture where `drawers` are stopped.
+ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& drawers);
 
 /// What is empty is not there.
 struct Overlays {

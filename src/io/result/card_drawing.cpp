@@ -18,14 +18,20 @@ constexpr const char* kTextCard = "card.txt";
 std::string json_with_drawing(const std::string& dir, const DrawingNotes& notes) {
   Json card = Json::parse(read_result_json(dir, kJsonCard, kCardBounds), nullptr, false);
   if (!card.is_object()) throw InputError(path_in_result(dir, kJsonCard) + ": not a card.json of tessera collage");
+  if (notes.afar) card["from_afar"] = Json::parse(afar_json(*notes.afar));
   card["drawing"] = Json::parse(drawing_json(notes));
   return card.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// What stands above the section that begins with this line; all of it where there is no such section.
+std::string above(const std::string& card, const std::string& heading) {
+  const std::size_t section = card.find("\n" + heading);
+  return card.substr(0, section == std::string::npos ? section : section + 1);
+}
+
 std::string text_with_drawing(const std::string& dir, const DrawingNotes& notes) {
-  const std::string card = read_result_file(dir, kTextCard);
-  const std::size_t section = card.find(std::string("\n") + kDrawingHeading);
-  return card.substr(0, section == std::string::npos ? section : section + 1) + drawing_text(notes);
+  const std::string card = above(read_result_file(dir, kTextCard), kDrawingHeading);
+  return (notes.afar ? above(card, kAfarHeading) + afar_text(*notes.afar) : card) + drawing_text(notes);
 }
 
 /// Returns why the card stays as it is; mostly empty.

@@ -8,9 +8,10 @@
 
 namespace tessera::io {
 
-/// Writes section "drawing" of card.json and section Drawing of card.txt, in place of those of an earlier drawing.
-/// Returns why a card that is missing or not ours stays as it is, a line each. Throws EnvironmentError where one is
-/// there and cannot be read or written.
+/// Writes section "drawing" of card.json and section Drawing of card.txt, in place of those of an earlier drawing;
+/// before them "from_afar", where the notes have it: else that of the last picture in pixels stays. Returns why a card
+/// that is missing or not ours stays as it is, a line each. Throws EnvironmentError where one is there and cannot be
+/// read or written.
 std::vector<std::string> add_drawing_to_cards(const std::string& dir, const DrawingNotes& notes);
 
 }  // namespace tessera::io

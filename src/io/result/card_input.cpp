@@ -35,12 +35,15 @@ constexpr double kMostPieces = 1e9;
 constexpr double kMostLength_px = 1e6;
 constexpr double kMostCopies = 2;  // canvas diagonals from one to the next: both may reach beyond the edge
 constexpr double kMostTime_s = 1e12;
+constexpr double kMostColourDifference = 200;  // CIEDE2000 of colours that a picture may have
+constexpr double kMostReduced_px = 1e6;
 
-double number(const json& card, const std::string& path, const char* section, const char* key, double most) {
+double number(const json& card, const std::string& path, const char* section, const char* key, double most,
+              double least = 0) {
   const json& value = value_at(card, path, section, key);
-  if (!value.is_number() || value.get<double>() < 0 || value.get<double>() > most) {
+  if (!value.is_number() || value.get<double>() < least || value.get<double>() > most) {
     throw InputError(path + ": " + section + "." + key + ": found " + value.dump().substr(0, 60) +
-                     ", allowed: a number from 0 to " + significant(most, 10));
+                     ", allowed: a number from " + significant(least, 10) + " to " + significant(most, 10));
   }
   return value.get<double>();
 }
@@ -61,6 +64,25 @@ void read_picture_measures(const json& card, const std::string& path, Quality& q
   quality.copies_apart = measure("nearest_copy_fraction", kMostCopies);
   quality.between_px = measure("between_pieces_px", kMostLength_px);
   quality.alone = number(card, path, "quality", "alone_fraction", 1);
+}
+
+AfarFigures read_figures(const json& section, const std::string& path, const char* key) {
+  const auto px = [&](const char* side) { return int(number(section, path, key, side, kMostReduced_px, 1)); };
+  return {.width_px = px("width_px"),
+          .height_px = px("height_px"),
+          .colour_difference = number(section, path, key, "ciede2000", kMostColourDifference),
+          .structure = number(section, path, key, "ssim", 1, -1)};
+}
+
+/// Cards of other jobs do not have the section, nor do older ones; where nothing was measured it says why.
+std::optional<SeenFromAfar> read_afar(const json& card, const std::string& path) {
+  const auto section = card.find("from_afar");
+  if (section == card.end() || (section->is_object() && section->contains("not_measured"))) return {};
+  const std::string within = path + ": from_afar";
+  SeenFromAfar seen{read_figures(*section, within, "at_100_px"), {}};
+  if (section->contains("at_piece_size") && !section->at("at_piece_size").is_null())
+    seen.at_piece_size = read_figures(*section, within, "at_piece_size");
+  return seen;
 }
 
 std::string text(const json& card, const std::string& path, const char* section, const char* key) {
@@ -97,6 +119,7 @@ ResultCard read_card(const std::string& folder) {
     result.quality.effective_shapes =
         number_or_null(card, path, "quality", "effective_shapes", double(result.quality.pieces));
   }
+  result.afar = read_afar(card, path);
   result.total_s = number(card, path, "run", "total_s", kMostTime_s);
   result.stopped_by = text(card, path, "run", "stopped_by");
   return result;

@@ -1,9 +1,11 @@
 // card.json read back: what a finished collage is like, without its library.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/collage/quality.h"
+#include "core/colour/seen_from_afar.h"
 
 namespace tessera::io {
 
@@ -18,6 +20,7 @@ struct ResultCard {
   std::string folder;  // of the result
   Quality quality;     // but for the quantiles of the scales, and the range of sizes
   CardAge age = CardAge::variety;
+  std::optional<SeenFromAfar> afar;  // without it no picture in pixels was measured against a colour.image
   double total_s = 0;
   std::string stopped_by;
 };

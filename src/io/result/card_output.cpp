@@ -259,13 +259,19 @@ std::string card_json(const Quality& quality, const RunStatistics& run, const Co
   return card.dump(2, ' ', kAsciiOnly, Json::error_handler_t::replace) + "\n";  // paths are any bytes
 }
 
-std::string score_json(const Quality& quality) {
-  Json score = quality_json(quality);
-  if (quality.pieces > 0 && quality.distinct_shapes == 0) score["distinct_shapes"] = nullptr;
-  return Json{{"quality", score}}.dump(2) + "\n";
+std::string score_json(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar) {
+  Json score = Json::object();
+  if (quality) {
+    score["quality"] = quality_json(*quality);
+    if (quality->pieces > 0 && quality->distinct_shapes == 0) score["quality"]["distinct_shapes"] = nullptr;
+  }
+  if (afar) score["from_afar"] = Json::parse(afar_json(*afar));
+  return score.dump(2) + "\n";
 }
 
-std::string score_text(const Quality& quality) { return quality_text(quality, {}); }
+std::string score_text(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar) {
+  return (quality ? quality_text(*quality, {}) : "") + (afar ? afar_text(*afar) : "");
+}
 
 std::string card_text(const Quality& quality, const RunStatistics& run, const CollageSettings& settings,
                       const std::optional<DeformationFigures>& deformation, const std::vector<MissingShape>& missing) {

@@ -9,6 +9,7 @@
 #include "core/collage/quality.h"
 #include "core/ranks/rank_statistics.h"
 #include "core/settings.h"
+#include "io/result/afar_section.h"
 #include "io/result/deformed_collage.h"
 #include "io/result/missing_shape.h"
 #include "io/result/run_record.h"
@@ -28,8 +29,9 @@ std::string card_text(const Quality& quality, const RunStatistics& run, const Co
                       const std::optional<DeformationFigures>& deformation = {},
                       const std::vector<MissingShape>& missing = {});
 
-/// Of what nobody says how it was made: section quality alone. distinct_shapes is null where shapes have no names.
-std::string score_json(const Quality& quality);
-std::string score_text(const Quality& quality);
+/// Of what nobody says how it was made: the sections quality, of pieces, and from_afar, of a picture, as far as they
+/// are known. distinct_shapes is null where shapes have no names.
+std::string score_json(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar = {});
+std::string score_text(const std::optional<Quality>& quality, const std::optional<AfarNote>& afar = {});
 
 }  // namespace tessera::io

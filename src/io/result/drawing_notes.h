@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/drawing/drawer_layers.h"
+#include "io/result/afar_section.h"
 
 namespace tessera::io {
 
@@ -23,6 +25,7 @@ struct DrawingNotes {
   std::size_t pieces = 0;               // of the collage
   std::vector<DrawingNote> notes = {};  // in the order of the library
   double seconds = 0;                   // that drawing took, reading the result included
+  std::optional<AfarNote> afar = {};    // of a picture in pixels, where colour.image is shown
   std::vector<std::string> cards = {};  // why a card does not tell of this drawing
   DrawerLayers layers = {};             // not for the card: it tells of the result, whatever the machine
 };

@@ -22,13 +22,49 @@ constexpr char kPicture[] = "ranking.png";
 
 namespace fs = std::filesystem;
 
-double variety(const Quality& q) { return q.pieces > 0 ? q.effective_shapes.value_or(0) / double(q.pieces) : 0; }
+using Fraction = std::optional<double>;
 
-double balance(const Quality& q) { return q.balance ? q.balance->evenness : 0; }
+Fraction coverage(const ResultCard& card) { return card.quality.coverage; }
+Fraction overlap(const ResultCard& card) { return card.quality.overlap; }
+Fraction outside(const ResultCard& card) { return card.quality.outside; }
+Fraction shared_boundary(const ResultCard& card) { return card.quality.shared_boundary; }
+
+Fraction variety(const ResultCard& card) {
+  const Quality& q = card.quality;
+  if (card.age < CardAge::variety) return {};
+  return q.pieces > 0 ? q.effective_shapes.value_or(0) / double(q.pieces) : 0;
+}
+
+Fraction balance(const ResultCard& card) {
+  const Quality& q = card.quality;
+  if (card.age < CardAge::picture) return {};
+  return q.balance ? q.balance->evenness : 0;
+}
 
 /// A collage without pieces is not to lead for its lack of them: it counts as all dwarfs, as copies that touch.
-double dwarfs(const Quality& q) { return q.balance ? q.balance->dwarfs : q.pieces > 0 ? 0 : 1; }
-double copies_apart(const Quality& q) { return q.pieces > 0 ? q.copies_apart.value_or(1) : 0; }
+Fraction dwarfs(const ResultCard& card) {
+  const Quality& q = card.quality;
+  if (card.age < CardAge::picture) return {};
+  return q.balance ? q.balance->dwarfs : q.pieces > 0 ? 0 : 1;
+}
+
+Fraction copies_apart(const ResultCard& card) {
+  const Quality& q = card.quality;
+  if (card.age < CardAge::picture) return {};
+  return q.pieces > 0 ? q.copies_apart.value_or(1) : 0;
+}
+
+Fraction alone(const ResultCard& card) {
+  return card.age < CardAge::picture ? Fraction() : Fraction(card.quality.alone);
+}
+
+Fraction colour_from_afar(const ResultCard& card) {
+  return card.afar ? Fraction(card.afar->at_100_px.colour_difference / 100) : Fraction();
+}
+
+Fraction structure_from_afar(const ResultCard& card) {
+  return card.afar ? Fraction(card.afar->at_100_px.structure) : Fraction();
+}
 
 std::string allowed_names() {
   std::string names;
@@ -69,7 +105,9 @@ std::vector<PictureMeasure> picture_measures(const ResultCard& card) {
           {"nearest_copy_px", q.copies_px, 3},
           {"nearest_copy_fraction", q.copies_apart, 6},
           {"between_pieces_px", q.between_px, 3},
-          {"alone_fraction", card.age < CardAge::picture ? std::nullopt : std::optional(q.alone), 6}};
+          {"alone_fraction", card.age < CardAge::picture ? std::nullopt : std::optional(q.alone), 6},
+          {"from_afar_ciede2000", card.afar ? std::optional(card.afar->at_100_px.colour_difference) : std::nullopt, 3},
+          {"from_afar_ssim", card.afar ? std::optional(card.afar->at_100_px.structure) : std::nullopt, 3}};
 }
 
 constexpr const char* kFolderToCome = "";
@@ -149,15 +187,17 @@ void take(const std::string& folder, FoundResults& found) {
 // How sizes and copies should lie is a matter of taste: they count where somebody asks for it.
 const std::array<RankingTerm, kRankingTerms>& ranking_terms() {
   static constexpr std::array<RankingTerm, kRankingTerms> terms = {{
-      {"coverage", 1, [](const Quality& q) { return q.coverage; }},
-      {"overlap", -2, [](const Quality& q) { return q.overlap; }},
-      {"outside", -2, [](const Quality& q) { return q.outside; }},
-      {"shared_boundary", 0.1, [](const Quality& q) { return q.shared_boundary; }},
-      {"variety", 0.1, variety, CardAge::variety},
-      {"balance", 0, balance, CardAge::picture},
-      {"dwarfs", 0, dwarfs, CardAge::picture},
-      {"copies_apart", 0, copies_apart, CardAge::picture},
-      {"alone", 0, [](const Quality& q) { return q.alone; }, CardAge::picture},
+      {"coverage", 1, coverage},
+      {"overlap", -2, overlap},
+      {"outside", -2, outside},
+      {"shared_boundary", 0.1, shared_boundary},
+      {"variety", 0.1, variety},
+      {"balance", 0, balance},
+      {"dwarfs", 0, dwarfs},
+      {"copies_apart", 0, copies_apart},
+      {"alone", 0, alone},
+      {"colour_from_afar", 0, colour_from_afar, 1},
+      {"structure_from_afar", 0, structure_from_afar},
   }};
   return terms;
 }
@@ -183,7 +223,7 @@ std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWei
     double score = 0;
     for (std::size_t i = 0; i < kRankingTerms; ++i) {
       const RankingTerm& term = ranking_terms()[i];
-      if (card.age >= term.since) score += 100 * weights[i] * term.value(card.quality);
+      score += 100 * weights[i] * term.value(card).value_or(term.lacking);
     }
     results.push_back({std::move(card), score, 0});
   }
@@ -203,12 +243,12 @@ std::vector<std::string> lacking_measures(const std::vector<RankedResult>& resul
     std::string names;
     for (std::size_t i = 0; i < kRankingTerms; ++i) {
       const RankingTerm& term = ranking_terms()[i];
-      if (weights[i] != 0 && result.card.age < term.since)
-        names += (names.empty() ? "" : ", ") + std::string(term.name);
+      if (weights[i] == 0 || term.value(result.card)) continue;
+      names += (names.empty() ? "" : ", ") + std::string(term.name) + " (counts as " + short_text(100 * term.lacking) +
+               " %)";
     }
     if (names.empty()) continue;
-    lines.push_back(path_in_result(result.card.folder, "card.json") + ": from before there was " + names +
-                    ": counts as 0");
+    lines.push_back(path_in_result(result.card.folder, "card.json") + ": lacks " + names);
   }
   return lines;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,15 +15,16 @@ namespace tessera::io {
 struct RankingTerm {
   const char* name;
   double default_weight;
-  double (*value)(const Quality&);
-  CardAge since = CardAge::first;  // of older cards it is 0
+  std::optional<double> (*value)(const ResultCard&);  // none: the card lacks the measure
+  double lacking = 0;                                 // what a card that lacks it counts
 };
 
-inline constexpr std::size_t kRankingTerms = 9;
+inline constexpr std::size_t kRankingTerms = 11;
 
 /// coverage, overlap, outside, shared_boundary, variety (effective_shapes by pieces), balance (of sizes) and dwarfs,
 /// both 0 where all sizes are alike, copies_apart (by the canvas' diagonal; 1 where most shapes stand once), alone.
-/// Without pieces dwarfs is 1, and copies_apart 0.
+/// Without pieces dwarfs is 1, and copies_apart 0. Then, at 100 px, colour_from_afar, a hundredth of CIEDE2000, and
+/// structure_from_afar, SSIM from -1 on; a card without them counts as black for white, without any structure.
 const std::array<RankingTerm, kRankingTerms>& ranking_terms();
 
 /// The weights stand in the order of ranking_terms().
@@ -41,7 +43,7 @@ struct RankedResult {
 /// terms of weight · value in percent.
 std::vector<RankedResult> ranked(std::vector<ResultCard> cards, const RankingWeights& weights);
 
-/// Of cards that lack a measure which counts, a line for each: "a/card.json: from before there was balance; ...".
+/// Of cards that lack a measure which counts, a line for each: "a/card.json: lacks balance (counts as 0 %), ...".
 std::vector<std::string> lacking_measures(const std::vector<RankedResult>& results, const RankingWeights& weights);
 
 /// "score = coverage - 2 overlap ...": the weights that are not 0, in words.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "io/job/palette.h"
 #include "io/job/picture_size.h"
 #include "io/number_text.h"
+#include "io/result/afar_measure.h"
 #include "io/result/canvas_drawing.h"
 #include "io/result/card_drawing.h"
 #include "io/result/card_input.h"
@@ -188,8 +190,8 @@ class ResultPictures {
     end("collage.svg");
   }
 
-  /// Drawn once for both.
-  void pixels(bool png, bool tiff) {
+  /// Drawn once for both, and for who measures it, if anybody does.
+  void pixels(bool png, bool tiff, AfarMeasure* measure) {
     std::vector<const char*> names;
     if (png) names.push_back("collage.png");
     if (tiff) names.push_back("collage.tiff");
@@ -201,6 +203,7 @@ class ResultPictures {
     if (tiff) owned.push_back(std::make_unique<TiffPyramid>(path_in_result(dir_, "collage.tiff"), format));
     std::vector<PictureFile*> files;
     for (const auto& file : owned) files.push_back(file.get());
+    if (measure) files.push_back(&measure->rows());
     write_picture(report_, artworks_, files, stop_,
                   [&](std::size_t done) { observer_.progressed(names.front(), done, rows); });
     for (const char* name : names) end(name);
@@ -316,15 +319,24 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   if (request.pdf && !report.tones.empty()) {
     throw no_pdf(dir, "colour.harmony", "\"" + job.colour.harmony + "\"", std::string("colour.harmony=") + kNoHarmony);
   }
-  if (manifest.deformed) take_up_deformed_pieces(dir, report, [&] { stop.check(); });
   const bool is_result = request.to.empty();
+  const bool pixels = request.png || request.tiff;
+  std::optional<AfarMeasure> measure;
+  if (is_result && pixels && !job.colour.image.empty()) {
+    Drawers photo_drawer(photo_drawer_settings(1));
+    const StopWatcher photo_stop(observer, photo_drawer);
+    measure.emplace(report, photo_drawer);
+    photo_stop.check();
+  }
+  if (manifest.deformed) take_up_deformed_pieces(dir, report, [&] { stop.check(); });
   ResultPictures pictures({folder, is_result}, report, manifest, drawers, stop, observer);
   if (request.svg) pictures.svg();
-  if (request.png || request.tiff) pictures.pixels(request.png, request.tiff);
+  if (pixels) pictures.pixels(request.png, request.tiff, measure ? &*measure : nullptr);
   if (request.pdf) pictures.pdf();
   if (request.png && job.output.labels) pictures.labels();
   DrawingNotes notes = pictures.notes();
   notes.layers = drawers.layers();
+  if (measure) notes.afar = measure->note();
   notes.seconds = watch.seconds();
   if (is_result) notes.cards = add_drawing_to_cards(dir, notes);
   return notes;

@@ -22,11 +22,11 @@ struct PictureRequest {
 };
 
 /// Draws collage.svg, collage.png (and with it labels.png, where the job has output.labels), collage.pdf and
-/// collage.tiff, as many as are wanted, into `dir`, and writes into the
-/// cards and the manifest what was drawn; or into PictureRequest::to, a folder that is there, and the result in `dir`
-/// stays as it is. Each picture appears whole or not at all; the same result gives the same bytes. A finished
-/// and an unfinished result are drawn alike. Throws InputError where `dir` holds no result, or where library or canvas
-/// are not those that it was made with, or where a key is wrong; EnvironmentError; DrawingStopped (drawers.h): then the
+/// collage.tiff, as many as are wanted, into `dir`, and writes into the cards and the manifest what was drawn, and how
+/// well pixels show colour.image from afar; or into PictureRequest::to, a folder that is there, and the result in `dir`
+/// stays as it is. Each picture appears whole or not at all; the same result gives the same bytes. A finished and an
+/// unfinished result are drawn alike. Throws InputError where `dir` holds no result, or where library or canvas are not
+/// those that it was made with, or where a key is wrong; EnvironmentError; DrawingStopped (drawers.h): then the
 /// pictures done so far are there.
 DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, DrawingObserver& observer);
 
