@@ -98,17 +98,18 @@ __attribute__((destructor)) static void report(void) {
   }
 }
 
-#define REAL(name)                                   \
-  static __typeof__(&name) real;                     \
-  if (!real) real = (__typeof__(&name))dlsym(RTLD_NEXT, #name)
+// POSIX lets a function's address be a void pointer, which ISO C does not: hence __extension__.
+#define REAL(name)               \
+  static __typeof__(&name) real; \
+  if (!real) real = __extension__(__typeof__(&name)) dlsym(RTLD_NEXT, #name)
 
 // The caller's event, where it wants one, and our own reference to it.
-#define WITH_EVENT(call)                              \
-  cl_event own = NULL;                                \
-  cl_event* const event = wanted ? wanted : &own;     \
-  const unsigned long long before = now_ns();         \
-  const cl_int code = call;                           \
-  const unsigned long long took = now_ns() - before;  \
+#define WITH_EVENT(call)                             \
+  cl_event own = NULL;                               \
+  cl_event* const event = wanted ? wanted : &own;    \
+  const unsigned long long before = now_ns();        \
+  const cl_int code = call;                          \
+  const unsigned long long took = now_ns() - before; \
   if (code == CL_SUCCESS && wanted) clRetainEvent(*wanted)
 
 cl_command_queue clCreateCommandQueue(cl_context context, cl_device_id device, cl_command_queue_properties properties,

@@ -49,8 +49,9 @@ Bounds all_bytes() {
 #if kLanesAreItems
 
 // For GPUs: 16 work items have four of the 64 boxes or PADs each, as the bytes of one number. So neighbours read
-// neighbouring numbers, and each goes on by itself with what its four leave.
-enum { kSearchItems = 64, kItemsOfBlock = kFilterLanes / 4, kBlocksAtOnce = kSearchItems / kItemsOfBlock };
+// neighbouring numbers, and each goes on by itself with what its four leave. A group is a warp of NVIDIA's: larger ones
+// are refused by some devices (Mesa's rusticl allows 32).
+enum { kSearchItems = 32, kItemsOfBlock = kFilterLanes / 4, kBlocksAtOnce = kSearchItems / kItemsOfBlock };
 #define SEARCH_KERNEL kernel __attribute__((reqd_work_group_size(kSearchItems, 1, 1)))
 
 typedef uint Met;  // the highest bit of each byte

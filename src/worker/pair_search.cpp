@@ -7,16 +7,15 @@
 namespace tessera::worker {
 namespace {
 
-constexpr std::uint32_t kGroupsPerUnit = 16;
-
 /// Work items of a sample in find_blocks, and of a block in find_pairs; and those of a group (kernels/pad_index.cl).
 struct SearchItems {
   std::size_t together = 1;
   std::size_t group = 16;  // they share a root's boxes in a cache
+  std::size_t groups_per_unit = 16;
 };
 
 SearchItems search_items(DockingLanes lanes) {
-  return lanes == DockingLanes::items ? SearchItems{16, 64} : SearchItems{};
+  return lanes == DockingLanes::items ? SearchItems{16, 32, 32} : SearchItems{};
 }
 
 }  // namespace
@@ -51,7 +50,7 @@ void PairSearch::post(const DeviceBuffer<SampleRecord>& samples, std::uint32_t c
   // How many blocks there are is known on the device alone: as many work groups as keep it busy share them, all in one
   // launch.
   const std::size_t items =
-      std::min(std::size_t(library_->session().compute_units()) * kGroupsPerUnit * search.group, kMostWorkItems / 2);
+      std::min(library_->session().compute_units() * search.groups_per_unit * search.group, kMostWorkItems / 2);
   launch(library_->session(), find_pairs_, {items, 1, search.group}, library_->match_buffer(), stances.stances(),
          stances.lists(), stances.shape_class(), index.rows(), index.places(), index.chords(), colours.record(),
          colours.near_bits(), samples, block_count_, block_room_, blocks_, pair_room_, pair_count_, pairs_);

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# rusticl_test.sh TEST_KERNELS TEST_PAIR_SEARCH TEST_OPENCL_RUNTIME TEST_DEVICE_MEMORY TEST_OPENCL_MATCHER CACHE_FOLDER:
-# the kernels on another OpenCL implementation than PoCL: Mesa's rusticl with its CPU driver llvmpipe (Debian:
-# mesa-opencl-icd), whose compiler makes SPIR-V and NIR of them and vectors over work items of 256 bits. The bits must be
-# the reference's there, too. It says that it does neither divide with correct rounding nor know denormal numbers, and
-# does both; jobs refuse it for what it says, so only those tests run that take the first device as it is.
+# rusticl_test.sh TEST_KERNELS TEST_PAIR_SEARCH TEST_OPENCL_RUNTIME TEST_DEVICE_MEMORY TEST_OPENCL_MATCHER TESSERA
+# GOLDEN_INPUTS CACHE_FOLDER: the kernels on another OpenCL implementation than PoCL: Mesa's rusticl with its CPU driver
+# llvmpipe (Debian: mesa-opencl-icd), whose compiler makes SPIR-V and NIR of them and vectors over work items of 256
+# bits. The bits must be the reference's there, too. It reports neither correctly rounded divisions nor denormal
+# numbers, and has both: jobs take it for what it computes, and one golden job must have the digest that it has on PoCL.
 set -euo pipefail
-test_kernels=$1 test_pair_search=$2 test_opencl_runtime=$3 test_device_memory=$4 test_opencl_matcher=$5 folder=$6
+test_kernels=$1 test_pair_search=$2 test_opencl_runtime=$3 test_device_memory=$4 test_opencl_matcher=$5
+tessera=$6 golden_inputs=$7 folder=$8
+golden=$(cd "$(dirname "${BASH_SOURCE[0]}")/../golden" && pwd)
 
 export OCL_ICD_VENDORS=/etc/OpenCL/vendors/rusticl.icd  # and no other implementation
 export RUSTICL_ENABLE=llvmpipe
@@ -18,3 +20,11 @@ export MESA_SHADER_CACHE_DIR=$folder  # compiling takes most of the first run
 "$test_opencl_runtime"
 "$test_device_memory"
 "$test_opencl_matcher" --gtest_filter='*/LittleRoom:OpenCLMatcher.CountsInSteps'
+
+rm -rf "$folder/job"
+mkdir "$folder/job"
+"$golden_inputs" "$folder/job"
+cp "$golden/jobs/plain.toml" "$folder/job/"
+"$tessera" collage "$folder/job/plain.toml" --out "$folder/job/plain" --quiet 2>&1 | grep -v 'drawn as silhouettes' || true
+digest=$(sha256sum <"$folder/job/plain/pieces.geojson")
+grep -q "^plain .* ${digest%% *}\$" "$golden/digests.txt" || { echo "FAILED the golden job plain: ${digest%% *}"; exit 1; }
