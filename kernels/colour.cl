@@ -140,15 +140,10 @@ float colour_difference(Lanes lanes, const Picture* picture, global const float*
   const LaneFloat weights = wished ? load_lanes(lanes, 3, cells) * covered.weight : (LaneFloat)0;
   const LaneFloat differences = ciede2000_lanes(load_lanes(lanes, 0, cells), load_lanes(lanes, 1, cells),
                                                 load_lanes(lanes, 2, cells), lightness, a, b);
-  const LaneFloat parts[5] = {weights, weights * differences, weights * lightness, weights * a, weights * b};
-  float sums[5];
-  sums_of_lanes(lanes, 5, parts, sums);
-  const float all = sums[0];
-  if (all < kLeastColourWeight) return 0;
-  const float of_cells = sums[1] / all;
-  const float of_means = ciede2000(shape->mean_lightness, shape->mean_a, shape->mean_b, sums[2] / all, sums[3] / all,
-                                   sums[4] / all);
-  return kColourOfMeans * of_means + (1 - kColourOfMeans) * of_cells;
+  const LaneFloat parts[2] = {weights, weights * (differences * differences)};
+  float sums[2];
+  sums_of_lanes(lanes, 2, parts, sums);
+  return sums[0] < kLeastColourWeight ? 0.f : sqrt(sums[1] / sums[0]);
 }
 
 float colour_worth(const Picture* picture, float difference) {

@@ -136,11 +136,11 @@ inline constexpr float kLeastDefect = 0.0025f;  // paper: keeps Z finite for a p
 // Colour, where a picture is to be shown. Differences are CIEDE2000.
 inline constexpr float kColourFading = 0.125f;   // at weight 1 a score halves with every 8
 inline constexpr float kEvenFading = 20;         // halvings; twice as many are never reached
-inline constexpr float kColourOfMeans = 0.5f;    // of the difference; the rest is that of the cells
 inline constexpr float kColourFootprint = 0.7f;  // of the scale: the place whose mean is compared before refinement
 inline constexpr float kNearColourShare = 4;     // at weight 1 one in so many shapes has the colour of a place,
 inline constexpr std::uint32_t kLeastNearColours = 64;  // but so many at least
-inline constexpr float kColourStep = 8;  // of a lattice in CIELAB: places of one lattice point share their shapes
+inline constexpr float kOwnContrast = 2;  // of a shape, beside its mean's difference: restless ones come later
+inline constexpr float kColourStep = 8;   // of a lattice in CIELAB: places of one lattice point share their shapes
 inline constexpr std::uint32_t kAnyColourDraws = 2;  // every so-many-th random docking takes a shape of any colour
 inline constexpr float kNeighbourReach = 0.75f;      // of the scales: pieces whose centres are nearer are neighbours
 inline constexpr float kNeighbourFading = 4;         // halvings by the least welcome neighbour, at a weight of 1

@@ -26,7 +26,7 @@ class NeighbourColours {
 
  private:
   bool matters() const { return wish_.neighbours != 0; }
-  const Lab& colour_of(ShapeId shape) const { return (*wish_.of_shapes)[index_of(shape)]; }
+  const Lab& colour_of(ShapeId shape) const { return (*wish_.of_shapes)[index_of(shape)].mean; }
 
   ColourWish wish_;
   Period period_;

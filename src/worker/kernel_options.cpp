@@ -93,7 +93,6 @@ std::string kernel_options(int pad_levels, DockingLanes lanes) {
   DEFINE(kMaxColourLevels);
   DEFINE(kColourFading);
   DEFINE(kEvenFading);
-  DEFINE(kColourOfMeans);
   DEFINE(kColourFootprint);
   DEFINE(kLeastColourWeight);
 

@@ -58,6 +58,20 @@ TEST(ColourGrid, HoldsTheMeanOfEachCell) {
   EXPECT_EQ(model.at[7], (Vec2{1.5f, -0.25f}));
 }
 
+TEST(ColourGrid, KnowsItsOwnContrast) {
+  const auto striped = [](const Lab& left, const Lab& right) {
+    ColourRaster raster = flag(16, 16);
+    for (int y = 0; y < 16; ++y) {
+      for (int x = 0; x < 16; ++x) raster.colour(x, y) = x < 8 ? left : right;
+    }
+    return own_contrast(make_colour_grid(raster, {0, 0}, {16, 16}));
+  };
+  EXPECT_NEAR(striped({60, 0, 0}, {60, 0, 0}), 0, 0.1f);
+  EXPECT_NEAR(striped({40, 0, 0}, {80, 0, 0}), 20, 0.3f);
+  EXPECT_NEAR(striped({60, -20, 0}, {60, 20, 0}), 10, 0.5f) << "hues count half";
+  EXPECT_EQ(own_contrast(ColourGrid{}), 0);
+}
+
 TEST(ColourGrid, IsOfTheBoxAlone) {
   ColourRaster raster = flag(40, 16);
   raster.origin_px = {100, 50};

@@ -61,6 +61,19 @@ TEST(ColourFit, PartsOfAPieceAreComparedWhereTheyLie) {
   EXPECT_GT(mean_colour_difference(tile, aside, *halves()), 15);
 }
 
+/// Both tiles are as far off in the mean of their cells.
+TEST(ColourFit, APartOfQuiteAnotherColourCostsMoreThanAllALittleOff) {
+  const auto smooth = test::picture(256, 256, [](Vec2) { return opaque({50, 0, 0}); });
+  const Similarity pose{40, 0, 128, 128};
+  const auto tile = [](const Lab& upper, const Lab& lower) {
+    return make_colour_model(test::two_toned_grid(upper, lower), {-0.5f, -0.5f}, {0.5f, 0.5f});
+  };
+  const float even = colour_difference(tile({60, 0, 0}, {60, 0, 0}), pose, *smooth);
+  const float restless = colour_difference(tile({70, 0, 0}, {50, 0, 0}), pose, *smooth);
+  EXPECT_NEAR(even, ciede2000({60, 0, 0}, {50, 0, 0}), 0.2f);
+  EXPECT_GT(restless, 1.2f * even);
+}
+
 TEST(ColourFit, WhatIsTransparentWishesNothing) {
   const auto target = test::picture(256, 256, [](Vec2 p) { return p.x < 128 ? opaque(kDark) : Texel{}; });
   const ColourModel tile = make_colour_model(test::two_toned_grid(kDark, kLight), {-0.5f, -0.5f}, {0.5f, 0.5f});
@@ -116,6 +129,17 @@ TEST(NearColours, ListTheNearestOnTheInside) {
   for (std::size_t i = 1; i < shapes.size(); ++i) {
     EXPECT_LE(ciede2000(wanted, greys(1001)[shapes[i - 1]]), ciede2000(wanted, greys(1001)[shapes[i]]));
   }
+}
+
+/// Every other grey has a contrast of its own.
+TEST(NearColours, RestlessDrawingsComeLater) {
+  ColourWish wish = test::wish_for(halves(), greys(1001));
+  std::vector<ShapeColour> colours = *wish.of_shapes;
+  for (std::size_t i = 0; i < colours.size(); i += 2) colours[i].own_contrast = 20;
+  wish.of_shapes = std::make_shared<const std::vector<ShapeColour>>(colours);
+  NearColours near(wish, 20);
+  near.start(StanceTable(CollageSettings(), 1001));
+  for (const std::uint32_t shape : near.shapes(near.list_for(sample_at({60, 100})))) EXPECT_EQ(shape % 2, 1u) << shape;
 }
 
 TEST(NearColours, AreOfShapesThatMayStand) {

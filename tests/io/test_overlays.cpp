@@ -92,7 +92,7 @@ TEST_F(Overlaid, CoversTheCanvas) {
   EXPECT_LT(colour_of(file, {150, 50}).lightness, 1);
   EXPECT_EQ(job_.settings.colour.target->levels()[0].width, 100u);
   EXPECT_EQ(job_.settings.colour.target->levels()[0].height, 50u);
-  EXPECT_EQ((*job_.settings.colour.of_shapes)[1], (Lab{20, 1, 2}));
+  EXPECT_EQ((*job_.settings.colour.of_shapes)[1].mean, (Lab{20, 1, 2}));
 }
 
 TEST_F(Overlaid, OfAnotherAspectIsCutAtTheMiddle) {

@@ -16,7 +16,8 @@ const float kWorst = 1.f / 16;  // 2^-kNeighbourFading
 
 ColourWish wish(float neighbours) {
   ColourWish w;
-  w.of_shapes = std::make_shared<const std::vector<Lab>>(std::vector<Lab>{{53, 80, 67}, {40, 70, 57}, {32, 79, -108}});
+  w.of_shapes = std::make_shared<const std::vector<ShapeColour>>(
+      std::vector<ShapeColour>{{{53, 80, 67}}, {{40, 70, 57}}, {{32, 79, -108}}});
   w.neighbours = neighbours;
   return w;
 }

@@ -46,8 +46,12 @@ inline std::shared_ptr<const ColourTarget> picture(int width_px, int height_px,
 
 inline Texel opaque(const Lab& lab) { return {lab.lightness, lab.a, lab.b, 1}; }
 
-inline ColourWish wish_for(std::shared_ptr<const ColourTarget> target, std::vector<Lab> of_shapes, float weight = 1) {
-  return {std::move(target), std::make_shared<const std::vector<Lab>>(std::move(of_shapes)), weight};
+/// Of shapes without contrasts of their own.
+inline ColourWish wish_for(std::shared_ptr<const ColourTarget> target, const std::vector<Lab>& of_shapes,
+                           float weight = 1) {
+  std::vector<ShapeColour> colours;
+  for (const Lab& mean : of_shapes) colours.push_back({mean});
+  return {std::move(target), std::make_shared<const std::vector<ShapeColour>>(std::move(colours)), weight};
 }
 
 }  // namespace tessera::test

@@ -76,9 +76,9 @@ TEST(DockingLanes, AreNoItemsWhereGroupsOf16AreNotAllowed) {
   set_field(*matcher, scene.field);
   try {
     run_round(*matcher, scene);
-    FAIL() << "groups of 16 ran";
+    FAIL() << "groups of 32 ran";
   } catch (const EnvironmentError& error) {
-    EXPECT_NE(std::string(error.what()).find("needs work groups of 16, and the device allows 8"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("needs work groups of 32, and the device allows 8"), std::string::npos)
         << error.what();
   }
 }

@@ -68,6 +68,18 @@ ColourGrid mirrored(const ColourGrid& grid) {
   return result;
 }
 
+float own_contrast(const ColourGrid& grid) {
+  const ColourModel model = make_colour_model(grid, {0, 0}, {1, 1});
+  const auto square = [](float difference) { return difference * difference; };
+  float sum = 0;
+  for (std::size_t cell = 0; cell < kColourCells; ++cell) {
+    const Lab& colour = model.colour[cell];
+    sum += model.part[cell] * (square(colour.lightness - model.mean.lightness) +
+                               square(0.5f * (colour.a - model.mean.a)) + square(0.5f * (colour.b - model.mean.b)));
+  }
+  return std::sqrt(sum);
+}
+
 ColourModel make_colour_model(const ColourGrid& grid, Vec2 low, Vec2 high) {
   ColourModel model;
   const Vec2 side = (high - low) * (1.f / kColourSide);

@@ -37,6 +37,9 @@ ColourGrid make_colour_grid(const ColourRaster& raster, Vec2 low_px, Vec2 high_p
 /// x -> -x.
 ColourGrid mirrored(const ColourGrid& grid);
 
+/// How far the cells' colours lie from their mean, by the root of the mean square: Lab, a and b counted half.
+float own_contrast(const ColourGrid& grid);
+
 /// The grid in the shape frame, laid out for look-ups.
 struct ColourModel {
   std::array<Vec2, kColourCells> at{};  // middle of each cell

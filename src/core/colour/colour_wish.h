@@ -8,10 +8,16 @@
 
 namespace tessera {
 
+/// A shape's colours in few numbers.
+struct ShapeColour {
+  Lab mean;
+  float own_contrast = 0;  // colour_grid.h
+};
+
 struct ColourWish {
   std::shared_ptr<const ColourTarget> target;
-  /// The mean colour of each shape of the whole library; null where nothing is wished.
-  std::shared_ptr<const std::vector<Lab>> of_shapes;
+  /// Of each shape of the whole library; null where nothing is wished.
+  std::shared_ptr<const std::vector<ShapeColour>> of_shapes;
   float weight = 1;
   float neighbours = 0;  // a weight: above 0 neighbours are of like colours, below 0 of unlike ones
 

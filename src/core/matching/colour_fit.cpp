@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "core/base/lanes.h"
@@ -61,14 +62,14 @@ std::optional<Lab> covered_colour(const ColourModel& piece, const Similarity& ca
 
 float colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target) {
   const CoveredCells covered = cells_of(piece, canvas_from_shape, target);
-  const std::optional<Lab> mean = covered.mean();
-  if (!mean) return 0;
-  Lanes difference;
+  const float all = sum_of_lanes(covered.weight);
+  if (all < kLeastColourWeight) return 0;
+  Lanes square;
   for (std::size_t i = 0; i < kColourCells; ++i) {
-    difference[i] = covered.weight[i] * ciede2000(piece.colour[i], covered.colour[i]);
+    const float difference = ciede2000(piece.colour[i], covered.colour[i]);
+    square[i] = covered.weight[i] * (difference * difference);
   }
-  const float of_cells = sum_of_lanes(difference) / sum_of_lanes(covered.weight);
-  return kColourOfMeans * ciede2000(piece.mean, *mean) + (1 - kColourOfMeans) * of_cells;
+  return std::sqrt(sum_of_lanes(square) / all);
 }
 
 float colour_worth(float difference, float weight) { return faded(kColourFading * weight * difference); }

@@ -13,7 +13,8 @@ namespace tessera {
 /// CIEDE2000 between the piece's mean and that of the place, by one look-up. 0 where the target wishes nothing.
 float mean_colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target);
 
-/// Half the difference of the means, half the mean of the cells' differences.
+/// The root of the mean square of the cells' differences: a part of quite another colour is seen more than many that are
+/// a little off, and so is what a drawing shows within a smooth part of the picture. 0 where the target wishes nothing.
 float colour_difference(const ColourModel& piece, const Similarity& canvas_from_shape, const ColourTarget& target);
 
 /// The mean colour of what the piece covers; nothing where the target wishes nothing there.

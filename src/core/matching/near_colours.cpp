@@ -42,14 +42,19 @@ NearColours::List NearColours::list_for(const TargetSample& sample) {
   return known != lists_.end() ? known->second : make_list(point);
 }
 
-/// All shapes, the nearest to the point first; of equals the first.
+/// All shapes, the nearest to the point first; of equals the first. As most places are smooth, what a drawing has of
+/// contrast of its own counts as a difference.
 const std::vector<std::uint32_t>& NearColours::nearest(const Point& point) {
   const auto [known, is_new] = nearest_.try_emplace(point);
   if (!is_new) return known->second;
   const Lab colour{float(point[0]) * kColourStep, float(point[1]) * kColourStep, float(point[2]) * kColourStep};
   std::vector<std::pair<float, std::uint32_t>> order;
   order.reserve(wish_.of_shapes->size());
-  for (const Lab& of_shape : *wish_.of_shapes) order.emplace_back(ciede2000(colour, of_shape), order.size());
+  for (const ShapeColour& shape : *wish_.of_shapes) {
+    const float of_mean = ciede2000(colour, shape.mean);
+    const float own = kOwnContrast * shape.own_contrast;
+    order.emplace_back(std::sqrt(of_mean * of_mean + own * own), order.size());
+  }
   std::sort(order.begin(), order.end());
   known->second.reserve(order.size());
   for (const auto& [difference, shape] : order) known->second.push_back(shape);

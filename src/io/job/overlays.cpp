@@ -113,10 +113,10 @@ void for_each_shape(const ShapeLibrary& library, Take take) {
   }
 }
 
-std::shared_ptr<const std::vector<Lab>> mean_colours_of(const ShapeLibrary& library) {
-  auto colours = std::make_shared<std::vector<Lab>>();
+std::shared_ptr<const std::vector<ShapeColour>> colours_of(const ShapeLibrary& library) {
+  auto colours = std::make_shared<std::vector<ShapeColour>>();
   for_each_shape(library, [&](const Shape& shape) {
-    colours->push_back({shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]});
+    colours->push_back({{shape.mean_lab[0], shape.mean_lab[1], shape.mean_lab[2]}, own_contrast(shape.colour_grid)});
   });
   return colours;
 }
@@ -159,7 +159,7 @@ void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& jo
     digest.add_all(std::span<const Texel>(overlays.colour->texels()));
     add_colour_grids(library, job, digest);
   }
-  if (overlays.colour || job.settings.colour.neighbours != 0) job.settings.colour.of_shapes = mean_colours_of(library);
+  if (overlays.colour || job.settings.colour.neighbours != 0) job.settings.colour.of_shapes = colours_of(library);
   if (overlays.sizes) digest.add_all(std::span<const float>(overlays.sizes->part.data()));
   job.settings.colour.target = overlays.colour;
   job.settings.pieces.size_map = overlays.sizes;
