@@ -66,6 +66,7 @@ Improving::Improving(Collage& collage, Filling& filling, const CollageSettings& 
       trials_per_relaxation_(trials_per_relaxation(area_px2, settings.pieces)),
       pieces_(settings.pieces),
       dwarf_loss_(kDwarfLoss * double(balance_of(settings.objective))),
+      off_colour_(settings.colour, shapes),
       repetition_(pays_to_replace(settings)
                       ? repetition_costs(settings, drawings_of(collage.stances(), shapes), area_px2)
                       : RepetitionCosts{}),
@@ -117,11 +118,12 @@ void Improving::fill(const Look& look) {
   while (collage_.placements().size() < most_pieces_ && filling_.place_one());
 }
 
-/// What is free, what is covered twice, some of what dwarfs cover, and what it costs that drawings repeat themselves.
-std::int64_t Improving::loss_256ths_px2() const {
+/// What is free, what is covered twice, some of what dwarfs cover, and what it costs that drawings repeat
+/// themselves and that pieces have other colours than what they cover.
+std::int64_t Improving::loss_256ths_px2() {
   const std::int64_t free = collage_.free().free_256ths_px2();
   const std::int64_t loss = relax_ ? 2 * free + area_256ths_px2(collage_.placements()) : free;
-  return loss + dwarfs_256ths_px2() + repeated_256ths_px2();
+  return loss + dwarfs_256ths_px2() + repeated_256ths_px2() + off_colour_.loss_256ths_px2(collage_.placements());
 }
 
 std::int64_t Improving::repeated_256ths_px2() const {

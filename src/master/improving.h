@@ -10,6 +10,7 @@
 #include "core/replacing/replacement.h"
 #include "master/collage.h"
 #include "master/filling.h"
+#include "master/off_colour.h"
 #include "master/relaxing.h"
 
 namespace tessera::master {
@@ -42,7 +43,7 @@ class Improving {
                  const Look& look);
   Trial try_with(const std::function<void(const Look&)>& change, const std::function<bool()>& stopped);
   void fill(const Look& look);
-  std::int64_t loss_256ths_px2() const;
+  std::int64_t loss_256ths_px2();
   std::int64_t dwarfs_256ths_px2() const;
   std::int64_t repeated_256ths_px2() const;
 
@@ -53,7 +54,8 @@ class Improving {
   bool relax_;
   std::uint32_t trials_per_relaxation_;
   PieceSettings pieces_;
-  double dwarf_loss_;           // of a dwarf's area
+  double dwarf_loss_;  // of a dwarf's area
+  OffColour off_colour_;
   RepetitionCosts repetition_;  // none where pieces are never exchanged
   std::uint64_t seed_;
   float most_scale_px_;
