@@ -33,8 +33,10 @@ constexpr const char* kExamples =
     "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; portrait_sizes.png\n"
     "is grey, dark where the image has detail and pieces are to be small, portrait_regions.png shows the parts that\n"
     "pieces keep within. All stay as they are where they are there, unless they would change: then --replace is\n"
-    "needed. The more colours the library has the better; 500 drawings are few, 5,000 are many. The rest is as in\n"
-    "tessera collage.";
+    "needed. The more colours the library has the better; 500 drawings are few, 5,000 are many, and with fewer than\n"
+    "100 each may lie beside itself. Between the pieces lies the image, a little darker. --set colour.weight=8 shows "
+    "the\n"
+    "image better, with more gaps; --shift 0 leaves drawings as they are. The rest is as in tessera collage.";
 
 constexpr double kMostShift = 100;  // CIEDE2000: all of it
 
@@ -62,9 +64,10 @@ void write_checked(const MosaicArguments& arguments, const io::Mosaic& mosaic) {
 }
 
 void write_job(const MosaicArguments& arguments) {
-  const io::MosaicRequest& request = arguments.request;
+  io::MosaicRequest request = arguments.request;
   if (std::isnan(request.shift)) throw InputError("--shift: found nan, allowed: a number");
   const io::LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
+  request.shapes = library.size();
   io::Drawers drawers(io::photo_drawer_settings(1));
   const io::Mosaic mosaic = io::make_mosaic(request, drawers);
   write_checked(arguments, mosaic);

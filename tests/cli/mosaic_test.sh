@@ -15,11 +15,13 @@ rsvg-convert sun.svg -o sun.png
 
 run 0 mosaic sun.png own.h5 --pieces 100 --job-only
 expect_silence "a warning of a good job"
-grep -q '^sun.toml: 413 x 275 px, about 100 pieces of 16 to 64 px out of 5 shapes; sizes: sun_sizes.png' output &&
+grep -q '^sun.toml: 320 x 213 px, about 100 pieces of 16 to 80 px out of 5 shapes; sizes: sun_sizes.png' output &&
   grep -q '; 2 regions: sun_regions.png$' output || fail "does not say what it wrote"
 grep -qx 'next: tessera collage sun.toml' output || fail "does not say what to type next"
 [[ -s sun_sizes.png && ! -e out ]] || fail "no map, or a result"
 grep -q '^quality = "draft"' sun.toml || fail "the job does not say how much is improved"
+grep -qx 'apart_px = 0' sun.toml && grep -qx 'repetition_exponent = 0' sun.toml || fail "few drawings may not lie again"
+grep -qx 'shift = 6' sun.toml || fail "no shift by default"
 cp sun.toml first.toml
 run 0 mosaic sun.png own.h5 --pieces 100 --job-only --quiet
 [[ ! -s output ]] || fail "--quiet prints"

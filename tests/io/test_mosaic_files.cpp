@@ -30,30 +30,32 @@ std::string bytes_of(const std::string& path) {
 
 TEST(MosaicJob, SaysWhatWasPlanned) {
   const MosaicFiles files{.image = "a \"b\"\\c.png", .libraries = {"t.h5"}, .size_map = "ä_sizes.png", .regions = {}};
-  const toml::table job = toml::parse(mosaic_job(files, mosaic_plan({300, 200}, 500), 2.5));
+  const toml::table job = toml::parse(mosaic_job(files, mosaic_plan({300, 200}, 500), {8, 0.25}, 2.5));
   EXPECT_EQ(job["library"]["file"].value<std::string>(), "t.h5");
-  EXPECT_EQ(job["canvas"]["size_px"][0].value<int>(), 924);
-  EXPECT_EQ(job["canvas"]["size_px"][1].value<int>(), 616);
+  EXPECT_EQ(job["canvas"]["size_px"][0].value<int>(), 715);
+  EXPECT_EQ(job["canvas"]["size_px"][1].value<int>(), 477);
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), files.image);
   EXPECT_EQ(job["colour"]["shift"].value<double>(), 2.5);
   EXPECT_EQ(job["pieces"]["scale_px"][0].value<int>(), 16);
-  EXPECT_EQ(job["pieces"]["scale_px"][1].value<int>(), 64);
+  EXPECT_EQ(job["pieces"]["scale_px"][1].value<int>(), 80);
   EXPECT_EQ(job["pieces"]["size_map"].value<std::string>(), files.size_map);
+  EXPECT_EQ(job["pieces"]["apart_px"].value<double>(), 8);
+  EXPECT_EQ(job["objective"]["repetition_exponent"].value<double>(), 0.25);
   EXPECT_EQ(job["output"]["background"].value<std::string>(), "image");
   EXPECT_EQ(job["output"]["background_light"].value<double>(), 0.8);
-  EXPECT_EQ(job["output"]["width_px"].value<int>(), 1848);
+  EXPECT_EQ(job["output"]["width_px"].value<int>(), 1430);
 }
 
 TEST(MosaicJob, NamesSeveralLibraries) {
   const toml::table job =
-      toml::parse(mosaic_job({"i.png", {"a.h5", "b.h5"}, "s.png", ""}, mosaic_plan({1, 1}, 500), 0));
+      toml::parse(mosaic_job({"i.png", {"a.h5", "b.h5"}, "s.png", ""}, mosaic_plan({1, 1}, 500), {}, 0));
   EXPECT_FALSE(job["library"]["file"]);
   EXPECT_EQ(job["library"]["files"][1].value<std::string>(), "b.h5");
 }
 
 TEST(MosaicJob, KeepsThePictureOfAHugeCanvasWithinWhatAScreenShows) {
   const toml::table job =
-      toml::parse(mosaic_job({"i.png", {"a.h5"}, "s.png", ""}, mosaic_plan({8, 1}, kMostMosaicPieces), 0));
+      toml::parse(mosaic_job({"i.png", {"a.h5"}, "s.png", ""}, mosaic_plan({8, 1}, kMostMosaicPieces), {}, 0));
   EXPECT_EQ(job["output"]["width_px"].value<int>(), 12'000);
 }
 
@@ -105,7 +107,7 @@ TEST_F(MosaicFilesTest, LieBesideEachOther) {
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));  // given from the root
   const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
   EXPECT_EQ(map.type(), CV_8UC1);
-  EXPECT_EQ(map.size(), cv::Size(146, 97));  // of a canvas of 584 x 389 px
+  EXPECT_EQ(map.size(), cv::Size(113, 76));  // of a canvas of 584 x 389 px
 }
 
 TEST_F(MosaicFilesTest, NameTheRegionsByTheirColoursInThePicture) {

@@ -126,7 +126,7 @@ Mosaic make_mosaic(const MosaicRequest& request, Drawers& drawers) {
     files.regions = fs::path(picture_path).filename().string();
     mosaic.files.push_back({picture_path, png_of(region_picture(found, plan))});
   }
-  const std::string text = mosaic_job(files, plan, request.shift, regions);
+  const std::string text = mosaic_job(files, plan, mosaic_variety(plan, request.shapes), request.shift, regions);
   mosaic.files.push_back({request.job, Bytes(text.begin(), text.end())});
   for (const MosaicFile& file : mosaic.files) check_replaceable(file.path, file.bytes, request);
   mosaic.regions = int(regions.size());

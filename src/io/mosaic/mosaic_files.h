@@ -1,6 +1,7 @@
 // From an image to the files of a mosaic: its job, and beside it the pictures that the job names, sizes and regions.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,8 +15,9 @@ struct MosaicRequest {
   std::string image;                   // JPEG, PNG, TIFF, WebP or BMP
   std::vector<std::string> libraries;  // one at least
   std::string job;                     // the file to write
+  std::size_t shapes = 0;              // of all libraries, which are not read
   int pieces = 3000;
-  double shift = 0;      // CIEDE2000
+  double shift = 6;      // CIEDE2000
   int regions = 6;       // at most, by the image's colours; 1 = pieces may lie anywhere
   bool replace = false;  // another mosaic's files of these names
 };

@@ -47,7 +47,7 @@ std::string region_lines(const std::vector<std::string>& regions) {
 
 }  // namespace
 
-std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift,
+std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const MosaicVariety& variety, double shift,
                        const std::vector<std::string>& regions) {
   const int width_px = std::min(kPictureScale * plan.canvas_px.width, kWidestPicture_px);
   return std::string(kMosaicJobMark) + ": about " + std::to_string(plan.pieces) +
@@ -69,12 +69,12 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          "\n"
          "[colour]\n"
          "# Pieces are chosen by the colours of what they cover.\n"
-         "# weight: how much that counts beside outlines that fit; 0 = not.\n"
+         "# weight: how much that counts beside outlines that fit; 0 = not. 8 shows the image better, with more gaps.\n"
          "# shift: the tone of a piece may be moved towards the image by so much CIEDE2000; 0 = as drawn.\n"
          "image = " +
          toml_text(files.image) +
          "\n"
-         "weight = 1\n"
+         "weight = 4\n"
          "shift = " +
          number_text(shift) +
          "\n"
@@ -90,7 +90,15 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double 
          "\n"
          "# No drawing beside itself: px between the outlines of two of it.\n"
          "apart_px = " +
-         number_text(plan.min_scale_px) +
+         number_text(variety.apart_px) +
+         "\n"
+         "\n"
+         "[objective]\n"
+         "# length_exponent: how much long contact counts; more leaves fewer gaps, and colours are less true.\n"
+         "# repetition_exponent: what the same drawing again costs; 0 = nothing, as for small libraries.\n"
+         "length_exponent = 2\n"
+         "repetition_exponent = " +
+         number_text(variety.repetition_exponent) +
          "\n"
          "\n"
          "[output]\n"

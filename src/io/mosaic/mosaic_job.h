@@ -19,7 +19,7 @@ struct MosaicFiles {
 inline constexpr const char* kMosaicJobMark = "# A mosaic by tessera mosaic";
 
 /// Paths are written as they are in `files`. `shift`: CIEDE2000. `regions`: their colours in files.regions, "#rrggbb".
-std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, double shift,
+std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const MosaicVariety& variety, double shift,
                        const std::vector<std::string>& regions = {});
 
 }  // namespace tessera::io

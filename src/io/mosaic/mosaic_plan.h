@@ -1,6 +1,7 @@
 // How large the canvas of a mosaic is and how large its pieces may be, so that about as many come out as are wished.
 #pragma once
 
+#include <cstddef>
 #include <opencv2/core.hpp>
 
 namespace tessera::io {
@@ -18,8 +19,18 @@ struct MosaicPlan {
   double max_scale_px = 0;
 };
 
+/// How much a mosaic avoids to show the same drawing again.
+struct MosaicVariety {
+  double apart_px = 0;             // of the canvas, between the outlines of two of the same drawing
+  double repetition_exponent = 0;  // as objective.repetition_exponent of a job
+};
+
 /// `image`: its size, of the canvas' aspect. Throws InputError that names what was found and what is allowed.
 MosaicPlan mosaic_plan(cv::Size image, int pieces);
+
+/// `shapes`: of all libraries. Below 100 shapes there is none: drawings that may not lie again leave gaps and give way
+/// to colours that are further off.
+MosaicVariety mosaic_variety(const MosaicPlan& plan, std::size_t shapes);
 
 /// Pieces that a canvas px² gets where the largest may have the size `largest_px`: those that fill it, and the small
 /// ones between them.
