@@ -85,6 +85,17 @@ TEST(ImageBackground, IsThePictureAsBrightAsAsked) {
   EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 20), kRust / 2), 1);
 }
 
+TEST(ImageBackground, IsLighterThanWhatIsDark) {
+  OnPicture collage;
+  collage.keep(halves({0, 0, 0, 1}, texel_of(kSky), {200, 100}));
+  collage.job.output.background_light = 0.8;
+  EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 20), cv::Vec3b(26, 26, 26)), 1);
+  collage.job.output.background_light = 1;
+  EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 20), cv::Vec3b(0, 0, 0)), 1);
+  collage.job.output.background_light = 0;
+  EXPECT_LE(difference(collage.drawn_at(200).at<cv::Vec3b>(50, 20), cv::Vec3b(0, 0, 0)), 1);
+}
+
 /// Shown larger, neighbours are mixed, but the left edge is not mixed with the right one.
 TEST(ImageBackground, DoesNotGoOnAtTheOtherEdge) {
   OnPicture collage;

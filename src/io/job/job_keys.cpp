@@ -388,7 +388,8 @@ void add_machine_and_output_keys(std::vector<JobKey>& keys) {
                             "the picture in `colour.image`"},
                            FIELD(output.background)));
   keys.push_back(with_number({"output", "background_light", number, "", 0, 1, {},
-                              "with `image`: what its colours are multiplied by; below 1 pieces stand out from it"},
+                              "with `image`: what its colours are multiplied by; below 1 pieces stand out from it; dark "
+                              "places become a little lighter"},
                              FIELD(output.background_light)));
   keys.push_back(with_text({"output", "ground", file, "", 0, 0, {},
                             "SVG or image, laid over the background in tiles, below the pieces; empty = none"},

@@ -27,7 +27,7 @@ constexpr double kFillers = 0.235;
 /// Measured with 4, 14, 44 and 221 shapes: without variety coverage was 14, 4, 2 and 1 points higher, and CIEDE2000 0.4,
 /// 2.5, 0.7 and 0.1 lower (docs/measurements.md, "Mosaics seen from afar").
 constexpr std::size_t kFewShapes = 100;
-constexpr double kRepetitionExponent = 0.15;
+constexpr double kRepetitionExponent = 0.3;
 
 std::string size_text(cv::Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 

@@ -34,6 +34,23 @@ cv::Mat lab_picture(const ColourTarget& target, const Canvas& canvas, cv::Size s
   return lab;
 }
 
+/// Times `light`; but what is dark becomes lighter: dark pieces would not stand out from what is darker still.
+void darken(cv::Mat& bgr, double light) {
+  constexpr double kDark = 64;   // a grey from which on nothing is lightened
+  constexpr double kLift = 160;  // of black: 26 of 255 at a light of 0.8
+  cv::Mat grey;
+  cv::cvtColor(bgr, grey, cv::COLOR_BGR2GRAY);
+  for (int y = 0; y < bgr.rows; ++y) {
+    for (int x = 0; x < bgr.cols; ++x) {
+      const double lift = kLift * light * (1 - light) * std::max(0., 1 - grey.at<std::uint8_t>(y, x) / kDark);
+      cv::Vec3b& pixel = bgr.at<cv::Vec3b>(y, x);
+      for (int channel = 0; channel < 3; ++channel) {
+        pixel[channel] = cv::saturate_cast<std::uint8_t>(light * pixel[channel] + lift);
+      }
+    }
+  }
+}
+
 cv::Size size_for(const Canvas& canvas) {
   const double scale = std::min(1., double(kLongestSide_px) / std::max(canvas.width_px, canvas.height_px));
   return {std::max(1, cvRound(canvas.width_px * scale)), std::max(1, cvRound(canvas.height_px * scale))};
@@ -66,7 +83,7 @@ GroundTile image_background(const std::string& dir, const OutputSpec& output, co
   const cv::Mat kept = png_picture(kept_picture(dir), path_in_result(dir, kShownPictureName), kLongestSide_px);
   cv::Mat bgr;
   cv::cvtColor(kept, bgr, cv::COLOR_BGRA2BGR);
-  bgr.convertTo(bgr, CV_8U, output.background_light);
+  darken(bgr, output.background_light);
   GroundTile tile;
   cv::cvtColor(bgr, tile.page, cv::COLOR_BGR2BGRA);  // opaque, so that it is premultiplied, too
   tile.size_px = cv::Size2d(canvas.width_px, canvas.height_px);
