@@ -21,7 +21,7 @@ ln -s usr/bin "$root/sbin"
 for command in "${commands[@]}"; do
   command=$(PATH=$PATH:/sbin:/usr/sbin command -v "$command")
   cp -L "$command" "$root/usr/bin/"
-  { ldd "$command" 2>/dev/null || true; } | grep -oE '/[^ ]+\.so[^ ]*' | while read -r library; do
+  { ldd "$command" 2>/dev/null || true; } | { grep -oE '/[^ ]+\.so[^ ]*' || true; } | while read -r library; do
     mkdir -p "$root${library%/*}"
     cp -L "$library" "$root$library"
   done
