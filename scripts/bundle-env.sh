@@ -10,6 +10,8 @@ export OPAL_PREFIX=$bundle
 export PMIX_PKGLIBDIR=$bundle/lib/x86_64-linux-gnu/pmix2/lib/pmix PMIX_PKGDATADIR=$bundle/share/pmix
 # Some containers forbid what this would use.
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
+# Without ssh mpirun refuses to start even ranks of this machine alone, unless it is told that there are no others.
+command -v ssh rsh >/dev/null || export OMPI_MCA_plm=isolated
 
 # vendor_opencl: the OpenCL libraries of drivers on this machine, one path a line.
 vendor_opencl() {

@@ -175,7 +175,7 @@ run_two_ranks() {
 run_profile() {
   need_library
   LD_PRELOAD=$bundle/lib/libopencl_profile.so tessera collage "$bundle/jobs/animals.toml" \
-    --set library.file="$work/animals.h5" --set improve.trials=0 --job-only --out "$work/profile" --quiet
+    --set library.file="$work/animals.h5" --set improve.trials=0 --out "$work/profile" --quiet
 }
 
 large_library() {
