@@ -126,7 +126,7 @@ run_facts() {
   grep . /etc/OpenCL/vendors/*.icd 2>&1 || true
   PATH=$PATH:/sbin:/usr/sbin ldconfig -p 2>/dev/null | grep -iE 'opencl|libcuda|nvvm|ptxjit' || true
   env | grep -E 'CUDA|NVIDIA|LD_LIB|OCL|OPAL|PMIX' || true
-  ldd --version | head -n 1
+  ldd --version | sed -n 1p
   nproc
   grep -m 1 'model name' /proc/cpuinfo || true
   grep -E 'MemTotal|MemAvailable' /proc/meminfo
