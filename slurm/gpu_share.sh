@@ -36,7 +36,8 @@ if ((worker >= 0 && workers > 1)); then
 fi
 
 kernels=${TMPDIR:-/tmp}/tessera-kernels-$UID
-if mkdir -p -m 700 "$kernels" 2>/dev/null && [[ -O $kernels && -w $kernels ]]; then  # nobody else's folder of that name
+mkdir -m 700 "$kernels" 2>/dev/null || true  # it is there already
+if [[ -d $kernels && ! -L $kernels && -O $kernels && -w $kernels ]]; then  # nobody else's folder of that name
   export POCL_CACHE_DIR=${POCL_CACHE_DIR:-$kernels/pocl} CUDA_CACHE_PATH=${CUDA_CACHE_PATH:-$kernels/cuda}
 fi
 exec "$@"
