@@ -49,5 +49,5 @@ code=0
 said=$(in_root '/opt/bundle/gpu-check.sh /opt/bundle /root/alone' 2>&1) || code=$?
 [[ $code == 1 && $(grep -c 'There is no OpenCL device' <<<"$said") == 1 ]] || fail "without a device: $code, $said"
 tar -C "$root/opt" -xf "$folder/pocl.tar.xz"
-in_root '/opt/bundle/gpu-check.sh /opt/bundle /root/both --minutes 25' || fail "with PoCL"
+in_root '/opt/bundle/gpu-check.sh /opt/bundle /root/both --minutes 40' || fail "with PoCL"
 rm -rf "$root"
