@@ -1,8 +1,8 @@
 # shellcheck shell=bash
-# env.sh of a bundle (scripts/gpu-bundle.sh), to be sourced by bash: programs, libraries and Open MPI of the bundle come
-# first, and OpenCL finds the library of this machine's driver, wherever it lies. Where there is none, it is the bundle's
-# PoCL, if pocl.tar.xz was unpacked, too. BUNDLE_POCL=1 asks for PoCL in any case; OCL_ICD_VENDORS, where it is set
-# already, decides.
+# env.sh of a bundle (scripts/gpu-bundle.sh), to be sourced by bash: programs, libraries and Open MPI of the bundle
+# come first, and OpenCL finds the library of this machine's driver, wherever it lies. Where there is none, it is the
+# bundle's PoCL, if pocl.tar.xz was unpacked, too. BUNDLE_POCL=1 asks for PoCL in any case; OCL_ICD_VENDORS, where it is
+# set already, decides.
 bundle=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 export PATH=$bundle/bin:$PATH LD_LIBRARY_PATH=$bundle/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 # Open MPI and its PMIx were built for /usr.
@@ -34,8 +34,8 @@ unlisted_opencl() {
   done < <(vendor_opencl)
 }
 
-# choose_opencl: sets OCL_ICD_VENDORS where the usual list is not what is wanted. The loader takes a library's path there,
-# too.
+# choose_opencl: sets OCL_ICD_VENDORS where the usual list is not what is wanted. The loader takes a library's path
+# there, too.
 choose_opencl() {
   local unlisted pocl=$bundle/pocl/lib/x86_64-linux-gnu
   [[ -z ${OCL_ICD_VENDORS-} ]] || return 0

@@ -143,8 +143,8 @@ make_main() {
   xz_archive "$folder/bundle.tar.xz" "$work/main"
 }
 
-# PoCL looks for ../../share/pocl from its own folder, and calls `ld` by PATH with the usual folders. On a machine without
-# a compiler the wrapper gives ld the files to link against, the C library's shared parts being those of the machine.
+# PoCL looks for ../../share/pocl from its own folder, and calls `ld` by PATH with the usual folders. On a machine
+# without a compiler the wrapper gives ld the files to link against, the C library's shared parts being the machine's.
 make_pocl() {
   local to=$work/pocl/bundle/pocl lib
   lib=$to/lib/x86_64-linux-gnu
@@ -152,7 +152,7 @@ make_pocl() {
   cp -L $system/libpocl.so.2 "$lib/"
   cp -r $system/pocl "$lib/"
   cp -L /usr/bin/x86_64-linux-gnu-ld.bfd "$to/bin/ld.bfd"
-  copy_libraries "$lib" "$work/main/bundle/lib" -- $system/libpocl.so.2 $system/pocl/*.so /usr/bin/x86_64-linux-gnu-ld.bfd
+  copy_libraries "$lib" "$work/main/bundle/lib" -- $system/libpocl.so.2 $system/pocl/*.so "$to/bin/ld.bfd"
   cp -r /usr/share/pocl/include "$to/share/pocl/"
   cp /usr/share/pocl/kernel-x86_64-pc-linux-gnu-avx{2,512}.bc "$to/share/pocl/"  # of any server's CPU since 2013
   cp "$(gcc -print-libgcc-file-name)" $system/libc_nonshared.a "$to/link/"

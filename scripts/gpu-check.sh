@@ -6,11 +6,12 @@
 # Exit code: 0 all passed, 1 no OpenCL device, 2 wrong arguments, 3 some failed or were not begun in time.
 set -uo pipefail
 
-# NAME and seconds, of a run of five minutes or less; in a longer one each check may take longer, too. The order is that of
-# what a first run should tell.
+# NAME and seconds, of a run of five minutes or less; in a longer one each check may take longer, too. The order is that
+# of what a first run should tell.
 readonly plan=(
-  "facts 30" "devices 120" "test_arithmetic_probe 120" "test_kernels 180" "test_pair_search 90" "test_opencl_runtime 60"
-  "test_device_memory 60" "library 60" "golden 150" "pairs 60" "headline 60" "demo 120" "library_10000 90" "two_ranks 120"
+  "facts 30" "devices 120" "test_arithmetic_probe 120" "test_kernels 180" "test_pair_search 90"
+  "test_opencl_runtime 60" "test_device_memory 60" "library 60" "golden 150" "pairs 60" "headline 60" "demo 120"
+  "library_10000 90" "two_ranks 120"
   "profile 60" "library_100000 150" "test_stored_matching 90" "test_device_room 60" "test_device_speed 60"
   "test_opencl_devices 60" "test_opencl_matcher 300" "table2 180")
 
@@ -44,7 +45,11 @@ read_arguments() {
   while [[ $# -gt 0 ]]; do
     case $1 in
       -h | --help) usage; exit 0 ;;
-      --minutes) [[ ${2-} =~ ^[1-9][0-9]{0,3}$ ]] || wrong "--minutes takes whole minutes, not '${2-}'"; minutes=$2; shift 2 ;;
+      --minutes)
+        [[ ${2-} =~ ^[1-9][0-9]{0,3}$ ]] || wrong "--minutes takes whole minutes, not '${2-}'"
+        minutes=$2
+        shift 2
+        ;;
       --only) [[ -n ${2-} ]] || wrong "--only takes names"; only=$2; shift 2 ;;
       -*) wrong "unknown option $1" ;;
       *) places+=("$1"); shift ;;
@@ -88,7 +93,8 @@ check() {
   case $result in
     0) said=passed ;;
     124 | 137) said="FAILED: stopped after $limit s" ;;
-    *) said="FAILED ($result): $(grep -m 1 -E 'FAILED|rror|differ|no OpenCL|NOT ' "$results/logs/$name.log" | cut -c 1-150)" ;;
+    *) said="FAILED ($result): $(grep -m 1 -E 'FAILED|rror|differ|no OpenCL|NOT ' "$results/logs/$name.log" |
+      cut -c 1-150)" ;;
   esac
   [[ $said == passed ]] || failed=3
   add_row "$name" "$took" "$said"
@@ -102,7 +108,9 @@ add_shown() {
   local most pattern line
   [[ -n ${shown[$1]-} ]] || return 0
   read -r most pattern <<<"${shown[$1]}"
-  while IFS= read -r line; do table+=("    $line"); done < <(grep -E "$pattern" "$results/logs/$1.log" | head -n "$most")
+  while IFS= read -r line; do
+    table+=("    $line")
+  done < <(grep -E "$pattern" "$results/logs/$1.log" | head -n "$most")
 }
 
 # finish: the table, and the files in OUT.
@@ -215,7 +223,8 @@ for line in "${plan[@]}"; do
   if [[ -n $only && $name != facts && $name != devices && ,$only, != *,$name,* ]]; then continue; fi
   ((minutes <= 5)) || limit=$((limit * minutes / 5))
   check "$name" "$limit"
-  if [[ $name == devices && -e $results/logs/devices.log ]] && ! grep -qE ': (gpu|cpu|accelerator) "' "$results/logs/devices.log"; then
+  said=$results/logs/devices.log
+  if [[ $name == devices && -e $said ]] && ! grep -qE ': (gpu|cpu|accelerator) "' "$said"; then
     table+=("There is no OpenCL device on this machine. With pocl.tar.xz unpacked, too, its CPU is one.")
     exit 1
   fi

@@ -3,8 +3,8 @@
 # Slurm says which GPUs of the node the job has; mpirun shows them all to every rank. Here the workers of the node
 # divide them by their local ranks; where there are more workers than GPUs, several use one. Rank 0, the master, needs
 # none. Without such a variable (CPU devices), with one GPU or with one rank, nothing of that changes.
-# The drivers keep compiled kernels on the node's own disk: a home that all nodes share is slow for it, and ranks of several
-# nodes would write the same files there.
+# The drivers keep compiled kernels on the node's own disk: a home that all nodes share is slow for it, and ranks of
+# several nodes would write the same files there.
 set -euo pipefail
 
 worker=${OMPI_COMM_WORLD_LOCAL_RANK:-${SLURM_LOCALID:-0}}

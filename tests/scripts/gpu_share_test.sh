@@ -14,7 +14,7 @@ expect() {
   [[ $found == "$expected" ]] || { echo "worker $worker of $workers, $*: sees '$found', not '$expected'" >&2; exit 1; }
 }
 
-# Where compiled kernels are kept: on the node's own disk, unless somebody says otherwise, or the folder is somebody else's.
+# Where compiled kernels are kept: on the node's own disk, unless somebody says otherwise, or there can be no folder.
 sandbox=$(mktemp -d)
 trap 'rm -rf "$sandbox"' EXIT
 # expect_kernels EXPECTED VARIABLE=VALUE...
@@ -22,7 +22,8 @@ expect_kernels() {
   local expected=$1 found
   shift
   # shellcheck disable=SC2016  # the worker's shell expands it
-  found=$(env -u POCL_CACHE_DIR -u CUDA_CACHE_PATH "$@" "$gpu_share" bash -c 'echo "${POCL_CACHE_DIR-} ${CUDA_CACHE_PATH-}"')
+  found=$(env -u POCL_CACHE_DIR -u CUDA_CACHE_PATH "$@" "$gpu_share" \
+    bash -c 'echo "${POCL_CACHE_DIR-} ${CUDA_CACHE_PATH-}"')
   [[ $found == "$expected" ]] || { echo "kernels with $*: in '$found', not '$expected'" >&2; exit 1; }
 }
 own=$sandbox/tessera-kernels-$UID

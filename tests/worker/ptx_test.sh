@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# ptx_test.sh KERNEL_PROGRAM FOLDER: what the kernels become in NVIDIA's PTX, made by Debian's clang and libclc: no fused
-# and no approximate operation for any match.levels. Where there is a ptxas, also registers, spills and stack on an H100.
+# ptx_test.sh KERNEL_PROGRAM FOLDER: what the kernels become in NVIDIA's PTX, made by Debian's clang and libclc: no
+# fused and no approximate operation for any match.levels. Where there is a ptxas, also registers, spills and stack on
+# an H100.
 # Skipped (77) without clang-15, llvm-15 and libclc-15.
 set -euo pipefail
 kernel_program=$1 folder=$2
@@ -36,8 +37,8 @@ ptx() {
   local levels=$1 out=$2 defines
   shift 2
   read -ra defines < <(sed 's/-cl-[^ ]*//g' "options_$levels.txt")
-  clang-15 -x cl -cl-std=CL1.2 -D__OPENCL_VERSION__=120 -target nvptx64-nvidia-nvcl -Xclang -finclude-default-header -O3 \
-    -include global_id.h "$@" -emit-llvm -c "${defines[@]}" -o kernels.bc kernels.cl
+  clang-15 -x cl -cl-std=CL1.2 -D__OPENCL_VERSION__=120 -target nvptx64-nvidia-nvcl -Xclang -finclude-default-header \
+    -O3 -include global_id.h "$@" -emit-llvm -c "${defines[@]}" -o kernels.bc kernels.cl
   llvm-link-15 -suppress-warnings kernels.bc $library -o linked.bc
   opt-15 -passes='internalize,default<O3>' -internalize-public-api-list="$kernels" linked.bc -o optimised.bc
   llc-15 -mcpu=sm_70 -O3 "${contraction[@]}" optimised.bc -o "$out"
@@ -45,8 +46,9 @@ ptx() {
 
 # inexact PTX: the operations that may give other bits. Without .rn ptxas may fuse a product and a sum.
 inexact() {
-  grep -oE '\b((fma|mad)\.[a-z.]*f(32|64)|(add|sub|mul)\.f(32|64)|(div|sqrt|rcp|rsqrt|sin|cos|ex2|lg2|tanh)\.(approx|full)[a-z0-9.]*|[a-z]+\.[a-z.]*ftz[a-z0-9.]*)' \
-    "$1" | sort | uniq -c
+  local fused='(fma|mad)\.[a-z.]*f(32|64)' fusible='(add|sub|mul)\.f(32|64)' flushed='[a-z]+\.[a-z.]*ftz[a-z0-9.]*'
+  local approximate='(div|sqrt|rcp|rsqrt|sin|cos|ex2|lg2|tanh)\.(approx|full)[a-z0-9.]*'
+  grep -oE "\b($fused|$fusible|$flushed|$approximate)" "$1" | sort | uniq -c
 }
 
 contraction=()
@@ -62,7 +64,8 @@ done
 contraction=(-fp-contract=fast -nvptx-prec-divf32=0)
 ptx 5 careless.ptx -ffp-contract=fast
 found=$(inexact careless.ptx || true)
-[[ $found == *fma.rn.f32* && $found == *add.f32* && $found == *div.approx* ]] || fail "careless code looks exact: $found"
+[[ $found == *fma.rn.f32* && $found == *add.f32* && $found == *div.approx* ]] ||
+  fail "careless code looks exact: $found"
 
 ptxas=$(PATH=$PATH:/usr/local/cuda/bin command -v ptxas || true)
 [[ -n $ptxas ]] || { echo "no ptxas: not looked at"; exit; }
