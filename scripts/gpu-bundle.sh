@@ -1,23 +1,49 @@
 #!/usr/bin/env bash
-# scripts/gpu-bundle.sh FOLDER: makes FOLDER/bundle.tar.xz, the program with all that it needs besides the C library
-# (glibc 2.36 or newer) and a device's OpenCL library, for a machine on which nothing can be installed: programs,
-# libraries, Open MPI with its plug-ins, kernel tests, golden jobs, a small library with its drawings, jobs and
-# scripts/gpu-check.sh. Also FOLDER/pocl.tar.xz: PoCL with its compiler, where the machine has no OpenCL of its own.
-# Both unpack into the folder "bundle". Needs the release build with its tests (scripts/build.sh).
+# scripts/gpu-bundle.sh FOLDER [--without-pocl]: the program for machines on which nothing can be installed
+# (docs/bundle.md). FOLDER/bundle.tar.xz: programs with all that they need besides the C library and a device's OpenCL
+# library, Open MPI with its plug-ins, kernel tests, golden jobs, drawings, a job and gpu-check.sh. FOLDER/pocl.tar.xz:
+# PoCL with its compiler, for machines without OpenCL. Both unpack into the folder "bundle".
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-[[ $# -eq 1 && $1 != -* ]] || { echo "usage: scripts/gpu-bundle.sh FOLDER" >&2; exit 2; }
+usage() { sed -n '2,5s/^# //p' "scripts/${BASH_SOURCE[0]##*/}"; }
+
+with_pocl=yes
+arguments=()
+for argument; do
+  case $argument in
+    -h | --help) usage; exit 0 ;;
+    --without-pocl) with_pocl=no ;;
+    -*) echo "gpu-bundle.sh: unknown option $argument" >&2; exit 2 ;;
+    *) arguments+=("$argument") ;;
+  esac
+done
+[[ ${#arguments[@]} -eq 1 ]] || { usage >&2; exit 2; }
+
 readonly build=build/release
 readonly system=/usr/lib/x86_64-linux-gnu
-mkdir -p "$1"
-folder=$(readlink -f "$1")
+readonly kernel_tests=(test_arithmetic_probe test_kernels test_pair_search test_opencl_runtime test_device_memory
+  test_device_room test_device_speed test_opencl_devices test_opencl_matcher test_stored_matching)
+readonly drawings=/usr/share/openclipart/svg/animals
+
+check_parts() {
+  local test missing=() needed=("$build/src/cli/tessera" "$build/src/cli/tessera-drawer"
+    "$build/bench/libopencl_profile.so" "$build/tests/golden/golden_inputs")
+  for test in "${kernel_tests[@]}"; do needed+=("$build/tests/worker/$test"); done
+  for test in "${needed[@]}"; do [[ -e $test ]] || missing+=("$test"); done
+  if [[ ${#missing[@]} -gt 0 ]]; then
+    echo "gpu-bundle.sh: not built: ${missing[*]}; scripts/build.sh builds all" >&2
+    exit 1
+  fi
+  [[ -d $drawings ]] || { echo "gpu-bundle.sh: no $drawings: install openclipart-svg" >&2; exit 1; }
+}
+check_parts
+
+mkdir -p "${arguments[0]}"
+folder=$(readlink -f "${arguments[0]}")
 readonly folder
 work=$(mktemp -d "$folder/gpu-bundle.XXXXXX")
 trap 'rm -rf "$work"' EXIT
-
-readonly kernel_tests=(test_arithmetic_probe test_kernels test_pair_search test_opencl_runtime test_device_memory test_device_room
-  test_device_speed test_opencl_devices test_opencl_matcher test_stored_matching)
 
 # libraries_of FILE...: what they load, one path a line, without the parts of glibc.
 libraries_of() {
@@ -25,78 +51,125 @@ libraries_of() {
     grep -vE '/(ld-linux[^/]*|lib(c|m|dl|rt|pthread|resolv|util|nsl|mvec|anl)\.so[^/]*)$' || true  # nothing
 }
 
-# copy_libraries INTO FILE...
+# copy_libraries INTO [UNLESS_IN] -- FILE...: the libraries of each file, but for those that lie in one of the folders.
 copy_libraries() {
-  local into=$1 library
+  local into=$1 also=$1 file library
   shift
-  while read -r library; do
-    [[ -e $into/${library##*/} || -e $work/main/bundle/lib/${library##*/} ]] || cp -L "$library" "$into/"
-  done < <(libraries_of "$@")
+  [[ $1 == -- ]] || { also=$1; shift; }
+  shift
+  # One file at a time: with a stand-in in a library's place the loader does not meet what the library needs.
+  for file; do
+    while read -r library; do
+      [[ -e $into/${library##*/} || -e $also/${library##*/} ]] || cp -L "$library" "$into/"
+    done < <(LD_LIBRARY_PATH=$into libraries_of "$file")
+  done
 }
 
 # xz_archive ARCHIVE FOLDER: the folder "bundle" in it.
 xz_archive() {
-  tar -C "$2" --sort=name --owner=0 --group=0 --numeric-owner -c bundle | xz -T0 -${xz_level:-9} >"$1.new"
+  tar -C "$2" --sort=name --owner=0 --group=0 --numeric-owner -c bundle | xz -T0 -6 >"$1.new"
   mv "$1.new" "$1"
   echo "$1: $(($(stat -c %s "$1") / 1000000)) MB"
 }
 
-# stub_gdal LIB: OpenCV's imgcodecs names functions of GDAL, which brings 100 MB of libraries and reads maps, which
-# nobody here does. Functions that find nothing stand in for them; libraries that GDAL alone needs are left out.
-stub_gdal() {
-  local codecs=$system/libopencv_imgcodecs.so.406 symbols stub=$work/stub.c
-  symbols=$(comm -12 <(nm -D --undefined-only "$codecs" | awk '{ print $2 }' | sort) \
-    <(nm -D --defined-only $system/libgdal.so.32 | awk '{ print $3 }' | sort))
-  {
-    awk '{ printf "void *f%d(void) __asm__(\"%s\"); void *f%d(void) { return 0; }\n", NR, $1, NR }' <<<"$symbols"
-  } >"$stub"
-  gcc -shared -fPIC -Wl,-soname,libgdal.so.32 -o "$1/libgdal.so.32" "$stub"
-  local needed=("$to"/bin/* "$to"/tests/test_* "$to/tests/golden_inputs" "$to/$plug_ins"/*.so
-    "$to"/lib/x86_64-linux-gnu/pmix2/lib/pmix/*.so) file
-  # With the stub in GDAL's place ldd does not meet what GDAL needs.
-  for file in "${needed[@]}"; do LD_LIBRARY_PATH=$1 libraries_of "$file"; done | sort -u |
-    while read -r file; do [[ -e $1/${file##*/} ]] || cp -L "$file" "$1/"; done
+# strip_all FOLDER...
+strip_all() {
+  find "$@" -type f \( -perm -100 -o -name '*.so*' \) -exec sh -c 'strip --strip-unneeded "$1" 2>/dev/null' _ {} \;
+}
+
+# stand_in_for_gdal INTO: OpenCV's imgcodecs names functions of GDAL, which reads maps and brings 100 MB of libraries.
+# The program's own formats never reach it. These functions find nothing.
+stand_in_for_gdal() {
+  comm -12 <(nm -D --undefined-only $system/libopencv_imgcodecs.so.406 | awk '{ print $2 }' | sort) \
+    <(nm -D --defined-only $system/libgdal.so.32 | awk '{ print $3 }' | sort) |
+    awk '{ printf "void *f%d(void) __asm__(\"%s\"); void *f%d(void) { return 0; }\n", NR, $1, NR }' >"$work/gdal.c"
+  gcc -shared -fPIC -Wl,-soname,libgdal.so.32 -o "$1/libgdal.so.32" "$work/gdal.c"
+}
+
+# stand_in_for_icu_data INTO: libxml2 asks ICU for encodings that glibc's iconv does not know, and ICU's tables of them
+# take 31 MB. Without tables, in the form that ICU itself has for it ("stubdata"), it says that it knows none.
+stand_in_for_icu_data() {
+  cat >"$work/icu_data.c" <<'END'
+#include <unicode/udata.h>
+struct {
+  uint16_t header_size;
+  uint8_t magic1, magic2;
+  UDataInfo info;
+  char padding[8];
+  uint32_t count, reserved;
+  int32_t no_name_and_data[4];
+} const icudt72_dat = {32, 0xda, 0x27, {sizeof(UDataInfo), 0, 0, 0, 2, 0, {'T', 'o', 'C', 'P'}, {1, 0, 0, 0}, {0}},
+                       {0}, 0, 0, {0}};
+END
+  gcc -shared -fPIC -Wl,-soname,libicudata.so.72 -o "$1/libicudata.so.72" "$work/icu_data.c"
+}
+
+# copy_open_mpi TO: it finds its plug-ins under OPAL_PREFIX, in the folders of Debian's packages. Left out are those of
+# networks other than TCP, whose drivers a bundle cannot bring, and those of OpenSHMEM.
+copy_open_mpi() {
+  local to=$1 plug_ins=lib/x86_64-linux-gnu/openmpi/lib/openmpi3 pmix=lib/x86_64-linux-gnu/pmix2/lib/pmix
+  mkdir -p "$to/$plug_ins" "$to/$pmix" "$to/share"
+  cp -L /usr/bin/mpirun /usr/bin/orted "$to/bin/"
+  cp /usr/$plug_ins/mca_*.so "$to/$plug_ins/"
+  rm -f "$to/$plug_ins"/mca_*_{ofi,ucx,psm*,usnic,cuda,portals4,openib}.so
+  rm -f "$to/$plug_ins"/mca_{atomic,memheap,scoll,spml,sshmem}_*.so
+  cp /usr/$pmix/*.so "$to/$pmix/"
+  cp -r /usr/share/openmpi "$to/share/"
+  cp -rL $system/pmix2/share/pmix "$to/share/"
 }
 
 make_main() {
-  local to=$work/main/bundle
-  mkdir -p "$to"/{bin,lib,tests,share,jobs,out}
+  local to=$work/main/bundle test
+  mkdir -p "$to"/{bin,lib,tests/golden,jobs,out}
   cp $build/src/cli/tessera $build/src/cli/tessera-drawer "$to/bin/"
-  cp -L /usr/bin/mpirun "$to/bin/"
-  cp -L /usr/bin/orted "$to/bin/"
-  local test
+  copy_open_mpi "$to"
   for test in "${kernel_tests[@]}"; do cp "$build/tests/worker/$test" "$to/tests/"; done
-  mkdir -p "$to/tests/golden"
   cp -r tests/golden/jobs tests/golden/digests.txt tests/golden/golden_test.sh "$to/tests/golden/"
   cp -r tests/support "$to/tests/"
   cp $build/tests/golden/golden_inputs "$to/tests/"
-  # Open MPI finds its plug-ins under OPAL_PREFIX, in the folders of Debian's packages.
-  local plug_ins=lib/x86_64-linux-gnu/openmpi/lib/openmpi3
-  mkdir -p "$to/$plug_ins" "$to/lib/x86_64-linux-gnu/pmix2/lib"
-  cp /usr/$plug_ins/*.so "$to/$plug_ins/"
-  rm -f "$to/$plug_ins"/*_{ofi,ucx,psm*,usnic,cuda,portals4}.so  # of networks that one machine has not
-  cp -r $system/pmix2/lib/pmix "$to/lib/x86_64-linux-gnu/pmix2/lib/"
-  cp -r /usr/share/openmpi "$to/share/"
-  [[ ! -d /usr/share/pmix ]] || cp -r /usr/share/pmix "$to/share/"
-  stub_gdal "$to/lib"
-  # For programs and libraries alike: their libraries lie in lib.
-  find "$to/bin" "$to/tests" "$to/lib" -type f \( -perm -100 -o -name '*.so*' \) -exec strip --strip-unneeded {} + 2>/dev/null || true
-  cp -r /usr/share/openclipart/svg/animals "$to/"
+  cp $build/bench/libopencl_profile.so "$to/lib/"
+  stand_in_for_gdal "$to/lib"
+  stand_in_for_icu_data "$to/lib"
+  copy_libraries "$to/lib" -- "$to"/bin/* "$to"/tests/test_* "$to/tests/golden_inputs" \
+    "$to"/lib/x86_64-linux-gnu/openmpi/lib/openmpi3/*.so "$to"/lib/x86_64-linux-gnu/pmix2/lib/pmix/*.so
+  strip_all "$to/bin" "$to/tests" "$to/lib"
+  cp -r $drawings "$to/"
   cp jobs/animals.toml "$to/jobs/"
-  cp scripts/gpu-check.sh scripts/gpu-env.sh "$to/"
-  git rev-parse HEAD >"$to/commit.txt"
+  cp LICENSE "$to/"
+  cp docs/bundle.md "$to/README.md"
+  cp scripts/gpu-check.sh "$to/"
+  cp scripts/bundle-env.sh "$to/env.sh"
+  git rev-parse HEAD >"$to/commit.txt" 2>/dev/null || echo unknown >"$to/commit.txt"
   xz_archive "$folder/bundle.tar.xz" "$work/main"
 }
 
+# PoCL looks for ../../share/pocl from its own folder, and calls `ld` by PATH with the usual folders. On a machine
+# without a compiler the wrapper gives ld the files to link against, the C library's shared parts being the machine's.
 make_pocl() {
-  local to=$work/pocl/bundle/pocl
-  mkdir -p "$to"/{lib,share,vendors,bin}
-  cp -L $system/libpocl.so.2 "$to/lib/"
-  cp -r $system/pocl "$to/lib/"
-  copy_libraries "$to/lib" $system/libpocl.so.2 $system/pocl/*.so
-  cp -r /usr/share/pocl "$to/share/"
+  local to=$work/pocl/bundle/pocl lib
+  lib=$to/lib/x86_64-linux-gnu
+  mkdir -p "$to"/{bin,share/pocl,link} "$lib"
+  cp -L $system/libpocl.so.2 "$lib/"
+  cp -r $system/pocl "$lib/"
+  cp -L /usr/bin/x86_64-linux-gnu-ld.bfd "$to/bin/ld.bfd"
+  copy_libraries "$lib" "$work/main/bundle/lib" -- $system/libpocl.so.2 $system/pocl/*.so "$to/bin/ld.bfd"
+  cp -r /usr/share/pocl/include "$to/share/pocl/"
+  cp /usr/share/pocl/kernel-x86_64-pc-linux-gnu-avx{2,512}.bc "$to/share/pocl/"  # of any server's CPU since 2013
+  cp "$(gcc -print-libgcc-file-name)" $system/libc_nonshared.a "$to/link/"
+  strip --strip-debug "$to/link/libgcc.a"
+  echo 'GROUP ( libgcc_s.so.1 -lgcc )' >"$to/link/libgcc_s.so"
+  echo 'GROUP ( libm.so.6 AS_NEEDED ( libmvec.so.1 ) )' >"$to/link/libm.so"
+  echo 'GROUP ( libc.so.6 libc_nonshared.a AS_NEEDED ( ld-linux-x86-64.so.2 ) )' >"$to/link/libc.so"
+  cat >"$to/bin/ld" <<'END'
+#!/bin/sh
+# For PoCL: ld, where the machine has no folder of a compiler to link against.
+pocl=$(dirname "$(dirname "$(readlink -f "$0")")")
+exec "$pocl/bin/ld.bfd" -L"$pocl/link" "$@" -L"$pocl/../lib" -L/lib64 -L/usr/lib64
+END
+  chmod +x "$to/bin/ld"
+  strip_all "$to/bin" "$lib"
   xz_archive "$folder/pocl.tar.xz" "$work/pocl"
 }
 
 make_main
-[[ -n ${no_pocl-} ]] || make_pocl
+[[ $with_pocl == no ]] || make_pocl

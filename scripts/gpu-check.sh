@@ -1,124 +1,232 @@
 #!/usr/bin/env bash
-# gpu-check.sh OUT [--minutes M] [--only NAME,...]: what a bundle's programs do on this machine's OpenCL devices: that
-# the bits are the reference's, and how fast they are. It stands in the folder of a bundle (scripts/gpu-bundle.sh). The
-# most telling checks come first, each with a limit of its own; a table of all comes last, and OUT/results.tar.gz has
-# the whole output. Exit code: 0 all passed, 3 some failed.
+# gpu-check.sh BUNDLE OUT [--minutes M] [--only NAME,...]: what the programs of a bundle (docs/bundle.md) do on this
+# machine's OpenCL devices: whether the bits are the reference's, and how fast they are. BUNDLE: the unpacked folder, or
+# bundle.tar.xz. The most telling checks come first, each with a limit of its own, all within M minutes (default 5).
+# A table comes last; OUT gets gpu-check.log and results.tar.gz.
+# Exit code: 0 all passed, 1 no OpenCL device, 2 wrong arguments, 3 some failed or were not begun in time.
 set -uo pipefail
 
+# NAME and seconds, of a run of five minutes or less; in a longer one each check may take longer, too. The order is that
+# of what a first run should tell.
+readonly plan=(
+  "facts 30" "devices 120" "test_arithmetic_probe 120" "test_kernels 180" "test_pair_search 90"
+  "test_opencl_runtime 60" "test_device_memory 60" "library 60" "golden 150" "pairs 60" "headline 60" "demo 120"
+  "library_10000 90" "two_ranks 120"
+  "profile 60" "library_100000 150" "test_stored_matching 90" "test_device_room 60" "test_device_speed 60"
+  "test_opencl_devices 60" "test_opencl_matcher 300" "table2 180")
+
+# Lines of a check's log that the table shows: how many at most, and a pattern.
+declare -rA shown=(
+  [devices]='6 ^platform|: (gpu|cpu|accelerator) "'
+  [pairs]='2 ^device,'
+  [headline]='3 ^(time, ms|of it counting|docking and refining)'
+  [demo]='5 ^ *(coverage|pieces  |total time|of it improving|drawing time)'
+  [library_10000]='1 ^ *10000 '
+  [library_100000]='1 ^ *100000 '
+  [profile]='15 ^(\(|[a-z_]+ ).* [0-9.]+ +[0-9.]+$'
+  [table2]='3 ^(Fig|paper|here|seconds)'
+)
+readonly most_lines=60
+
 usage() {
-  echo "usage: gpu-check.sh OUT [--minutes M] [--only NAME,...]" >&2
+  sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}"
+  echo "Checks: ${plan[*]% *} (facts, devices: always)"
+}
+
+# wrong WORDS: the arguments are.
+wrong() {
+  echo "gpu-check.sh: $1" >&2
+  usage >&2
   exit 2
 }
-out= minutes=5 only=
-while [[ $# -gt 0 ]]; do
-  case $1 in
-    --minutes) minutes=${2:?--minutes needs a number}; shift 2 ;;
-    --only) only=,${2:?--only needs names},; shift 2 ;;
-    -*) usage ;;
-    *) [[ -z $out ]] || usage; out=$1; shift ;;
-  esac
-done
-[[ -n $out ]] || usage
-mkdir -p "$out"
-out=$(readlink -f "$out")
-# shellcheck source=scripts/gpu-env.sh
-source "$(dirname "${BASH_SOURCE[0]}")/gpu-env.sh"
-work=$(mktemp -d)
-logs=$work/logs
-mkdir -p "$logs"
-cd "$work" || exit 1
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 RC_PARAMS=seed=2016
-[[ $minutes =~ ^[0-9]+$ ]] || usage
-ends=$((SECONDS + minutes * 60))
-table=() failed=0
 
-# check NAME LIMIT_S COMMAND...: runs it, its output to a log; a line of the table.
+read_arguments() {
+  local places=() name
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      -h | --help) usage; exit 0 ;;
+      --minutes)
+        [[ ${2-} =~ ^[1-9][0-9]{0,3}$ ]] || wrong "--minutes takes whole minutes, not '${2-}'"
+        minutes=$2
+        shift 2
+        ;;
+      --only) [[ -n ${2-} ]] || wrong "--only takes names"; only=$2; shift 2 ;;
+      -*) wrong "unknown option $1" ;;
+      *) places+=("$1"); shift ;;
+    esac
+  done
+  [[ ${#places[@]} -eq 2 ]] || wrong "it takes a bundle and a folder"
+  for name in ${only//,/ }; do
+    [[ " ${plan[*]% *} " == *" $name "* ]] || wrong "there is no check '$name'"
+  done
+  bundle=${places[0]} out=${places[1]}
+}
+
+# open_bundle: unpacks it where it is an archive, and enters its surroundings.
+open_bundle() {
+  if [[ -f $bundle ]]; then
+    tar -C "$work" -xf "$bundle" || { echo "gpu-check.sh: cannot unpack $bundle" >&2; exit 2; }
+    bundle=$work/bundle
+  fi
+  [[ -e $bundle/env.sh ]] || wrong "$bundle is no bundle: it has no env.sh"
+  # shellcheck source=scripts/bundle-env.sh
+  source "$bundle/env.sh"
+}
+
+# check NAME LIMIT_S: runs run_NAME, its output to a log of its own; a line of the table, and what of the log is shown.
 check() {
-  local name=$1 limit=$2 started result left
-  shift 2
-  [[ -z $only || $only == *,$name,* ]] || return 0
-  left=$((ends - SECONDS))
+  local name=$1 limit=$2 left=$((ends - SECONDS)) started=$EPOCHREALTIME result took said
   if ((left < 3)); then
-    table+=("$(printf '%-24s %7s  not begun: the minutes are over' "$name" -)")
-    return 0
+    add_row "$name" - "not begun: the minutes are over"
+    failed=3
+    return
   fi
   ((limit < left)) || limit=$left
   echo "== $name"
-  started=$EPOCHREALTIME
-  timeout -k 5 "$limit" "$@" >"$logs/$name.log" 2>&1 </dev/null
+  timeout -k 5 "$limit" bash -c "set -eo pipefail; run_$name" >"$results/logs/$name.log" 2>&1 </dev/null &
+  running=$!
+  wait $running
   result=$?
-  local took
+  running=
   took=$(awk -v a="$started" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f s", b - a }')
-  tail -n 3 "$logs/$name.log"
+  { echo "== $name: $took, exit code $result"; cat "$results/logs/$name.log"; echo; } >>"$out/gpu-check.log"
   case $result in
-    0) table+=("$(printf '%-24s %7s  passed' "$name" "$took")") ;;
-    124 | 137) table+=("$(printf '%-24s %7s  FAILED: longer than its %s s' "$name" "$took" "$limit")"); failed=3 ;;
-    *) table+=("$(printf '%-24s %7s  FAILED (%s): %s' "$name" "$took" "$result" \
-      "$(grep -m 1 -E 'FAILED|error|rror:|differ' "$logs/$name.log" | cut -c 1-150)")"); failed=3 ;;
+    0) said=passed ;;
+    124 | 137) said="FAILED: stopped after $limit s" ;;
+    *) said="FAILED ($result): $(grep -m 1 -E 'FAILED|rror|differ|no OpenCL|NOT ' "$results/logs/$name.log" |
+      cut -c 1-150)" ;;
   esac
+  [[ $said == passed ]] || failed=3
+  add_row "$name" "$took" "$said"
+  add_shown "$name"
+  tail -n 2 "$results/logs/$name.log"
 }
 
-# figures NAME PATTERN: lines of a check's log that belong into the table.
-figures() {
-  [[ -e $logs/$1.log ]] || return 0
-  local line
-  while IFS= read -r line; do table+=("    $line"); done < <(grep -E "$2" "$logs/$1.log" | head -n "${3:-12}")
+add_row() { table+=("$(printf '%-24s %9s  %s' "$@")"); }
+
+add_shown() {
+  local most pattern line
+  [[ -n ${shown[$1]-} ]] || return 0
+  read -r most pattern <<<"${shown[$1]}"
+  while IFS= read -r line; do
+    table+=("    $line")
+  done < <(grep -E "$pattern" "$results/logs/$1.log" | head -n "$most")
 }
 
-facts() {
-  nvidia-smi 2>&1
-  ldconfig -p | grep -i -E 'opencl|libcuda|nvvm|ptxjit'
-  echo "OpenCL libraries of drivers:"; vendor_opencl
-  ls -l /usr/local/nvidia /usr/local/nvidia/lib* /etc/OpenCL/vendors 2>&1 | head -n 120
-  env | grep -E 'CUDA|NVIDIA|LD_LIB|OCL' ; ldd --version | head -n 1; nproc; free -g
-  true
+# finish: the table, and the files in OUT.
+finish() {
+  [[ -z $running ]] || kill "$running" 2>/dev/null
+  {
+    echo "Checks on $(uname -n), bundle of commit $(cat "$bundle/commit.txt" 2>/dev/null):"
+    printf '%s\n' "${table[@]}"
+  } | head -n $most_lines >"$results/table.txt"
+  tar -C "$work" -czf "$out/results.tar.gz" results
+  echo
+  tee -a "$out/gpu-check.log" <"$results/table.txt"
+  cd / && rm -rf "$work"
 }
 
-main_job() { # NAME COMMAND...: the demo's job, and its picture
+run_facts() {
+  nvidia-smi 2>&1 || true
+  echo "OpenCL libraries of drivers:"
+  vendor_opencl || true
+  echo "Files in /etc/OpenCL/vendors:"
+  grep . /etc/OpenCL/vendors/*.icd 2>&1 || true
+  PATH=$PATH:/sbin:/usr/sbin ldconfig -p 2>/dev/null | grep -iE 'opencl|libcuda|nvvm|ptxjit' || true
+  env | grep -E 'CUDA|NVIDIA|LD_LIB|OCL|OPAL|PMIX' || true
+  ldd --version | sed -n 1p
+  nproc
+  grep -m 1 'model name' /proc/cpuinfo || true
+  grep -E 'MemTotal|MemAvailable' /proc/meminfo
+}
+
+run_devices() {
+  tessera devices | tee devices.txt
+  ! grep -E 'NOT USABLE|NOT AVAILABLE' devices.txt
+}
+
+run_test_arithmetic_probe() { "$bundle/tests/test_arithmetic_probe"; }
+run_test_kernels() { "$bundle/tests/test_kernels"; }
+run_test_pair_search() { "$bundle/tests/test_pair_search"; }
+run_test_opencl_runtime() { "$bundle/tests/test_opencl_runtime"; }
+run_test_device_memory() { "$bundle/tests/test_device_memory"; }
+run_test_stored_matching() { "$bundle/tests/test_stored_matching"; }
+run_test_device_room() { "$bundle/tests/test_device_room"; }
+run_test_device_speed() { "$bundle/tests/test_device_speed"; }
+run_test_opencl_devices() { "$bundle/tests/test_opencl_devices" --gtest_filter='-NoPlatform.*'; }
+run_test_opencl_matcher() { "$bundle/tests/test_opencl_matcher"; }
+run_golden() { "$bundle/tests/golden/golden_test.sh" tessera "$bundle/tests/golden_inputs" "$work/golden"; }
+run_library() { tessera library build "$bundle/animals" -o animals.h5; }
+need_library() { [[ -e animals.h5 ]] || run_library; }
+run_pairs() { tessera bench pairs --out "$results/pairs.json"; }
+run_headline() { tessera bench headline --out "$results/headline.json"; }
+
+# main_job NAME COMMAND...: the job of the demo, its card and its picture.
+main_job() {
   local name=$1
   shift
-  "$@" tessera collage "$bundle/jobs/animals.toml" --set library.file="$work/animals.h5" --out "$work/$name" --quiet &&
-    cat "$work/$name/card.txt" && sha256sum "$work/$name/pieces.geojson" && cp "$work/$name/collage.png" "$out/$name.png"
+  need_library
+  "$@" tessera collage "$bundle/jobs/animals.toml" --set library.file="$work/animals.h5" --out "$work/$name" --quiet
+  cat "$name/card.txt"
+  cp "$name/pieces.geojson" "$results/$name.geojson"
+  cp "$name/collage.png" "$results/$name.png"
 }
-export -f facts main_job vendor_opencl
-export work bundle out
+run_demo() { main_job demo; }
 
-check facts 30 bash -c facts
-check devices 120 tessera devices
-figures devices 'platform|gpu|cpu|accelerator|NOT' 8
-if [[ ! -s $logs/devices.log ]] || grep -q 'no OpenCL platform' "$logs/devices.log"; then
-  echo "gpu-check: no OpenCL device on this machine; the bundle's PoCL: BUNDLE_POCL=1 $0 ..."
-fi
-check test_arithmetic_probe 120 "$bundle/tests/test_arithmetic_probe"
-check test_kernels 180 "$bundle/tests/test_kernels"
-check test_opencl_runtime 60 "$bundle/tests/test_opencl_runtime" --gtest_filter='-Faulty*'
-check test_device_memory 60 "$bundle/tests/test_device_memory"
-check test_pair_search 90 "$bundle/tests/test_pair_search"
-check library 60 tessera library build "$bundle/animals" -o "$work/animals.h5"
-check golden 120 "$bundle/tests/golden/golden_test.sh" tessera "$bundle/tests/golden_inputs" "$work/golden"
-check pairs 60 tessera bench pairs --out "$out/pairs.json"
-figures pairs '.' 16
-check headline 60 tessera bench headline --out "$out/headline.json"
-figures headline '.' 16
-check demo 90 bash -c 'main_job demo'
-figures demo 'coverage|overlap|Coverage|pieces|time|seconds|[0-9a-f]{64}' 14
-check library_10000 60 tessera bench library --library "$work/animals.h5" --sizes 10000 --out "$out/library_10000.json"
-figures library_10000 '.' 10
-check two_ranks 90 bash -c 'main_job two_ranks mpirun -n 3 --oversubscribe --bind-to none'
-figures two_ranks '[0-9a-f]{64}'
-check library_100000 90 tessera bench library --library "$work/animals.h5" --sizes 100000 --out "$out/library_100000.json"
-figures library_100000 '.' 10
-check test_opencl_matcher 120 "$bundle/tests/test_opencl_matcher"
-check test_stored_matching 60 "$bundle/tests/test_stored_matching"
-check test_device_room 60 "$bundle/tests/test_device_room"
-check test_device_speed 60 "$bundle/tests/test_device_speed"
-check test_opencl_devices 60 "$bundle/tests/test_opencl_devices" --gtest_filter='-NoPlatform.*'
-check table2 120 tessera bench table2 --library "$work/animals.h5" --out "$out/table2.json"
-figures table2 '.' 20
+# Two workers on one card.
+run_two_ranks() {
+  main_job two_ranks mpirun -n 3 --oversubscribe --bind-to none
+  [[ ! -e demo/pieces.geojson ]] || cmp demo/pieces.geojson two_ranks/pieces.geojson
+}
 
-tar -C "$work" -czf "$out/results.tar.gz" logs
-echo
-echo "Checks on $(hostname), bundle of commit $(cat "$bundle/commit.txt" 2>/dev/null):"
-printf '%s\n' "${table[@]}" | tee "$out/table.txt"
-rm -rf "$work" "$vendors"
+# Rounds alone: kernels, copies, waits.
+run_profile() {
+  need_library
+  LD_PRELOAD=$bundle/lib/libopencl_profile.so tessera collage "$bundle/jobs/animals.toml" \
+    --set library.file="$work/animals.h5" --set improve.trials=0 --out "$work/profile" --quiet
+}
+
+large_library() {
+  need_library
+  tessera bench library --library "$work/animals.h5" --sizes "$1" --out "$results/library_$1.json"
+}
+run_library_10000() { large_library 10000; }
+run_library_100000() { large_library 100000; }
+
+run_table2() {
+  need_library
+  tessera bench table2 --library "$work/animals.h5" --out "$results/table2.json"
+}
+
+minutes=5 only='' bundle='' out='' running='' failed=0 table=()
+read_arguments "$@"
+mkdir -p "$out" || exit 2
+out=$(readlink -f "$out")
+[[ ! -e $bundle ]] || bundle=$(readlink -f "$bundle")
+work=$(mktemp -d)
+results=$work/results
+mkdir -p "$results/logs"
+ends=$((SECONDS + minutes * 60))
+trap 'rm -rf "$work"' EXIT
+open_bundle
+trap finish EXIT
+trap 'exit 3' INT TERM
+: >"$out/gpu-check.log"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 RC_PARAMS=seed=2016
+export work bundle results
+# shellcheck disable=SC2046
+export -f $(declare -F | awk '$3 ~ /^run_|^main_job$|^large_library$|^need_library$|^vendor_opencl$/ { print $3 }')
+cd "$work" || exit 1
+
+for line in "${plan[@]}"; do
+  read -r name limit <<<"$line"
+  if [[ -n $only && $name != facts && $name != devices && ,$only, != *,$name,* ]]; then continue; fi
+  ((minutes <= 5)) || limit=$((limit * minutes / 5))
+  check "$name" "$limit"
+  said=$results/logs/devices.log
+  if [[ $name == devices && -e $said ]] && ! grep -qE ': (gpu|cpu|accelerator) "' "$said"; then
+    table+=("There is no OpenCL device on this machine. With pocl.tar.xz unpacked, too, its CPU is one.")
+    exit 1
+  fi
+done
 exit $failed

@@ -6,6 +6,7 @@
 #include "core/base/count_text.h"
 #include "core/base/kept_memory.h"
 #include "worker/arithmetic_probe.h"
+#include "worker/driver_faults.h"
 #include "worker/opencl_devices.h"
 
 namespace tessera::worker {
@@ -57,6 +58,12 @@ std::string use_text(std::size_t devices) {
          "devices.per_worker = N gives each worker of a node N of its own.\n";
 }
 
+std::string faults_text() {
+  std::string text;
+  for (const std::string& fault : driver_list_faults()) text += "\nNot found: " + fault + ".\n";
+  return text;
+}
+
 }  // namespace
 
 std::string device_list() {
@@ -69,7 +76,7 @@ std::string device_list() {
     text += device_line(i, devices[i]);
     latest = platform;
   }
-  return text + use_text(devices.size()) + kept_memory_text(devices);
+  return text + use_text(devices.size()) + kept_memory_text(devices) + faults_text();
 }
 
 }  // namespace tessera::worker

@@ -8,6 +8,7 @@
 #include "core/base/count_text.h"
 #include "core/base/process_limits.h"
 #include "core/base/split_text.h"
+#include "worker/driver_faults.h"
 #include "worker/opencl_runtime.h"
 
 namespace tessera::worker {
@@ -52,9 +53,11 @@ std::vector<cl::Platform> platforms() {
 /// A folder that PoCL's cache must not be written to leaves PoCL without devices, and it does not say so.
 std::string why_no_devices(const std::vector<cl::Platform>& found) {
   if (found.empty()) {
+    std::string faults;
+    for (const std::string& fault : driver_list_faults()) faults += "; " + fault;
     return "no OpenCL platform is installed (Debian: package pocl-opencl-icd for CPUs; OCL_ICD_VENDORS, where it is "
            "set, names the folder of the list)" +
-           process_limits();
+           faults + process_limits();
   }
   std::string names;
   for (const cl::Platform& platform : found) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/base/process_limits.h"
+#include "worker/driver_faults.h"
 
 namespace tessera::worker {
 namespace {
@@ -64,8 +65,8 @@ DeviceSession::DeviceSession(const cl::Device& device, const std::string& source
       program_.build(build_options.c_str());
     } catch (const cl::BuildError& error) {
       const std::string log = program_.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device_);
-      throw EnvironmentError("OpenCL device \"" + name_ + "\" cannot compile the kernels: " + one_line(log) +
-                             process_limits());
+      throw EnvironmentError("OpenCL device \"" + name_ + "\" cannot compile the kernels: " +
+                             one_line(compiler_fault(log, error.err())) + process_limits());
     }
   });
 }

@@ -25,6 +25,10 @@ rm -rf "$folder/job"
 mkdir "$folder/job"
 "$golden_inputs" "$folder/job"
 cp "$golden/jobs/plain.toml" "$folder/job/"
-"$tessera" collage "$folder/job/plain.toml" --out "$folder/job/plain" --quiet 2>&1 | grep -v 'drawn as silhouettes' || true
+"$tessera" collage "$folder/job/plain.toml" --out "$folder/job/plain" --quiet 2>&1 |
+  grep -v 'drawn as silhouettes' || true
 digest=$(sha256sum <"$folder/job/plain/pieces.geojson")
-grep -q "^plain .* ${digest%% *}\$" "$golden/digests.txt" || { echo "FAILED the golden job plain: ${digest%% *}"; exit 1; }
+if ! grep -q "^plain .* ${digest%% *}\$" "$golden/digests.txt"; then
+  echo "FAILED the golden job plain: ${digest%% *}"
+  exit 1
+fi

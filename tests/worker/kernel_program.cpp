@@ -1,0 +1,17 @@
+// kernel_program FOLDER: writes the source of the kernels and the options of devices whose work items are lanes, as the
+// program itself compiles them: kernels.cl, and options_N.txt for each match.levels N.
+#include <fstream>
+
+#include "core/tuning.h"
+#include "worker/kernel_options.h"
+
+int main(int count, char** arguments) {
+  using namespace tessera;
+  if (count != 2) return 2;
+  const std::string folder = arguments[1];
+  std::ofstream(folder + "/kernels.cl") << worker::kernel_source;
+  for (int levels = 2; levels <= kMaxPadLevels; ++levels) {
+    std::ofstream(folder + "/options_" + std::to_string(levels) + ".txt")
+        << worker::kernel_options(levels, worker::DockingLanes::items) << "\n";
+  }
+}
