@@ -13,6 +13,8 @@ export OMPI_MCA_btl_vader_single_copy_mechanism=none
 # Without ssh mpirun refuses to start even ranks of this machine alone, unless it is told that there are no others.
 command -v ssh rsh >/dev/null || export OMPI_MCA_plm=isolated
 
+[[ -e /etc/fonts/fonts.conf ]] || export FONTCONFIG_FILE=${FONTCONFIG_FILE:-$bundle/share/fonts/fonts.conf}
+
 # vendor_opencl: the OpenCL libraries of drivers on this machine, one path a line.
 vendor_opencl() {
   {

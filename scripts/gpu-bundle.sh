@@ -118,11 +118,27 @@ copy_open_mpi() {
   cp -rL $system/pmix2/share/pmix "$to/share/"
 }
 
+# copy_fonts TO: one font, for machines that have none: there the silhouettes of drawings with text differed from one
+# run to the next.
+copy_fonts() {
+  mkdir -p "$1/share/fonts"
+  cp /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$1/share/fonts/"
+  cat >"$1/share/fonts/fonts.conf" <<'END'
+<?xml version="1.0"?>
+<!DOCTYPE fontconfig SYSTEM "fonts.dtd">
+<fontconfig>
+  <dir prefix="relative">.</dir>
+  <cachedir prefix="xdg">fontconfig</cachedir>
+</fontconfig>
+END
+}
+
 make_main() {
   local to=$work/main/bundle test
   mkdir -p "$to"/{bin,lib,tests/golden,jobs,out}
   cp $build/src/cli/tessera $build/src/cli/tessera-drawer "$to/bin/"
   copy_open_mpi "$to"
+  copy_fonts "$to"
   for test in "${kernel_tests[@]}"; do cp "$build/tests/worker/$test" "$to/tests/"; done
   cp -r tests/golden/jobs tests/golden/digests.txt tests/golden/golden_test.sh "$to/tests/golden/"
   cp -r tests/support "$to/tests/"
