@@ -1,4 +1,5 @@
-// What the device makes of single operations, so that the host can compare the bits (src/worker/arithmetic_probe.h).
+// This kernel computes single operations, and gives the bits of their results, which the host compares with those that
+// IEEE 754 demands (src/worker/arithmetic_probe.h).
 // It stands in the program of the other kernels: what the device's compiler does to them, it does to this one.
 
 kernel void probe_arithmetic(uint count, global const ProbeRecord* probes, global uint* results) {

@@ -7,11 +7,12 @@
 
 enum { kMostBlocksAtATime = 256 };  // of a work group
 
-// Those of a work group that look at a block each: items, or 16 of them together.
+// How many blocks a work group looks at side by side: one for each work item, or for each 16 that look together. Whoever
+// looks at a block is called a searcher.
 uint searchers(void) { return (uint)get_local_size(0) / kItemsOfBlock; }
 
-// Of `count` blocks: as many as give each work group four portions, so that all are at work; one for each of its
-// searchers at least.
+// How many of `count` blocks make a portion: each work group gets four portions, so that all are at work, of one block
+// for each of its searchers at least.
 uint blocks_at_a_time(uint count) {
   const uint items = searchers();
   const uint of_an_item = count / (4 * (uint)get_num_groups(0) * items);
@@ -35,7 +36,7 @@ Target load_target(global const SampleRecord* sample) {
   return target;
 }
 
-// Which of the PADs of a block may be near.
+// Finds which of the PADs of a block may be near to the sample, by their bytes alone.
 INLINE Met filter_block(global const uchar* rows, const Bounds* bounds) {
 #if kLanesAreItems
   const uint scales = row_part(rows, kPadElements);

@@ -139,7 +139,7 @@ Card card_of_pieces(const CardArguments& given) {
   return card;
 }
 
-/// Of a picture that shows another one.
+/// Makes the card of a mosaic that is a picture alone, beside the picture that it shows.
 Card card_of_picture(const CardArguments& arguments) {
   if (!arguments.sizes_px.empty()) throw InputError("--sizes: found beside --image, allowed: with pieces as polygons");
   if (!arguments.size_px.empty() && arguments.canvas.empty()) {
@@ -155,7 +155,7 @@ Card card_of_picture(const CardArguments& arguments) {
   return card;
 }
 
-/// What goes with another kind of RESULT alone.
+/// Refuses options that go with another kind of RESULT alone: a folder, polygons or a picture.
 void check_kind(const CardArguments& arguments) {
   const bool picture = !is_folder(arguments) && !arguments.image.empty();
   if (arguments.shown_pieces > 0 && !picture) {

@@ -1,5 +1,4 @@
-// What it costs that pieces have other colours than what they cover, so that improving does not buy coverage with
-// colours.
+// The cost of wrong colours: improving adds it to what is free, so that it does not buy coverage with colours.
 #pragma once
 
 #include <array>

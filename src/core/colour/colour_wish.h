@@ -16,7 +16,7 @@ struct ShapeColour {
 
 struct ColourWish {
   std::shared_ptr<const ColourTarget> target;
-  /// Of each shape of the whole library; null where nothing is wished.
+  /// The colours of each shape of the whole library, by its number; null where nothing is wished.
   std::shared_ptr<const std::vector<ShapeColour>> of_shapes;
   float weight = 1;
   float neighbours = 0;  // a weight: above 0 neighbours are of like colours, below 0 of unlike ones

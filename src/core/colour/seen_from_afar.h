@@ -18,7 +18,7 @@ struct PicturePair {
   Grid<float> weight;  // how much a cell counts, 0..1: 0 outside the canvas and where the picture is transparent
 };
 
-/// What is seen where both are so many pixels large.
+/// How far mosaic and picture are apart once both are reduced to so many pixels.
 struct AfarFigures {
   int width_px = 0;
   int height_px = 0;

@@ -37,7 +37,7 @@ struct AlphaRegions {
   const AlphaRegion& at(int y, int x) const { return regions[std::size_t(label.at<int>(y, x))]; }
 };
 
-/// What makes pixels of an alpha channel one region. Values of alpha are 0 to 255.
+/// The rules by which pixels of an alpha channel make one region. Values of alpha are 0 to 255.
 struct RegionRules {
   int clear_alpha;         // below, a pixel is clear, and belongs to no region
   double least_step;       // the range of alpha within 1 px of an edge is this at least

@@ -8,7 +8,7 @@
 
 namespace tessera::io {
 
-/// What a drawing knows of it.
+/// What was measured from afar when a collage was drawn, or why nothing was.
 struct AfarNote {
   std::optional<SeenFromAfar> seen;
   std::string not_measured;  // why there are no figures
