@@ -70,6 +70,10 @@ std::string build_summary(const io::LibraryBuildReport& report) {
             std::to_string(report.trimmed.size()) + ": " + first_names(report.trimmed) +
             "\n  join them to have them; where a soft shadow joins them, --edge-opacity 0.05 has them\n";
   }
+  if (!report.textless.empty()) {
+    text += "text is not drawn, as fontconfig finds no font here, in " + std::to_string(report.textless.size()) + ": " +
+            first_names(report.textless) + "\n  install a font to have it: fonts-dejavu-core\n";
+  }
   if (!report.faint.empty()) {
     text += "parts that are too faint (an opacity below 0.08) or too thin are not in the silhouettes of " +
             std::to_string(report.faint.size()) + ": " + first_names(report.faint) + "\n";

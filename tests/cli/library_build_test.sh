@@ -73,3 +73,28 @@ grep -q 'fill-holes' output && fail "--fill-holes is advised where it was given"
 grep -q '3 files: 3 shapes$' output || fail "--fill-holes leaves something out"
 "$tessera" library build --help | grep -q -e '--fill-holes' || fail "no help"
 echo "ok what is enclosed"
+
+# Without any font librsvg draws other text each time; the text is left out then, and told.
+mkdir fonts words
+cat >fonts.conf <<END
+<!DOCTYPE fontconfig SYSTEM "fonts.dtd">
+<fontconfig><dir>$PWD/fonts</dir><cachedir>$PWD/fonts</cachedir></fontconfig>
+END
+bar='<circle cx="50" cy="50" r="40" fill="red"/><path d="M50 54h200v8H50z"/>'
+words=''
+for size in 20 40 60; do
+  words+="<text x='60' y='70' font-size='$size' font-family='Arial' font-weight='bold' style='display:inline'>H a 5 %</text>"
+done
+page() { echo "<svg xmlns='http://www.w3.org/2000/svg' width='300' height='100'>$1</svg>"; }
+page "$bar$words" >words/both.svg
+page "$words" >words/only.svg
+for library in first second; do
+  FONTCONFIG_FILE=$PWD/fonts.conf run 0 library build words -o $library.h5
+  grep -q '^text is not drawn, as fontconfig finds no font here, in 1: both.svg' output || fail "lost text is not told"
+  grep -q $'^skipped\t.*only.svg\tits text cannot be drawn' $library.left_out.txt || fail "another reason for text alone"
+done
+cmp first.h5 second.h5 || fail "another library each time"
+run 0 library build words -o with_font.h5
+grep -q 'no font' output && fail "lost text where there are fonts"
+cmp -s first.h5 with_font.h5 && fail "text is not drawn where there are fonts"
+echo "ok no font"

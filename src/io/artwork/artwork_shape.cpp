@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "core/base/error.h"
 #include "core/geometry/extent.h"
 #include "core/shape/shape_builder.h"
 #include "io/artwork/sha256.h"
@@ -78,6 +79,7 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
   Silhouette silhouette = make_silhouette(bytes, path, settings.rules.edge_opacity);
   const Traced traced = traced_outline(silhouette, settings.rules);
   if (const auto* reason = std::get_if<SkipReason>(&traced.outline)) {
+    if (silhouette.loses_text) throw InputError(path + ": its text cannot be drawn, as fontconfig finds no font here");
     return is_hollow(silhouette, settings.rules) ? SkipReason::hollow : true_reason(*reason, traced.loses_parts);
   }
 
@@ -97,6 +99,7 @@ std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::u
                       .other_components = outline.other_components + traced.loose_parts,
                       .other_area_fraction = outline.other_area_fraction,
                       .loses_parts = traced.loses_parts,
+                      .loses_text = silhouette.loses_text,
                       .hollowness = outline.hollowness,
                       .style = silhouette.style};
 }

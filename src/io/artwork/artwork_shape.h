@@ -18,6 +18,7 @@ struct ArtworkShape {
   int other_components = 0;       // parts that touch it nowhere, translucent ones too
   float other_area_fraction = 0;  // see TracedOutline
   bool loses_parts = false;       // see SolidCoverage
+  bool loses_text = false;        // not drawn, as this machine has no font
   float hollowness = 1;           // see TracedOutline
   StyleFeatures style = {};       // what the drawing looks like
 };
@@ -28,7 +29,8 @@ struct TracingSettings {
 };
 
 /// `bytes` is the content of the file `path` (read_artwork_file). Two files with the same silhouette give equal
-/// Shape::outline. Throws InputError where it is no artwork; a drawing that is of no use gives the reason.
+/// Shape::outline. Throws InputError where it is no artwork, or nothing but
+/// text that this machine has no font for; a drawing that is of no use gives the reason.
 std::variant<ArtworkShape, SkipReason> shape_from_artwork(std::span<const std::uint8_t> bytes, const std::string& path,
                                                           const TracingSettings& settings);
 

@@ -177,6 +177,7 @@ Silhouette make_silhouette(std::span<const std::uint8_t> bytes, const std::strin
   if (!judgement.body.empty()) silhouette.body = grid_of(judgement.body);
   silhouette.loose_parts = judgement.loose_parts;
   silhouette.loses_parts = judgement.loses_parts;
+  silhouette.loses_text = page->loses_text();
   silhouette.drawn_px =
       float(std::max(page->natural_size().width, page->natural_size().height) / drawing.longest_side_px);
   silhouette.colour = colour_of(thumbnail);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "core/base/error.h"
+#include "io/artwork/fonts.h"
 
 namespace tessera::io {
 namespace {
@@ -19,6 +21,11 @@ constexpr double kPixelsPerInch = 96;
   g_clear_error(&error);
   std::replace(message.begin(), message.end(), '\n', ' ');
   throw InputError(message);
+}
+
+void hide_text(RsvgHandle* handle) {
+  constexpr std::string_view kStyle = "text{display:none!important}";
+  rsvg_handle_set_stylesheet(handle, reinterpret_cast<const guint8*>(kStyle.data()), kStyle.size(), nullptr);
 }
 
 /// From width and height, else from the viewBox.
@@ -51,6 +58,8 @@ SvgDocument::SvgDocument(std::span<const std::uint8_t> svg, const std::string& p
   handle_.reset(rsvg_handle_new_from_stream_sync(stream.get(), nullptr, flags, nullptr, &error));
   if (!handle_) throw_input_error(path, "not a readable SVG file", error);
   rsvg_handle_set_dpi(handle_.get(), kPixelsPerInch);
+  loses_text_ = tessera::io::loses_text(svg);
+  if (loses_text_) hide_text(handle_.get());
   const std::optional<cv::Size2d> size = size_of_page(handle_.get());
   sized_ = size.has_value();
   size_ = size ? *size : reach_of_drawing(handle_.get());

@@ -25,6 +25,8 @@ class SvgDocument {
 
   /// The page's size in px of 1/96 inch.
   cv::Size2d size() const { return size_; }
+  /// Text that is not drawn, as this machine has no font.
+  bool loses_text() const { return loses_text_; }
   /// Draws the page at (0, 0), `scale` times as large. Throws InputError where librsvg cannot.
   void draw(cairo_t* cairo, double scale) const;
   /// Draws one element with what is in it, as if the page had the size `page`. Throws InputError where librsvg cannot.
@@ -34,6 +36,7 @@ class SvgDocument {
   std::string path_;
   GObjectPtr<RsvgHandle> handle_;
   bool sized_ = false;  // by the file
+  bool loses_text_ = false;
   cv::Size2d size_;
 };
 

@@ -20,6 +20,7 @@ class SvgPage : public ArtworkPage {
   cv::Size2d natural_size() const override { return document_.size(); }
   int finest_side_px() const override { return kFinestSvgSide_px; }
   float source_px(int) const override { return 0; }
+  bool loses_text() const override { return document_.loses_text(); }
 
   cv::Mat draw(int longest_side_px, const cv::Rect& window) const override {
     cv::Mat image(window.height, window.width, CV_8UC4, cv::Scalar::all(0));

@@ -16,6 +16,7 @@ struct Header {
   std::int32_t other_components = 0;
   float other_area_fraction = 0;
   std::int32_t loses_parts = 0;  // 1: it does
+  std::int32_t loses_text = 0;   // 1: it does
   float hollowness = 1;
   StyleFeatures style;
 
@@ -34,6 +35,7 @@ std::vector<std::uint8_t> encode_shape_answer(const ShapeOrReason& answer) {
     header.other_components = artwork.other_components;
     header.other_area_fraction = artwork.other_area_fraction;
     header.loses_parts = artwork.loses_parts;
+    header.loses_text = artwork.loses_text;
     header.hollowness = artwork.hollowness;
     header.style = artwork.style;
     shape = encode_shape(artwork.shape);
@@ -59,6 +61,7 @@ ShapeOrReason decode_shape_answer(std::span<const std::uint8_t> bytes) {
                       .other_components = header.other_components,
                       .other_area_fraction = header.other_area_fraction,
                       .loses_parts = header.loses_parts != 0,
+                      .loses_text = header.loses_text != 0,
                       .hollowness = header.hollowness,
                       .style = header.style};
 }

@@ -46,6 +46,9 @@ std::string left_out_list(const LibraryBuildReport& report) {
                  "parts that do not touch the largest one are not in the silhouette; join them to have them, or, where "
                  "a soft shadow joins them, build with --edge-opacity 0.05");
   }
+  for (const std::string& path : report.textless) {
+    text += line("trimmed", path, "text is not drawn, as fontconfig finds no font here; install one to have it");
+  }
   for (const std::string& path : report.faint) {
     text +=
         line("trimmed", path,

@@ -102,6 +102,7 @@ class Builder {
     try {
       add(path, std::move(artwork.shape), artwork.style);
       if (artwork.other_components > 0) report_.trimmed.push_back(path);
+      if (artwork.loses_text) report_.textless.push_back(path);
       if (artwork.loses_parts) report_.faint.push_back(path);
       if (artwork.hollowness >= kHollow && !settings_.tracing.rules.fill_holes) report_.hollow.push_back(path);
     } catch (const InputError& error) {

@@ -35,9 +35,10 @@ struct LibraryBuildReport {
   std::size_t shapes = 0;
   std::vector<UnusedFile> skipped;
   std::vector<Merged> merged;
-  std::vector<std::string> trimmed;  // paths of shapes: parts that do not touch the largest one were left out
-  std::vector<std::string> faint;    // paths of shapes: parts that are too faint or too thin were left out
-  std::vector<std::string> hollow;   // paths of shapes and skipped files that TracingRules::fill_holes would help
+  std::vector<std::string> trimmed;   // paths of shapes: parts that do not touch the largest one were left out
+  std::vector<std::string> textless;  // paths of shapes: their text was not drawn, as this machine has no font
+  std::vector<std::string> faint;     // paths of shapes: parts that are too faint or too thin were left out
+  std::vector<std::string> hollow;    // paths of shapes and skipped files that TracingRules::fill_holes would help
 };
 
 struct ShapeLoader {

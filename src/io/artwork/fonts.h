@@ -1,0 +1,16 @@
+// Whether this machine can draw text.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace tessera::io {
+
+/// Without any font librsvg draws text from memory that nothing was written to: another picture each time. Asks
+/// fontconfig once.
+bool has_fonts();
+
+/// Whether an SVG has text that cannot be drawn here. What looks like a text element counts, a comment's too.
+bool loses_text(std::span<const std::uint8_t> svg);
+
+}  // namespace tessera::io
