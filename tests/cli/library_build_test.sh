@@ -88,13 +88,15 @@ done
 page() { echo "<svg xmlns='http://www.w3.org/2000/svg' width='300' height='100'>$1</svg>"; }
 page "$bar$words" >words/both.svg
 page "$words" >words/only.svg
+page "$bar<text x='100' y='70' font-size='60'>H</text>" >letter.svg
 for library in first second; do
   FONTCONFIG_FILE=$PWD/fonts.conf run 0 library build words -o $library.h5
   grep -q '^text is not drawn, as fontconfig finds no font here, in 1: both.svg' output || fail "lost text is not told"
   grep -q $'^skipped\t.*only.svg\tits text cannot be drawn' $library.left_out.txt || fail "another reason for text alone"
 done
 cmp first.h5 second.h5 || fail "another library each time"
-run 0 library build words -o with_font.h5
+FONTCONFIG_FILE=$PWD/fonts.conf run 0 library build letter.svg -o without_font.h5
+run 0 library build letter.svg -o with_font.h5
 grep -q 'no font' output && fail "lost text where there are fonts"
-cmp -s first.h5 with_font.h5 && fail "text is not drawn where there are fonts"
+cmp -s without_font.h5 with_font.h5 && fail "text is not drawn where there are fonts"
 echo "ok no font"
