@@ -5,7 +5,7 @@
 #include "io/result/piece_colours.h"
 #include "io/result/piece_deformation.h"
 #include "io/result/placed_pieces.h"
-#include "io/result/tone_shift.h"
+#include "io/result/tones.h"
 
 namespace tessera::cli {
 

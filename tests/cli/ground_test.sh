@@ -78,6 +78,12 @@ awk "BEGIN {exit !($("$difference" page.png shown/collage.png) < 5)}" || fail "c
 run 0 draw shown --quiet --pdf
 pdftocairo -png -singlefile -scale-to-x 120 -scale-to-y 90 shown/collage.pdf page
 awk "BEGIN {exit !($("$difference" page.png shown/collage.png) < 5)}" || fail "collage.pdf has another background"
+run 0 draw shown --quiet --png --svg --pdf --set colour.shift=12 --to toned
+awk "BEGIN {exit !($("$difference" shown/collage.png toned/collage.png) > 3)}" || fail "no tones in collage.png"
+rsvg-convert -w 120 toned/collage.svg -o page.png
+awk "BEGIN {exit !($("$difference" page.png toned/collage.png) < 3)}" || fail "collage.svg has other tones"
+pdftocairo -png -singlefile -scale-to-x 120 -scale-to-y 90 toned/collage.pdf page
+awk "BEGIN {exit !($("$difference" page.png toned/collage.png) < 3)}" || fail "collage.pdf has other tones"
 cp shown/collage.png before.png
 mv sand.png moved.png
 mv shown elsewhere && mkdir shown && mv elsewhere shown/moved

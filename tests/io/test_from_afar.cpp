@@ -11,7 +11,7 @@
 #include "io/result/card_drawing.h"
 #include "io/result/card_input.h"
 #include "io/result/result_file.h"
-#include "io/result/tone_shift.h"
+#include "io/result/tones.h"
 #include "sample_collage.h"
 #include "scratch_folder.h"
 #include "support/input_error.h"

@@ -33,11 +33,16 @@ cv::Vec3b turned(const cv::Vec3b& bgr, int turn_deg) {
 cv::Vec3b shown(const CollageReport& report, std::size_t piece) {
   cv::Vec3b bgr = bgr_of(report.colours[piece]);
   if (report.tones.empty()) return bgr;
-  const ToneShift& tone = report.tones[piece];
-  return turned(
-      {cv::saturate_cast<std::uint8_t>(bgr[0] + tone.blue), cv::saturate_cast<std::uint8_t>(bgr[1] + tone.green),
-       cv::saturate_cast<std::uint8_t>(bgr[2] + tone.red)},
-      tone.turn_deg);
+  cv::Mat pixel(1, 1, CV_8UC4, cv::Scalar(bgr[0], bgr[1], bgr[2], 255));
+  lay_patch(report.tones[piece].patch, {0, 0}, 1, pixel);
+  const cv::Vec4b p = pixel.at<cv::Vec4b>(0, 0);
+  return turned({p[0], p[1], p[2]}, report.tones[piece].turn_deg);
+}
+
+TonePatch even_patch(const cv::Vec4b& bgra) {
+  TonePatch patch;
+  patch.bgra.fill(bgra);
+  return patch;
 }
 
 /// Silhouettes in these colours, a row of discs of 20 px.
@@ -98,7 +103,7 @@ TEST(HueTurns, EveryPieceEndsInASectorAndGreysStay) {
     for (std::size_t k = 0; k < 7; ++k) {
       const std::string piece = letter_of(form) + " " + discs.report.colours[k];
       if (k == 5) {
-        EXPECT_EQ(discs.report.tones[k], ToneShift{}) << piece;
+        EXPECT_EQ(discs.report.tones[k].turn_deg, 0) << piece;
         continue;
       }
       const cv::Vec3b before = bgr_of(discs.report.colours[k]), after = shown(discs.report, k);
@@ -126,10 +131,11 @@ TEST(HueTurns, LargePiecesAndVividOnesDecide) {
 
 TEST(HueTurns, ComeAfterTheShiftOfTones) {
   Discs discs({"#c04030", "#c04030", "#c04030"});
-  discs.report.tones = {{}, {-144, 112, 0}, {}};  // the second one is green, #30b030
+  discs.report.tones.resize(3);
+  discs.report.tones[1].patch = even_patch({0x20, 0xff, 0, 200});  // the second one is green
   harmonise(discs.report, "i");
   EXPECT_EQ(discs.report.tones[0].turn_deg, 0);
-  EXPECT_EQ(discs.report.tones[1].red, -144);
+  EXPECT_FALSE(discs.report.tones[1].patch.empty());
   EXPECT_NE(discs.report.tones[1].turn_deg, 0);
   EXPECT_LT(apart_deg(hue_deg(shown(discs.report, 1)), discs.report.harmony->angle_deg), 11);
 }
@@ -139,14 +145,19 @@ TEST(HueTurns, SvgAndPngAgree) {
   const cv::Mat before = drawn_picture(sample.report);
   sample.report.tones.resize(sample.report.placements.size());
   int turn_deg = -150;
-  for (ToneShift& tone : sample.report.tones) {
+  for (Tone& tone : sample.report.tones) {
     tone.turn_deg = turn_deg;
     turn_deg += 70;
   }
-  sample.report.tones.back().red = -40;
+  Tone& last = sample.report.tones.back();
+  last.patch = even_patch({20, 220, 30, 90});
+  last.patch.bgra[5] = {220, 20, 30, 60};
+  const Similarity& pose = sample.report.placements.back().canvas_from_shape;
+  last.patch.canvas_from_cells = {pose.a / 2, -pose.b / 2, pose.tx - pose.a + pose.b,
+                                  pose.b / 2, pose.a / 2,  pose.ty - pose.a - pose.b};
   const std::string svg = drawn_svg(sample.report);
   EXPECT_EQ(count(svg, "type=\"hueRotate\""), sample.report.tones.size());
-  EXPECT_EQ(count(svg, "<feComponentTransfer"), 1u);
+  EXPECT_EQ(count(svg, "<image id=\"tone_"), 1u);
   const cv::Mat png = drawn_picture(sample.report);
   EXPECT_GT(mean_difference(before, png), 5);
   EXPECT_LT(mean_difference(drawn(svg, 400), png), 1.2);

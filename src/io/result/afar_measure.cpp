@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "io/job/overlays.h"
 #include "io/job/picture_size.h"
-#include "io/result/tone_shift.h"
+#include "io/result/tones.h"
 
 namespace tessera::io {
 namespace {

@@ -19,17 +19,14 @@
 #include "io/result/missing_shape.h"
 #include "io/result/placed_shapes.h"
 #include "io/result/run_record.h"
+#include "io/result/tone_patch.h"
 
 namespace tessera::io {
 
-/// What is done to all colours of a piece: so much is added to red, green and blue, of 255, then hues are turned.
-struct ToneShift {
-  int red = 0;
-  int green = 0;
-  int blue = 0;
+/// What is done to the colours of a piece: a patch is laid over it, then hues are turned.
+struct Tone {
+  TonePatch patch;   // tones.h
   int turn_deg = 0;  // hue_turns.h
-
-  friend auto operator<=>(const ToneShift&, const ToneShift&) = default;
 };
 
 /// All that the output files and pictures are made from. The shapes have outline, field, thumbnail and, for pictures,
@@ -45,8 +42,8 @@ struct CollageReport {
   std::vector<std::string> names_like_patterns;  // of the library, placed or not (job_library.h)
   std::optional<DeformedCollage> deformed;       // deformed_collage.h: then each piece has a shape of its own
   std::vector<std::string> colours;   // of the placements, "#rrggbb": silhouettes are drawn; empty: the artwork is
-  std::vector<std::string> covered;   // of the placements: covered_colours (tone_shift.h); empty: no picture is shown
-  std::vector<ToneShift> tones;       // of the placements; empty: the drawings' own
+  std::vector<std::string> covered;   // of the placements: covered_colours (tones.h); empty: no picture is shown
+  std::vector<Tone> tones;            // of the placements; empty: the drawings' own
   std::vector<StyleFeatures> styles;  // of the placements' drawings; empty: unknown
   std::optional<Harmony> harmony;     // that the hues of `tones` make
   std::vector<MissingShape> missing;  // of a finished collage

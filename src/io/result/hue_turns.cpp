@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/artwork/colour_conversion.h"
-#include "io/result/tone_shift.h"
+#include "io/result/tones.h"
 
 namespace tessera::io {
 namespace {
@@ -29,9 +29,8 @@ double arc_deg(double from_deg, double to_deg) { return std::abs(std::remainder(
 cv::Vec3b shifted_colour(const CollageReport& report, std::size_t piece) {
   cv::Vec3b bgr = drawn_colour(report, piece);
   if (report.tones.empty()) return bgr;
-  const ToneShift& tone = report.tones[piece];
-  const int add[3] = {tone.blue, tone.green, tone.red};
-  for (int c = 0; c < 3; ++c) bgr[c] = cv::saturate_cast<std::uint8_t>(bgr[c] + add[c]);
+  const cv::Vec4d over = report.tones[piece].patch.mean();
+  for (int c = 0; c < 3; ++c) bgr[c] = cv::saturate_cast<std::uint8_t>(bgr[c] * (1 - over[3]) + over[c]);
   return bgr;
 }
 

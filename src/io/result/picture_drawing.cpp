@@ -33,21 +33,6 @@ void tint(cv::Mat& bgra, cv::Vec3b colour) {
   }
 }
 
-/// Premultiplied.
-void shift_tone(cv::Mat& bgra, const ToneShift& tone) {
-  const int add[3] = {tone.blue, tone.green, tone.red};
-  for (int y = 0; y < bgra.rows; ++y) {
-    cv::Vec4b* row = bgra.ptr<cv::Vec4b>(y);
-    for (int x = 0; x < bgra.cols; ++x) {
-      const int alpha = row[x][3];
-      for (int c = 0; c < 3; ++c) {
-        row[x][c] = std::uint8_t(std::clamp(int(row[x][c]) + (add[c] * alpha + 255 * 128) / 255 - 128, 0, alpha));
-      }
-    }
-  }
-  turn_hues(bgra, tone.turn_deg);
-}
-
 /// Lays over the picture what `bgr_at(x, y)` is there.
 template <class BgrAt>
 void blend(const BgrAt& bgr_at, const cv::Mat& coverage, cv::Mat& bgr) {
@@ -163,7 +148,10 @@ class PictureBands {
       const auto sprite = sprites_.get(piece.slot, piece.sprite_side_px);
       tile.bgra = draw_rows(piece, *sprite, tile.top, ends[k]);
       if (!tints_.empty()) tint(tile.bgra, tints_[missing[k]]);
-      if (!tones_.empty()) shift_tone(tile.bgra, tones_[missing[k]]);
+      if (!tones_.empty()) {
+        lay_patch(tones_[missing[k]].patch, {piece.box.x, tile.top}, picture_px_, tile.bgra);
+        turn_hues(tile.bgra, tones_[missing[k]].turn_deg);
+      }
       if (line_px() > 0) draw_line(piece.outline, line_px(), line_colour_, {piece.box.x, tile.top}, tile.bgra);
     });
   }
@@ -240,7 +228,7 @@ class PictureBands {
   const Shadow shadow_;
   SpriteCache sprites_;
   std::vector<PieceDrawing> pieces_;
-  std::vector<ToneShift> tones_;  // of the pieces; empty: none
+  std::vector<Tone> tones_;       // of the pieces; empty: none
   std::vector<cv::Vec3b> tints_;  // of the pieces; empty: their own colours
   std::vector<KeptTile> tiles_;   // of the pieces
   std::size_t tile_bytes_ = 0;

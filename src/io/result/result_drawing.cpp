@@ -38,7 +38,7 @@
 #include "io/result/shown_picture.h"
 #include "io/result/svg_output.h"
 #include "io/result/tiff_pyramid.h"
-#include "io/result/tone_shift.h"
+#include "io/result/tones.h"
 #include "io/utf8_text.h"
 
 namespace tessera::io {
@@ -143,10 +143,10 @@ std::vector<std::string> distinct(std::vector<std::string> colours) {
   return colours;
 }
 
-InputError no_pdf(const std::string& dir, const std::string& key, const std::string& found,
-                  const std::string& without) {
-  return InputError(dir + ": " + key + ": found " + found + " with a PDF, which has no means for it; allowed: --set " +
-                    without + ", or the PNG, TIFF and SVG");
+InputError no_pdf(const std::string& dir, const std::string& harmony) {
+  return InputError(dir + ": colour.harmony: found \"" + harmony +
+                    "\" with a PDF, which has no means for it; allowed: " + "--set colour.harmony=" + kNoHarmony +
+                    ", or the PNG, TIFF and SVG");
 }
 
 /// Before anything is drawn.
@@ -311,13 +311,11 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   } else if (draws_palette(job.colour, library)) {
     report.colours = piece_colours(report, palette);
   }
-  report.tones = tone_shifts(report, job.colour.shift);
-  if (request.pdf && !report.tones.empty()) {
-    throw no_pdf(dir, "colour.shift", fixed(job.colour.shift, 1), "colour.shift=0");
-  }
+  if (job.colour.shift > 0) report.tones = tones_towards_picture(report, shown_picture(dir), job.colour.shift);
   harmonise(report, job.colour.harmony);
-  if (request.pdf && !report.tones.empty()) {
-    throw no_pdf(dir, "colour.harmony", "\"" + job.colour.harmony + "\"", std::string("colour.harmony=") + kNoHarmony);
+  const auto is_turned = [](const Tone& tone) { return tone.turn_deg != 0; };
+  if (request.pdf && std::any_of(report.tones.begin(), report.tones.end(), is_turned)) {
+    throw no_pdf(dir, job.colour.harmony);
   }
   const bool is_result = request.to.empty();
   const bool pixels = request.png || request.tiff;

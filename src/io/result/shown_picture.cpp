@@ -19,19 +19,40 @@ constexpr int kLongestSide_px = 1024;
 constexpr std::size_t kMostBytes = std::size_t(16) << 20;
 constexpr const char* kId = "shown-picture";
 
-/// Lightness, a and b, CV_32FC3.
-cv::Mat lab_picture(const ColourTarget& target, const Canvas& canvas, cv::Size size) {
+/// Lightness, a and b, CV_32FC3, and what is opaque, CV_8U.
+struct LabPicture {
+  cv::Mat lab, alpha;
+};
+
+LabPicture lab_picture(const ColourTarget& target, const Canvas& canvas, cv::Size size) {
   const float width_px = float(canvas.width_px) / float(size.width);
   const float height_px = float(canvas.height_px) / float(size.height);
   const int level = target.level_for(std::max(width_px, height_px));
-  cv::Mat lab(size, CV_32FC3);
+  LabPicture picture{cv::Mat(size, CV_32FC3), cv::Mat(size, CV_8U)};
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       const Texel texel = target.at(level, {(float(x) + 0.5f) * width_px, (float(y) + 0.5f) * height_px});
-      lab.at<cv::Vec3f>(y, x) = {texel.lightness + 100 * (1 - texel.weight), texel.a, texel.b};
+      const bool wished = texel.weight >= kLeastColourWeight;
+      const Lab lab = wished ? texel.colour() : Lab{100, 0, 0};
+      picture.lab.at<cv::Vec3f>(y, x) = {lab.lightness, lab.a, lab.b};
+      picture.alpha.at<std::uint8_t>(y, x) = wished ? cv::saturate_cast<std::uint8_t>(255 * texel.weight) : 0;
     }
   }
-  return lab;
+  return picture;
+}
+
+/// On white.
+cv::Mat opaque(const cv::Mat& bgra) {
+  cv::Mat bgr(bgra.size(), CV_8UC3);
+  for (int y = 0; y < bgra.rows; ++y) {
+    for (int x = 0; x < bgra.cols; ++x) {
+      const cv::Vec4b& pixel = bgra.at<cv::Vec4b>(y, x);
+      for (int c = 0; c < 3; ++c) {
+        bgr.at<cv::Vec3b>(y, x)[c] = std::uint8_t((pixel[c] * pixel[3] + 255 * (255 - pixel[3]) + 127) / 255);
+      }
+    }
+  }
+  return bgr;
 }
 
 /// Times `light`; but what is dark becomes lighter: dark pieces would not stand out from what is darker still.
@@ -56,23 +77,24 @@ cv::Size size_for(const Canvas& canvas) {
   return {std::max(1, cvRound(canvas.width_px * scale)), std::max(1, cvRound(canvas.height_px * scale))};
 }
 
-std::vector<std::uint8_t> kept_picture(const std::string& dir) {
-  if (!is_in_result(dir, kShownPictureName)) {
-    throw InputError("output.background: found \"" + std::string(kImageBackground) + "\", but " +
-                     path_in_result(dir, kShownPictureName) + " is missing; needed: the result of a job with " +
-                     "colour.image, made by this version or a later one");
-  }
-  const std::string text = read_result_file(dir, kShownPictureName, kMostBytes);
-  return {text.begin(), text.end()};
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> shown_picture_png(const ColourTarget& target, const Canvas& canvas) {
+  const LabPicture seen = lab_picture(target, canvas, size_for(canvas));
   cv::Mat picture;
-  cv::cvtColor(lab_picture(target, canvas, size_for(canvas)), picture, cv::COLOR_Lab2BGR);
+  cv::cvtColor(seen.lab, picture, cv::COLOR_Lab2BGR);
   picture.convertTo(picture, CV_8U, 255);
-  return png_of(picture);
+  if (cv::countNonZero(seen.alpha != 255) == 0) return png_of(picture);
+  cv::Mat bgra;
+  cv::merge(std::vector<cv::Mat>{picture, seen.alpha}, bgra);
+  return png_of(bgra);
+}
+
+cv::Mat shown_picture(const std::string& dir) {
+  if (!is_in_result(dir, kShownPictureName)) return {};
+  const std::string text = read_result_file(dir, kShownPictureName, kMostBytes);
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  return png_picture(bytes, path_in_result(dir, kShownPictureName), kLongestSide_px);
 }
 
 std::string flat_background(const OutputSpec& output) {
@@ -80,9 +102,13 @@ std::string flat_background(const OutputSpec& output) {
 }
 
 GroundTile image_background(const std::string& dir, const OutputSpec& output, const Canvas& canvas) {
-  const cv::Mat kept = png_picture(kept_picture(dir), path_in_result(dir, kShownPictureName), kLongestSide_px);
-  cv::Mat bgr;
-  cv::cvtColor(kept, bgr, cv::COLOR_BGRA2BGR);
+  const cv::Mat shown = shown_picture(dir);
+  if (shown.empty()) {
+    throw InputError("output.background: found \"" + std::string(kImageBackground) + "\", but " +
+                     path_in_result(dir, kShownPictureName) + " is missing; needed: the result of a job with " +
+                     "colour.image, made by this version or a later one");
+  }
+  cv::Mat bgr = opaque(shown);
   darken(bgr, output.background_light);
   GroundTile tile;
   cv::cvtColor(bgr, tile.page, cv::COLOR_BGR2BGRA);  // opaque, so that it is premultiplied, too

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "core/geometry/rasterise.h"
+#include "io/artwork/png_uri.h"
 #include "io/job/picture_size.h"
 #include "io/number_text.h"
 #include "io/parallel_for.h"
+#include "io/result/affine.h"
 #include "io/result/artwork_original.h"
 #include "io/result/drawn_pieces.h"
 #include "io/result/shown_picture.h"
@@ -135,7 +137,7 @@ void write_keep_out(const KeepOutDrawing& keep_out, XmlWriter& svg) {
 }
 
 /// Canvas px from the symbol's units.
-std::string matrix_text(const Placement& placement, const Artwork& artwork, double artwork_px_per_unit) {
+cv::Matx23d canvas_from_symbol(const Placement& placement, const Artwork& artwork, double artwork_px_per_unit) {
   const Similarity& t = placement.canvas_from_shape;
   const double unit = 1. / double(artwork.unit_px);
   const double a = t.a * unit;
@@ -145,9 +147,14 @@ std::string matrix_text(const Placement& placement, const Artwork& artwork, doub
   const double y = t.ty - (side * b * artwork.centroid_px.x + a * artwork.centroid_px.y);
   const double ak = a * artwork_px_per_unit;
   const double bk = b * artwork_px_per_unit;
+  return {side * ak, -bk, x, side * bk, ak, y};
+}
+
+/// Lengths with `decimals` digits after the point, factors with seven.
+std::string matrix_text(const cv::Matx23d& m, int decimals = 3) {
   std::string text = "matrix(";
-  for (const double v : {side * ak, side * bk, -bk, ak}) text += fixed(v, 7) + " ";
-  text += fixed(x, 3) + " " + fixed(y, 3) + ")";
+  for (const double v : {m(0, 0), m(1, 0), m(0, 1), m(1, 1)}) text += fixed(v, 7) + " ";
+  text += fixed(m(0, 2), decimals) + " " + fixed(m(1, 2), decimals) + ")";
   return text;
 }
 
@@ -163,39 +170,47 @@ void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip
   svg.end();
 }
 
-std::string tone_id(const ToneShift& tone) {
-  const std::string id =
-      "tone_" + std::to_string(tone.red) + "_" + std::to_string(tone.green) + "_" + std::to_string(tone.blue);
-  return tone.turn_deg == 0 ? id : id + "_" + std::to_string(tone.turn_deg) + "deg";
+std::string turn_id(int turn_deg) { return "turn_" + std::to_string(turn_deg); }
+std::string patch_id(std::size_t piece) { return "tone_" + std::to_string(piece); }
+
+bool has_patch(const CollageReport& report, std::size_t piece) {
+  return !report.tones.empty() && !report.tones[piece].patch.empty();
 }
 
-void write_addition(const ToneShift& tone, XmlWriter& svg) {
-  svg.start("feComponentTransfer");
-  const std::pair<const char*, int> channels[] = {
-      {"feFuncR", tone.red}, {"feFuncG", tone.green}, {"feFuncB", tone.blue}};
-  for (const auto& [name, add] : channels) {
-    svg.start(name)
-        .attribute("type", "linear")
-        .attribute("slope", "1")
-        .attribute("intercept", fixed(add / 255., 5))
-        .end();
-  }
-  svg.end();
+bool has_patches(const CollageReport& report) {
+  return std::any_of(report.tones.begin(), report.tones.end(), [](const Tone& tone) { return !tone.patch.empty(); });
 }
 
-/// The matrix of hue_turns.h.
-void write_turn(int turn_deg, XmlWriter& svg) {
-  svg.start("feColorMatrix").attribute("type", "hueRotate").attribute("values", std::to_string(turn_deg)).end();
-}
-
-/// One for all pieces with the same shift.
-void write_tone_filters(const CollageReport& report, XmlWriter& svg) {
-  for (const ToneShift& tone : std::set<ToneShift>(report.tones.begin(), report.tones.end())) {
-    if (tone == ToneShift{}) continue;
-    svg.raw("\n").start("filter").attribute("id", tone_id(tone)).attribute("color-interpolation-filters", "sRGB");
-    if (tone.red != 0 || tone.green != 0 || tone.blue != 0) write_addition(tone, svg);
-    if (tone.turn_deg != 0) write_turn(tone.turn_deg, svg);
+/// One for all pieces with the same turn: the matrix of hue_turns.h.
+void write_turn_filters(const CollageReport& report, XmlWriter& svg) {
+  std::set<int> turns;
+  for (const Tone& tone : report.tones) turns.insert(tone.turn_deg);
+  turns.erase(0);
+  for (const int turn_deg : turns) {
+    svg.raw("\n").start("filter").attribute("id", turn_id(turn_deg)).attribute("color-interpolation-filters", "sRGB");
+    svg.start("feColorMatrix").attribute("type", "hueRotate").attribute("values", std::to_string(turn_deg)).end();
     svg.end();
+  }
+}
+
+/// What is laid over a piece, in the units of its symbol.
+void write_patch(const CollageReport& report, const std::vector<SvgSymbol>& symbols, std::size_t piece,
+                 XmlWriter& svg) {
+  const Placement& placement = report.placements[piece];
+  const Drawing drawing = drawing_of(report, symbols, placement);
+  const TonePatch& patch = report.tones[piece].patch;
+  const cv::Matx23d symbol_from_patch =
+      joined(inverse(canvas_from_symbol(placement, report.shape(placement.shape).artwork, drawing.artwork_px_per_unit)),
+             canvas_from_patch_picture(patch));
+  svg.raw("\n").start("image").attribute("id", patch_id(piece));
+  const cv::Mat picture = patch_picture(patch);
+  svg.attribute("width", std::to_string(picture.cols)).attribute("height", std::to_string(picture.rows));
+  svg.attribute("transform", matrix_text(symbol_from_patch)).attribute("xlink:href", png_uri(picture)).end();
+}
+
+void write_patches(const CollageReport& report, const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
+  for (std::size_t piece = 0; piece < report.tones.size(); ++piece) {
+    if (has_patch(report, piece)) write_patch(report, symbols, piece, svg);
   }
 }
 
@@ -226,11 +241,13 @@ void write_definitions(const CollageReport& report, const ShapeArtworks& artwork
   }
   for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
     if (report.shapes.slot_of_drawing(slot) != slot) continue;
-    if (output.clip != kNoClip) write_clip(report.shapes[slot], symbols[slot], artworks.clip(slot), slot, svg);
+    if (output.clip != kNoClip || has_patches(report))
+      write_clip(report.shapes[slot], symbols[slot], artworks.clip(slot), slot, svg);
     if (has_outlines(output)) write_outline(report.shapes[slot], symbols[slot], slot, svg);
   }
   if (has_shadow(output)) write_shadow_filter(report, svg);
-  write_tone_filters(report, svg);
+  write_turn_filters(report, svg);
+  write_patches(report, symbols, svg);
   write_keep_out_clip(report.keep_out, svg);
   write_ground_pattern(report, svg);
   svg.end().raw("\n");
@@ -249,8 +266,8 @@ void write_shadow(const CollageReport& report, const std::vector<DrawnPiece>& dr
   for (const auto& [placement, piece] : drawn) {
     const Drawing drawing = drawing_of(report, symbols, placement);
     svg.raw("\n").start("use").attribute("xlink:href", "#" + outline_id(drawing.slot));
-    svg.attribute("transform",
-                  matrix_text(placement, report.shape(placement.shape).artwork, drawing.artwork_px_per_unit));
+    svg.attribute("transform", matrix_text(canvas_from_symbol(placement, report.shape(placement.shape).artwork,
+                                                              drawing.artwork_px_per_unit)));
     svg.end();
   }
   svg.end().end().end();
@@ -277,15 +294,25 @@ void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symb
   svg.raw("\n").start("g");
   if (!again) svg.attribute("id", svg_piece_id(drawn.piece, shape.name));
   svg.attribute("inkscape:label", title);
-  svg.attribute("transform", matrix_text(placement, shape.artwork, drawing.artwork_px_per_unit));
+  svg.attribute("transform", matrix_text(canvas_from_symbol(placement, shape.artwork, drawing.artwork_px_per_unit)));
   svg.start("title").text(title).end();
   svg.start("use").attribute("xlink:href", "#" + symbol_id(drawing.slot));
   const OutputSpec& output = report.job->output;
-  if (output.clip != kNoClip) svg.attribute("clip-path", "url(#" + clip_id(drawing.slot) + ")");
+  const auto clip = [&] { svg.attribute("clip-path", "url(#" + clip_id(drawing.slot) + ")"); };
+  const auto turn_hues = [&] {
+    const int turn_deg = report.tones.empty() ? 0 : report.tones[drawn.piece].turn_deg;
+    if (turn_deg != 0) svg.attribute("filter", "url(#" + turn_id(turn_deg) + ")");
+  };
+  if (output.clip != kNoClip) clip();
   if (!report.colours.empty()) svg.attribute("fill", report.colours[drawn.piece]);
-  if (!report.tones.empty() && report.tones[drawn.piece] != ToneShift{})
-    svg.attribute("filter", "url(#" + tone_id(report.tones[drawn.piece]) + ")");
+  turn_hues();
   svg.end();
+  if (has_patch(report, drawn.piece)) {
+    svg.start("use").attribute("xlink:href", "#" + patch_id(drawn.piece));
+    clip();
+    turn_hues();
+    svg.end();
+  }
   if (output.outline_px > 0) write_line(report, placement, drawing, svg);
   svg.end();
 }
