@@ -77,7 +77,8 @@ TEST(Affine, InverseAndJoined) {
   const cv::Matx23d m = {3, -2, 7, 1, 4, -5};
   const cv::Matx23d one = joined(inverse(m), m);
   EXPECT_LT(cv::norm(one - cv::Matx23d(1, 0, 0, 0, 1, 0)), 1e-12);
-  const cv::Vec2d by_parts = m * cv::Vec3d((inverse(m) * cv::Vec3d(2, 3, 1))[0], (inverse(m) * cv::Vec3d(2, 3, 1))[1], 1);
+  const cv::Vec2d by_parts =
+      m * cv::Vec3d((inverse(m) * cv::Vec3d(2, 3, 1))[0], (inverse(m) * cv::Vec3d(2, 3, 1))[1], 1);
   EXPECT_LT(cv::norm(by_parts - cv::Vec2d(2, 3)), 1e-12);
 }
 

@@ -31,6 +31,14 @@ struct Covering : test::SampleCollage {
   }
 };
 
+std::vector<Tone> tones_of(const Covering& collage, const cv::Mat& picture, double most_difference) {
+  std::vector<DrawnColours> drawn;
+  for (std::size_t slot = 0; slot < collage.report.shapes.size(); ++slot) {
+    drawn.push_back(drawn_colours(collage.report.shapes[slot]));
+  }
+  return tones_towards_picture(collage.report, drawn, picture, most_difference);
+}
+
 /// What the patch makes of a colour in a cell.
 cv::Vec3d patched(const cv::Vec3d& bgr, const cv::Vec4b& over) {
   const double alpha = over[3] / 255.;
@@ -49,7 +57,7 @@ cv::Mat picture_of(const cv::Vec4b& left, const cv::Vec4b& right) {
 
 TEST(Tones, GoAllTheWayWhereTheyMay) {
   const Covering collage({"#999d95", ""});
-  const auto tones = tones_towards_picture(collage.report, {}, 8);
+  const auto tones = tones_of(collage, {}, 8);
   ASSERT_EQ(tones.size(), 2u);
   for (const cv::Vec4b& cell : tones[0].patch.bgra) {
     EXPECT_LT(cv::norm(patched({kGrey, kGrey, kGrey}, cell) - cv::Vec3d(0x95, 0x9d, 0x99)), 1.5);
@@ -60,7 +68,7 @@ TEST(Tones, GoAllTheWayWhereTheyMay) {
 TEST(Tones, GoNoFurtherThanTheyMay) {
   const Covering collage({"#2040ff", "#000000"});
   for (const double most : {3., 6., 9.}) {
-    for (const Tone& tone : tones_towards_picture(collage.report, {}, most)) {
+    for (const Tone& tone : tones_of(collage, {}, most)) {
       EXPECT_LE(moved({kGrey, kGrey, kGrey}, tone.patch.bgra[5]), most + 0.3) << "of rounding";
       EXPECT_GT(moved({kGrey, kGrey, kGrey}, tone.patch.bgra[5]), most - 0.6);
     }
@@ -69,7 +77,7 @@ TEST(Tones, GoNoFurtherThanTheyMay) {
 
 TEST(Tones, NeverHideTheDrawing) {
   const Covering collage({"#2040ff", "#000000"});
-  for (const Tone& tone : tones_towards_picture(collage.report, {}, 100)) {
+  for (const Tone& tone : tones_of(collage, {}, 100)) {
     for (const cv::Vec4b& cell : tone.patch.bgra) EXPECT_EQ(cell[3], 64) << "a quarter of 255";
   }
 }
@@ -77,14 +85,14 @@ TEST(Tones, NeverHideTheDrawing) {
 TEST(Tones, StartFromTheColourThatIsDrawn) {
   Covering collage({"#ff0000", "#808080"});
   collage.report.colours = {"#ff0000", "#808080"};
-  for (const Tone& tone : tones_towards_picture(collage.report, {}, 20)) {
+  for (const Tone& tone : tones_of(collage, {}, 20)) {
     EXPECT_TRUE(tone.patch.empty()) << "a silhouette in the colour of what it covers";
   }
 }
 
 TEST(Tones, OfNothingAreNone) {
-  EXPECT_TRUE(tones_towards_picture(Covering({"#2040ff", "#000000"}).report, {}, 0).empty());
-  EXPECT_TRUE(tones_towards_picture(Covering({}).report, {}, 8).empty());
+  EXPECT_TRUE(tones_of(Covering({"#2040ff", "#000000"}), {}, 0).empty());
+  EXPECT_TRUE(tones_of(Covering({}), {}, 8).empty());
 }
 
 /// A picture that is dark on the left of the first piece and light on its right.
@@ -93,7 +101,7 @@ TEST(Tones, FollowThePictureWithinAPiece) {
   collage.report.placements[0].canvas_from_shape = {40, 0, 100, 50};
   collage.report.placements[1].canvas_from_shape = {-40, 0, 100, 50};  // upside down
   const cv::Mat picture = picture_of({120, 120, 120, 255}, {170, 170, 170, 255});
-  const auto tones = tones_towards_picture(collage.report, picture, 5);
+  const auto tones = tones_of(collage, picture, 5);
   const auto value = [&](int piece, int cell) {
     return patched({kGrey, kGrey, kGrey}, tones[std::size_t(piece)].patch.bgra[std::size_t(cell)])[1];
   };
@@ -108,7 +116,7 @@ TEST(Tones, FollowThePictureWithinAPiece) {
 TEST(Tones, GoTowardsThePictureFromEachCellsOwnColour) {
   Covering collage({"#919191", "#919191"});
   collage.paint(test::two_toned_grid({55, 0, 0}, {65, 0, 0}));
-  const auto tones = tones_towards_picture(collage.report, picture_of({145, 145, 145, 255}, {145, 145, 145, 255}), 6);
+  const auto tones = tones_of(collage, picture_of({145, 145, 145, 255}, {145, 145, 145, 255}), 6);
   const TonePatch& patch = tones[0].patch;
   EXPECT_GT(patched({130, 130, 130}, patch.bgra[4])[1], 131);
   EXPECT_LT(patched({158, 158, 158}, patch.bgra[7])[1], 157);
@@ -116,7 +124,7 @@ TEST(Tones, GoTowardsThePictureFromEachCellsOwnColour) {
 
 TEST(Tones, WishNothingWhereThePictureIsTransparent) {
   const Covering collage({"#919191", "#919191"});
-  const auto tones = tones_towards_picture(collage.report, picture_of({0, 0, 0, 255}, {255, 255, 255, 0}), 6);
+  const auto tones = tones_of(collage, picture_of({0, 0, 0, 255}, {255, 255, 255, 0}), 6);
   EXPECT_FALSE(tones[0].patch.empty());
   EXPECT_TRUE(tones[1].patch.empty());
 }
@@ -132,7 +140,7 @@ RC_GTEST_PROP(Tones, OfAnyColoursStayWithinTheirLimits, ()) {
   collage.paint(grid);
   const cv::Mat picture = picture_of(cv::Vec4b(std::uint8_t(byte()), std::uint8_t(byte()), std::uint8_t(byte()), 255),
                                      cv::Vec4b(std::uint8_t(byte()), std::uint8_t(byte()), std::uint8_t(byte()), 255));
-  for (const Tone& tone : tones_towards_picture(collage.report, picture, 100)) {
+  for (const Tone& tone : tones_of(collage, picture, 100)) {
     for (const cv::Vec4b& cell : tone.patch.bgra) RC_ASSERT(cell[3] <= 64);
   }
 }

@@ -311,7 +311,10 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   } else if (draws_palette(job.colour, library)) {
     report.colours = piece_colours(report, palette);
   }
-  if (job.colour.shift > 0) report.tones = tones_towards_picture(report, shown_picture(dir), job.colour.shift);
+  if (job.colour.shift > 0 && !report.covered.empty()) {
+    const std::vector<DrawnColours> drawn = drawn_colours(report.shapes, drawers);
+    report.tones = tones_towards_picture(report, drawn, shown_picture(dir), job.colour.shift);
+  }
   harmonise(report, job.colour.harmony);
   const auto is_turned = [](const Tone& tone) { return tone.turn_deg != 0; };
   if (request.pdf && std::any_of(report.tones.begin(), report.tones.end(), is_turned)) {

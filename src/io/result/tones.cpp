@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "core/colour/ciede2000.h"
@@ -24,28 +23,6 @@ constexpr int kHalvings = 7;  // of the way to the colour beneath
 constexpr double kSideShare = 0.25;
 constexpr double kWholeShare = 0.02;
 constexpr int kSamples = 4;  // of the picture, along a cell's side
-
-template <class T>
-using OfCells = std::array<T, kColourCells>;
-
-/// The colours of a piece's drawing, by cells. BGR.
-struct OwnColours {
-  OfCells<cv::Vec3d> bgr{};
-  OfCells<double> part{};  // of each cell that is drawn on
-};
-
-OwnColours own_colours(const Shape& shape) {
-  OwnColours own;
-  const bool known = shape.colour_grid.known();
-  const cv::Vec3d mean = cv::Vec3d(mean_bgr(shape));
-  for (std::size_t cell = 0; cell < kColourCells; ++cell) {
-    const std::uint8_t* bytes = shape.colour_grid.bytes.data() + 4 * cell;
-    const Lab lab{float(bytes[0]) / 2.55f, float(bytes[1]) - 128, float(bytes[2]) - 128};
-    own.bgr[cell] = known ? cv::Vec3d(bgr_of(lab)) : mean;
-    own.part[cell] = known ? bytes[3] / 255. : 1;
-  }
-  return own;
-}
 
 /// Canvas px; the grid lies over the box of the outline.
 cv::Matx23d canvas_from_cells(const Shape& shape, const Similarity& pose) {
@@ -182,7 +159,7 @@ cv::Vec4b overlay(const cv::Vec3d& own, const cv::Vec3d& way) {
   return bgra;
 }
 
-TonePatch patch_between(const OwnColours& own, const OfCells<std::optional<cv::Vec3d>>& wished,
+TonePatch patch_between(const DrawnColours& own, const OfCells<std::optional<cv::Vec3d>>& wished,
                         double most_difference) {
   OfCells<Cell> cells{};
   bool any = false;
@@ -204,24 +181,12 @@ TonePatch patch_between(const OwnColours& own, const OfCells<std::optional<cv::V
   return patch;
 }
 
-/// Of silhouettes in a palette, too.
-class OwnColoursOfPieces {
- public:
-  explicit OwnColoursOfPieces(const CollageReport& report) : report_(report) {}
-
-  OwnColours of(std::size_t piece) {
-    const ShapeId id = report_.placements[piece].shape;
-    auto found = of_shapes_.find(id);
-    if (found == of_shapes_.end()) found = of_shapes_.emplace(id, own_colours(report_.shape(id))).first;
-    OwnColours own = found->second;
-    if (!report_.colours.empty()) own.bgr.fill(cv::Vec3d(bgr_of(report_.colours[piece])));
-    return own;
-  }
-
- private:
-  const CollageReport& report_;
-  std::map<ShapeId, OwnColours> of_shapes_;
-};
+/// Of a silhouette in a palette, too.
+DrawnColours own_colours(const CollageReport& report, const std::vector<DrawnColours>& of_slots, std::size_t piece) {
+  DrawnColours own = of_slots[report.shapes.slot_of(report.placements[piece].shape)];
+  if (!report.colours.empty()) own.bgr.fill(cv::Vec3d(bgr_of(report.colours[piece])));
+  return own;
+}
 
 }  // namespace
 
@@ -242,11 +207,10 @@ cv::Vec3b drawn_colour(const CollageReport& report, std::size_t piece) {
   return mean_bgr(report.shape(report.placements[piece].shape));
 }
 
-std::vector<Tone> tones_towards_picture(const CollageReport& report, const cv::Mat& shown_bgra,
-                                        double most_difference) {
+std::vector<Tone> tones_towards_picture(const CollageReport& report, const std::vector<DrawnColours>& drawn,
+                                        const cv::Mat& shown_bgra, double most_difference) {
   if (most_difference <= 0 || report.covered.empty()) return {};
   std::vector<Tone> tones(report.placements.size());
-  OwnColoursOfPieces own(report);
   const Shown shown(shown_bgra, *report.canvas);
   for (std::size_t i = 0; i < tones.size(); ++i) {
     if (report.covered[i].empty()) continue;
@@ -257,7 +221,7 @@ std::vector<Tone> tones_towards_picture(const CollageReport& report, const cv::M
     for (int cell = 0; cell < kColourCells && !shown_bgra.empty(); ++cell) {
       wished[std::size_t(cell)] = shown.of_cell(canvas_from_grid, cell % kColourSide, cell / kColourSide);
     }
-    tones[i].patch = patch_between(own.of(i), wished, most_difference);
+    tones[i].patch = patch_between(own_colours(report, drawn, i), wished, most_difference);
     tones[i].patch.canvas_from_cells = canvas_from_grid;
   }
   return tones;

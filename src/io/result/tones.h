@@ -8,6 +8,7 @@
 
 #include "core/colour/colour_target.h"
 #include "io/result/collage_files.h"
+#include "io/result/drawn_colours.h"
 
 namespace tessera::io {
 
@@ -19,9 +20,10 @@ std::vector<std::string> covered_colours(const CollageReport& report, const Colo
 cv::Vec3b drawn_colour(const CollageReport& report, std::size_t piece);
 
 /// For each piece what goes to CollageReport::tones: each cell of its colours moved towards what lies beneath it, as
-/// far as `most_difference` (CIEDE2000) allows. `shown_bgra` is the picture over the canvas (shown_picture.h), straight
+/// far as `most_difference` (CIEDE2000) allows. `drawn`: of the shapes, by slot. `shown_bgra` is the picture over the canvas (shown_picture.h), straight
 /// alpha; where it is empty the piece's mean stands for it (CollageReport::covered), as in results of older versions.
 /// Empty where `most_difference` is 0 or no picture is shown.
-std::vector<Tone> tones_towards_picture(const CollageReport& report, const cv::Mat& shown_bgra, double most_difference);
+std::vector<Tone> tones_towards_picture(const CollageReport& report, const std::vector<DrawnColours>& drawn,
+                                        const cv::Mat& shown_bgra, double most_difference);
 
 }  // namespace tessera::io
