@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "artwork_samples.h"
@@ -109,6 +110,11 @@ TEST(ImageBackground, NeedsThePictureOfTheResult) {
   EXPECT_NE(message().find("shown.png is missing; needed: the result of a job with colour.image"), std::string::npos);
   collage.folder.write(kShownPictureName, "no picture");
   EXPECT_NE(message().find("shown.png: not a PNG file"), std::string::npos) << message();
+  std::vector<std::uint8_t> png;
+  cv::imencode(".png", cv::Mat(1, 1361, CV_8U, cv::Scalar(0)), png);
+  collage.folder.write(kShownPictureName, {png.begin(), png.end()});
+  EXPECT_NE(message().find("shown.png: found 1361 x 1 px, allowed: at most 1360 px each way"), std::string::npos)
+      << message();
 }
 
 TEST(ImageBackground, OtherBackgroundsAreColours) {

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <span>
 
 #include "core/base/error.h"
 #include "io/artwork/alpha.h"
+#include "io/artwork/image_header.h"
 #include "io/artwork/png_picture.h"
 #include "io/elements/cut_outs.h"
 #include "io/job/overlays.h"
@@ -42,6 +44,14 @@ void darken(cv::Mat& opaque_bgra, double light) {
   }
 }
 
+/// A small file may claim a picture that fills the memory. Throws InputError.
+void check_size(std::span<const std::uint8_t> png, const std::string& path) {
+  const std::optional<cv::Size2d> size = image_size_from_header(png);
+  if (!size || std::max(size->width, size->height) <= kLongestShownSide_px) return;
+  throw InputError(path + ": found " + fixed(size->width, 0) + " x " + fixed(size->height, 0) +
+                   " px, allowed: at most " + std::to_string(kLongestShownSide_px) + " px each way");
+}
+
 /// Straight BGRA. `found`: the key that asks for it and its value.
 cv::Mat kept_picture(const std::string& dir, const std::string& found, int longest_side_px) {
   if (!is_in_result(dir, kShownPictureName)) {
@@ -50,8 +60,10 @@ cv::Mat kept_picture(const std::string& dir, const std::string& found, int longe
                      "one");
   }
   const std::string text = read_result_file(dir, kShownPictureName, kMostBytes);
-  return png_picture(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()),
-                     path_in_result(dir, kShownPictureName), longest_side_px);
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  const std::string path = path_in_result(dir, kShownPictureName);
+  check_size(bytes, path);
+  return png_picture(bytes, path, longest_side_px);
 }
 
 int background_side_px(const Canvas& canvas) {
