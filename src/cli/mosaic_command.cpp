@@ -36,7 +36,9 @@ constexpr const char* kExamples =
     "needed. The more colours the library has the better; 500 drawings are few, 5,000 are many, and with fewer than\n"
     "100 each may lie beside itself. Between the pieces lies the image, a little darker. --set colour.weight=8 shows "
     "the\n"
-    "image better, with more gaps; --shift 0 leaves drawings as they are. The rest is as in tessera collage.";
+    "image better, with more gaps; --shift 0 leaves drawings as they are; --set colour.overlay=0.25 lays the image "
+    "over\n"
+    "them, a quarter of what is seen. The rest is as in tessera collage.";
 
 constexpr double kMostShift = 100;  // CIEDE2000: all of it
 

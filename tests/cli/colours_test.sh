@@ -83,6 +83,24 @@ run 0 rank expected drawn --weight colour_from_afar=-1 --out ranks
 grep -q '^score = .* - colour_from_afar, in percent$' output || fail "not weighed: $(cat output)"
 echo "ok seen from afar"
 
+# The picture laid over the pieces: the same on three ranks and after interruptions, seen from afar, without a search.
+for result in expected expected_on_3 parts; do
+  cp -r "$result" "laid_over_$result"
+  run 0 draw "laid_over_$result" --png --svg --quiet --set colour.overlay=0.25
+  for file in shown.png collage.png collage.svg; do
+    cmp "laid_over_expected/$file" "laid_over_$result/$file" || fail "another overlay of $result"
+  done
+done
+difference_from_afar() { afar "$1" | grep -o '"ciede2000":[0-9.]*' | head -n 1 | cut -d: -f2; }
+awk "BEGIN {exit !($(difference_from_afar laid_over_expected) < 0.9 * $(difference_from_afar expected))}" ||
+  fail "an overlay does not count from afar: $(afar expected) $(afar laid_over_expected)"
+run 0 collage job.toml --out laid_over --quiet --set colour.overlay=0.25
+cmp expected/pieces.geojson laid_over/pieces.geojson || fail "the overlay changes the pieces"
+cmp laid_over_expected/collage.png laid_over/collage.png || fail "drawn afterwards the overlay is another"
+start 1 other --resume --set colour.overlay=0.25
+expect_end 0 "a finished run with an overlay"
+echo "ok overlay"
+
 rm picture.svg
 run 2 plan job.toml
 grep -q 'colour.image' errors || fail "a plan without the picture: $(cat errors)"

@@ -96,7 +96,40 @@ run 0 draw shown --quiet --png --set output.background_light=1
 cmp -s shown/collage.png before.png && fail "background_light changes nothing"
 run 0 draw grey --quiet --png --background image
 cmp grey/collage.png before.png || fail "another picture where it is asked for afterwards"
+
+# And over them.
+run 2 collage job.toml --out none --set colour.overlay=0.25
+expect_word 'job.toml: colour.overlay: found 0.25, allowed without colour.image: 0'
+run 2 draw plain --quiet --set colour.overlay=0.25
+expect_word 'colour.overlay: found 0.25, allowed without colour.image: 0'
+for wrong in -0.1 0.6 nan; do
+  run 2 draw shown --quiet --set colour.overlay=$wrong
+  expect_word 'allowed: a number from 0 to 0.5'
+done
+for background in image none; do
+  run 0 draw shown --quiet --png --svg --pdf --background "$background" --set colour.overlay=0.4 --to over
+  rsvg-convert -w 120 over/collage.svg -o page.png
+  awk "BEGIN {exit !($("$difference" page.png over/collage.png) < 5)}" ||
+    fail "another overlay in the SVG on $background"
+  pdftocairo -png -transp -singlefile -scale-to-x 120 -scale-to-y 90 over/collage.pdf page
+  awk "BEGIN {exit !($("$difference" page.png over/collage.png) < 5)}" ||
+    fail "another overlay in the PDF on $background"
+  run 0 draw shown --quiet --png --pdf --background "$background" --to without
+  cmp -s without/collage.png over/collage.png && fail "no overlay on $background"
+  pdftocairo -png -transp -singlefile -scale-to-x 120 -scale-to-y 90 without/collage.pdf page
+  awk "BEGIN {exit !($("$difference" page.png over/collage.png) > 5)}" ||
+    fail "no overlay in the PDF on $background"
+done
+run 0 draw shown --quiet --svg --set colour.overlay=0.4
+grep -q '"overlay":0.4' shown/manifest.json || fail "no overlay in the manifest"
+grep -q '<g id="layer-overlay" .*opacity="0.4000"' shown/collage.svg || fail "the overlay is no layer of the SVG"
+run 0 draw shown --quiet --svg --set colour.overlay=0
+grep -q '"overlay"\|layer-overlay' shown/manifest.json shown/collage.svg && fail "an overlay where there is none"
+echo "ok image as overlay"
+
 rm shown/shown.png
+run 2 draw shown --quiet --png --background '#ffffff' --set colour.overlay=0.25
+expect_word 'colour.overlay: found 0.25, but '
 run 2 draw shown --quiet --png
 expect_word 'shown/shown.png is missing; needed: the result of a job with colour.image'
 echo "ok image as background"

@@ -32,7 +32,7 @@ void expect_readable(const std::string& message) {
 bool is_of_the_whole_job(const std::string& message) {
   return has(message, ": both are given; ") || has(message, ": library.wishes: ") ||
          has(message, ": library.colours: ") || has(message, ": canvas.size_") || has(message, ": start.remove: ") ||
-         has(message, ": start.lock: ");
+         has(message, ": start.lock: ") || has(message, ": colour.overlay: ");
 }
 
 void expect_says_what_is_allowed(const std::string& message, const std::string& where) {

@@ -40,8 +40,8 @@ TEST_F(JobFile, of_a_result_only_output_and_colours_may_change) {
   EXPECT_TRUE(set_drawing_keys(
       job, {"output.width_mm=100", "output.width_mm = 200", "output.background=none", " colour . palette=ink"}))
       << "colours are asked for";
-  EXPECT_FALSE(set_drawing_keys(job, {"output.outline_colour=#000000", "output.background=none"}))
-      << "of lines alone, not of pieces";
+  EXPECT_FALSE(set_drawing_keys(job, {"output.outline_colour=#000000", "output.background=none", "colour.shift=3"}))
+      << "of lines and tones, not of silhouettes";
   EXPECT_EQ(job.output.width_mm, 200);
   EXPECT_EQ(job.colour.palette, std::vector<std::string>{"ink"});
   EXPECT_EQ(job.output.background, kNoColour);

@@ -95,6 +95,32 @@ TEST_F(Overlaid, CoversTheCanvas) {
   EXPECT_EQ((*job_.settings.colour.of_shapes)[1].mean, (Lab{20, 1, 2}));
 }
 
+/// What a result keeps of the picture in this file.
+cv::Mat kept(const Canvas& canvas, Job job, const std::string& file) {
+  job.colour.image = file;
+  return cv::imdecode(*read_overlays(canvas, job).shown_png, cv::IMREAD_UNCHANGED);
+}
+
+TEST_F(Overlaid, IsKeptInItsOwnPixels) {
+  cv::Mat picture(100, 200, CV_8UC4);
+  cv::RNG(7).fill(picture, cv::RNG::UNIFORM, 0, 256);
+  EXPECT_EQ(cv::norm(kept(canvas_, job_, image("small.png", picture)), picture, cv::NORM_INF), 0);
+  const cv::Mat large = kept(canvas_, job_, image("large.png", two_halves({3000, 1500})));
+  ASSERT_EQ(large.size(), cv::Size(1360, 680));
+  EXPECT_EQ(large.at<cv::Vec4b>(340, 670), cv::Vec4b(0, 0, 255, 255));
+  EXPECT_EQ(large.at<cv::Vec4b>(340, 690), cv::Vec4b(0, 0, 0, 255));
+  EXPECT_FALSE(read_overlays(canvas_, job_).shown_png) << "without a picture";
+}
+
+TEST_F(Overlaid, AnSvgIsKeptAsFineAsAPhoto) {
+  const std::string file = folder_.write(
+      "a.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='20' height='10'><rect width='10' height='10'/></svg>");
+  const cv::Mat picture = kept(canvas_, job_, file);
+  ASSERT_EQ(picture.size(), cv::Size(1360, 680));
+  EXPECT_EQ(picture.at<cv::Vec4b>(340, 679)[3], 255);
+  EXPECT_EQ(picture.at<cv::Vec4b>(340, 680)[3], 0) << "transparent";
+}
+
 TEST_F(Overlaid, OfAnotherAspectIsCutAtTheMiddle) {
   cv::Mat bgr(400, 400, CV_8UC3, cv::Scalar(0, 0, 0));
   bgr(cv::Rect(0, 100, 400, 200)) = cv::Scalar(0, 0, 255);

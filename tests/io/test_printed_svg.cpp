@@ -68,6 +68,18 @@ TEST(PrintedSvg, GradientsOfPiecesThatAreTurnedFollowTheirObject) {
   expect_near(image.at<cv::Vec4b>(95, 5), kGreen);
 }
 
+/// Blue over a green canvas and a red piece, a quarter of it.
+TEST(PrintedSvg, TheOverlayLiesAboveThePieces) {
+  std::string svg = collage("matrix(1 0 0 1 20 10)");
+  svg.insert(svg.rfind("</svg>"),
+             R"(<g id="layer-overlay" opacity="0.25"><rect width="50%" height="100%" fill="#00f"/></g>)");
+  const cv::Mat image = drawn(svg, 400, 200);
+  expect_near(image.at<cv::Vec4b>(40, 60), {64, 96, 96, 255});  // of the piece: red over green, half each
+  expect_near(image.at<cv::Vec4b>(180, 60), {64, 191, 0, 255});
+  expect_near(image.at<cv::Vec4b>(40, 220), {128, 127, 0, 255});  // beyond the overlay
+  expect_near(image.at<cv::Vec4b>(180, 220), kGreen);
+}
+
 TEST(PrintedSvg, MayBeAnySvg) {
   const cv::Mat image = drawn(
       R"(<svg xmlns="http://www.w3.org/2000/svg" width="8" height="4"><rect width="4" height="4"/></svg>)", 80, 40);

@@ -97,7 +97,8 @@ TEST(ResultManifest, keeps_what_was_drawn_and_reads_what_earlier_versions_said) 
                          .ground_px = 333},
                         std::vector<std::string>{"#123456"},
                         12,
-                        Harmony{HarmonicTemplate::Y, 359}}};
+                        Harmony{HarmonicTemplate::Y, 359},
+                        0.25}};
   write_manifest(dir, manifest);
   EXPECT_EQ(read_manifest(dir).pictures, manifest.pictures);
   std::ifstream file(scratch.path(kManifestName));

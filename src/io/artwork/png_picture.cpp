@@ -29,6 +29,8 @@ cv::Mat decoded(std::span<const std::uint8_t> bytes, const std::string& path) {
   return image;
 }
 
+}  // namespace
+
 cv::Mat shrunk(const cv::Mat& image, int longest_side_px) {
   const double scale = double(longest_side_px) / std::max(image.cols, image.rows);
   if (scale >= 1) return image;
@@ -41,8 +43,6 @@ cv::Mat shrunk(const cv::Mat& image, int longest_side_px) {
   cv::resize(image, small, size, 0, 0, cv::INTER_AREA);
   return small;
 }
-
-}  // namespace
 
 cv::Mat png_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px) {
   const cv::Mat image = shrunk(decoded(bytes, path), longest_side_px);

@@ -9,6 +9,10 @@
 
 namespace tessera::io {
 
+/// `image` has 8 bits and 1, 3 or 4 channels (straight BGRA). Where a side is longer than `longest_side_px` it is
+/// reduced by means of areas, weighted by alpha.
+cv::Mat shrunk(const cv::Mat& image, int longest_side_px);
+
 /// Straight BGRA, CV_8UC4; shrunk where it is larger than `longest_side_px`. Throws InputError where it is no PNG or is
 /// damaged.
 cv::Mat png_picture(std::span<const std::uint8_t> bytes, const std::string& path, int longest_side_px);

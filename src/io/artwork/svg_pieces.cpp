@@ -12,6 +12,7 @@
 namespace tessera::io {
 namespace {
 
+constexpr const char* kOverlayLayer = "layer-overlay";
 constexpr double kOtherPage = 512;  // of a silhouette, which has none: as large as library build draws
 
 const xmlChar* xml(const char* text) { return reinterpret_cast<const xmlChar*>(text); }
@@ -96,10 +97,18 @@ void take_apart(xmlNode* piece, const std::map<std::string, cv::Size2d>& pages,
   xmlUnsetProp(piece, xml("transform"));
 }
 
-void remove_pieces(xmlNode* root) {
-  for (xmlNode* piece : pieces_of(root)) {
-    xmlUnlinkNode(piece);
-    xmlFreeNode(piece);
+xmlNode* overlay_of(xmlNode* root) {
+  xmlNode* layer = xmlFirstElementChild(root);
+  while (layer && attribute(layer, "id") != kOverlayLayer) layer = xmlNextElementSibling(layer);
+  return layer;
+}
+
+void remove_pieces_and_overlay(xmlNode* root) {
+  std::vector<xmlNode*> above_ground = pieces_of(root);
+  if (xmlNode* overlay = overlay_of(root)) above_ground.push_back(overlay);
+  for (xmlNode* node : above_ground) {
+    xmlUnlinkNode(node);
+    xmlFreeNode(node);
   }
 }
 
@@ -116,11 +125,16 @@ DividedSvg divided_svg(std::span<const std::uint8_t> svg, const std::string& pat
   DividedSvg divided;
   std::sscanf(attribute(root, "viewBox").c_str(), "%*f %*f %lf %lf", &divided.size.width, &divided.size.height);
   const XmlDocPtr ground(xmlCopyDoc(doc.get(), 1));
-  remove_pieces(xmlDocGetRootElement(ground.get()));
+  remove_pieces_and_overlay(xmlDocGetRootElement(ground.get()));
   divided.ground = text_of(ground.get());
   const auto pages = pages_of(root);
   const auto clips = clips_of(root);
   for (xmlNode* piece : pieces_of(root)) take_apart(piece, pages, clips, divided.list);
+  if (overlay_of(root)) {
+    cairo_matrix_t where_it_is;
+    cairo_matrix_init_identity(&where_it_is);
+    divided.list.push_back({.id = kOverlayLayer, .document_from_piece = where_it_is, .page = divided.size, .clip = ""});
+  }
   remove_page(root);
   divided.pieces = text_of(doc.get());
   return divided;

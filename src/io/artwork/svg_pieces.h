@@ -11,7 +11,8 @@
 
 namespace tessera::io {
 
-/// What a piece of collage.svg uses (docs/result-format.md): its drawing, or its outline as a line.
+/// What a piece of collage.svg uses (docs/result-format.md): its drawing, or its outline as a line. The overlay, which
+/// lies above the pieces, is the last one.
 struct SvgPiece {
   std::string id;
   cairo_matrix_t document_from_piece;
@@ -20,7 +21,7 @@ struct SvgPiece {
 };
 
 struct DividedSvg {
-  std::string ground;  // the document without its pieces
+  std::string ground;  // the document without its pieces and the overlay
   std::string pieces;  // the document with the pieces unclipped, where their own units are px, and without a page
   std::vector<SvgPiece> list;  // in the order in which they are drawn
   cv::Size2d size;             // of the document, in its own units

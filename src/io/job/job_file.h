@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,7 @@ struct ColourSpec {
   std::vector<std::string> palette = {"dusk"};  // colours "#rrggbb"; or alone: a built-in name, a file's absolute path
   std::string image = {};                       // that pieces are to show together, absolute path; empty = none
   double shift = 0;                             // so far a piece's tone may go to what it covers, CIEDE2000
+  double overlay = 0;                           // opacity of `image` over all that pictures show; 0 = it is not there
   std::string harmony = kNoHarmony;             // "auto", or the letter of a template (harmony.h)
 };
 
@@ -145,6 +147,7 @@ struct Job {
   CommSpec comm;
   CollageSettings settings;
   std::uint64_t overlay_digest = 0;  // of what lies over the canvas (overlays.h); 0: nothing
+  std::shared_ptr<const std::vector<std::uint8_t>> shown_png = {};  // colour.image as the result keeps it; the master's
   double size_factor = 1;  // times all sizes; found by the master where every shape is to have a place (pieces.fit)
   std::map<std::string, std::vector<JobRow>> tables;  // by name
 };
@@ -158,7 +161,8 @@ Job load_job(const std::string& path, const std::vector<std::string>& overrides)
 Job checked_job(const Job& job);
 
 /// Sets keys of the sections [output] and [colour] alone, which may be others than when the collage was made. Returns
-/// whether one of them is of [colour]. Throws InputError as load_job does, and where the key is of another section.
+/// whether one of them says in which colours silhouettes are drawn. Throws InputError as load_job does, and where the
+/// key is of another section.
 bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides);
 
 /// The effective job with every key, readable by load_job, which then gives the same values bit by bit.

@@ -313,6 +313,11 @@ void add_colour_keys(std::vector<JobKey>& keys) {
                               "so far a piece's tone may be shifted to that of what it covers, with `image`"},
                              FIELD(colour.shift)));
   keys.back().decides = false;
+  keys.push_back(with_number({"colour", "overlay", number, "", 0, 0.5, {},
+                              "opacity in which `image` itself is laid over the pieces and what lies between them; 0 = "
+                              "not"},
+                             FIELD(colour.overlay)));
+  keys.back().decides = false;
   keys.push_back(with_text({"colour", "harmony", word, "", 0, 0, {kNoHarmony, "auto", "i", "V", "L", "I", "T", "Y", "X"},
                             "the hues of pieces are turned into a harmonic template of that form, `auto`: the one that "
                             "fits best"},

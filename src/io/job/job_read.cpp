@@ -19,6 +19,7 @@
 #include "io/job/palette.h"
 #include "io/job/quality_word.h"
 #include "io/job/wishes_file.h"
+#include "io/number_text.h"
 #include "io/regular_file.h"
 
 namespace tessera::io {
@@ -284,9 +285,21 @@ void check_background(const Job& job) {
   if (!job.output.ground.empty()) throw InputError(found + " with output.ground, allowed: one of them");
 }
 
+void check_overlay(const Job& job) {
+  if (job.colour.overlay == 0 || !job.colour.image.empty()) return;
+  throw InputError(job.path + ": colour.overlay: found " + significant(job.colour.overlay, 3) +
+                   ", allowed without colour.image: 0");
+}
+
+/// What pictures show together.
+void check_drawing(const Job& job) {
+  check_background(job);
+  check_overlay(job);
+}
+
 /// What keys say together.
 void check_together(const Job& job) {
-  check_background(job);
+  check_drawing(job);
   if (job.canvas.keep_out_rectangles.size() > kMostZones) {
     throw InputError(job.path + ": found " + std::to_string(job.canvas.keep_out_rectangles.size()) +
                      " [[keep_out]], allowed: " + std::to_string(kMostZones) + "; canvas.keep_out may show any number");
@@ -336,9 +349,9 @@ Job load_job(const std::string& path, const std::vector<std::string>& overrides)
 
 bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
   const Entries entries({}, overrides);
-  bool of_colour = false;
+  bool silhouettes = false;
   for (const JobEntry& entry : entries.all()) {
-    of_colour |= entry.section == "colour";
+    silhouettes |= entry.section == "colour" && (entry.name == "pieces" || entry.name == "palette");
     if (entry.section != "output" && entry.section != "colour") {
       throw InputError(entry.where + ": allowed where a result is drawn: output.key=value or colour.key=value");
     }
@@ -348,8 +361,8 @@ bool set_drawing_keys(Job& job, const std::vector<std::string>& overrides) {
   }
   entries.apply_all_but_mm(job);
   entries.apply_mm(job);
-  check_background(job);
-  return of_colour;
+  check_drawing(job);
+  return silhouettes;
 }
 
 Job job_from_toml(const std::string& text, const std::string& path) { return read_job(text, path, {}); }

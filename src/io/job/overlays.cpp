@@ -10,6 +10,8 @@
 #include "core/base/digest.h"
 #include "core/base/error.h"
 #include "io/artwork/colour_conversion.h"
+#include "io/artwork/png_picture.h"
+#include "io/elements/cut_outs.h"
 #include "io/job/overlay.h"
 
 namespace tessera::io {
@@ -37,11 +39,14 @@ cv::Size cells_of(const Canvas& canvas, float px_per_cell) {
   return {along(canvas.width_px), along(canvas.height_px)};
 }
 
-/// SVGs are drawn twice as fine.
-cv::Mat picture_for(const Job& job, const std::string& path, const char* key, const Canvas& canvas, cv::Size cells,
+/// An SVG is drawn twice as fine as cells.
+int side_for(cv::Size cells) { return 2 * std::max(cells.width, cells.height); }
+
+/// An SVG is drawn with a longest side of `side_px`.
+cv::Mat picture_for(const Job& job, const std::string& path, const char* key, const Canvas& canvas, int side_px,
                     Drawers& drawers) {
   try {
-    return overlay_picture(path, key, canvas, 2 * std::max(cells.width, cells.height), drawers);
+    return overlay_picture(path, key, canvas, side_px, drawers);
   } catch (const InputError& error) {
     throw InputError(job.path + ": " + error.what());
   }
@@ -90,7 +95,7 @@ std::shared_ptr<const SizeMap> size_map_of(const Canvas& canvas, const Job& job,
   refuse_seamless(job, "pieces.size_map");
   const float cell_px = px_per_cell(job, kSizesPerPiece);
   const cv::Size size = cells_of(canvas, cell_px);
-  const cv::Mat bgra = picture_for(job, job.size_map, "pieces.size_map", canvas, size, drawers);
+  const cv::Mat bgra = picture_for(job, job.size_map, "pieces.size_map", canvas, side_for(size), drawers);
   cv::Mat grey, alpha, cells;
   cv::cvtColor(bgra, grey, cv::COLOR_BGRA2GRAY);
   cv::extractChannel(bgra, alpha, 3);
@@ -132,6 +137,15 @@ void add_colour_grids(const ShapeLibrary& library, const Job& job, Digest& diges
   });
 }
 
+/// `bgra` is colour.image as matching has it. Where that is small the file may be an SVG, which is drawn anew.
+std::shared_ptr<const std::vector<std::uint8_t>> shown_png(const Canvas& canvas, const Job& job, const cv::Mat& bgra,
+                                                           Drawers& drawers) {
+  const bool small = std::max(bgra.cols, bgra.rows) < kLongestShownSide_px;
+  const cv::Mat picture =
+      small ? picture_for(job, job.colour.image, "colour.image", canvas, kLongestShownSide_px, drawers) : bgra;
+  return std::make_shared<const std::vector<std::uint8_t>>(shown_picture_png(picture));
+}
+
 }  // namespace
 
 ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& drawers) {
@@ -139,7 +153,7 @@ ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& dra
   refuse_seamless(job, "colour.image");
   const float px_per_texel = px_per_cell(job, kTexelsPerPiece);
   const cv::Size size = cells_of(canvas, px_per_texel);
-  const cv::Mat picture = picture_for(job, job.colour.image, "colour.image", canvas, size, drawers);
+  const cv::Mat picture = picture_for(job, job.colour.image, "colour.image", canvas, side_for(size), drawers);
   const Grid<Texel> finest = texels_from(picture, size);
   if (std::none_of(finest.data().begin(), finest.data().end(),
                    [](const Texel& texel) { return texel.weight >= kLeastColourWeight; })) {
@@ -148,9 +162,16 @@ ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& dra
   return {picture, std::make_shared<const ColourTarget>(finest, px_per_texel)};
 }
 
+std::vector<std::uint8_t> shown_picture_png(const cv::Mat& bgra) { return png_of(shrunk(bgra, kLongestShownSide_px)); }
+
 Overlays read_overlays(const Canvas& canvas, const Job& job) {
   Drawers drawers(photo_drawer_settings(1));
-  return {read_colour_image(canvas, job, drawers).target, size_map_of(canvas, job, drawers)};
+  Overlays overlays;
+  const ColourImage image = read_colour_image(canvas, job, drawers);
+  overlays.colour = image.target;
+  if (image.target) overlays.shown_png = shown_png(canvas, job, image.bgra, drawers);
+  overlays.sizes = size_map_of(canvas, job, drawers);
+  return overlays;
 }
 
 void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& job) {
@@ -163,6 +184,7 @@ void set_overlays(const Overlays& overlays, const ShapeLibrary& library, Job& jo
   if (overlays.sizes) digest.add_all(std::span<const float>(overlays.sizes->part.data()));
   job.settings.colour.target = overlays.colour;
   job.settings.pieces.size_map = overlays.sizes;
+  job.shown_png = overlays.shown_png;
   job.overlay_digest = digest.value();
 }
 

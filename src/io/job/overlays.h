@@ -2,8 +2,10 @@
 // pieces.size_map, how large they may be from place to place.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <vector>
 
 #include "core/colour/colour_target.h"
 #include "core/field/canvas.h"
@@ -23,10 +25,18 @@ struct ColourImage {
 /// Empty where the job has none. Errors as read_overlays, and as overlay_picture where `drawers` are stopped.
 ColourImage read_colour_image(const Canvas& canvas, const Job& job, Drawers& drawers);
 
+/// Longest side of the picture that a result keeps. Its PNG in Base64, as SVGs hold it, stays below the 10 MB that
+/// libxml2 reads in one attribute, even where it is noise.
+inline constexpr int kLongestShownSide_px = 1360;
+
+/// colour.image as straight BGRA in a PNG; larger pictures are reduced to kLongestShownSide_px.
+std::vector<std::uint8_t> shown_picture_png(const cv::Mat& bgra);
+
 /// What is empty is not there.
 struct Overlays {
   std::shared_ptr<const ColourTarget> colour;
   std::shared_ptr<const SizeMap> sizes;
+  std::shared_ptr<const std::vector<std::uint8_t>> shown_png = {};
 };
 
 /// Read from the job's files. Throws InputError that names the key and the file: where that is no picture, where the

@@ -71,6 +71,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          "# Pieces are chosen by the colours of what they cover.\n"
          "# weight: how much that counts beside outlines that fit; 0 = not. 8 shows the image better, with more gaps.\n"
          "# shift: the tone of a piece may be moved towards the image by so much CIEDE2000; 0 = as drawn.\n"
+         "# overlay: the image itself is laid over the pieces in this opacity, 0.25 = a quarter; 0 = not.\n"
          "image = " +
          toml_text(files.image) +
          "\n"

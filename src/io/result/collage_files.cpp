@@ -130,9 +130,7 @@ std::string publish_result(const std::string& dir, const CollageReport& report, 
   const std::string job = to_toml(*report.job);
   write_file_atomically(in_directory(dir, "pieces.geojson"), pieces);
   write_file_atomically(in_directory(dir, "job.toml"), job);
-  if (const auto& target = report.job->settings.colour.target) {
-    write_file_atomically(in_directory(dir, kShownPictureName), shown_picture_png(*target, *report.canvas));
-  }
+  if (report.job->shown_png) write_file_atomically(in_directory(dir, kShownPictureName), *report.job->shown_png);
   const ResultManifest manifest = manifest_of(report, origin, finished, pieces, job);
   if (!finished) {
     for (const char* card : {"card.json", "card.txt"}) remove_file(in_directory(dir, card));

@@ -37,6 +37,7 @@ struct CollageReport {
   CanvasEdge canvas_edge;   // for pictures
   KeepOutDrawing keep_out;  // for pictures; mostly none
   GroundTile ground;        // for pictures; mostly none
+  GroundTile overlay;       // for pictures, laid over all else with ColourSpec::overlay; mostly none
   std::vector<Placement> placements;
   PlacedShapes shapes;
   std::vector<std::string> names_like_patterns;  // of the library, placed or not (job_library.h)

@@ -1,4 +1,4 @@
-// The ground of the pieces as pixels, strip by strip.
+// The ground of the pieces, or what is laid over them, as pixels, strip by strip.
 #pragma once
 
 #include <opencv2/core.hpp>

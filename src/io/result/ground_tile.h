@@ -1,5 +1,5 @@
 // What pictures show below the pieces: the picture in output.ground in tiles (mortar, sand, cloth), or the one that the
-// pieces show (shown_picture.h).
+// pieces show, which may lie over them, too (shown_picture.h).
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -74,6 +74,7 @@ class PictureBands {
         background_(opaque_ ? bgr_of(flat_background(report.job->output)) : cv::Vec3b()),
         line_colour_(bgr_of(report.job->output.outline_colour)),
         ground_(report.ground, picture_px_, size_),
+        overlay_(report.overlay, picture_px_, size_),
         keep_out_(report.keep_out, picture_px_, size_),
         shadow_(report, size_),
         sprites_(limits.sprite_bytes, [&](std::size_t slot, int side_px) { return artworks.sprite(slot, side_px); }) {
@@ -168,6 +169,7 @@ class PictureBands {
       lay_over(tile.bgra.rowRange(begin - tile.top, end - tile.top),
                strip(cv::Rect(box.x, begin - top, box.width, end - begin)));
     }
+    lay_within_canvas(overlay_, top, strip);
     if (!opaque_) straighten(strip);
   }
 
@@ -194,8 +196,12 @@ class PictureBands {
   /// Transparent outside the canvas, and without a ground.
   void draw_ground_alone(int top, cv::Mat& strip) const {
     strip.setTo(cv::Scalar::all(0));
-    if (ground_.empty()) return;
-    cv::Mat rows = ground_.rows(top, strip.rows);
+    lay_within_canvas(ground_, top, strip);
+  }
+
+  void lay_within_canvas(const GroundStrips& picture, int top, cv::Mat& strip) const {
+    if (picture.empty()) return;
+    cv::Mat rows = picture.rows(top, strip.rows);
     const Curves& edge = report_.canvas_edge.curves;
     if (!edge.empty()) cut_to(coverage_of(edge, top, strip), rows);
     lay_over(rows, strip);
@@ -224,6 +230,7 @@ class PictureBands {
   const cv::Vec3b background_;
   const cv::Vec3b line_colour_;
   const GroundStrips ground_;
+  const GroundStrips overlay_;
   const KeepOutStrips keep_out_;
   const Shadow shadow_;
   SpriteCache sprites_;

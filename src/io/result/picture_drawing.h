@@ -25,8 +25,8 @@ struct PictureLimits {
 /// Hands out the picture from top to bottom, some rows at a time: `take` is called from one thread at a time. The
 /// canvas region has the background colour and on it the ground's tiles, what lies outside it is white, and the rows
 /// are BGR, CV_8UC3; without a background all that neither pieces nor the ground cover is transparent, and the rows are
-/// straight BGRA, CV_8UC4. Pieces are drawn in order of placement and clipped by the picture only. Throws
-/// DrawingStopped.
+/// straight BGRA, CV_8UC4. Pieces are drawn in order of placement and clipped by the picture only, and the overlay over
+/// them within the canvas region. Throws DrawingStopped.
 void draw_picture(const CollageReport& report, ShapeArtworks& artworks, const PictureLimits& limits,
                   const std::function<void(const cv::Mat& rows)>& take);
 

@@ -242,6 +242,7 @@ class ResultPictures {
   void end(const char* name) {
     manifest_.pictures.push_back({name, report_.job->output});
     if (!manifest_.covered.empty()) manifest_.pictures.back().shift = report_.job->colour.shift;
+    manifest_.pictures.back().overlay = report_.job->colour.overlay;
     manifest_.pictures.back().harmony = report_.harmony;
     if (report_.colours != manifest_.colours) manifest_.pictures.back().colours = distinct(report_.colours);
     tell();
@@ -301,6 +302,7 @@ DrawingNotes draw_result(const std::string& dir, const PictureRequest& request, 
   report.keep_out = std::move(canvas.drawing.keep_out);
   report.ground = job.output.background == kImageBackground ? image_background(dir, job.output, canvas.canvas)
                                                             : std::move(canvas.drawing.ground);
+  report.overlay = image_overlay(dir, job.colour.overlay, canvas.canvas);
   report.placements = placements_of(dir, manifest, library.size());
   const LibraryParts parts{.outline = true, .field = true, .levels = 0, .artwork = true, .original = true};
   report.shapes = read_placed_shapes(library, report.placements, parts, [&] { stop.check(); });

@@ -64,6 +64,7 @@ Json to_json(const DrawnPicture& picture) {
             {"ground_px", output.ground_px}};
   if (output.background == kImageBackground) json["background_light"] = output.background_light;
   if (picture.shift > 0) json["shift"] = picture.shift;
+  if (picture.overlay > 0) json["overlay"] = picture.overlay;
   if (picture.harmony) {
     json["harmony"] = {{"template", letter_of(picture.harmony->form)}, {"angle_deg", picture.harmony->angle_deg}};
   }
@@ -119,6 +120,7 @@ ResultManifest from_json(const ReadJson& json) {
   for (const ReadJson& picture : json.at("pictures")) {
     manifest.pictures.push_back({picture.at("file"), output_from_json(picture)});
     manifest.pictures.back().shift = picture.value("shift", 0.);
+    manifest.pictures.back().overlay = picture.value("overlay", 0.);
     if (picture.contains("harmony")) manifest.pictures.back().harmony = harmony_from_json(picture.at("harmony"));
     if (picture.contains("palette"))
       manifest.pictures.back().colours = picture.at("palette").get<std::vector<std::string>>();

@@ -24,6 +24,7 @@ struct DrawnPicture {
       {};            // of a palette, where it is not drawn in ResultManifest::colours
   double shift = 0;  // of tones, CIEDE2000 at most
   std::optional<Harmony> harmony = {};
+  double overlay = 0;  // opacity of the picture over the pieces
 
   friend bool operator==(const DrawnPicture&, const DrawnPicture&) = default;
 };

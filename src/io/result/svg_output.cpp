@@ -63,21 +63,21 @@ void write_rectangle(const std::string& colour, XmlWriter& svg) {
   svg.start("rect").attribute("width", "100%").attribute("height", "100%").attribute("fill", colour).end();
 }
 
+const SvgLayer kOverlayLayer{.id = "layer-overlay", .label = "Overlay", .pieces = {}};
 constexpr const char* kGroundId = "ground";
+constexpr const char* kOverlayId = "overlay";
 
 /// What the canvas is filled with.
 std::string canvas_fill(const CollageReport& report) {
   return report.ground.svg.empty() ? flat_background(report.job->output) : std::string("url(#") + kGroundId + ")";
 }
 
-/// Tiles of the ground, on the background.
-void write_ground_pattern(const CollageReport& report, XmlWriter& svg) {
-  const GroundTile& ground = report.ground;
+/// Its tiles, on the background.
+void write_pattern(const GroundTile& ground, const char* id, const std::string& background, XmlWriter& svg) {
   if (ground.svg.empty()) return;
   const std::string width = fixed(ground.size_px.width, 7), height = fixed(ground.size_px.height, 7);
-  svg.raw("\n").start("pattern").attribute("id", kGroundId).attribute("patternUnits", "userSpaceOnUse");
+  svg.raw("\n").start("pattern").attribute("id", id).attribute("patternUnits", "userSpaceOnUse");
   svg.attribute("width", width).attribute("height", height);
-  const std::string background = flat_background(report.job->output);
   if (background != kNoColour) {
     svg.start("rect").attribute("width", width).attribute("height", height).attribute("fill", background).end();
   }
@@ -99,6 +99,12 @@ void write_grounds(const CanvasEdge& edge, const std::string& fill, XmlWriter& s
   svg.end();
 }
 
+void write_canvas_shape(const CanvasEdge& edge, const std::string& fill, XmlWriter& svg) {
+  if (edge.curves.empty()) return write_rectangle(fill, svg);
+  svg.start("path").attribute("fill", fill).attribute("fill-rule", "evenodd");
+  svg.attribute("d", svg_path(edge.curves, {1, 0, 0, 0})).end();
+}
+
 void write_canvas(const CollageReport& report, XmlWriter& svg) {
   const std::string fill = canvas_fill(report);
   const CanvasEdge& edge = report.canvas_edge;
@@ -106,14 +112,21 @@ void write_canvas(const CollageReport& report, XmlWriter& svg) {
   const bool opaque = report.job->output.background != kNoColour;
   start_layer(kCanvasLayer, svg);
   if (opaque) write_rectangle("#ffffff", svg);
-  if (edge.curves.empty()) {
-    write_rectangle(fill, svg);
-  } else if (edge.grounds.empty() || !opaque) {
-    svg.start("path").attribute("fill", fill).attribute("fill-rule", "evenodd");
-    svg.attribute("d", svg_path(edge.curves, {1, 0, 0, 0})).end();
+  if (edge.curves.empty() || edge.grounds.empty() || !opaque) {
+    write_canvas_shape(edge, fill, svg);
   } else {
     write_grounds(edge, fill, svg);
   }
+  svg.end();
+}
+
+/// A layer whose opacity programs show and change.
+void write_overlay(const CollageReport& report, XmlWriter& svg) {
+  if (report.overlay.svg.empty()) return;
+  svg.raw("\n");
+  start_layer(kOverlayLayer, svg);
+  svg.attribute("opacity", fixed(report.job->colour.overlay, 4));
+  write_canvas_shape(report.canvas_edge, std::string("url(#") + kOverlayId + ")", svg);
   svg.end();
 }
 
@@ -249,7 +262,8 @@ void write_definitions(const CollageReport& report, const ShapeArtworks& artwork
   write_turn_filters(report, svg);
   write_patches(report, symbols, svg);
   write_keep_out_clip(report.keep_out, svg);
-  write_ground_pattern(report, svg);
+  write_pattern(report.ground, kGroundId, flat_background(output), svg);
+  write_pattern(report.overlay, kOverlayId, kNoColour, svg);
   svg.end().raw("\n");
 }
 
@@ -380,6 +394,7 @@ std::string collage_svg(const CollageReport& report, ShapeArtworks& artworks, co
   const std::vector<DrawnPiece> drawn = drawn_pieces(report, artworks);
   write_shadow(report, drawn, symbols, svg);
   write_pieces(report, drawn, symbols, svg);
+  write_overlay(report, svg);
   return svg.raw("\n").finish();
 }
 
