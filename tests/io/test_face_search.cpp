@@ -69,7 +69,7 @@ float saliency_at(const cv::Mat& saliency, double x, double y) {
 }
 
 TEST(SaliencyOfFaces, IsMostOnEyesAndMouth) {
-  const cv::Mat map = saliency_of_faces({{.box = {0.25, 0.25, 0.5, 0.5}, .certainty = 1}}, {400, 400});
+  const cv::Mat map = saliency_of_faces({{.box = {0.25, 0.25, 0.5, 0.5}, .certainty = 1}}, {400, 400}, 20);
   const float eye = saliency_at(map, 0.3, kEyes), cheek = saliency_at(map, 0.3, 0.6);
   EXPECT_EQ(saliency_at(map, 0.7, kEyes), eye);
   EXPECT_EQ(saliency_at(map, 0.5, kMouth), eye);
@@ -80,12 +80,22 @@ TEST(SaliencyOfFaces, IsMostOnEyesAndMouth) {
 
 TEST(SaliencyOfFaces, IsLessWhereAFaceIsLessCertain) {
   const auto eye = [](const std::vector<Face>& faces) {
-    return saliency_at(saliency_of_faces(faces, {400, 400}), 0.3, kEyes);
+    return saliency_at(saliency_of_faces(faces, {400, 400}, 20), 0.3, kEyes);
   };
   const cv::Rect2d box(0.25, 0.25, 0.5, 0.5);
   EXPECT_FLOAT_EQ(eye({{box, 0.5}}), eye({{box, 1}}) / 2);
   EXPECT_FLOAT_EQ(eye({{box, 1}, {box, 0.5}}), eye({{box, 1}}));
   EXPECT_EQ(eye({}), 0);
+}
+
+// A face of 200 px.
+TEST(SaliencyOfFaces, IsLessWhereAFaceIsManyPiecesWide) {
+  const auto eye = [](double smallest_px) {
+    return saliency_at(saliency_of_faces({{{0.25, 0.25, 0.5, 0.5}, 1}}, {400, 400}, smallest_px), 0.3, kEyes);
+  };
+  EXPECT_EQ(eye(40), eye(13));
+  EXPECT_NEAR(eye(4), eye(8) / 2, 1e-6);
+  EXPECT_LT(eye(8), eye(13));
 }
 
 TEST(SaliencyOfPicture, GoesByLightnessAndAlpha) {

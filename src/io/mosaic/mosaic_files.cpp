@@ -134,6 +134,10 @@ std::optional<std::vector<Face>> faces_for(const MosaicRequest& request, const c
                     kNarrowestFace * plan.min_scale_px / plan.canvas_px.width);
 }
 
+cv::Mat saliency_of(const std::vector<Face>& faces, const MosaicPlan& plan) {
+  return saliency_of_faces(faces, size_map_size(plan), plan.min_scale_px / kSizeMapPixel_px);
+}
+
 }  // namespace
 
 std::string size_map_path(const std::string& job) { return path_beside(job, "_sizes.png"); }
@@ -155,9 +159,8 @@ Mosaic make_mosaic(const MosaicRequest& request, Drawers& drawers) {
   const cv::Mat image = read_image(request.image, drawers);
   const MosaicPlan plan = plan_for(request, image);
   const std::optional<std::vector<Face>> faces = faces_for(request, image, plan);
-  const cv::Mat saliency = request.salient.empty()
-                               ? saliency_of_faces(faces.value_or(std::vector<Face>()), size_map_size(plan))
-                               : painted_saliency(request.salient, size_map_size(plan), drawers);
+  const cv::Mat saliency = request.salient.empty() ? saliency_of(faces.value_or(std::vector<Face>()), plan)
+                                                   : painted_saliency(request.salient, size_map_size(plan), drawers);
   Mosaic mosaic{
       .plan = plan, .faces = {}, .regions = 0, .files = {{map_path, png_of(size_map(image, plan, saliency))}}};
   if (faces) mosaic.faces = int(faces->size());

@@ -23,6 +23,9 @@ constexpr Spot kEyesAndMouth[] = {
 /// Of a radius: beyond it saliency falls to nothing over so much.
 constexpr double kBorder = 0.4;
 
+/// In smallest pieces: a wider face needs less.
+constexpr double kNeedyWidth = 16;
+
 /// Colours of a grey picture differ by so much at most, as JPEG leaves them.
 constexpr int kMostColour = 24;
 
@@ -50,14 +53,15 @@ cv::Rect reach_of(const Face& face, cv::Size size) {
   return cv::Rect(first, last + cv::Point(1, 1)) & cv::Rect({}, size);
 }
 
-void add_face(const Face& face, cv::Mat& saliency) {
+void add_face(const Face& face, double smallest_px, cv::Mat& saliency) {
+  const double need = std::min(1., kNeedyWidth * smallest_px / (face.box.width * saliency.cols));
   const cv::Rect reach = reach_of(face, saliency.size());
   for (int y = reach.y; y < reach.br().y; ++y) {
     for (int x = reach.x; x < reach.br().x; ++x) {
       const cv::Point2d at(((x + 0.5) / saliency.cols - face.box.x) / face.box.width,
                            ((y + 0.5) / saliency.rows - face.box.y) / face.box.height);
       float& here = saliency.at<float>(y, x);
-      here = std::max(here, float(face.certainty * saliency_at(at)));
+      here = std::max(here, float(face.certainty * need * saliency_at(at)));
     }
   }
 }
@@ -78,9 +82,9 @@ void check_is_grey(const cv::Mat& bgra) {
 
 }  // namespace
 
-cv::Mat saliency_of_faces(const std::vector<Face>& faces, cv::Size size) {
+cv::Mat saliency_of_faces(const std::vector<Face>& faces, cv::Size size, double smallest_px) {
   cv::Mat saliency(size, CV_32F, cv::Scalar(0));
-  for (const Face& face : faces) add_face(face, saliency);
+  for (const Face& face : faces) add_face(face, smallest_px, saliency);
   return saliency;
 }
 
