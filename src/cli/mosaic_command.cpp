@@ -17,6 +17,7 @@
 #include "io/elements/photo_extraction.h"
 #include "io/job/job_file.h"
 #include "io/library/library_view.h"
+#include "io/mosaic/face_search.h"
 #include "io/mosaic/mosaic_files.h"
 
 namespace tessera::cli {
@@ -31,8 +32,10 @@ constexpr const char* kExamples =
     "  tessera mosaic portrait.jpg tiles.h5 --job-only     portrait.toml and its two pictures, to be edited; then\n"
     "  tessera collage portrait.toml\n"
     "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; portrait_sizes.png\n"
-    "is grey, dark where the image has detail and pieces are to be small, portrait_regions.png shows the parts that\n"
-    "pieces keep within. All stay as they are where they are there, unless they would change: then --replace is\n"
+    "is grey, dark where the image has detail or a face and pieces are to be small, portrait_regions.png shows the\n"
+    "parts that pieces keep within. All stay as they are where they are there, unless they would change: then "
+    "--replace "
+    "is\n"
     "needed. The more colours the library has the better; 500 drawings are few, 5,000 are many, and with fewer than\n"
     "100 each may lie beside itself. Between the pieces lies the image, a little darker. --set colour.weight=8 shows "
     "the\n"
@@ -65,11 +68,24 @@ void write_checked(const MosaicArguments& arguments, const io::Mosaic& mosaic) {
   }
 }
 
+void print_faces(const io::MosaicRequest& request, const io::Mosaic& mosaic) {
+  if (const int faces = mosaic.faces.value_or(0); faces > 0) {
+    print_line("%s, with the smallest pieces on eyes and mouth%s", count_text(std::size_t(faces), "face").c_str(),
+               faces > 1 ? "s" : "");
+  }
+  if (mosaic.faces || !request.salient.empty()) return;
+  print_line(
+      "faces were not looked for: %s is missing; Debian's package opencv-data brings it, TESSERA_CASCADES=FOLDER names "
+      "another folder, and --salient FILE says where pieces are to be small",
+      request.face_cascade.c_str());
+}
+
 void write_job(const MosaicArguments& arguments) {
   io::MosaicRequest request = arguments.request;
   if (std::isnan(request.shift)) throw InputError("--shift: found nan, allowed: a number");
   const io::LibraryView library({.files = request.libraries, .names = {}});  // a slip of the pen costs no time
   request.shapes = library.size();
+  request.face_cascade = io::face_cascade_file();
   io::Drawers drawers(io::photo_drawer_settings(1));
   const io::Mosaic mosaic = io::make_mosaic(request, drawers);
   write_checked(arguments, mosaic);
@@ -81,6 +97,7 @@ void write_job(const MosaicArguments& arguments) {
   print_line("%s: %d x %d px, about %d pieces of %g to %g px out of %s; sizes: %s%s", request.job.c_str(),
              plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
              count_text(library.size(), "shape").c_str(), io::size_map_path(request.job).c_str(), regions.c_str());
+  print_faces(request, mosaic);
   if (arguments.job_only) print_line("next: tessera collage %s", request.job.c_str());
   print_now();
 }
@@ -122,6 +139,11 @@ void add_mosaic_command(CLI::App& app, Command& selected) {
                    "Parts of the image, of so many colours at most, 8 or fewer: pieces keep within them, so that "
                    "their edges are sharp; 1 = pieces lie anywhere, which covers a little more")
       ->capture_default_str();
+  mosaic
+      ->add_option("--salient", request.salient,
+                   "Where eyes look first: a grey picture over the image, white where pieces are to be small, black "
+                   "where its contrast alone decides; default: faces that are found")
+      ->type_name("FILE");
   mosaic->add_option("--job", request.job, "The job file to write; default: <name of the image>.toml")
       ->type_name("FILE.toml");
   mosaic->add_flag("--job-only", arguments->job_only, "Write the job and its pictures, and run nothing");

@@ -41,6 +41,7 @@ cp sun.png ground.png.tmp
 kept ground.png.tmp library extract ground.png.tmp --element-px 60 -o new.h5 --ground ground.png
 cp sun.png mosaic.toml.tmp
 kept mosaic.toml.tmp mosaic mosaic.toml.tmp own.h5 --job mosaic.toml --job-only
+kept mosaic.toml.tmp mosaic sun.png own.h5 --salient mosaic.toml.tmp --job mosaic.toml --job-only
 cp own.h5 pairs.json.tmp
 kept pairs.json.tmp bench pairs --quick --library pairs.json.tmp --out pairs.json
 kept own.h5 bench pairs --quick --library own.h5 --out own.h5

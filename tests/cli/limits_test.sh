@@ -68,7 +68,8 @@ echo "ok size of files"
 # Names that no file system takes.
 for name in "$(printf 'x%.0s' {1..256})" "$(printf 'abcdefgh/%.0s' {1..600})x"; do
   for command in "plan $name" "collage $name" "library build $name -o none.h5" "library info $name" "rank $name" \
-    "card $name --size 100,100" "mosaic sun.png $name --job-only --job none.toml" "puzzle make $name --out none"; do
+    "card $name --size 100,100" "mosaic sun.png $name --job-only --job none.toml" "puzzle make $name --out none" \
+    "mosaic sun.png own.h5 --salient $name --job-only --job none.toml"; do
     # shellcheck disable=SC2086
     refused 2 "${name:0:100}" $command
   done

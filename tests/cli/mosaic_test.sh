@@ -39,6 +39,30 @@ grep -qx 'shift = 7' small.toml || fail "--shift is not in the job"
 grep -qx 'size_map = "small_sizes.png"' small.toml || fail "the map has not the job's name"
 echo "ok files"
 
+portrait=$(dirname "${BASH_SOURCE[0]}")/../../jobs/photos/astronaut.jpg
+run 0 mosaic "$portrait" own.h5 --pieces 100 --job-only --job portrait.toml
+expect_silence "a warning of a face"
+grep -qx '1 face, with the smallest pieces on eyes and mouth' output || fail "does not say that it has found a face"
+TESSERA_CASCADES=$PWD run 0 mosaic "$portrait" own.h5 --pieces 100 --job-only --job unseen.toml
+expect_silence "a warning of what is no fault"
+grep -q "^faces were not looked for: $PWD/haarcascade_.*\.xml is missing; Debian's package opencv-data" output ||
+  fail "does not say that faces were not looked for"
+cmp -s portrait_sizes.png unseen_sizes.png && fail "a face changes no sizes"
+echo "<svg xmlns='http://www.w3.org/2000/svg' width='30' height='20'><rect width='30' height='20'/>
+  <circle cx='24' cy='4' r='3' fill='#fff'/></svg>" >spot.svg
+rsvg-convert spot.svg -o spot.png
+run 0 mosaic sun.png own.h5 --pieces 100 --job-only --job spot.toml --salient spot.png
+grep -q 'faces' output && fail "speaks of faces where a picture says what is salient"
+cmp -s sun_sizes.png spot_sizes.png && fail "--salient changes no sizes"
+run 2 mosaic sun.png own.h5 --pieces 100 --job-only --job none.toml --salient sun.png
+expect_word 'sun.png: found the colour #4488cc at (0, 0) px, allowed: a grey picture'
+run 2 mosaic sun.png own.h5 --pieces 100 --job-only --job none.toml --salient spot.svg
+expect_word 'spot.svg: '
+mkdir cascades && echo '<opencv_storage>' >cascades/haarcascade_frontalface_alt2.xml
+TESSERA_CASCADES=cascades run 1 mosaic sun.png own.h5 --pieces 100 --job-only --job none.toml
+expect_word 'cascades/haarcascade_frontalface_alt2.xml: is no cascade of upright Haar-like features'
+echo "ok faces"
+
 run 2 mosaic drawings/leaf.svg own.h5 --job-only
 expect_word 'found an SVG, needed: a picture of pixels; rsvg-convert -w 2000 FILE.svg -o FILE.png draws one'
 run 2 mosaic none.png own.h5 --job-only

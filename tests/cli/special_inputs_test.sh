@@ -37,6 +37,7 @@ as_input_of_every_command() { # FILE
   refused "$1" library subset "$1" --include 'b*' -o none.h5
   refused "$1" mosaic "$1" own.h5 --job-only --job none.toml
   refused "$1" mosaic sun.png "$1" --job-only --job none.toml
+  refused "$1" mosaic sun.png own.h5 --salient "$1" --job-only --job none.toml
   refused "$1" puzzle make "$1" --out none
   refused "$1" puzzle solve "$1" --size 100,100 --job none.toml
   refused "$1" puzzle solve own.h5 --frame "$1" --job none.toml

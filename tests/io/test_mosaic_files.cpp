@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "io/artwork/colour_conversion.h"
 #include "io/job/job_file.h"
+#include "io/mosaic/face_search.h"
 #include "io/mosaic/mosaic_files.h"
 #include "io/mosaic/mosaic_job.h"
 #include "scratch_folder.h"
@@ -73,6 +74,8 @@ class MosaicFilesTest : public testing::Test {
     return {.image = folder_.path("photo.png"),
             .libraries = {folder_.path("tiles.h5")},
             .job = folder_.path("m.toml"),
+            .salient = {},
+            .face_cascade = {},
             .pieces = 200};
   }
   Mosaic write(const MosaicRequest& request) {
@@ -85,7 +88,11 @@ class MosaicFilesTest : public testing::Test {
   void write_from_the_folder(const std::string& job) {
     const fs::path before = fs::current_path();
     fs::current_path(folder_.path("."));
-    write({.image = "photo.png", .libraries = {"tiles.h5"}, .job = job, .pieces = 200});
+    MosaicRequest from_here = request();
+    from_here.image = "photo.png";
+    from_here.libraries = {"tiles.h5"};
+    from_here.job = job;
+    write(from_here);
     fs::current_path(before);
   }
   std::string refusal(const MosaicRequest& request) {
@@ -233,6 +240,75 @@ TEST_F(MosaicFilesTest, NeverReplaceWhatIsRead) {
   onto_image.image = folder_.path("m_sizes.png");
   onto_image.replace = true;
   EXPECT_NE(refusal(onto_image).find("m_sizes.png, which is read"), std::string::npos);
+}
+
+TEST_F(MosaicFilesTest, TellWhetherFacesWereLookedFor) {
+  EXPECT_FALSE(write(request()).faces.has_value()) << "without a cascade";
+  MosaicRequest wall = request();
+  wall.face_cascade = face_cascade_file();
+  const std::string by_contrast = bytes_of(folder_.path("m_sizes.png"));
+  EXPECT_EQ(write(wall).faces, 0);
+  EXPECT_EQ(bytes_of(folder_.path("m_sizes.png")), by_contrast);
+}
+
+TEST_F(MosaicFilesTest, HaveSmallPiecesOnAFace) {
+  MosaicRequest portrait = request();
+  portrait.image = std::string(TESSERA_SOURCE_DIR) + "/jobs/photos/astronaut.jpg";
+  portrait.face_cascade = folder_.path("none.xml");
+  EXPECT_FALSE(write(portrait).faces.has_value());
+  const cv::Mat before = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
+  portrait.face_cascade = face_cascade_file();
+  portrait.replace = true;
+  EXPECT_EQ(write(portrait).faces, 1);
+  const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
+  const cv::Point eye(map.cols * 147 / 340, map.rows * 102 / 400);
+  EXPECT_LT(map.at<std::uint8_t>(eye), before.at<std::uint8_t>(eye) - 40);
+}
+
+TEST_F(MosaicFilesTest, HaveSmallPiecesWhereAPictureSaysSo) {
+  write(request());
+  const std::string by_contrast = bytes_of(folder_.path("m_sizes.png"));
+  MosaicRequest painted = request();
+  painted.face_cascade = face_cascade_file();
+  painted.salient = folder_.path("salient.png");
+  cv::imwrite(painted.salient, cv::Mat::zeros(7, 3, CV_8U));
+  EXPECT_FALSE(write(painted).faces.has_value()) << "the picture says all";
+  EXPECT_EQ(bytes_of(folder_.path("m_sizes.png")), by_contrast);
+  cv::Mat spot = cv::Mat::zeros(40, 60, CV_8U);
+  spot(cv::Rect(5, 5, 10, 10)) = 255;
+  cv::imwrite(painted.salient, spot);
+  painted.replace = true;
+  write(painted);
+  const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
+  EXPECT_LT(map.at<std::uint8_t>(map.rows / 4, map.cols / 6),
+            map.at<std::uint8_t>(map.rows * 3 / 4, map.cols / 6) - 60);
+}
+
+TEST_F(MosaicFilesTest, TellWhatIsWrongWithThePictureOfWhatIsSalient) {
+  MosaicRequest wrong = request();
+  wrong.salient = folder_.path("none.png");
+  EXPECT_NE(refusal(wrong).find("none.png: "), std::string::npos);
+  wrong.salient = folder_.write("text.png", "text");
+  EXPECT_NE(refusal(wrong).find("text.png: "), std::string::npos);
+  wrong.salient = wrong.image;
+  EXPECT_NE(refusal(wrong).find("photo.png: found the colour #2828c8 at (0, 0) px, allowed: a grey picture"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(wrong.job));
+  wrong.salient = folder_.path("m_sizes.png");
+  cv::imwrite(wrong.salient, cv::Mat::zeros(4, 6, CV_8U));
+  wrong.replace = true;
+  EXPECT_NE(refusal(wrong).find("m_sizes.png, which is read"), std::string::npos);
+}
+
+TEST_F(MosaicFilesTest, ADamagedCascadeIsTheMachinesFault) {
+  MosaicRequest damaged = request();
+  damaged.face_cascade = folder_.write("cut.xml", "<?xml version=\"1.0\"?><opencv_storage><casc");
+  try {
+    write(damaged);
+    FAIL() << "taken";
+  } catch (const EnvironmentError& error) {
+    EXPECT_NE(std::string(error.what()).find("cut.xml: is no cascade"), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(MosaicFilesTest, TellWhatIsWrongWithTheImage) {

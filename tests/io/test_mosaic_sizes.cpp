@@ -33,6 +33,10 @@ double expected_pieces(const cv::Mat& map, const MosaicPlan& plan) {
   return sum / double(map.total()) * plan.canvas_px.area();
 }
 
+cv::Mat map_by_contrast(const cv::Mat& image, const MosaicPlan& plan) {
+  return size_map(image, plan, cv::Mat::zeros(size_map_size(plan), CV_32F));
+}
+
 bool same(const cv::Mat& one, const cv::Mat& other) {
   return one.size() == other.size() && cv::norm(one, other, cv::NORM_INF) == 0;
 }
@@ -104,7 +108,7 @@ TEST(LimitGrowth, LeavesWhatIsGentle) {
 
 TEST(SizeMap, IsUniformForAFlatImage) {
   const MosaicPlan plan = mosaic_plan({300, 200}, 3000);
-  const cv::Mat map = size_map(cv::Mat(200, 300, CV_8UC3, kGrey), plan);
+  const cv::Mat map = map_by_contrast(cv::Mat(200, 300, CV_8UC3, kGrey), plan);
   EXPECT_EQ(map.type(), CV_8UC1);
   EXPECT_EQ(map.size(), cv::Size((plan.canvas_px.width + 2) / 4, (plan.canvas_px.height + 2) / 4));
   EXPECT_EQ(cv::norm(map, cv::NORM_INF), map.at<std::uint8_t>(0, 0));
@@ -113,7 +117,7 @@ TEST(SizeMap, IsUniformForAFlatImage) {
 
 TEST(SizeMap, IsSmallOnDetailAndLargeOnFlatParts) {
   const MosaicPlan plan = mosaic_plan({600, 400}, 3000);
-  const cv::Mat map = size_map(half_striped({600, 400}, 20), plan);
+  const cv::Mat map = map_by_contrast(half_striped({600, 400}, 20), plan);
   const int quarter = map.cols / 4;
   const double detail = cv::mean(map.colRange(0, quarter))[0];
   const double flat = cv::mean(map.colRange(3 * quarter, map.cols))[0];
@@ -125,7 +129,7 @@ TEST(SizeMap, GivesAboutAsManyPiecesAsAreWishedFor) {
   for (const int pieces : {kFewestMosaicPieces, 3000}) {
     for (const int stripe_px : {10, 60, 300}) {
       const MosaicPlan plan = mosaic_plan({600, 400}, pieces);
-      EXPECT_NEAR(expected_pieces(size_map(half_striped({600, 400}, stripe_px), plan), plan) / pieces, 1, 0.01)
+      EXPECT_NEAR(expected_pieces(map_by_contrast(half_striped({600, 400}, stripe_px), plan), plan) / pieces, 1, 0.01)
           << pieces << " " << stripe_px;
     }
   }
@@ -135,7 +139,7 @@ TEST(SizeMap, GivesAboutAsManyPiecesAsAreWishedFor) {
 TEST(SizeMap, PassesOverTextureThatIsFinerThanThePieces) {
   const cv::Size size(3600, 2400);
   const MosaicPlan plan = mosaic_plan(size, 3000);
-  const cv::Mat map = size_map(half_striped(size, 1), plan);
+  const cv::Mat map = map_by_contrast(half_striped(size, 1), plan);
   const int quarter = map.cols / 4;
   EXPECT_NEAR(cv::mean(map.colRange(0, quarter))[0], cv::mean(map.colRange(3 * quarter, map.cols))[0], 4);
 }
@@ -144,19 +148,53 @@ TEST(SizeMap, IsTheSameOnAnyNumberOfThreads) {
   const MosaicPlan plan = mosaic_plan({600, 400}, 3000);
   const cv::Mat image = half_striped({600, 400}, 15);
   const int threads = cv::getNumThreads();
-  const cv::Mat map = size_map(image, plan);
+  const cv::Mat map = map_by_contrast(image, plan);
   cv::setNumThreads(1);
-  EXPECT_TRUE(same(size_map(image, plan), map));
+  EXPECT_TRUE(same(map_by_contrast(image, plan), map));
   cv::setNumThreads(threads);
 }
 
 TEST(SizeMap, OfASinglePixelAndOfTheLargestImage) {
   const MosaicPlan dot = mosaic_plan({1, 1}, kFewestMosaicPieces);
-  EXPECT_NEAR(expected_pieces(size_map(cv::Mat(1, 1, CV_8UC3, kGrey), dot), dot), 100, 1);
+  EXPECT_NEAR(expected_pieces(map_by_contrast(cv::Mat(1, 1, CV_8UC3, kGrey), dot), dot), 100, 1);
   const cv::Size largest(20'000, 2'500);
   const MosaicPlan plan = mosaic_plan(largest, 1000);
-  const cv::Mat map = size_map(half_striped(largest, 500), plan);
+  const cv::Mat map = map_by_contrast(half_striped(largest, 500), plan);
   EXPECT_EQ(map.size(), cv::Size((plan.canvas_px.width + 2) / 4, (plan.canvas_px.height + 2) / 4));
+}
+
+TEST(SizeMap, IsSmallWhereEyesLookAndLargerElsewhere) {
+  const MosaicPlan plan = mosaic_plan({600, 400}, 3000);
+  const cv::Mat image = half_striped({600, 400}, 20);
+  cv::Mat saliency = cv::Mat::zeros(size_map_size(plan), CV_32F);
+  const cv::Rect spot(saliency.cols * 3 / 4, saliency.rows / 2, saliency.cols / 10, saliency.rows / 10);
+  saliency(spot) = 1;
+  const cv::Mat map = size_map(image, plan, saliency), before = map_by_contrast(image, plan);
+  EXPECT_GT(cv::mean(before(spot))[0], 170);  // flat
+  EXPECT_LT(cv::mean(map(spot))[0], 20);
+  const int quarter = map.cols / 4;
+  EXPECT_GT(cv::mean(map.colRange(0, quarter))[0], cv::mean(before.colRange(0, quarter))[0]);
+  EXPECT_NEAR(expected_pieces(map, plan) / 3000, 1, 0.01);
+}
+
+// Nobody can look everywhere: the pieces are as many as wished, whatever is painted.
+TEST(SizeMap, IsTheSameWhereAllIsEquallySalient) {
+  const MosaicPlan plan = mosaic_plan({600, 400}, 3000);
+  const cv::Mat image = half_striped({600, 400}, 20);
+  const cv::Mat everywhere(size_map_size(plan), CV_32F, cv::Scalar(1));
+  EXPECT_LE(cv::norm(size_map(image, plan, everywhere), map_by_contrast(image, plan), cv::NORM_INF), 1);
+}
+
+TEST(SalientDetail, TakesPiecesFromTheLargestToTheSmallest) {
+  const MosaicPlan plan = mosaic_plan({200, 100}, 3000);
+  const cv::Mat detail(100, 200, CV_32F, cv::Scalar(2));
+  cv::Mat saliency(100, 200, CV_32F, cv::Scalar(0));
+  saliency.colRange(100, 150) = 1. / 3;
+  saliency.colRange(150, 200) = 1;
+  const cv::Mat salient = salient_detail(detail, saliency, plan);
+  EXPECT_FLOAT_EQ(salient.at<float>(50, 0), 2);
+  EXPECT_NEAR(salient.at<float>(50, 120), 2 * 5, 1e-4);  // sizes go by the cubic root: 80 to 16 px is a factor of 5
+  EXPECT_NEAR(salient.at<float>(50, 199), 2 * 125, 1e-3);
 }
 
 TEST(LargestSizes, HalveWhereTheDetailIsEightTimesAsMuch) {

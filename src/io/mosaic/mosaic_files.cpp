@@ -7,11 +7,15 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "io/artwork/artwork_render.h"
 #include "io/artwork/colour_conversion.h"
 #include "io/atomic_file.h"
 #include "io/elements/cut_outs.h"
 #include "io/elements/photo_extraction.h"
+#include "io/mosaic/face_search.h"
+#include "io/mosaic/haar_cascade_file.h"
 #include "io/mosaic/mosaic_job.h"
+#include "io/mosaic/saliency.h"
 #include "io/mosaic/segmentation.h"
 #include "io/mosaic/size_map.h"
 #include "io/regular_file.h"
@@ -23,6 +27,9 @@ namespace {
 namespace fs = std::filesystem;
 
 using Bytes = std::vector<std::uint8_t>;
+
+/// In smallest pieces: a narrower face cannot be shown.
+constexpr double kNarrowestFace = 4;
 
 /// Of a file that is compared with what is to be written.
 constexpr std::size_t kMostOwnBytes = std::size_t(64) << 20;
@@ -61,6 +68,7 @@ bool same_file(const std::string& one, const std::string& other) {
 void check_is_not_read(const std::string& output, const MosaicRequest& request) {
   std::vector<std::string> read = request.libraries;
   read.push_back(request.image);
+  if (!request.salient.empty()) read.push_back(request.salient);
   for (const std::string& input : read) {
     if (same_file(output, input))
       throw InputError("--job " + request.job + ": would write " + output + ", which is read; allowed: another name");
@@ -99,6 +107,37 @@ void check_regions(int regions) {
                    std::to_string(kMostMosaicRegions));
 }
 
+/// `path`: a grey picture.
+cv::Mat painted_saliency(const std::string& path, cv::Size size, Drawers& drawers) {
+  const cv::Mat picture = drawers.whole_picture(read_regular_file(path, kMaxPhotoBytes), path, kMaxArtworkSide_px);
+  try {
+    return saliency_of_picture(picture, size);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
+/// What is wrong with the file is wrong with the machine: nobody gave it with the image.
+HaarCascade read_cascade(const std::string& path) {
+  try {
+    return read_haar_cascade(path);
+  } catch (const InputError& error) {
+    throw EnvironmentError(error.what());
+  }
+}
+
+/// None where they are not looked for.
+std::optional<std::vector<Face>> faces_for(const MosaicRequest& request, const cv::Mat& image, const MosaicPlan& plan) {
+  std::error_code none;
+  if (!request.salient.empty() || !fs::exists(request.face_cascade, none)) return std::nullopt;
+  return find_faces(image, read_cascade(request.face_cascade),
+                    kNarrowestFace * plan.min_scale_px / plan.canvas_px.width);
+}
+
+cv::Mat saliency_of(const std::vector<Face>& faces, const MosaicPlan& plan) {
+  return saliency_of_faces(faces, size_map_size(plan), plan.min_scale_px / kSizeMapPixel_px);
+}
+
 }  // namespace
 
 std::string size_map_path(const std::string& job) { return path_beside(job, "_sizes.png"); }
@@ -119,7 +158,12 @@ Mosaic make_mosaic(const MosaicRequest& request, Drawers& drawers) {
 
   const cv::Mat image = read_image(request.image, drawers);
   const MosaicPlan plan = plan_for(request, image);
-  Mosaic mosaic{.plan = plan, .regions = 0, .files = {{map_path, png_of(size_map(image, plan))}}};
+  const std::optional<std::vector<Face>> faces = faces_for(request, image, plan);
+  const cv::Mat saliency = request.salient.empty() ? saliency_of(faces.value_or(std::vector<Face>()), plan)
+                                                   : painted_saliency(request.salient, size_map_size(plan), drawers);
+  Mosaic mosaic{
+      .plan = plan, .faces = {}, .regions = 0, .files = {{map_path, png_of(size_map(image, plan, saliency))}}};
+  if (faces) mosaic.faces = int(faces->size());
   std::vector<std::string> regions;
   if (const Segmentation found = segmentation(image, plan, request.regions); found.colours.size() > 1) {
     for (const cv::Vec3b& colour : found.colours) regions.push_back(hex_of(colour));

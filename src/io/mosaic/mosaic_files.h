@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ struct MosaicRequest {
   std::string image;                   // JPEG, PNG, TIFF, WebP or BMP
   std::vector<std::string> libraries;  // one at least
   std::string job;                     // the file to write
+  std::string salient;                 // a grey picture, white where pieces are to be smallest; empty: faces are found
+  std::string face_cascade;            // face_search.h; without such a file no faces are looked for
   std::size_t shapes = 0;              // of all libraries, which are not read
   int pieces = 3000;
   double shift = 6;      // CIEDE2000
@@ -29,6 +32,7 @@ struct MosaicFile {
 
 struct Mosaic {
   MosaicPlan plan;
+  std::optional<int> faces;  // that were found; none where they were not looked for
   int regions = 0;  // 0: the image has no parts of different colours that are large enough, or none were wanted
   std::vector<MosaicFile> files;  // the job last
 };

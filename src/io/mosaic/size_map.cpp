@@ -70,8 +70,14 @@ cv::Mat largest_sizes(const cv::Mat& detail, const MosaicPlan& plan) {
   return sizes_for(detail, std::exp(high), plan);
 }
 
-cv::Mat size_map(const cv::Mat& image_bgr, const MosaicPlan& plan) {
-  const cv::Mat sizes = largest_sizes(detail_of(image_bgr, plan), plan);
+cv::Mat salient_detail(const cv::Mat& detail, const cv::Mat& saliency, const MosaicPlan& plan) {
+  cv::Mat factors;
+  cv::exp(saliency * (std::log(plan.max_scale_px / plan.min_scale_px) / kDetailExponent), factors);
+  return detail.mul(factors);
+}
+
+cv::Mat size_map(const cv::Mat& image_bgr, const MosaicPlan& plan, const cv::Mat& saliency) {
+  const cv::Mat sizes = largest_sizes(salient_detail(detail_of(image_bgr, plan), saliency, plan), plan);
   cv::Mat octaves, map;
   cv::log(sizes / plan.min_scale_px, octaves);
   octaves.convertTo(map, CV_8U, 255 / std::log(plan.max_scale_px / plan.min_scale_px));

@@ -1,4 +1,5 @@
-// Where a mosaic's pieces are small and where large: by how much the image changes from place to place.
+// Where a mosaic's pieces are small and where large: by how much the image changes from place to place, and by how much
+// eyes look there (saliency.h).
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -22,8 +23,12 @@ cv::Mat detail_of(const cv::Mat& image_bgr, const MosaicPlan& plan);
 /// change from place to place allow.
 cv::Mat largest_sizes(const cv::Mat& detail, const MosaicPlan& plan);
 
+/// `detail` as it counts where eyes look: as much more as takes pieces from the plan's largest size to its smallest where
+/// `saliency` (CV_32F, 0..1, of detail's size) is 1.
+cv::Mat salient_detail(const cv::Mat& detail, const cv::Mat& saliency, const MosaicPlan& plan);
+
 /// As a picture for pieces.size_map, CV_8U: black = the plan's smallest size, white = up to its largest; equal steps of
-/// grey are equal ratios of sizes.
-cv::Mat size_map(const cv::Mat& image_bgr, const MosaicPlan& plan);
+/// grey are equal ratios of sizes. `saliency`: of size_map_size(plan).
+cv::Mat size_map(const cv::Mat& image_bgr, const MosaicPlan& plan, const cv::Mat& saliency);
 
 }  // namespace tessera::io
