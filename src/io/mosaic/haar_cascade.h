@@ -1,6 +1,6 @@
 // A cascade of Haar-like features: a window that slides over the picture at all sizes is refused early where it does not
-// hold what the cascade was trained for (Viola and Jones 2001). It accepts the windows that OpenCV's detector accepts. That
-// one lies in a library whose development package needs a hundred others.
+// hold what the cascade was trained for (Viola and Jones 2001). It accepts the windows that OpenCV's detector accepts, but for
+// rounding at a threshold. That one lies in a library whose development package needs a hundred others.
 #pragma once
 
 #include <opencv2/core.hpp>
