@@ -75,7 +75,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          "image = " +
          toml_text(files.image) +
          "\n"
-         "weight = 4\n"
+         "weight = 5\n"
          "shift = " +
          number_text(shift) +
          "\n"
@@ -95,9 +95,12 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          "\n"
          "\n"
          "[objective]\n"
-         "# length_exponent: how much long contact counts; more leaves fewer gaps, and colours are less true.\n"
+         "# length_exponent: how much long contact counts; scale_exponent: how much size counts. Less of both shows "
+         "more of\n"
+         "# the image, with more gaps and more small pieces.\n"
          "# repetition_exponent: what the same drawing again costs; 0 = nothing, as for small libraries.\n"
-         "length_exponent = 2\n"
+         "length_exponent = 4\n"
+         "scale_exponent = 1\n"
          "repetition_exponent = " +
          number_text(variety.repetition_exponent) +
          "\n"
