@@ -131,7 +131,7 @@ void add_mosaic_command(CLI::App& app, Command& selected) {
       ->capture_default_str();
   mosaic
       ->add_option("--shift", request.shift,
-                   "Tone of each piece moved towards the image by so much CIEDE2000 at most; 0 = as drawn")
+                   "The tones of each piece are moved towards the image by so much CIEDE2000 at most; 0 = as drawn")
       ->check(CLI::Range(0.0, kMostShift))
       ->capture_default_str();
   mosaic

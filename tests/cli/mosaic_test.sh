@@ -15,7 +15,7 @@ rsvg-convert sun.svg -o sun.png
 
 run 0 mosaic sun.png own.h5 --pieces 100 --job-only
 expect_silence "a warning of a good job"
-grep -q '^sun.toml: 320 x 213 px, about 100 pieces of 16 to 80 px out of 5 shapes; sizes: sun_sizes.png' output &&
+grep -q '^sun.toml: 287 x 191 px, about 100 pieces of 16 to 80 px out of 5 shapes; sizes: sun_sizes.png' output &&
   grep -q '; 2 regions: sun_regions.png$' output || fail "does not say what it wrote"
 grep -qx 'next: tessera collage sun.toml' output || fail "does not say what to type next"
 [[ -s sun_sizes.png && ! -e out ]] || fail "no map, or a result"

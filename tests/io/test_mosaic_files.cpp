@@ -33,8 +33,8 @@ TEST(MosaicJob, SaysWhatWasPlanned) {
   const MosaicFiles files{.image = "a \"b\"\\c.png", .libraries = {"t.h5"}, .size_map = "ä_sizes.png", .regions = {}};
   const toml::table job = toml::parse(mosaic_job(files, mosaic_plan({300, 200}, 500), {8, 0.25}, 2.5));
   EXPECT_EQ(job["library"]["file"].value<std::string>(), "t.h5");
-  EXPECT_EQ(job["canvas"]["size_px"][0].value<int>(), 715);
-  EXPECT_EQ(job["canvas"]["size_px"][1].value<int>(), 477);
+  EXPECT_EQ(job["canvas"]["size_px"][0].value<int>(), 642);
+  EXPECT_EQ(job["canvas"]["size_px"][1].value<int>(), 428);
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), files.image);
   EXPECT_EQ(job["colour"]["shift"].value<double>(), 2.5);
   EXPECT_EQ(job["pieces"]["scale_px"][0].value<int>(), 16);
@@ -44,7 +44,7 @@ TEST(MosaicJob, SaysWhatWasPlanned) {
   EXPECT_EQ(job["objective"]["repetition_exponent"].value<double>(), 0.25);
   EXPECT_EQ(job["output"]["background"].value<std::string>(), "image");
   EXPECT_EQ(job["output"]["background_light"].value<double>(), 0.8);
-  EXPECT_EQ(job["output"]["width_px"].value<int>(), 1430);
+  EXPECT_EQ(job["output"]["width_px"].value<int>(), 1284);
 }
 
 TEST(MosaicJob, NamesSeveralLibraries) {
@@ -114,7 +114,7 @@ TEST_F(MosaicFilesTest, LieBesideEachOther) {
   EXPECT_EQ(job["colour"]["image"].value<std::string>(), folder_.path("photo.png"));  // given from the root
   const cv::Mat map = cv::imread(folder_.path("m_sizes.png"), cv::IMREAD_UNCHANGED);
   EXPECT_EQ(map.type(), CV_8UC1);
-  EXPECT_EQ(map.size(), cv::Size(113, 76));  // of a canvas of 584 x 389 px
+  EXPECT_EQ(map.size(), cv::Size(102, 68));  // of a canvas of 406 x 271 px
 }
 
 TEST_F(MosaicFilesTest, NameTheRegionsByTheirColoursInThePicture) {

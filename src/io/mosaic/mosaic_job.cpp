@@ -55,9 +55,8 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          "# Every key of a job: docs/job-format.md\n"
          "\n"
          "seed = 1  # another seed, another mosaic\n"
-         "quality = \"draft\"  # \"good\" covers a little more and takes several times as long; the image gains "
-         "nothing by "
-         "it\n"
+         "quality = \"draft\"  # \"good\" covers 2 % more, shows the image a little better and takes five times as "
+         "long\n"
          "\n"
          "[library]\n" +
          library_lines(files.libraries) +
@@ -70,7 +69,7 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          "[colour]\n"
          "# Pieces are chosen by the colours of what they cover.\n"
          "# weight: how much that counts beside outlines that fit; 0 = not. 8 shows the image better, with more gaps.\n"
-         "# shift: the tone of a piece may be moved towards the image by so much CIEDE2000; 0 = as drawn.\n"
+         "# shift: each part of a piece is moved towards the image by so much CIEDE2000 at most; 0 = as drawn.\n"
          "# overlay: the image itself is laid over the pieces in this opacity, 0.25 = a quarter; 0 = not.\n"
          "image = " +
          toml_text(files.image) +
