@@ -310,7 +310,7 @@ void add_colour_keys(std::vector<JobKey>& keys) {
                               "above 0: pieces side by side are of like colours, below 0: of unlike ones"},
                              FIELD(settings.colour.neighbours)));
   keys.push_back(with_number({"colour", "shift", number, "CIEDE2000", 0, 100, {},
-                              "so far a piece's tone may be shifted to that of what it covers, with `image`"},
+                              "so far the colours of a piece may be moved towards those that it covers, part by part, with `image`"},
                              FIELD(colour.shift)));
   keys.back().decides = false;
   keys.push_back(with_number({"colour", "overlay", number, "", 0, 0.5, {},
