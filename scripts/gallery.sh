@@ -99,13 +99,14 @@ for name in "${names[@]}"; do
     "jobs/$name.toml") || true
   if [[ ${#make[@]} -gt 0 && ! ${make[-1]} -nt $tessera ]]; then "${make[@]}"; fi
   make_collage "$tessera" collage "jobs/$name.toml" --out "out/gallery/$name" --quiet
-  shifted=false  # tones and hues, which a PDF does not show
-  if grep -qE '^(shift = [1-9]|harmony = )' "jobs/$name.toml"; then shifted=true; fi
-  $shifted || "$tessera" draw "out/gallery/$name" --pdf --quiet
+  # A PDF shows no turned hues, and poppler draws the thin lines of a mosaic's small pieces a pixel wide.
+  by_pixels=false
+  if grep -qE '^(shift = [1-9]|harmony = )' "jobs/$name.toml"; then by_pixels=true; fi
+  $by_pixels || "$tessera" draw "out/gallery/$name" --pdf --quiet
   if grep -q '^#  *tessera library styles' "jobs/$name.toml"; then style_sheet "${make[-1]}"; fi
   # By way of the PDF: poppler is here for the tests anyway.
   shown=out/gallery/$name/collage.pdf
-  if $shifted; then shown=$(page "out/gallery/$name" 1 1 collage.png); fi
+  if $by_pixels; then shown=$(page "out/gallery/$name" 1 1 collage.png); fi
   if grep -q '^seamless' "jobs/$name.toml"; then shown=$(four_copies "out/gallery/$name"); fi
   if grep -q '^\[deform\]' "jobs/$name.toml"; then
     shown=$(undeformed_and_deformed "out/gallery/$name" "jobs/$name.toml")
