@@ -33,17 +33,13 @@ constexpr const char* kExamples =
     "  tessera collage portrait.toml\n"
     "IMAGE is JPEG, PNG, TIFF, WebP or BMP. The job is a file of few lines that say what they do; portrait_sizes.png\n"
     "is grey, dark where the image has detail or a face and pieces are to be small, portrait_regions.png shows the\n"
-    "parts that pieces keep within. All stay as they are where they are there, unless they would change: then "
-    "--replace "
-    "is\n"
-    "needed. The more colours the library has the better; 500 drawings are few, 5,000 are many, and with fewer than\n"
-    "100 each may lie beside itself. Between the pieces lies the image, a little darker. --set colour.weight=8 shows "
-    "the\n"
-    "image better, with more gaps; --shift 0 leaves drawings as they are; --set colour.overlay=0.25 lays the image "
-    "over\n"
-    "them, a quarter of what is seen. The rest is as in tessera collage.";
+    "parts that pieces keep within. All stay as they are where they are there, unless they would change: then\n"
+    "--replace is needed. The more colours the library has the better; 500 drawings are few, 5,000 are many, and with\n"
+    "fewer than 100 each may lie beside itself. Between the pieces lies the image, a little darker.\n"
+    "--set colour.weight=8 shows the image better, with more gaps; --shift 0 leaves drawings as they are;\n"
+    "--set colour.overlay=0.25 lays the image over them, a quarter of what is seen. The rest is as in tessera collage.";
 
-constexpr double kMostShift = 100;  // CIEDE2000: all of it
+constexpr double kMostShift = 100;  // CIEDE2000: between any two colours
 
 struct MosaicArguments {
   io::MosaicRequest request;

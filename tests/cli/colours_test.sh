@@ -124,6 +124,10 @@ run 0 draw expected --png --quiet --set colour.shift=20
 grep -q '"shift":20' expected/manifest.json || fail "the manifest does not say how far tones are shifted"
 cmp -s shifted/collage.png expected/collage.png || fail "the same shift, another picture"
 run 0 draw expected --pdf --quiet --set colour.shift=20 --to shifted
+cp -r expected older && rm older/shown.png
+run 0 draw older --png --quiet --set colour.shift=20 --to by_means
+cmp -s by_means/collage.png before.png && fail "no tones in a result of an older version"
+cmp -s by_means/collage.png shifted/collage.png && fail "tones go by the means of pieces, not by the picture"
 run 0 draw expected --pdf --quiet --set colour.shift=0 --to plain
 run 2 draw expected --png --quiet --set colour.weight=2
 grep -q 'colour.weight=2: decides where pieces lie' errors || fail "a key that decides: $(cat errors)"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/elements/cut_outs.h"
 #include "sample_collage.h"
 #include "support/colours.h"
 
@@ -58,6 +59,10 @@ TEST(DrawnColours, OfTheLibraryStandInForAThumbnail) {
   shapes.add(ShapeId{1}, shape);
   Drawers drawers({.processes = 1});
   EXPECT_EQ(drawn_colours(shapes, drawers)[0].bgr[7], cv::Vec3d(255, 255, 255));
+  shape.artwork.thumbnail_png = png_of(cv::Mat(96, 96, CV_8UC4, cv::Scalar::all(0)));
+  PlacedShapes unseen;
+  unseen.add(ShapeId{1}, shape);
+  EXPECT_EQ(drawn_colours(unseen, drawers)[0].bgr[7], cv::Vec3d(255, 255, 255)) << "nothing of it is seen";
   shape.artwork.thumbnail_png = {1, 2, 3};
   PlacedShapes damaged;
   damaged.add(ShapeId{1}, shape);

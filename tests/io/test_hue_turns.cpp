@@ -165,5 +165,30 @@ TEST(HueTurns, SvgAndPngAgree) {
   EXPECT_EQ(mean_difference(drawn_picture(sample.report), png), 0);
 }
 
+/// An SVG's patches end at the outlines, also where drawings do not.
+TEST(HueTurns, PatchesLeaveTheBackgroundAlone) {
+  TwoFaces sample;
+  sample.job.output.clip = kNoClip;
+  const cv::Mat plain = drawn(drawn_svg(sample.report), 400);
+  sample.report.tones.resize(sample.report.placements.size());
+  for (std::size_t i = 0; i < sample.report.tones.size(); ++i) {
+    const Similarity& pose = sample.report.placements[i].canvas_from_shape;
+    sample.report.tones[i].patch = even_patch({20, 220, 30, 64});
+    sample.report.tones[i].patch.canvas_from_cells = {pose.a / 2, -pose.b / 2, pose.tx - pose.a + pose.b,
+                                                      pose.b / 2, pose.a / 2,  pose.ty - pose.a - pose.b};
+  }
+  const cv::Mat toned = drawn(drawn_svg(sample.report), 400);
+  sample.report.tones.clear();
+  sample.report.colours.assign(sample.report.placements.size(), "#000000");
+  const cv::Mat silhouettes = drawn_picture(sample.report);
+  cv::Mat changed, outside;
+  cv::absdiff(plain, toned, changed);
+  cv::transform(changed, changed, cv::Matx13f(1, 1, 1));
+  cv::inRange(silhouettes, cv::Scalar(0xc0, 0xe0, 0xff), cv::Scalar(0xc0, 0xe0, 0xff), outside);
+  const auto left = [](const cv::Mat& picture) { return picture.colRange(0, 160); };  // the first disc
+  EXPECT_GT(cv::countNonZero(left(changed > 30)), 2000);
+  EXPECT_LT(cv::countNonZero(left((changed > 10) & outside)), 20) << "of pixels at an outline";
+}
+
 }  // namespace
 }  // namespace tessera::io

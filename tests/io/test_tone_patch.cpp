@@ -64,12 +64,12 @@ TEST(TonePatch, IsTheSameInAnyTile) {
 
 TEST(TonePatch, AsAPictureHasARing) {
   const cv::Mat picture = patch_picture(red_and_green());
-  ASSERT_EQ(picture.size(), cv::Size(6, 6));
+  ASSERT_EQ(picture.size(), cv::Size(8, 8));
   EXPECT_EQ(picture.at<cv::Vec4b>(0, 0), cv::Vec4b(0, 0, 255, 64));
-  EXPECT_EQ(picture.at<cv::Vec4b>(5, 5), cv::Vec4b(0, 255, 0, 64));
-  EXPECT_EQ(picture.at<cv::Vec4b>(3, 2), cv::Vec4b(0, 0, 255, 64));
-  EXPECT_EQ(picture.at<cv::Vec4b>(3, 3), cv::Vec4b(0, 255, 0, 64));
-  const cv::Vec2d corner = canvas_from_patch_picture(red_and_green()) * cv::Vec3d(1, 1, 1);
+  EXPECT_EQ(picture.at<cv::Vec4b>(7, 7), cv::Vec4b(0, 255, 0, 64));
+  EXPECT_EQ(picture.at<cv::Vec4b>(4, 3), cv::Vec4b(0, 0, 255, 64));
+  EXPECT_EQ(picture.at<cv::Vec4b>(4, 4), cv::Vec4b(0, 255, 0, 64));
+  const cv::Vec2d corner = canvas_from_patch_picture(red_and_green()) * cv::Vec3d(2, 2, 1);
   EXPECT_EQ(corner, cv::Vec2d(100, 200));
 }
 

@@ -129,6 +129,53 @@ TEST(Tones, WishNothingWhereThePictureIsTransparent) {
   EXPECT_TRUE(tones[1].patch.empty());
 }
 
+/// Black lines on white would be veiled for nothing.
+TEST(Tones, OfAShortWayAreHardlySeen) {
+  Covering collage({"#ffffff", "#fafafa"});
+  collage.report.colours = {"#fefefe", "#ffffff"};
+  const auto tones = tones_of(collage, {}, 20);
+  for (const cv::Vec4b& cell : tones[0].patch.bgra) EXPECT_LE(cell[3], 7);
+  for (const cv::Vec4b& cell : tones[1].patch.bgra) {
+    EXPECT_LE(cell[3], 32);
+    EXPECT_NEAR(patched({255, 255, 255}, cell)[1], 250, 1);
+  }
+}
+
+/// The right half is hardly drawn on, in a colour of its own.
+TEST(Tones, OfCellsThatAreHardlyDrawnOnFollowTheOthers) {
+  Covering collage({"#919191", "#919191"});
+  ColourGrid grid;
+  for (int cell = 0; cell < kColourCells; ++cell) {
+    const bool left = cell % kColourSide < 2;
+    test::paint(grid, cell, left ? Lab{60, 0, 0} : Lab{10, 0, 0}, left ? 255 : 1);
+  }
+  collage.paint(grid);
+  const auto patch = tones_of(collage, picture_of({150, 150, 150, 255}, {150, 150, 150, 255}), 20)[0].patch;
+  EXPECT_NEAR(patched({kGrey, kGrey, kGrey}, patch.bgra[6])[1], 150, 3) << "beside the drawn half";
+}
+
+TEST(Tones, OfAnOutlineWithoutAreaAreNone) {
+  Covering collage({"#ff0000", "#ff0000"});
+  PlacedShapes shapes;
+  for (const ShapeId id : {ShapeId{7}, ShapeId{3}}) {
+    Shape shape = collage.report.shape(id);
+    for (Vec2& p : shape.outline.curves.front()) p.y = 0;
+    shapes.add(id, shape);
+  }
+  collage.report.shapes = shapes;
+  for (const Tone& tone : tones_of(collage, picture_of({0, 0, 0, 255}, {0, 0, 0, 255}), 6)) {
+    EXPECT_TRUE(tone.patch.empty());
+  }
+}
+
+/// A damaged library may place a piece anywhere.
+TEST(Tones, OfAPieceFarAwayGoByThePicturesEdge) {
+  Covering collage({"#ff0000", "#ff0000"});
+  collage.report.placements[0].canvas_from_shape = {40, 0, 1e30f, -1e30f};
+  const auto tones = tones_of(collage, picture_of({0, 0, 0, 255}, {255, 255, 255, 255}), 6);
+  EXPECT_GT(patched({kGrey, kGrey, kGrey}, tones[0].patch.bgra[0])[0], kGrey);
+}
+
 RC_GTEST_PROP(Tones, OfAnyColoursStayWithinTheirLimits, ()) {
   const auto byte = [] { return *rc::gen::inRange(0, 256); };
   Covering collage({"#808080", "#808080"});

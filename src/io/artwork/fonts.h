@@ -10,7 +10,8 @@ namespace tessera::io {
 /// fontconfig once.
 bool has_fonts();
 
-/// Whether an SVG has text that cannot be drawn here. What looks like a text element counts, a comment's too.
+/// Whether an SVG has text that cannot be drawn here. What looks like a text element counts, in a comment, too;
+/// text in UTF-16 is not found.
 bool loses_text(std::span<const std::uint8_t> svg);
 
 }  // namespace tessera::io

@@ -59,7 +59,7 @@ SvgDocument::SvgDocument(std::span<const std::uint8_t> svg, const std::string& p
   if (!handle_) throw_input_error(path, "not a readable SVG file", error);
   rsvg_handle_set_dpi(handle_.get(), kPixelsPerInch);
   loses_text_ = tessera::io::loses_text(svg);
-  if (loses_text_) hide_text(handle_.get());
+  if (!has_fonts()) hide_text(handle_.get());
   const std::optional<cv::Size2d> size = size_of_page(handle_.get());
   sized_ = size.has_value();
   size_ = size ? *size : reach_of_drawing(handle_.get());

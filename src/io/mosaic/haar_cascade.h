@@ -1,6 +1,6 @@
-// A cascade of Haar-like features: a window that slides over the picture at all sizes is refused early where it does not
-// hold what the cascade was trained for (Viola and Jones 2001). It accepts the windows that OpenCV's detector accepts, but for
-// rounding at a threshold. That one lies in a library whose development package needs a hundred others.
+// A cascade of Haar-like features: a window that slides over the picture at all sizes is refused early where it does
+// not hold what the cascade was trained for (Viola and Jones 2001). It accepts the windows that OpenCV's detector
+// accepts, but for rounding at a threshold. That one lies in a library whose development package needs a hundred others.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -15,8 +15,8 @@ struct HaarPart {
 };
 using HaarFeature = std::vector<HaarPart>;
 
-/// Asks whether a feature, divided by the contrast of the window, is below a threshold. `below`, `from`: what comes then.
-/// A positive number is that of a later node of the tree; any other is minus the number of a leaf.
+/// Asks whether a feature, divided by the contrast of the window, is below a threshold. `below`, `from`: what comes
+/// then. A positive number is that of a later node of the tree; any other is minus the number of a leaf.
 struct HaarNode {
   int below = 0, from = 0;
   int feature = 0;
@@ -44,8 +44,8 @@ class HaarCascade {
   /// Throws InputError where an index or a rectangle leads elsewhere.
   HaarCascade(cv::Size window_px, std::vector<HaarFeature> features, std::vector<HaarStage> stages);
 
-  /// Of all places of `grey` (CV_8U) where windows with sides from `smallest_px` to `largest_px` are accepted, those with
-  /// `fewest` of them or more, the surest first. The same each time, whatever the threads.
+  /// Of all places of `grey` (CV_8U) where windows with sides from `smallest_px` to `largest_px` are accepted, those
+  /// with `fewest` of them or more, the surest first. The same each time, whatever the threads.
   std::vector<HaarHit> find(const cv::Mat& grey, int smallest_px, int largest_px, int fewest) const;
 
  private:

@@ -94,7 +94,7 @@ cv::Mat saliency_of_picture(const cv::Mat& bgra, cv::Size size) {
   cv::cvtColor(bgra, grey, cv::COLOR_BGRA2GRAY);
   cv::extractChannel(bgra, alpha, 3);
   cv::multiply(grey, alpha, grey, 1. / 255);
-  const bool shrinks = grey.cols > size.width;
+  const bool shrinks = grey.cols > size.width || grey.rows > size.height;
   cv::resize(grey, grey, size, 0, 0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
   grey.convertTo(saliency, CV_32F, 1. / 255);
   return saliency;

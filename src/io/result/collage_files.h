@@ -25,7 +25,7 @@ namespace tessera::io {
 
 /// What is done to the colours of a piece: a patch is laid over it, then hues are turned.
 struct Tone {
-  TonePatch patch;   // tones.h
+  TonePatch patch;   // tone_patch.h
   int turn_deg = 0;  // hue_turns.h
 };
 

@@ -21,8 +21,12 @@ int cell_along(float at, float low, float high) {
 DrawnColours of_thumbnail(const Shape& shape, Drawers& drawers) {
   if (shape.artwork.thumbnail_png.empty()) return drawn_colours(shape);
   try {
-    return drawn_colours(
-        drawers.decode_png(shape.artwork.thumbnail_png, shape.artwork.path + " (thumbnail)", kThumbnailSide_px), shape);
+    const std::string path = shape.artwork.path + " (thumbnail)";
+    const DrawnColours drawn =
+        drawn_colours(drawers.decode_png(shape.artwork.thumbnail_png, path, kThumbnailSide_px), shape);
+    const auto is_drawn_on = [](double part) { return part > 0; };
+    // A drawing may be smaller on its page than a pixel.
+    return std::any_of(drawn.part.begin(), drawn.part.end(), is_drawn_on) ? drawn : drawn_colours(shape);
   } catch (const InputError&) {
     return drawn_colours(shape);  // what draws the picture tells of it
   }

@@ -9,7 +9,6 @@
 #include "io/artwork/alpha.h"
 #include "io/artwork/image_header.h"
 #include "io/artwork/png_picture.h"
-#include "io/elements/cut_outs.h"
 #include "io/job/overlays.h"
 #include "io/number_text.h"
 #include "io/result/piece_drawing.h"

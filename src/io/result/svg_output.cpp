@@ -24,6 +24,7 @@ namespace {
 
 std::string symbol_id(std::size_t slot) { return "a" + std::to_string(slot); }
 std::string clip_id(std::size_t slot) { return "c" + std::to_string(slot); }
+std::string patch_clip_id(std::size_t slot) { return "p" + std::to_string(slot); }
 std::string outline_id(std::size_t slot) { return "o" + std::to_string(slot); }
 
 bool has_shadow(const OutputSpec& output) { return output.shadow_strength > 0; }
@@ -163,11 +164,10 @@ cv::Matx23d canvas_from_symbol(const Placement& placement, const Artwork& artwor
   return {side * ak, -bk, x, side * bk, ak, y};
 }
 
-/// Lengths with `decimals` digits after the point, factors with seven.
-std::string matrix_text(const cv::Matx23d& m, int decimals = 3) {
+std::string matrix_text(const cv::Matx23d& m) {
   std::string text = "matrix(";
   for (const double v : {m(0, 0), m(1, 0), m(0, 1), m(1, 1)}) text += fixed(v, 7) + " ";
-  text += fixed(m(0, 2), decimals) + " " + fixed(m(1, 2), decimals) + ")";
+  text += fixed(m(0, 2), 3) + " " + fixed(m(1, 2), 3) + ")";
   return text;
 }
 
@@ -176,8 +176,9 @@ Similarity symbol_from_shape(const Shape& shape, const SvgSymbol& symbol) {
 }
 
 /// In the units of the shape's symbol.
-void write_clip(const Shape& shape, const SvgSymbol& symbol, const Outline& clip, std::size_t slot, XmlWriter& svg) {
-  svg.raw("\n").start("clipPath").attribute("id", clip_id(slot));
+void write_clip(const std::string& id, const Shape& shape, const SvgSymbol& symbol, const Outline& clip,
+                XmlWriter& svg) {
+  svg.raw("\n").start("clipPath").attribute("id", id);
   svg.start("path").attribute("clip-rule", "evenodd");
   svg.attribute("d", svg_path(as_drawn(shape.artwork, clip.curves), symbol_from_shape(shape, symbol))).end();
   svg.end();
@@ -248,15 +249,18 @@ void write_outline(const Shape& shape, const SvgSymbol& symbol, std::size_t slot
 void write_definitions(const CollageReport& report, const ShapeArtworks& artworks,
                        const std::vector<SvgSymbol>& symbols, XmlWriter& svg) {
   const OutputSpec& output = report.job->output;
+  const bool patches = has_patches(report);
   svg.raw("\n").start("defs");
   for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
     if (report.shapes.slot_of_drawing(slot) == slot) svg.raw("\n").raw(symbols[slot].xml);
   }
   for (std::size_t slot = 0; slot < symbols.size(); ++slot) {
     if (report.shapes.slot_of_drawing(slot) != slot) continue;
-    if (output.clip != kNoClip || has_patches(report))
-      write_clip(report.shapes[slot], symbols[slot], artworks.clip(slot), slot, svg);
-    if (has_outlines(output)) write_outline(report.shapes[slot], symbols[slot], slot, svg);
+    const Shape& shape = report.shapes[slot];
+    if (output.clip != kNoClip) write_clip(clip_id(slot), shape, symbols[slot], artworks.clip(slot), svg);
+    // A patch does not know what is transparent beside the outline.
+    if (patches) write_clip(patch_clip_id(slot), shape, symbols[slot], shape.outline, svg);
+    if (has_outlines(output)) write_outline(shape, symbols[slot], slot, svg);
   }
   if (has_shadow(output)) write_shadow_filter(report, svg);
   write_turn_filters(report, svg);
@@ -312,18 +316,17 @@ void write_piece(const CollageReport& report, const std::vector<SvgSymbol>& symb
   svg.start("title").text(title).end();
   svg.start("use").attribute("xlink:href", "#" + symbol_id(drawing.slot));
   const OutputSpec& output = report.job->output;
-  const auto clip = [&] { svg.attribute("clip-path", "url(#" + clip_id(drawing.slot) + ")"); };
   const auto turn_hues = [&] {
     const int turn_deg = report.tones.empty() ? 0 : report.tones[drawn.piece].turn_deg;
     if (turn_deg != 0) svg.attribute("filter", "url(#" + turn_id(turn_deg) + ")");
   };
-  if (output.clip != kNoClip) clip();
+  if (output.clip != kNoClip) svg.attribute("clip-path", "url(#" + clip_id(drawing.slot) + ")");
   if (!report.colours.empty()) svg.attribute("fill", report.colours[drawn.piece]);
   turn_hues();
   svg.end();
   if (has_patch(report, drawn.piece)) {
     svg.start("use").attribute("xlink:href", "#" + patch_id(drawn.piece));
-    clip();
+    svg.attribute("clip-path", "url(#" + patch_clip_id(drawing.slot) + ")");
     turn_hues();
     svg.end();
   }

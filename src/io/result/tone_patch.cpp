@@ -9,6 +9,9 @@
 namespace tessera::io {
 namespace {
 
+/// Cells of the picture on each side: deformed pieces go beyond the grid, where a smooth picture would fade.
+constexpr int kRing = 2;
+
 /// Premultiplied, alpha from 0 to 1.
 cv::Vec4f premultiplied(const cv::Vec4b& bgra) {
   const float alpha = float(bgra[3]) / 255;
@@ -53,10 +56,10 @@ cv::Vec4d TonePatch::mean() const {
 }
 
 cv::Mat patch_picture(const TonePatch& patch) {
-  cv::Mat picture(kColourSide + 2, kColourSide + 2, CV_8UC4);
+  cv::Mat picture(kColourSide + 2 * kRing, kColourSide + 2 * kRing, CV_8UC4);
   for (int y = 0; y < picture.rows; ++y) {
     for (int x = 0; x < picture.cols; ++x) {
-      const int row = std::clamp(y - 1, 0, kColourSide - 1), column = std::clamp(x - 1, 0, kColourSide - 1);
+      const int row = std::clamp(y - kRing, 0, kColourSide - 1), column = std::clamp(x - kRing, 0, kColourSide - 1);
       picture.at<cv::Vec4b>(y, x) = patch.bgra[std::size_t(row * kColourSide + column)];
     }
   }
@@ -64,7 +67,7 @@ cv::Mat patch_picture(const TonePatch& patch) {
 }
 
 cv::Matx23d canvas_from_patch_picture(const TonePatch& patch) {
-  return joined(patch.canvas_from_cells, {1, 0, -1, 0, 1, -1});
+  return joined(patch.canvas_from_cells, {1, 0, -kRing, 0, 1, -kRing});
 }
 
 void lay_patch(const TonePatch& patch, cv::Point origin, double picture_px, cv::Mat& bgra) {

@@ -19,7 +19,8 @@ struct TonePatch {
   cv::Vec4d mean() const;
 };
 
-/// The patch with a ring of the same colours round it, one px a cell: straight BGRA. Drawn smoothly it has no edge.
+/// The patch with a ring of the same colours round it, one px a cell: straight BGRA. Drawn smoothly it has no edge where
+/// a piece is.
 cv::Mat patch_picture(const TonePatch& patch);
 
 /// Canvas px from px of patch_picture.

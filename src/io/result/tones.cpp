@@ -17,7 +17,10 @@ namespace {
 /// Of what is laid over a piece: more takes too much of the drawing's own contrast. Measured with 0.15 to 0.3
 /// (docs/measurements.md, "Mosaics seen from afar").
 constexpr double kMostOpacity = 0.25;
-constexpr int kHalvings = 7;  // of the way to the colour beneath
+/// Less for what goes a short way, of 255: white that becomes a little whiter would be veiled for nothing.
+constexpr double kWayOfFullOpacity = 40;
+constexpr double kLeastWay = 0.5;  // of 255: less is rounding
+constexpr int kHalvings = 7;       // of the way to the colour beneath
 /// Each cell is smoothed with its neighbours, and a little with the whole piece: cells that are hardly drawn on follow
 /// these.
 constexpr double kSideShare = 0.25;
@@ -31,6 +34,12 @@ cv::Matx23d canvas_from_cells(const Shape& shape, const Similarity& pose) {
   const double height = double(box.high.y - box.low.y) / kColourSide;
   const Vec2 low = pose.apply(box.low);
   return {pose.a * width, -pose.b * height, low.x, pose.b * width, pose.a * height, low.y};
+}
+
+/// Libraries may come from anywhere: an outline may have no area.
+bool has_area(const cv::Matx23d& m) {
+  const double area = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0);
+  return std::isfinite(area) && area != 0 && std::isfinite(m(0, 2)) && std::isfinite(m(1, 2));
 }
 
 /// The picture that is shown, over the canvas.
@@ -58,8 +67,8 @@ class Shown {
  private:
   /// Of the nearest pixel, premultiplied, alpha from 0 to 1.
   cv::Vec4d at(const cv::Vec2d& canvas_px) const {
-    const int x = std::clamp(int(std::floor(canvas_px[0] * px_x_)), 0, bgra_.cols - 1);
-    const int y = std::clamp(int(std::floor(canvas_px[1] * px_y_)), 0, bgra_.rows - 1);
+    const int x = int(std::clamp(canvas_px[0] * px_x_, 0., bgra_.cols - 1.));
+    const int y = int(std::clamp(canvas_px[1] * px_y_, 0., bgra_.rows - 1.));
     const cv::Vec4b& pixel = bgra_.at<cv::Vec4b>(y, x);
     const double alpha = pixel[3] / 255.;
     return {pixel[0] * alpha, pixel[1] * alpha, pixel[2] * alpha, alpha};
@@ -151,8 +160,9 @@ cv::Vec4b overlay(const cv::Vec3d& own, const cv::Vec3d& way) {
     const double room = way[c] > 0 ? 255 - own[c] : own[c];
     if (way[c] != 0) opacity = std::max(opacity, room > 0 ? std::abs(way[c]) / room : 1.);
   }
-  const int alpha = int(std::ceil(255 * std::min(opacity, kMostOpacity)));
-  if (alpha == 0) return {};
+  const double length = std::max({std::abs(way[0]), std::abs(way[1]), std::abs(way[2])});
+  const int alpha = int(std::ceil(255 * std::min({opacity, kMostOpacity, length / kWayOfFullOpacity})));
+  if (length < kLeastWay) return {};
   cv::Vec4b bgra;
   for (int c = 0; c < 3; ++c) bgra[c] = cv::saturate_cast<std::uint8_t>(own[c] + way[c] * 255 / alpha);
   bgra[3] = std::uint8_t(alpha);
@@ -216,6 +226,7 @@ std::vector<Tone> tones_towards_picture(const CollageReport& report, const std::
     if (report.covered[i].empty()) continue;
     const Placement& placement = report.placements[i];
     const cv::Matx23d canvas_from_grid = canvas_from_cells(report.shape(placement.shape), placement.canvas_from_shape);
+    if (!has_area(canvas_from_grid)) continue;
     OfCells<std::optional<cv::Vec3d>> wished;
     wished.fill(cv::Vec3d(bgr_of(report.covered[i])));
     for (int cell = 0; cell < kColourCells && !shown_bgra.empty(); ++cell) {

@@ -20,9 +20,9 @@ std::vector<std::string> covered_colours(const CollageReport& report, const Colo
 cv::Vec3b drawn_colour(const CollageReport& report, std::size_t piece);
 
 /// For each piece what goes to CollageReport::tones: each cell of its colours moved towards what lies beneath it, as
-/// far as `most_difference` (CIEDE2000) allows. `drawn`: of the shapes, by slot. `shown_bgra` is the picture over the canvas (shown_picture.h), straight
-/// alpha; where it is empty the piece's mean stands for it (CollageReport::covered), as in results of older versions.
-/// Empty where `most_difference` is 0 or no picture is shown.
+/// far as `most_difference` (CIEDE2000) allows. `drawn`: of the shapes, by slot. `shown_bgra` is the picture over the
+/// canvas (shown_picture.h), straight alpha; where it is empty the piece's mean stands for it (CollageReport::covered),
+/// as in results of older versions. Empty where `most_difference` is 0 or no picture is shown.
 std::vector<Tone> tones_towards_picture(const CollageReport& report, const std::vector<DrawnColours>& drawn,
                                         const cv::Mat& shown_bgra, double most_difference);
 
