@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
 #include "cli/job_output.h"
+#include "cli/shell_word.h"
 #include "cli/terminal.h"
 #include "comm/stop_signals.h"
 #include "core/base/count_text.h"
@@ -69,11 +70,21 @@ void print_faces(const io::MosaicRequest& request, const io::Mosaic& mosaic) {
     print_line("%s, with the smallest pieces on eyes and mouth%s", count_text(std::size_t(faces), "face").c_str(),
                faces > 1 ? "s" : "");
   }
+  if (!request.salient.empty()) {
+    print_line("small pieces where %s is white; faces are not looked for", shell_cell(request.salient).c_str());
+  }
   if (mosaic.faces || !request.salient.empty()) return;
   print_line(
       "faces were not looked for: %s is missing; Debian's package opencv-data brings it, TESSERA_CASCADES=FOLDER names "
       "another folder, and --salient FILE says where pieces are to be small",
       request.face_cascade.c_str());
+}
+
+/// The job as it was asked for: what --set says is not in the file.
+std::string next_command(const MosaicArguments& arguments) {
+  std::string command = "tessera collage " + shell_word(arguments.request.job);
+  for (const std::string& value : arguments.collage.overrides) command += " --set " + shell_word(value);
+  return command;
 }
 
 void write_job(const MosaicArguments& arguments) {
@@ -94,7 +105,7 @@ void write_job(const MosaicArguments& arguments) {
              plan.canvas_px.width, plan.canvas_px.height, plan.pieces, plan.min_scale_px, plan.max_scale_px,
              count_text(library.size(), "shape").c_str(), io::size_map_path(request.job).c_str(), regions.c_str());
   print_faces(request, mosaic);
-  if (arguments.job_only) print_line("next: tessera collage %s", request.job.c_str());
+  if (arguments.job_only) print_line("next: %s", next_command(arguments).c_str());
   print_now();
 }
 

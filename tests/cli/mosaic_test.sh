@@ -52,8 +52,15 @@ echo "<svg xmlns='http://www.w3.org/2000/svg' width='30' height='20'><rect width
   <circle cx='24' cy='4' r='3' fill='#fff'/></svg>" >spot.svg
 rsvg-convert spot.svg -o spot.png
 run 0 mosaic sun.png own.h5 --pieces 100 --job-only --job spot.toml --salient spot.png
-grep -q 'faces' output && fail "speaks of faces where a picture says what is salient"
+grep -q '[0-9] face\|were not looked for' output && fail "speaks of faces where a picture says what is salient"
+grep -qx 'small pieces where spot.png is white; faces are not looked for' output || fail "does not say what is salient"
 cmp -s sun_sizes.png spot_sizes.png && fail "--salient changes no sizes"
+rsvg-convert -w 30 -h 30 spot.svg -o square.png
+run 2 mosaic sun.png own.h5 --pieces 100 --job-only --job none.toml --salient square.png
+expect_word 'square.png: found 30 x 30 px, allowed: the aspect of the image, 300 x 200 px'
+run 0 mosaic sun.png own.h5 --pieces 100 --job-only --job set.toml --set colour.weight=8 --set 'output.background=#ffff00'
+grep -qxF "next: tessera collage set.toml --set colour.weight=8 --set 'output.background=#ffff00'" output ||
+  fail "the next command forgets --set: $(cat output)"
 run 2 mosaic sun.png own.h5 --pieces 100 --job-only --job none.toml --salient sun.png
 expect_word 'sun.png: found the colour #4488cc at (0, 0) px, allowed: a grey picture'
 run 2 mosaic sun.png own.h5 --pieces 100 --job-only --job none.toml --salient spot.svg

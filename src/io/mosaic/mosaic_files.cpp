@@ -107,10 +107,20 @@ void check_regions(int regions) {
                    std::to_string(kMostMosaicRegions));
 }
 
-/// `path`: a grey picture.
-cv::Mat painted_saliency(const std::string& path, cv::Size size, Drawers& drawers) {
+/// A picture that is stretched marks other places than it was painted for.
+void check_aspect(cv::Size found, cv::Size image) {
+  constexpr double kMostStretched = 0.02;
+  const double stretched = double(found.width) * image.height / (double(found.height) * image.width);
+  if (std::abs(stretched - 1) <= kMostStretched) return;
+  const auto text = [](cv::Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); };
+  throw InputError("found " + text(found) + " px, allowed: the aspect of the image, " + text(image) + " px");
+}
+
+/// `path`: a grey picture of the image's aspect.
+cv::Mat painted_saliency(const std::string& path, cv::Size image, cv::Size size, Drawers& drawers) {
   const cv::Mat picture = drawers.whole_picture(read_regular_file(path, kMaxPhotoBytes), path, kMaxArtworkSide_px);
   try {
+    check_aspect(picture.size(), image);
     return saliency_of_picture(picture, size);
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
@@ -159,8 +169,9 @@ Mosaic make_mosaic(const MosaicRequest& request, Drawers& drawers) {
   const cv::Mat image = read_image(request.image, drawers);
   const MosaicPlan plan = plan_for(request, image);
   const std::optional<std::vector<Face>> faces = faces_for(request, image, plan);
-  const cv::Mat saliency = request.salient.empty() ? saliency_of(faces.value_or(std::vector<Face>()), plan)
-                                                   : painted_saliency(request.salient, size_map_size(plan), drawers);
+  const cv::Mat saliency = request.salient.empty()
+                               ? saliency_of(faces.value_or(std::vector<Face>()), plan)
+                               : painted_saliency(request.salient, image.size(), size_map_size(plan), drawers);
   Mosaic mosaic{
       .plan = plan, .faces = {}, .regions = 0, .files = {{map_path, png_of(size_map(image, plan, saliency))}}};
   if (faces) mosaic.faces = int(faces->size());

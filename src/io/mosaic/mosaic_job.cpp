@@ -55,8 +55,8 @@ std::string mosaic_job(const MosaicFiles& files, const MosaicPlan& plan, const M
          "# Every key of a job: docs/job-format.md\n"
          "\n"
          "seed = 1  # another seed, another mosaic\n"
-         "quality = \"draft\"  # \"good\" covers 2 % more, shows the image a little better and takes five times as "
-         "long\n"
+         "# \"good\" covers 1 to 2 % more, shows the image a little better and takes three times as long.\n"
+         "quality = \"draft\"\n"
          "\n"
          "[library]\n" +
          library_lines(files.libraries) +
