@@ -42,6 +42,7 @@ cv::Rect mean_of(const cv::Rect& sum, int count) {
 
 /// The mean window of each place that has enough of them.
 std::vector<HaarHit> places_of(const std::vector<cv::Rect>& windows, int fewest) {
+  if (windows.empty()) return {};  // cv::partition looks at the first
   std::vector<int> place;
   std::vector<HaarHit> places(std::size_t(cv::partition(windows, place, same_place)));
   for (std::size_t i = 0; i < windows.size(); ++i) {
