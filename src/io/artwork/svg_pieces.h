@@ -11,8 +11,8 @@
 
 namespace tessera::io {
 
-/// What a piece of collage.svg uses (docs/result-format.md): its drawing, or its outline as a line. The overlay, which
-/// lies above the pieces, is the last one.
+/// A piece of collage.svg consists of several <use> elements (docs/result-format.md): its drawing, the tones over it, a
+/// line along its outline. This is one of them. The overlay, which lies above the pieces, is the last one of a list.
 struct SvgPiece {
   std::string id;
   cairo_matrix_t document_from_piece;

@@ -291,7 +291,7 @@ void check_overlay(const Job& job) {
                    ", allowed without colour.image: 0");
 }
 
-/// What pictures show together.
+/// Checks the keys that say how pictures are drawn, where one of them asks for another or forbids it.
 void check_drawing(const Job& job) {
   check_background(job);
   check_overlay(job);

@@ -10,7 +10,8 @@ namespace tessera::io {
 namespace {
 
 constexpr char kDebianFolder[] = "/usr/share/opencv4/haarcascades";
-/// Of 100 faces of the LFW data set it finds 93 with kFewestWindows, and nothing in photos of things and textures.
+/// This cascade finds 93 of 100 faces of the LFW data set with kFewestWindows, and nothing in photos of things and
+/// textures.
 constexpr char kCascade[] = "haarcascade_frontalface_alt2.xml";
 
 /// px, the longer side of the picture in which faces are looked for.

@@ -72,7 +72,7 @@ class HaarCascade::Layer {
 
   cv::Size size_px() const { return size_px_; }
   double sum(cv::Rect box) const { return of(sums_.ptr<int>(), sums_.step1(), box); }
-  /// Of the window's inner part: its standard deviation times its area.
+  /// The standard deviation of the greys in the window's inner part, times its area.
   double deviation(cv::Point at) const {
     const cv::Rect box = inner_ + at;
     const double sum_of = sum(box), squares = of(squares_.ptr<double>(), squares_.step1(), box);

@@ -1,6 +1,7 @@
-// A cascade of Haar-like features: a window that slides over the picture at all sizes is refused early where it does
-// not hold what the cascade was trained for (Viola and Jones 2001). It accepts the windows that OpenCV's detector
-// accepts, but for rounding at a threshold. That one lies in a library whose development package needs a hundred others.
+// A cascade of Haar-like features (Viola and Jones 2001): a window slides over the picture at all sizes, and is refused
+// early where it does not hold what the cascade was trained for. The windows that it accepts are those of OpenCV's
+// detector, but for rounding at a threshold. OpenCV's own lies in a library whose development package needs a hundred
+// others.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -44,8 +45,9 @@ class HaarCascade {
   /// Throws InputError where an index or a rectangle leads elsewhere.
   HaarCascade(cv::Size window_px, std::vector<HaarFeature> features, std::vector<HaarStage> stages);
 
-  /// Of all places of `grey` (CV_8U) where windows with sides from `smallest_px` to `largest_px` are accepted, those
-  /// with `fewest` of them or more, the surest first. The same each time, whatever the threads.
+  /// Slides windows with sides from `smallest_px` to `largest_px` over `grey` (CV_8U) and joins those accepted that
+  /// lie at one place. Returns the places with `fewest` windows or more, the surest first: the same each time, whatever
+  /// the threads.
   std::vector<HaarHit> find(const cv::Mat& grey, int smallest_px, int largest_px, int fewest) const;
 
  private:

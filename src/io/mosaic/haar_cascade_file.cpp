@@ -27,7 +27,7 @@ const xmlNode* child(const xmlNode* parent, std::string_view name) {
   throw InputError("<" + std::string(name) + "> is missing");
 }
 
-/// Those named "_", of which lists are made.
+/// The children that are named "_": OpenCV's XML writes each item of a list as such an element.
 std::vector<const xmlNode*> items(const xmlNode* list) {
   std::vector<const xmlNode*> found;
   for (const xmlNode* node = list->children; node; node = node->next) {

@@ -127,7 +127,7 @@ cv::Mat painted_saliency(const std::string& path, cv::Size image, cv::Size size,
   }
 }
 
-/// What is wrong with the file is wrong with the machine: nobody gave it with the image.
+/// The file belongs to the machine, not to the request: a damaged one is the fault of the environment.
 HaarCascade read_cascade(const std::string& path) {
   try {
     return read_haar_cascade(path);

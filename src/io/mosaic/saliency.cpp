@@ -20,7 +20,7 @@ struct Spot {
 constexpr Spot kFace{0.5, 0.5, 0.46, 0.58, 0.3};
 constexpr Spot kEyesAndMouth[] = {
     {0.29, 0.37, 0.17, 0.12, 0.8}, {0.71, 0.37, 0.17, 0.12, 0.8}, {0.5, 0.79, 0.23, 0.12, 0.8}};
-/// Of a radius: beyond it saliency falls to nothing over so much.
+/// Beyond the radius of an ellipse saliency falls to nothing over this part of the radius.
 constexpr double kBorder = 0.4;
 
 /// In smallest pieces: a wider face needs less.

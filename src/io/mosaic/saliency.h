@@ -1,4 +1,5 @@
-// What eyes look for first, whatever the contrast there: faces, or what somebody painted.
+// Saliency: the places of a picture that people look at first, whatever the contrast there. These are faces, or what
+// the user has painted in a map.
 #pragma once
 
 #include <opencv2/core.hpp>

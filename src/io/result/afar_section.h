@@ -8,7 +8,7 @@
 
 namespace tessera::io {
 
-/// What was measured from afar when a collage was drawn, or why nothing was.
+/// The figures that tell how well the drawn collage shows its picture from afar, or why there are none.
 struct AfarNote {
   std::optional<SeenFromAfar> seen;
   std::string not_measured;  // why there are no figures

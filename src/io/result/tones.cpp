@@ -14,10 +14,11 @@
 namespace tessera::io {
 namespace {
 
-/// Of what is laid over a piece: more takes too much of the drawing's own contrast. Measured with 0.15 to 0.3
-/// (docs/measurements.md, "Mosaics seen from afar").
+/// The most opacity of what is laid over a piece: more takes too much of the drawing's own contrast. Measured with 0.15
+/// to 0.3 (docs/measurements.md, "Mosaics seen from afar").
 constexpr double kMostOpacity = 0.25;
-/// Less for what goes a short way, of 255: white that becomes a little whiter would be veiled for nothing.
+/// A way of so much, of 255, may have all of an opacity of 1, and a shorter one as much less: white that is to become a
+/// little whiter would be veiled for nothing.
 constexpr double kWayOfFullOpacity = 40;
 constexpr double kLeastWay = 0.5;  // of 255: less is rounding
 constexpr int kHalvings = 7;       // of the way to the colour beneath
