@@ -3,8 +3,6 @@
 # Slurm says which GPUs of the node the job has; mpirun shows them all to every rank. Here the workers of the node
 # divide them by their local ranks; where there are more workers than GPUs, several use one. Rank 0, the master, needs
 # none. Without such a variable (CPU devices), with one GPU or with one rank, nothing of that changes.
-# The drivers keep compiled kernels on the node's own disk: a home that all nodes share is slow for it, and ranks of
-# several nodes would write the same files there.
 set -euo pipefail
 
 worker=${OMPI_COMM_WORLD_LOCAL_RANK:-${SLURM_LOCALID:-0}}
@@ -35,9 +33,4 @@ if ((worker >= 0 && workers > 1)); then
   done
 fi
 
-kernels=${TMPDIR:-/tmp}/tessera-kernels-$UID
-mkdir -m 700 "$kernels" 2>/dev/null || true  # it is there already
-if [[ -d $kernels && ! -L $kernels && -O $kernels && -w $kernels ]]; then  # nobody else's folder of that name
-  export POCL_CACHE_DIR=${POCL_CACHE_DIR:-$kernels/pocl} CUDA_CACHE_PATH=${CUDA_CACHE_PATH:-$kernels/cuda}
-fi
 exec "$@"

@@ -120,6 +120,7 @@ void add_memory(const PlanInput& input, const MatchingContext& context, PlanEsti
   const double field = kFieldNode_bytes * input.canvas_nodes;
   plan.device_bytes = double(worker::device_bytes(context, plan.shapes_per_worker,
                                                   {.reads_models = input.reads, .field_nodes = input.canvas_nodes}));
+  plan.largest_buffer_bytes = double(std::max(shard.largest_buffer, worker::list_bytes(plan.shapes_per_worker)));
   const double on_host = input.host_devices ? double(shard.device) + lists : 0;
   const double library = passing + double(shard.host) + on_host;
   const double kept = kWholeShape_bytes * std::min(double(input.shapes), kKeptShapes);

@@ -32,8 +32,9 @@ struct PlanEstimate {
   std::uint64_t pads_per_shape = 0;
   std::size_t shapes_per_worker = 0;
   double pieces = 0;
-  double device_bytes = 0;  // of a worker's part of the library, the field and what is under way
-  double worker_bytes = 0;  // host memory
+  double device_bytes = 0;          // of a worker's part of the library, the field and what is under way
+  double largest_buffer_bytes = 0;  // of these
+  double worker_bytes = 0;          // host memory
   double master_bytes = 0;
   double node_bytes = 0;  // of the node with the master
   double matching_s = 0;  // all workers together

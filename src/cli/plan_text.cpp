@@ -41,7 +41,8 @@ std::string ranks_text(const PlanInput& input, const PlanEstimate& plan) {
 
 std::string memory_text(const PlanInput& input, const PlanEstimate& plan) {
   const std::string device =
-      line("on a worker's device", megabytes(plan.device_bytes) + (input.host_devices ? ", a CPU: counted above" : ""));
+      line("on a worker's device", megabytes(plan.device_bytes) + ", of which " + megabytes(plan.largest_buffer_bytes) +
+                                       " in one buffer" + (input.host_devices ? "; a CPU: counted above" : ""));
   if (input.ranks == 1) return line("memory", megabytes(plan.master_bytes)) + device;
   return line("memory of the master", megabytes(plan.master_bytes)) +
          line("memory of a worker", megabytes(plan.worker_bytes)) + device +

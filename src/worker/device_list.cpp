@@ -7,6 +7,7 @@
 #include "core/base/kept_memory.h"
 #include "worker/arithmetic_probe.h"
 #include "worker/driver_faults.h"
+#include "worker/kernel_cache.h"
 #include "worker/opencl_devices.h"
 
 namespace tessera::worker {
@@ -76,7 +77,8 @@ std::string device_list() {
     text += device_line(i, devices[i]);
     latest = platform;
   }
-  return text + use_text(devices.size()) + kept_memory_text(devices) + faults_text();
+  return text + use_text(devices.size()) + kept_memory_text(devices) + kernel_cache_text(kernel_cache()) + "\n" +
+         faults_text();
 }
 
 }  // namespace tessera::worker

@@ -14,6 +14,17 @@ namespace {
 constexpr const char* kUsualFolder = "/etc/OpenCL/vendors";
 constexpr std::array kDrivers = {"libnvidia-opencl.so.1", "libamdocl64.so", "libigdrcl.so"};
 
+/// A file that a maker's kernel driver makes where it found a card, and the OpenCL library that uses the card.
+struct Card {
+  const char* maker;
+  const char* file;
+  const char* library;
+  const char* cure;
+};
+constexpr std::array kCards = {
+    Card{"NVIDIA", "nvidiactl", "libnvidia-opencl.so.1", "a container gets it by NVIDIA_DRIVER_CAPABILITIES=compute"},
+    Card{"AMD", "kfd", "libamdocl64.so", "it is part of ROCm's OpenCL runtime"}};
+
 /// A file of the list and the library that it names. Where OCL_ICD_VENDORS is a library itself, both are it.
 struct Entry {
   std::string file;
@@ -53,9 +64,16 @@ std::string load_fault(const std::string& library) {
   return "";
 }
 
+std::string stem_of(const std::string& library) { return library.substr(0, library.find(".so")); }
+
+bool has_driver(const std::vector<Entry>& entries, const std::string& driver) {
+  return std::any_of(entries.begin(), entries.end(),
+                     [&](const Entry& entry) { return entry.library.find(stem_of(driver)) != std::string::npos; });
+}
+
 }  // namespace
 
-std::vector<std::string> driver_list_faults() {
+std::vector<std::string> driver_list_faults(const std::filesystem::path& devices) {
   const std::vector<Entry> entries = driver_list();
   std::vector<std::string> faults;
   for (const Entry& entry : entries) {
@@ -65,12 +83,16 @@ std::vector<std::string> driver_list_faults() {
                      "\", which cannot be loaded: " + fault);
   }
   for (const std::string driver : kDrivers) {
-    const std::string stem = driver.substr(0, driver.find(".so"));
-    const bool listed = std::any_of(entries.begin(), entries.end(),
-                                    [&](const Entry& entry) { return entry.library.find(stem) != std::string::npos; });
-    if (listed || !load_fault(driver).empty()) continue;
+    if (has_driver(entries, driver) || !load_fault(driver).empty()) continue;
     faults.push_back("this machine has the OpenCL library " + driver + ", but no file in " + kUsualFolder +
                      " names it, so that its devices are not found: OCL_ICD_VENDORS=" + driver + " chooses it");
+  }
+  for (const Card& card : kCards) {
+    std::error_code ignored;
+    const bool there = std::filesystem::exists(devices / card.file, ignored);
+    if (!there || has_driver(entries, card.library) || load_fault(card.library).empty()) continue;
+    faults.push_back("this machine has a card of " + std::string(card.maker) + " (" + (devices / card.file).string() +
+                     "), but not the OpenCL library " + card.library + ": " + card.cure);
   }
   return faults;
 }

@@ -9,6 +9,7 @@
 #include "core/base/process_limits.h"
 #include "core/base/split_text.h"
 #include "worker/driver_faults.h"
+#include "worker/kernel_cache.h"
 #include "worker/opencl_runtime.h"
 
 namespace tessera::worker {
@@ -110,6 +111,7 @@ std::vector<cl::Device> devices_by_index(const std::vector<cl::Device>& all, con
 }  // namespace
 
 std::vector<cl::Device> opencl_devices() {
+  kernel_cache();
   std::vector<cl::Device> all;
   const std::vector<cl::Platform> found = platforms();
   for (const cl::Platform& platform : found) {

@@ -115,6 +115,8 @@ TEST(Plan, takes_the_device_bytes_from_the_workers) {
   const double more = estimate(twice).device_bytes - estimate(input).device_bytes;
   const double shard = double(worker::shard_bytes(context, input.shapes / 2, true).device);  // each of two workers
   constexpr double kListsOfAShape_bytes = 2 * 15e3;  // of pairs, and of dockings
+  EXPECT_GE(estimate(twice).largest_buffer_bytes,
+            double(worker::shard_bytes(context, twice.shapes / 2, true).largest_buffer));
   EXPECT_NEAR(more, shard + kListsOfAShape_bytes * double(input.shapes / 2), 0.05 * more);
 }
 
@@ -192,7 +194,8 @@ TEST(Plan, header_is_what_sbatch_takes) {
 
 TEST(Plan, says_that_it_estimates) {
   const std::string text = plan_text(animals(), estimate(animals()));
-  for (const char* part : {"Estimates for 3 ranks, a master and 2 workers", "232 shapes", "about", "Half or twice"}) {
+  for (const char* part :
+       {"Estimates for 3 ranks, a master and 2 workers", "232 shapes", "in one buffer", "about", "Half or twice"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
   }
 }

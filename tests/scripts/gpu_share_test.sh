@@ -14,23 +14,6 @@ expect() {
   [[ $found == "$expected" ]] || { echo "worker $worker of $workers, $*: sees '$found', not '$expected'" >&2; exit 1; }
 }
 
-# Where compiled kernels are kept: on the node's own disk, unless somebody says otherwise, or there can be no folder.
-sandbox=$(mktemp -d)
-trap 'rm -rf "$sandbox"' EXIT
-# expect_kernels EXPECTED VARIABLE=VALUE...
-expect_kernels() {
-  local expected=$1 found
-  shift
-  # shellcheck disable=SC2016  # the worker's shell expands it
-  found=$(env -u POCL_CACHE_DIR -u CUDA_CACHE_PATH "$@" "$gpu_share" \
-    bash -c 'echo "${POCL_CACHE_DIR-} ${CUDA_CACHE_PATH-}"')
-  [[ $found == "$expected" ]] || { echo "kernels with $*: in '$found', not '$expected'" >&2; exit 1; }
-}
-own=$sandbox/tessera-kernels-$UID
-expect_kernels "$own/pocl $own/cuda" TMPDIR="$sandbox"
-expect_kernels "/mine $own/cuda" TMPDIR="$sandbox" POCL_CACHE_DIR=/mine
-expect_kernels " " TMPDIR=/dev/null
-
 expect 0 2 "0,2  " CUDA_VISIBLE_DEVICES=0,1,2,3
 expect 1 2 "1,3  " CUDA_VISIBLE_DEVICES=0,1,2,3
 expect 2 3 "0  " CUDA_VISIBLE_DEVICES=0,1

@@ -59,6 +59,19 @@ TEST_F(DriverList, MayBeASingleFileOrALibrary) {
   EXPECT_TRUE(driver_list_faults().empty());
 }
 
+TEST_F(DriverList, TellsOfACardWithoutItsLibrary) {
+  list("good.icd", "libc.so.6");
+  std::ofstream(folder() / "nvidiactl");
+  const std::vector<std::string> faults = driver_list_faults(folder());
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_TRUE(has(faults[0], "card of NVIDIA") && has(faults[0], "libnvidia-opencl.so.1")) << faults[0];
+  list("nvidia.icd", "libnvidia-opencl.so.1");  // told once: the library of the list cannot be loaded
+  EXPECT_EQ(driver_list_faults(folder()).size(), 1u);
+  std::filesystem::remove(folder() / "nvidiactl");
+  std::filesystem::remove(folder() / "nvidia.icd");
+  EXPECT_TRUE(driver_list_faults(folder()).empty());
+}
+
 TEST(CompilerFault, IsTheLogOrWhatMayHelpWithoutOne) {
   EXPECT_EQ(compiler_fault("line 3: no such function", -11), "line 3: no such function");
   EXPECT_TRUE(has(compiler_fault(" \n", -11), "code -11")) << compiler_fault(" \n", -11);
